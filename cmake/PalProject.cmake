@@ -1,0 +1,43 @@
+# Settings that every target of the project shares.
+include(GNUInstallDirs)
+
+option(PAL_BUILD_WORKCELL "Build the MuJoCo workcell and the skills that run in it" ON)
+option(PAL_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(PAL_WARNINGS_AS_ERRORS "Treat compiler warnings as errors (set by the presets)" OFF)
+set(PAL_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize= (set by the presets)")
+
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 12)
+  message(FATAL_ERROR "pal needs g++ 12 or newer (this is ${CMAKE_CXX_COMPILER_VERSION}): apt-get install g++-12")
+endif()
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+if(PAL_SANITIZE)
+  add_compile_options(-fsanitize=${PAL_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${PAL_SANITIZE})
+endif()
+
+# pal_library(NAME SOURCES … [USES …] [PRIVATE_USES …]): a library pal_NAME with alias pal::NAME.
+# Headers are included from the project's root: #include "pal/support/source.hpp".
+function(pal_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  add_library(pal_${name} STATIC ${ARG_SOURCES})
+  add_library(pal::${name} ALIAS pal_${name})
+  target_include_directories(pal_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/pal>)
+  target_link_libraries(pal_${name} PUBLIC ${ARG_USES} PRIVATE ${ARG_PRIVATE_USES})
+  set_target_properties(pal_${name} PROPERTIES EXPORT_NAME ${name})
+  pal_warnings(pal_${name})
+endfunction()
+
+# pal_warnings(TARGET): the project's warnings; code that a generator wrote by ANTLR is left out.
+function(pal_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+    -Wnon-virtual-dtor -Wold-style-cast $<$<BOOL:${PAL_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()

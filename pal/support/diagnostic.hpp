@@ -1,0 +1,52 @@
+// What is wrong with a specification: collected by the stages, rendered by the driver.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/source.hpp"
+
+namespace pal {
+
+enum class Severity { note, warning, error };
+
+/// A second place that helps to understand the first.
+struct Note {
+  SourceSpan where;
+  std::string text;
+};
+
+/// One finding. `message` is lower case without a full stop and says what is wrong at `where`, the narrowest
+/// place there is; `hint` says what to do about it, and following it makes the finding go away.
+struct Diagnostic {
+  Code code;
+  Severity severity;
+  SourceSpan where;
+  std::string message;
+  std::vector<Note> notes;
+  std::string hint;
+};
+
+/// Where stages leave their findings. Stages go on after an error as far as they can.
+class Diagnostics {
+ public:
+  /// Reports with the severity that the table gives the code.
+  Diagnostic& report(Code code, SourceSpan where, std::string message, std::string hint = {});
+
+  std::size_t errors() const { return errors_; }
+  bool has_errors() const { return errors_ != 0; }
+
+  /// In the order reported.
+  const std::vector<Diagnostic>& all() const { return all_; }
+
+  /// In the order a reader wants: by file, then place, then code; repeats of one finding once.
+  std::vector<Diagnostic> sorted() const;
+
+ private:
+  std::vector<Diagnostic> all_;
+  std::size_t errors_ = 0;
+};
+
+}  // namespace pal

@@ -1,0 +1,23 @@
+// Codes of the findings, from the one table in diagnostic_code.def.
+#pragma once
+
+#include <string_view>
+
+namespace pal {
+
+enum class Severity;
+
+enum class Code {
+#define PAL_DIAGNOSTIC(code, severity, title) code,
+#include "pal/support/diagnostic_code.def"
+#undef PAL_DIAGNOSTIC
+};
+
+/// "PAL0101".
+std::string_view name(Code code);
+/// The severity that the table gives.
+Severity severity(Code code);
+/// The table's short title, lower case.
+std::string_view title(Code code);
+
+}  // namespace pal

@@ -1,0 +1,86 @@
+// The world's side of a driver, as the runtime sees it: named ports through which typed messages go.
+//
+// A device knows nothing of the skill; the skill's wiring and the device's ports are matched by name, field by field,
+// units included, before anything runs.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pal::runtime {
+
+/// An instant or a length of time; instants count from the start of the run.
+using Time = std::chrono::nanoseconds;
+
+/// One field of a message: all payloads are flat lists of numbers (booleans 0 or 1).
+struct FieldSpec {
+  std::string name;
+  std::string unit;  // canonical spelling, as in PAL; empty: a plain number
+
+  friend bool operator==(const FieldSpec&, const FieldSpec&) = default;
+};
+
+/// A message that goes to or comes from a device. A request ("request wrench") has no fields.
+struct PortSpec {
+  std::string message;
+  bool to_device = false;
+  std::vector<FieldSpec> fields;
+
+  friend bool operator==(const PortSpec&, const PortSpec&) = default;
+};
+
+/// What a device may ask of the runtime that it is attached to. Valid from attach() until the device is destroyed.
+class DeviceHost {
+ public:
+  virtual ~DeviceHost() = default;
+
+  virtual Time now() const = 0;
+
+  /// Calls `action` at instant `when` (>= now). Actions at one instant run in the order in which they were asked for.
+  virtual void at(Time when, std::function<void()> action) = 0;
+
+  /// Puts a message from the device's port `port` (index into ports()) into the skill's channel. False: the slot was
+  /// full, the message is lost and the run is marked with an overrun.
+  virtual bool deliver(std::size_t port, std::span<const double> fields) = 0;
+
+  /// Marks the device busy or idle in the trace.
+  virtual void mark_busy(bool busy) = 0;
+
+  /// Ends the skill with its error completion; `reason` goes into the result and the trace.
+  virtual void fault(std::string reason) = 0;
+};
+
+class Device {
+ public:
+  virtual ~Device() = default;
+
+  virtual const std::string& name() const = 0;
+  virtual const std::vector<PortSpec>& ports() const = 0;
+
+  /// Called once, before the run.
+  virtual void attach(DeviceHost& host) = 0;
+
+  /// The skill waits for this device, or sends to it, for the first time in this run.
+  virtual void open() = 0;
+
+  /// A message for port `port`. Called at the instant at which it arrives.
+  virtual void receive(std::size_t port, std::span<const double> fields) = 0;
+
+  /// The skill is over, in whatever way. The device leaves its machine standing still.
+  virtual void close() = 0;
+};
+
+/// What moves while the skill runs: a physics engine, or nothing.
+class World {
+ public:
+  virtual ~World() = default;
+
+  /// Brings the world to instant `when` (never back in time). Called before anything happens at `when`.
+  virtual void advance_to(Time when) = 0;
+};
+
+}  // namespace pal::runtime
