@@ -37,7 +37,15 @@ void Panel::draw_bands() {
 }
 
 void Panel::draw_dimensions() {
-  Length y = (waves_.empty() ? lanes_bottom_ : waves_.back().top + style_.wave_height()) + 120;
+  const Length first = (waves_.empty() ? lanes_bottom_ : waves_.back().top + style_.wave_height()) + 120;
+  // All edges first, so that none is drawn through a figure.
+  Length y = first;
+  for (const Layer& layer : layers_) {
+    if (!layer.options->highlight) continue;
+    draw_edges(layer, *layer.options->highlight, y);
+    y += dimension_row;
+  }
+  y = first;
   for (const Layer& layer : layers_) {
     if (!layer.options->highlight) continue;
     draw_dimension(layer, *layer.options->highlight, y);
@@ -46,20 +54,26 @@ void Panel::draw_dimensions() {
   if (!layers_.front().options->explanation.empty()) draw_segments(layers_.front(), y);
 }
 
+void Panel::draw_edges(const Layer& layer, const Highlight& highlight, Length y) {
+  const Length left = x(layer, highlight.from_ns);
+  const Length right = std::max(x(layer, highlight.to_ns), left + 20);
+  for (const Length edge : {left, right}) {
+    out_.line({edge, lanes_top_ - 20}, {edge, y + 40}, dimension_style(layer, highlight) + " edge");
+  }
+}
+
 void Panel::draw_dimension(const Layer& layer, const Highlight& highlight, Length y) {
   const Length left = x(layer, highlight.from_ns);
   const Length right = std::max(x(layer, highlight.to_ns), left + 20);
   std::string text = highlight.label + " " + figure(layer, highlight.to_ns - highlight.from_ns);
   if (layer.role == Role::backdrop) text = "proved: " + text;
   if (layer.role == Role::front) text = "measured: " + text;
-  const std::string style = std::string("dimension ") + verdict_style(highlight);
-  out_.line({left, lanes_top_ - 20}, {left, y + 40}, style + " edge");
-  out_.line({right, lanes_top_ - 20}, {right, y + 40}, style + " edge");
-  out_.line({left, y}, {right, y}, style + " measure", text);
+  out_.line({left, y}, {right, y}, dimension_style(layer, highlight) + " measure", text);
   const Length width = text_width(text, figure_font, true);
   const std::string ink = std::string("figure ") + verdict_style(highlight);
-  if (width + 200 < right - left) {
-    const Length middle = (left + right) / 2;
+  const TimeScale::Stretch room = scale_.widest(left, right);
+  if (width + 200 < room.x1 - room.x0) {
+    const Length middle = (room.x0 + room.x1) / 2;
     out_.rect({middle - width / 2 - 40, y - 60, middle + width / 2 + 40, y + 60}, "paper");
     out_.text({middle, y + 38}, Anchor::middle, ink, text, text);
   } else if (right + 60 + width < scale_.x1()) {
@@ -86,8 +100,9 @@ void Panel::draw_segments(const Layer& layer, Length y) {
     for (const std::string& text :
          {letter + "  " + length + "  " + segment.text, letter + "  " + length, letter}) {
       const Length half = text_width(text, bar_font) / 2 + 25;
-      const Length middle = (left + right) / 2;
-      if (2 * half + 30 > right - left) continue;
+      const TimeScale::Stretch room = scale_.widest(left, right);
+      const Length middle = (room.x0 + room.x1) / 2;
+      if (2 * half + 30 > room.x1 - room.x0) continue;
       out_.rect({middle - half, y - 45, middle + half, y + 45}, "paper");
       out_.text({middle, y + 30}, Anchor::middle, "on-light", text, title);
       break;

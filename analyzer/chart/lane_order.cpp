@@ -35,9 +35,9 @@ class Orderer {
  public:
   explicit Orderer(const Timeline& timeline) : groups_(groups_of(timeline)), place_(timeline.lanes.size()) {
     for (const Arrow& arrow : timeline.arrows) {
-      if (arrow.to_lane >= 0)
-        talk_.insert(std::minmax(arrow.from_lane, static_cast<std::size_t>(arrow.to_lane)));
+      add(static_cast<std::int64_t>(arrow.from_lane), arrow.to_lane);
     }
+    add_conditions(timeline);
   }
 
   Order best() {
@@ -51,6 +51,24 @@ class Orderer {
   }
 
  private:
+  void add(std::int64_t a, std::int64_t b) {
+    if (a < 0 || b < 0 || a == b) return;
+    talk_.insert({static_cast<std::size_t>(std::min(a, b)), static_cast<std::size_t>(std::max(a, b))});
+  }
+
+  // Conditions are talk too: from whom sets one to whom reads it.
+  void add_conditions(const Timeline& timeline) {
+    for (const Waveform& wave : timeline.waveforms) {
+      std::set<std::int64_t> readers;
+      for (const Sample& read : wave.reads) readers.insert(read.lane);
+      std::set<std::int64_t> writers;
+      for (const Sample& set : wave.sets) writers.insert(set.lane);
+      for (const std::int64_t writer : writers) {
+        for (const std::int64_t reader : readers) add(writer, reader);
+      }
+    }
+  }
+
   // Leaves in `order` the first of its permutations for which `cost` is least. `order` begins ascending.
   template <class Cost>
   void improve(Order& order, Cost cost) {

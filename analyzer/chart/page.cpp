@@ -30,6 +30,7 @@ std::string document(const std::string& body, Length height, const std::vector<s
 
 std::string page(const std::vector<Layer>& layers) {
   SvgWriter out;
+  const bool both = layers.size() > 1;
   const Window window = overview_window(layers);
   const TimeScale overview({window}, panel_left, panel_right, fold_width);
   std::vector<Window> details;
@@ -40,13 +41,13 @@ std::string page(const std::vector<Layer>& layers) {
   Numbering numbering;
   if (details.empty()) {
     numbering = Numbering(layers, overview);
-    y = Panel(layers, overview, {true}, numbering, 0, {}, y, out).draw();
+    y = Panel(layers, overview, {true, both}, numbering, 0, {}, y, out).draw();
   } else {
     const TimeScale detail(details, panel_left, panel_right, fold_width);
     numbering = Numbering(layers, detail);
-    y = Panel(layers, overview, {false}, numbering, 0, details, y, out).draw();
-    y = draw_panel_heading("Enlarged", y, out);
-    y = Panel(layers, detail, {true}, numbering, 0, {}, y, out).draw();
+    y = Panel(layers, overview, {false, both}, numbering, 0, details, y, out).draw();
+    y = draw_panel_heading("Enlarged: where the axis above is thick", y, out);
+    y = Panel(layers, detail, {true, both}, numbering, 0, {}, y, out).draw();
   }
   y = draw_explanation(layers.front(), y, out);
   y = draw_statement_key(numbering, y, out);

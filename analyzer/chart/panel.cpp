@@ -32,6 +32,9 @@ Panel::Panel(const std::vector<Layer>& layers, const TimeScale& scale, PanelStyl
       top_(top),
       out_(out) {
   place_rows();
+  for (const TimeScale::Piece& piece : scale_.pieces()) {
+    if (piece.folded) labels_.take({piece.x0, top_, piece.x1, bottom_});
+  }
 }
 
 std::string Panel::at(std::int64_t ns) const {
@@ -64,6 +67,7 @@ void Panel::place_rows() {
 }
 
 Length Panel::draw() {
+  out_.raw(style_.labelled ? "<g>\n" : "<g class=\"compact\">\n");
   draw_bands();
   draw_grid();
   draw_names();
@@ -75,6 +79,7 @@ Length Panel::draw() {
   for (const Layer& layer : layers_) draw_arrows(layer);
   draw_folds();
   draw_deadlines();
+  for (const Layer& layer : layers_) keep_off_arrows(layer);
   for (const Layer& layer : layers_) draw_marks(layer);
   for (const Layer& layer : layers_) label_bars(layer);
   if (style_.labelled) {
@@ -83,7 +88,8 @@ Length Panel::draw() {
   }
   draw_dimensions();
   draw_axis();
-  return bottom_ + 330;
+  out_.raw("</g>\n");
+  return bottom_ + (scale_.pieces().size() > 1 ? 330 : 220);
 }
 
 void Panel::draw_names() {
@@ -112,7 +118,7 @@ void Panel::draw_names() {
   const std::vector<Waveform>& waves = layers_.front().timeline->waveforms;
   for (std::size_t i = 0; i < waves.size(); ++i) {
     out_.text({group_x, (waves_[i].bar_top + waves_[i].bar_bottom) / 2 + 38}, Anchor::start, "name condition",
-              fitted(waves[i].name, 110, panel_left - group_x - 40), "condition " + waves[i].name);
+              fitted(waves[i].name, 110, panel_left - group_x - 380), "condition " + waves[i].name);
   }
 }
 
@@ -143,7 +149,7 @@ void Panel::draw_axis() {
     out_.text({place, bottom_ + 170}, Anchor::middle, "tick", tick.label);
     free_from = place + half + 60;
   }
-  out_.text({scale_.x0() - 90, bottom_ + 170}, Anchor::end, "tick", "time in " + marks.unit);
+  out_.text({group_x, bottom_ + 170}, Anchor::start, "tick", "time in " + marks.unit);
   for (const Window& window : enlarged_) {
     out_.rect({scale_.x(window.from_ns), bottom_ - 25,
                std::max(scale_.x(window.to_ns), scale_.x(window.from_ns) + 20), bottom_ + 5},

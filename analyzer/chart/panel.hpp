@@ -21,8 +21,9 @@ constexpr Length fold_width = 260;
 /// is written.
 struct PanelStyle {
   bool labelled = true;
-  Length lane_height() const { return labelled ? 300 : 170; }
-  Length bar_height() const { return labelled ? 150 : 110; }
+  bool overlay = false;  // two runs share a lane
+  Length lane_height() const { return bar_height() + (labelled ? 150 : 60); }
+  Length bar_height() const { return labelled ? (overlay ? 220 : 150) : (overlay ? 140 : 110); }
   Length wave_height() const { return labelled ? 230 : 150; }
   Length text_row() const { return labelled ? 120 : 30; }
 };
@@ -45,6 +46,13 @@ class Panel {
     Length bar_bottom = 0;
   };
 
+  /// Bars next to each other that are too narrow even for their numbers.
+  struct Cluster {
+    Length x0 = 0;
+    Length x1 = 0;
+    std::vector<int> numbers;
+  };
+
   // panel.cpp: the frame
   void place_rows();
   void draw_names();
@@ -57,6 +65,9 @@ class Panel {
   void draw_bars(const Layer& layer);
   void draw_waves(const Layer& layer);
   void label_bars(const Layer& layer);
+  void label_wide_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box,
+                      const std::string& ink);
+  void label_cluster(const Cluster& cluster, const Row& row);
   void label_gaps(const Layer& layer);
   Box bar_box(const Layer& layer, std::size_t lane, std::int64_t from_ns, std::int64_t to_ns) const;
   std::string bar_title(const Layer& layer, const Lane& lane, const Bar& bar) const;
@@ -65,11 +76,13 @@ class Panel {
   void draw_arrows(const Layer& layer);
   void label_arrows(const Layer& layer);
   void draw_marks(const Layer& layer);
+  void keep_off_arrows(const Layer& layer);
   bool arrow_ends(const Layer& layer, const Arrow& arrow, Point& from, Point& to) const;
 
   // dimensions.cpp: the interval that the chart is about
   void draw_bands();
   void draw_dimensions();
+  void draw_edges(const Layer& layer, const Highlight& highlight, Length y);
   void draw_dimension(const Layer& layer, const Highlight& highlight, Length y);
   void draw_segments(const Layer& layer, Length y);
   void draw_deadlines();

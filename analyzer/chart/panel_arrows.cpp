@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 #include "analyzer/chart/chart.hpp"
 #include "analyzer/chart/panel.hpp"
@@ -54,26 +55,48 @@ void Panel::draw_arrows(const Layer& layer) {
   }
 }
 
+// Labels stay clear of the arrows of the run that they belong to: of each, a chain of small boxes.
+void Panel::keep_off_arrows(const Layer& layer) {
+  if (layer.role == Role::backdrop) return;
+  for (const Arrow& arrow : layer.timeline->arrows) {
+    Point from;
+    Point to;
+    if (!arrow_ends(layer, arrow, from, to)) continue;
+    const Length pieces = std::abs(to.y - from.y) / 50 + 1;
+    for (Length i = 0; i <= pieces; ++i) {
+      const Point on{from.x + (to.x - from.x) * i / pieces, from.y + (to.y - from.y) * i / pieces};
+      labels_.take({on.x - 12, on.y - 20, on.x + 12, on.y + 20});
+    }
+  }
+}
+
 void Panel::label_arrows(const Layer& layer) {
   if (layer.role == Role::backdrop) return;
   for (const Arrow& arrow : layer.timeline->arrows) {
     Point from;
     Point to;
     if (!arrow_ends(layer, arrow, from, to)) continue;
+    // A device's event has its name at its mark.
+    const auto& marks = layer.timeline->marks;
+    if (std::any_of(marks.begin(), marks.end(), [&](const Mark& mark) {
+          return mark.kind == MarkKind::event && mark.at_ns == arrow.from_ns && mark.text == arrow.message;
+        })) {
+      continue;
+    }
     const Length width = text_width(arrow.message, small_font);
+    // Beside a slanted arrow a label needs more distance than beside an upright one.
+    const Length slant = to.y == from.y ? 0 : 45 * std::abs(to.x - from.x) / std::abs(to.y - from.y);
+    const Length aside = 30 + std::min<Length>(slant, 200);
     constexpr std::array<int, 5> places = {50, 35, 65, 20, 80};
     bool placed = false;
     for (const bool right : {true, false}) {
       for (const int percent : places) {
         const Point on{from.x + (to.x - from.x) * percent / 100, from.y + (to.y - from.y) * percent / 100};
-        const Length left = right ? on.x + 25 : on.x - 25 - width;
-        if (left < scale_.x0() || left + width > scale_.x1()) continue;
-        if (!labels_.claim({left - 5, on.y - 45, left + width + 5, on.y + 45})) continue;
-        out_.text({left, on.y + 28}, Anchor::start, "message-name", arrow.message);
-        placed = true;
-        break;
+        const Length left = right ? on.x + aside : on.x - aside - width;
+        if (placed || left < scale_.x0() || left + width > scale_.x1()) continue;
+        placed = labels_.claim({left - 5, on.y - 45, left + width + 5, on.y + 35});
+        if (placed) out_.text({left, on.y + 28}, Anchor::start, "message-name", arrow.message);
       }
-      if (placed) break;
     }
   }
 }

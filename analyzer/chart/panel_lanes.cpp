@@ -32,6 +32,19 @@ std::string style_of(const Bar& bar, Role role) {
   return style;
 }
 
+// "3\u20137,1,2": numbers that follow each other as a run.
+std::string runs(const std::vector<int>& numbers) {
+  std::string text;
+  for (std::size_t first = 0, last = 0; first < numbers.size(); first = last + 1) {
+    last = first;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+    if (!text.empty()) text += ",";
+    text += std::to_string(numbers[first]);
+    if (last > first) text += (last > first + 1 ? "\u2013" : ",") + std::to_string(numbers[last]);
+  }
+  return text;
+}
+
 }  // namespace
 
 Box Panel::bar_box(const Layer& layer, std::size_t lane, std::int64_t from_ns, std::int64_t to_ns) const {
@@ -66,8 +79,7 @@ void Panel::draw_gaps(const Layer& layer) {
                   lane.name + " is ready, but its processor is taken: " + gap.text + span);
         continue;
       }
-      const Length middle =
-          layer.role == Role::backdrop ? box.y0 + (box.y1 - box.y0) / 4 : (box.y0 + box.y1) / 2;
+      const Length middle = layer.role == Role::backdrop ? box.y0 + 10 : (box.y0 + box.y1) / 2;
       out_.line({box.x0, middle}, {box.x1, middle}, layer.role == Role::backdrop ? "wait backdrop" : "wait",
                 lane.name + " waits for " + gap.text + (gap.gave_up ? ", and gives up" : "") + span);
       if (gap.gave_up && touches(layer, gap.to_ns, gap.to_ns)) {
@@ -92,6 +104,22 @@ void Panel::draw_bars(const Layer& layer) {
   }
 }
 
+// Above the bars if arrows leave room there, else beside them.
+void Panel::label_cluster(const Cluster& cluster, const Row& row) {
+  const std::string text = runs(cluster.numbers);
+  const Length width = text_width(text, small_font);
+  const Length beside = (row.bar_top + row.bar_bottom) / 2 - 20;
+  const Length above = row.bar_top - 25;
+  for (const Point at : {Point{(cluster.x0 + cluster.x1 - width) / 2, above}, Point{cluster.x1 + 30, above},
+                         Point{cluster.x0 - 30 - width, above}, Point{cluster.x1 + 30, beside},
+                         Point{cluster.x0 - 30 - width, beside}}) {
+    if (at.x < scale_.x0() || at.x + width > scale_.x1()) continue;
+    if (!labels_.claim({at.x - 10, at.y - 70, at.x + width + 10, at.y + 15})) continue;
+    out_.text(at, Anchor::start, "number halo", text);
+    return;
+  }
+}
+
 // A text that fits is written into its bar; else its number is; else the numbers of neighbours are written
 // together above them.
 void Panel::label_bars(const Layer& layer) {
@@ -99,29 +127,10 @@ void Panel::label_bars(const Layer& layer) {
   for (std::size_t i = 0; i < layer.timeline->lanes.size(); ++i) {
     if (layer.rows[i] < 0) continue;
     const Lane& lane = layer.timeline->lanes[i];
-    struct Cluster {
-      Length x0 = 0;
-      Length x1 = 0;
-      std::vector<int> numbers;
-    } cluster;
+    Cluster cluster;
     const Row& row = rows_[static_cast<std::size_t>(layer.rows[i])];
     const auto flush = [&] {
-      if (cluster.numbers.empty()) return;
-      std::vector<int>& numbers = cluster.numbers;
-      const bool run = numbers.size() > 2 &&
-                       numbers.back() - numbers.front() == static_cast<int>(numbers.size()) - 1 &&
-                       std::is_sorted(numbers.begin(), numbers.end());
-      std::string text = std::to_string(numbers.front());
-      if (run) {
-        text += "\u2013" + std::to_string(numbers.back());
-      } else {
-        for (std::size_t n = 1; n < numbers.size(); ++n) text += "," + std::to_string(numbers[n]);
-      }
-      const Length half = text_width(text, small_font) / 2;
-      const Length middle = (cluster.x0 + cluster.x1) / 2;
-      if (labels_.claim({middle - half - 10, row.bar_top - 100, middle + half + 10, row.bar_top - 5})) {
-        out_.text({middle, row.bar_top - 25}, Anchor::middle, "number", text);
-      }
+      if (!cluster.numbers.empty()) label_cluster(cluster, row);
       cluster = {};
     };
     for (const Bar& bar : lane.bars) {
@@ -130,14 +139,9 @@ void Panel::label_bars(const Layer& layer) {
       const Length middle = (box.x0 + box.x1) / 2;
       const Length baseline = (box.y0 + box.y1) / 2 + 30;
       const std::string ink = bar.kind == BarKind::computation ? "on-dark" : "on-light";
-      if (text_fits(bar, layer.shift_ns, scale_)) {
+      if (text_fits(bar, layer.shift_ns, scale_) && box.y1 - box.y0 >= 100) {
         flush();
-        if (bar.kind == BarKind::serving) {
-          const Length half = text_width(bar.text, bar_font) / 2 + 20;
-          out_.rect({middle - half, box.y0 + 20, middle + half, box.y1 - 20}, "paper");
-        }
-        if (box.y1 - box.y0 >= 100)
-          out_.text({middle, baseline}, Anchor::middle, ink, bar.text, bar_title(layer, lane, bar));
+        label_wide_bar(layer, lane, bar, box, ink);
         continue;
       }
       const int number = style_.labelled && !bar.resumed ? numbering_.number(lane, bar) : 0;
@@ -155,6 +159,18 @@ void Panel::label_bars(const Layer& layer) {
     }
     flush();
   }
+}
+
+void Panel::label_wide_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box,
+                           const std::string& ink) {
+  const TimeScale::Stretch room = scale_.widest(box.x0, box.x1);
+  const Length width = text_width(bar.text, bar_font);
+  if (width + 40 > room.x1 - room.x0) return;
+  const Length middle = (room.x0 + room.x1) / 2;
+  if (bar.kind == BarKind::serving) {
+    out_.rect({middle - width / 2 - 20, box.y0 + 20, middle + width / 2 + 20, box.y1 - 20}, "paper");
+  }
+  out_.text({middle, (box.y0 + box.y1) / 2 + 30}, Anchor::middle, ink, bar.text, bar_title(layer, lane, bar));
 }
 
 void Panel::label_gaps(const Layer& layer) {

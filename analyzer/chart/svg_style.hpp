@@ -16,7 +16,7 @@ text { font-family: "DejaVu Sans", Verdana, sans-serif; font-size: 90px; fill: #
 .on-dark { font-size: 85px; fill: #fff } .on-light { font-size: 85px }
 .number.on-dark, .number.on-light { font-size: 80px }
 .quiet { font-size: 80px; fill: #444; font-style: italic }
-.message-name { font-size: 80px; fill: #222; paint-order: stroke; stroke: #fff; stroke-width: 20px }
+.message-name, .halo { font-size: 80px; fill: #222; paint-order: stroke; stroke: #fff; stroke-width: 20px }
 .figure { font-size: 105px; font-weight: bold } .figure.fails { fill: #a63c00 } .figure.holds { fill: #00563f }
 .bar { stroke: #000; stroke-width: 5px }
 .bar.computation { fill: #0072b2 } .bar.message { fill: #56b4e9 } .bar.conditional { fill: #f0e442 }
@@ -41,6 +41,8 @@ text { font-family: "DejaVu Sans", Verdana, sans-serif; font-size: 90px; fill: #
 .dimension.edge { stroke-width: 14px } .dimension.measure { stroke-width: 14px }
 .dimension.measure.fails { marker-start: url(#fails-end); marker-end: url(#fails-end) }
 .dimension.measure.holds { marker-start: url(#holds-end); marker-end: url(#holds-end) }
+.dimension.backdrop { stroke-dasharray: 40 25 }
+.compact .bar { stroke-width: 3px } .compact .arrow { stroke-width: 6px }
 .segment { stroke: #000; stroke-width: 8px; fill: none }
 .deadline { stroke: #000; stroke-width: 14px; stroke-dasharray: 50 25; fill: none } .deadline-flag { fill: #000 }
 .enlarged { fill: #000 } .fold, .paper { fill: #fff } .tear { stroke: #000; stroke-width: 8px; fill: none }

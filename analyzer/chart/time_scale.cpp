@@ -87,6 +87,15 @@ Length TimeScale::x(std::int64_t ns) const {
   return x1();
 }
 
+TimeScale::Stretch TimeScale::widest(Length left, Length right) const {
+  Stretch best{left, left};
+  for (const Piece& piece : pieces_) {
+    const Stretch part{std::max(left, piece.x0), std::min(right, piece.x1)};
+    if (!piece.folded && part.x1 - part.x0 > best.x1 - best.x0) best = part;
+  }
+  return best;
+}
+
 bool TimeScale::shows(std::int64_t ns) const {
   return touches(ns, ns);
 }

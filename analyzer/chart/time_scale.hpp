@@ -36,6 +36,13 @@ class TimeScale {
   bool shows(std::int64_t ns) const;                             // in a window, not in a fold
   bool touches(std::int64_t from_ns, std::int64_t to_ns) const;  // some of it is in a window
 
+  /// The widest part of [left, right] that is not folded; x1 <= x0 if there is none.
+  struct Stretch {
+    Length x0 = 0;
+    Length x1 = 0;
+  };
+  Stretch widest(Length left, Length right) const;
+
   /// The width of a length of time where nothing is folded.
   Length width(std::int64_t ns) const;
 

@@ -33,8 +33,12 @@ Example worst(TouchRun run) {
   Example example{chart::timeline(trace), {}};
   const std::int64_t age = oldest.sent_ns - oldest.set_ns;
   const std::int64_t limit = 10'000'000;
-  example.options.caption = {"fresh-force", "age of pc-force at TXM( motion to MC1 ) in SM1", age <= limit ? "holds" : "fails",
-                             age, true, limit};
+  example.options.caption = {"fresh-force",
+                             "age of pc-force at TXM( motion to MC1 ) in SM1",
+                             age <= limit ? "holds" : "fails",
+                             age,
+                             true,
+                             limit};
   example.options.highlight = Highlight{oldest.set_ns, oldest.sent_ns, "age of pc-force", age > limit, limit};
   return example;
 }
@@ -45,9 +49,10 @@ TEST_CASE("examples") {
   save("touch.txt", dump(good.timeline));
   Example bad = worst({true});
   const Highlight& h = *bad.options.highlight;
-  bad.options.explanation = {{h.from_ns, h.from_ns + 6'000'000, "the sensor works while nobody needs it", "SD1"},
-                             {h.from_ns + 6'000'000, h.to_ns - 500'000, "waits for the request of MC1", "SM1.2"},
-                             {h.to_ns - 500'000, h.to_ns, "computes the motion", "SM1.2"}};
+  bad.options.explanation = {
+      {h.from_ns, h.from_ns + 6'000'000, "the sensor works while nobody needs it", "SD1"},
+      {h.from_ns + 6'000'000, h.to_ns - 500'000, "waits for the request of MC1", "SM1.2"},
+      {h.to_ns - 500'000, h.to_ns, "computes the motion", "SM1.2"}};
   save("touch_read_first.svg", svg(bad.timeline, bad.options));
   Example zero = worst({true, true});
   save("touch_read_first_no_costs.svg", svg(zero.timeline, zero.options));
@@ -55,7 +60,8 @@ TEST_CASE("examples") {
   run.percent = 90;
   run.tick_ns = 9'100'000;
   Example measured = worst(run);
-  save("touch_overlay.svg", overlay_svg(good.timeline, measured.timeline, {good.options, measured.options, {}, {}}));
+  save("touch_overlay.svg",
+       overlay_svg(good.timeline, measured.timeline, {good.options, measured.options, {}, {}}));
 }
 
 }  // namespace

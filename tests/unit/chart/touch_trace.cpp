@@ -17,7 +17,7 @@ struct Step {
   std::string text;
   std::int64_t cost = 0;
   int channel = -1;
-  int target = -1;      // jump: where to; wait: where an ELSE begins
+  int target = -1;  // jump: where to; wait: where an ELSE begins
   std::int64_t within = -1;
 };
 
@@ -27,7 +27,7 @@ struct Thread {
   int priority;
   std::vector<Step> steps;
   std::size_t at = 0;
-  std::int64_t left = 0;          // of the current step
+  std::int64_t left = 0;  // of the current step
   enum { ready, running, blocked } state = ready;
   std::int64_t gives_up = -1;
   bool gave_up = false;
@@ -39,7 +39,8 @@ struct Slot {
   int serial = 0;
 };
 
-/// Events are found by stepping from one interesting instant to the next; the machine is small, so none is skipped.
+/// Events are found by stepping from one interesting instant to the next; the machine is small, so none is
+/// skipped.
 class Machine {
  public:
   explicit Machine(const TouchRun& run) : run_(run) { build(); }
@@ -85,8 +86,12 @@ class Machine {
 
   std::int64_t cost(std::int64_t worst) const { return run_.no_costs ? 0 : worst; }
   std::int64_t own_time(std::int64_t worst) const { return cost(worst) * run_.percent / 100; }
-  Step wait(const std::string& text, int channel) const { return {Do::wait, text, cost(50'000), channel, -1, -1}; }
-  Step send(const std::string& text, int channel) const { return {Do::send, text, cost(50'000), channel, -1, -1}; }
+  Step wait(const std::string& text, int channel) const {
+    return {Do::wait, text, cost(50'000), channel, -1, -1};
+  }
+  Step send(const std::string& text, int channel) const {
+    return {Do::send, text, cost(50'000), channel, -1, -1};
+  }
   Step set(const std::string& text) const { return {Do::set, text, cost(50'000), -1, -1, -1}; }
   Step read(const std::string& text) const { return {Do::read, text, cost(50'000), -1, -1, -1}; }
   Step test(const std::string& text) const { return {Do::test, text, cost(50'000), -1, -1, -1}; }
@@ -131,28 +136,30 @@ class Machine {
     thread("SM1", "SM1", 0, 1, {});
     threads_.back().state = Thread::blocked;
     thread("SM1.1", "SM1", 1, 1,
-           {send("TXM( request Zforce from LS1 )", to_ls1), wait("WTM( Zforce from LS1 )", zforce), set("SPC( pc-force )"),
-            jump(0)});
+           {send("TXM( request Zforce from LS1 )", to_ls1), wait("WTM( Zforce from LS1 )", zforce),
+            set("SPC( pc-force )"), jump(0)});
     const Step request = wait("WTM( request motion from MC1 )", to_sm1);
     const Step look = read("RPC( pc-force )");
     const Step choose = test("CASE");
-    std::vector<Step> steps = run_.read_first ? std::vector<Step>{look, choose, request} : std::vector<Step>{request, look, choose};
-    steps.insert(steps.end(), {compute("advance", 300'000), send("TXM( motion to MC1 )", motion), set("SPC( pc-reach )"),
-                               test("UNTIL( pc-force OR pc-reach )"), jump(0)});
+    std::vector<Step> steps =
+        run_.read_first ? std::vector<Step>{look, choose, request} : std::vector<Step>{request, look, choose};
+    steps.insert(steps.end(), {compute("advance", 300'000), send("TXM( motion to MC1 )", motion),
+                               set("SPC( pc-reach )"), test("UNTIL( pc-force OR pc-reach )"), jump(0)});
     thread("SM1.2", "SM1", 0, 1, steps);
     thread("LS1", "LS1", 1, 2,
            {wait("WTM( request Zforce from SM1 )", to_ls1), send("TXM( request wrench from SD1 )", to_sd1),
-            wait("WTM( wrench from SD1 )", wrench), compute("extract-z", 200'000), send("TXM( Zforce to SM1 )", zforce),
-            jump(0)});
+            wait("WTM( wrench from SD1 )", wrench), compute("extract-z", 200'000),
+            send("TXM( Zforce to SM1 )", zforce), jump(0)});
     Step timed = wait("WTM( motion from SM1 ) WITHIN 4 ms", motion);
     timed.within = 4'000'000;
     timed.target = 5;
     thread("MC1", "MC1", 2, 1,
            {wait("WTM( tick from alter )", tick_), send("TXM( request motion from SM1 )", to_sm1), timed,
-            compute("obey", 200'000), jump(6), compute("hold", 100'000), send("TXM( correction to alter )", correction),
-            jump(0)});
+            compute("obey", 200'000), jump(6), compute("hold", 100'000),
+            send("TXM( correction to alter )", correction), jump(0)});
     thread("SD1", "SD1", 3, 1,
-           {wait("WTM( request wrench from LS1 )", to_sd1), send("TXM( request wrench from force-torque )", request_),
+           {wait("WTM( request wrench from LS1 )", to_sd1),
+            send("TXM( request wrench from force-torque )", request_),
             wait("WTM( wrench from force-torque )", wrench_), send("TXM( wrench to LS1 )", wrench), jump(0)});
     sensor_ = static_cast<int>(trace_.actors.size());
     trace_.actors.push_back({"force-torque", true, "", 0});
@@ -186,7 +193,9 @@ class Machine {
   }
 
   int index(const Thread& thread) const { return static_cast<int>(&thread - threads_.data()); }
-  int row(const Thread& thread) const { return statements_[static_cast<std::size_t>(index(thread))][thread.at]; }
+  int row(const Thread& thread) const {
+    return statements_[static_cast<std::size_t>(index(thread))][thread.at];
+  }
 
   // One thing that happens now; false: nothing more does.
   bool settle() {
@@ -232,11 +241,13 @@ class Machine {
       for (Thread& thread : threads_) {
         if (thread.processor != processor || thread.steps.empty()) continue;
         if (thread.state == Thread::running) current = &thread;
-        if (thread.state == Thread::ready && (best == nullptr || thread.priority > best->priority)) best = &thread;
+        if (thread.state == Thread::ready && (best == nullptr || thread.priority > best->priority))
+          best = &thread;
       }
       if (best == nullptr) continue;
       if (current != nullptr && best->priority <= current->priority) {
-        if (told_ready_.insert({index(*best), now_}).second) event(Kind::ready, index(*best), row(*best), -1, 0);
+        if (told_ready_.insert({index(*best), now_}).second)
+          event(Kind::ready, index(*best), row(*best), -1, 0);
         continue;
       }
       if (current != nullptr) {
@@ -251,7 +262,8 @@ class Machine {
   }
 
   void begin(Thread& thread) {
-    while (thread.steps[thread.at].what == Do::jump) advance(thread, static_cast<std::size_t>(thread.steps[thread.at].target));
+    while (thread.steps[thread.at].what == Do::jump)
+      advance(thread, static_cast<std::size_t>(thread.steps[thread.at].target));
     const Step& step = thread.steps[thread.at];
     if (step.what == Do::wait && !thread.gave_up && !available(step.channel)) {
       event(Kind::block, index(thread), row(thread), step.channel, 0);
@@ -304,7 +316,8 @@ class Machine {
     thread.state = Thread::ready;
     // It keeps its processor: nobody of the same priority comes between.
     const bool preempted = std::any_of(threads_.begin(), threads_.end(), [&](const Thread& other) {
-      return other.processor == thread.processor && other.state == Thread::ready && other.priority > thread.priority;
+      return other.processor == thread.processor && other.state == Thread::ready &&
+             other.priority > thread.priority;
     });
     if (!preempted) begin(thread);
   }
@@ -322,7 +335,9 @@ class Machine {
 
 }  // namespace
 
-trace::Trace touch_trace(const TouchRun& run) { return Machine(run).simulate(); }
+trace::Trace touch_trace(const TouchRun& run) {
+  return Machine(run).simulate();
+}
 
 Oldest oldest_force(const trace::Trace& trace) {
   Oldest oldest;
@@ -331,7 +346,8 @@ Oldest oldest_force(const trace::Trace& trace) {
   for (const trace::Event& event : trace.events) {
     if (event.kind == Kind::set && event.subject == 0) set = event.time_ns;
     if (event.kind == Kind::read) read = set;
-    if (event.kind == Kind::put && trace.channels[static_cast<std::size_t>(event.subject)].message == "motion" &&
+    if (event.kind == Kind::put &&
+        trace.channels[static_cast<std::size_t>(event.subject)].message == "motion" &&
         event.time_ns - read > oldest.sent_ns - oldest.set_ns) {
       oldest = {read, event.time_ns};
     }
