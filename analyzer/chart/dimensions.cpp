@@ -18,6 +18,10 @@ const char* verdict_style(const Highlight& highlight) {
   return highlight.fails ? "fails" : "holds";
 }
 
+std::string dimension_style(const Layer& layer, const Highlight& highlight) {
+  return std::string("dimension ") + verdict_style(highlight) + (layer.role == Role::backdrop ? " backdrop" : "");
+}
+
 }  // namespace
 
 std::string segment_letter(std::size_t index) {
