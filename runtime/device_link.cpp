@@ -10,7 +10,9 @@ namespace pal::runtime {
 DeviceLink::DeviceLink(Run& run, int index, Device& device, std::vector<int> channels)
     : run_(run), index_(index), device_(device), channels_(std::move(channels)) {}
 
-Time DeviceLink::now() const { return run_.now(); }
+Time DeviceLink::now() const {
+  return run_.now();
+}
 
 void DeviceLink::at(Time when, std::function<void()> action) {
   if (when < run_.now()) {

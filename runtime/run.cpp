@@ -104,7 +104,8 @@ void Run::step() {
   const Event event = queue_.pop();
   if (event.time > options_.horizon) {
     now_ = options_.horizon;
-    fail_at(-1, -1, "the run is longer than its limit of " + std::to_string(now_.count()) + " ns" + who_waits());
+    fail_at(-1, -1,
+            "the run is longer than its limit of " + std::to_string(now_.count()) + " ns" + who_waits());
     return;
   }
   if (event.time > now_) {
@@ -281,7 +282,9 @@ void Run::fail(const Thread& thread, const std::string& reason) {
           place_of(thread) + ": " + reason);
 }
 
-void Run::fail_device(int device, const std::string& reason) { fail_at(actor_of_device(device), -1, reason); }
+void Run::fail_device(int device, const std::string& reason) {
+  fail_at(actor_of_device(device), -1, reason);
+}
 
 void Run::fail_by_exception(const Thread& thread) {
   try {
@@ -305,7 +308,8 @@ std::string Run::who_waits() const {
   std::string text;
   for (const Thread& thread : threads_) {
     const State state = thread.control.state;
-    if (state != State::idle && state != State::ended) text += (text.empty() ? ": " : ", ") + place_of(thread);
+    if (state != State::idle && state != State::ended)
+      text += (text.empty() ? ": " : ", ") + place_of(thread);
   }
   return text;
 }

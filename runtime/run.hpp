@@ -29,7 +29,8 @@ struct Connection {
 
 class Run {
  public:
-  /// `connections`: one for each device of the skill's wiring, in its order. Everything that is given outlives the run.
+  /// `connections`: one for each device of the skill's wiring, in its order. Everything that is given
+  /// outlives the run.
   Run(Skill& skill, World& world, const std::vector<Connection>& connections, const RunOptions& options);
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
