@@ -34,6 +34,7 @@ bool DeviceLink::deliver(std::size_t port, std::span<const double> fields) {
 
 void DeviceLink::mark_busy(bool busy) {
   if (run_.over()) return;
+  busy_ = busy;
   run_.record_device(busy ? trace::Kind::busy : trace::Kind::idle, index_);
   if (busy) run_.mail().device_takes_request(index_);
 }

@@ -284,8 +284,9 @@ bool Mail::deliver(int channel, std::span<const double> fields) {
     return true;
   }
   // A device that does not mark itself busy takes a request when it answers it.
-  if (slot.request_of >= 0 && at(slot.request_of).full && at(slot.request_of).handed) {
-    taken_by_device(at(slot.request_of));
+  if (slot.request_of >= 0 && !run_.device_is_busy(slot.device)) {
+    Slot& request = at(slot.request_of);
+    if (request.full && request.handed) taken_by_device(request);
   }
   if (slot.full) {
     run_.overrun(slot.device, channel);

@@ -258,12 +258,12 @@ int Run::error_code() const {
 
 void Run::complete(Thread& thread, int code) {
   if (over_) return;
+  record(Kind::complete, thread, -1, code);
   over_ = true;
   outcome_.code = code;
   for (const CompletionSpec& completion : skill_.description().completions) {
     if (completion.code == code) outcome_.reason = completion.description;
   }
-  record(Kind::complete, thread, -1, code);
 }
 
 void Run::fail_at(int actor, int statement, const std::string& reason) {
@@ -314,19 +314,22 @@ std::string Run::who_waits() const {
   return text;
 }
 
-// The trace.
+// The trace. Nothing happens any more when the skill is over.
 
 void Run::record(Kind kind, const Thread& thread, int subject, std::int32_t value) {
+  if (over_) return;
   const Operation* operation = thread.control.operation;
   recorder_.add(now_, kind, thread.control.index, operation == nullptr ? -1 : operation->statement(), subject,
                 value);
 }
 
 void Run::record_device(Kind kind, int device, int subject, std::int32_t value) {
+  if (over_) return;
   recorder_.add(now_, kind, actor_of_device(device), -1, subject, value);
 }
 
 void Run::record_drop(int channel, std::int32_t serial) {
+  if (over_) return;
   recorder_.add(now_, Kind::drop, -1, -1, channel, serial);
 }
 

@@ -1,8 +1,7 @@
 // Processors: the runs are worked out by hand from docs/execution-model.md.
 #include <catch2/catch.hpp>
 
-#include "runtime/dispatcher.hpp"
-#include "tests/run/support/written_skill.hpp"
+#include "tests/run/support/bench.hpp"
 
 using namespace pal;
 using namespace pal::test;
@@ -10,12 +9,6 @@ using runtime::Task;
 using runtime::Thread;
 
 namespace {
-
-runtime::Outcome run(WrittenSkill& skill, const runtime::RunOptions& options = {}) {
-  NoWorld world;
-  runtime::Dispatcher dispatcher({}, world);
-  return dispatcher.run(skill, {}, options);
-}
 
 // A long job of low priority; another thread waits for a message and then wants the processor.
 struct Interrupted {
@@ -154,11 +147,11 @@ TEST_CASE("costs are the worst, the best, or drawn the same way for the same see
     for (int i = 0; i < 10; ++i) co_await t.perform(work, [] {});
     co_await t.complete(end, 0);
   });
-  CHECK(run(skill, {.costs = runtime::CostPolicy::worst}).duration == 50ms);
-  CHECK(run(skill, {.costs = runtime::CostPolicy::best}).duration == 10ms);
-  const auto first = run(skill, {.costs = runtime::CostPolicy::random, .seed = 1});
+  CHECK(run(skill, {}, {.costs = runtime::CostPolicy::worst}).duration == 50ms);
+  CHECK(run(skill, {}, {.costs = runtime::CostPolicy::best}).duration == 10ms);
+  const auto first = run(skill, {}, {.costs = runtime::CostPolicy::random, .seed = 1});
   CHECK(first.duration > 10ms);
   CHECK(first.duration < 50ms);
-  CHECK(run(skill, {.costs = runtime::CostPolicy::random, .seed = 1}).trace.events == first.trace.events);
-  CHECK(run(skill, {.costs = runtime::CostPolicy::random, .seed = 2}).trace.events != first.trace.events);
+  CHECK(run(skill, {}, {.costs = runtime::CostPolicy::random, .seed = 1}).trace.events == first.trace.events);
+  CHECK(run(skill, {}, {.costs = runtime::CostPolicy::random, .seed = 2}).trace.events != first.trace.events);
 }
