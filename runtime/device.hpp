@@ -33,7 +33,8 @@ struct PortSpec {
   friend bool operator==(const PortSpec&, const PortSpec&) = default;
 };
 
-/// What a device may ask of the runtime that it is attached to. Valid from attach() until the device is destroyed.
+/// What a device may ask of the runtime that it is attached to. Valid from attach() to the end of the run: a device that runs
+/// again is attached again.
 class DeviceHost {
  public:
   virtual ~DeviceHost() = default;
@@ -47,7 +48,8 @@ class DeviceHost {
   /// full, the message is lost and the run is marked with an overrun.
   virtual bool deliver(std::size_t port, std::span<const double> fields) = 0;
 
-  /// Marks the device busy or idle in the trace.
+  /// Marks the device busy or idle in the trace. Becoming busy takes the oldest request that the device has received and not
+  /// taken yet out of its slot; a device that never marks itself busy takes a request when it answers it.
   virtual void mark_busy(bool busy) = 0;
 
   /// Ends the skill with its error completion; `reason` goes into the result and the trace.
@@ -61,7 +63,7 @@ class Device {
   virtual const std::string& name() const = 0;
   virtual const std::vector<PortSpec>& ports() const = 0;
 
-  /// Called once, before the run.
+  /// Called once, before each run.
   virtual void attach(DeviceHost& host) = 0;
 
   /// The skill waits for this device, or sends to it, for the first time in this run.
