@@ -25,7 +25,8 @@ std::size_t distance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::optional<std::string> nearest_name(const std::string& wanted, const std::vector<std::string>& names) {
-  std::size_t best = std::max<std::size_t>(1, wanted.size() / 3) + 1;
+  const std::size_t least = wanted.size() < 4 ? 1 : 2;
+  std::size_t best = std::max(least, wanted.size() / 3) + 1;
   std::optional<std::string> result;
   for (const std::string& name : names) {
     const std::size_t changes = distance(wanted, name);

@@ -3,8 +3,8 @@
 #include <array>
 
 #include "sim/controller/trajectory.hpp"
-#include "sim/model/load.hpp"
-#include "sim/model/physics.hpp"
+#include "sim/model/private/load.hpp"
+#include "sim/model/private/physics.hpp"
 
 namespace pal::sim {
 namespace {

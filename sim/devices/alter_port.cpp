@@ -46,16 +46,16 @@ void AlterPort::tick() {
 
 void AlterPort::expect_answer(std::uint32_t serial) {
   if (open_ && unanswered_ && serial == serial_)
-    fail("alter got no correction within " + milliseconds(options_.answer_within) + " of its request");
+    fail("got no correction within " + milliseconds(options_.answer_within) + " of its request");
 }
 
 void AlterPort::receive(std::size_t port, std::span<const double> fields) {
   if (!open_ || port != correction_port) return;
-  if (!unanswered_) return fail("alter got a correction that it had not asked for");
+  if (!unanswered_) return fail("got a correction that it had not asked for");
   unanswered_ = false;
   const Correction correction{fields[0], fields[1], fields[2], fields[3], fields[4], fields[5]};
   if (auto refused = workcell_.move(correction, options_.frame, last_tick_ + alter_period))
-    fail("alter cannot make the motion: " + *refused);
+    fail("cannot make the motion: " + *refused);
 }
 
 void AlterPort::fail(std::string reason) {

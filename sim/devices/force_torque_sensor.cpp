@@ -26,7 +26,7 @@ constexpr std::array<Axis, 6> axes{{{"fx", "N", 20, 65},
 
 std::string overload(const Axis& axis, double value) {
   std::array<char, 120> text{};
-  std::snprintf(text.data(), text.size(), "force-torque is overloaded: %s is %.1f %s, its range is %.0f to %.0f %s",
+  std::snprintf(text.data(), text.size(), "is overloaded: %s is %.1f %s, its range is %.0f to %.0f %s",
                 axis.name, value, axis.unit, -axis.range, axis.range, axis.unit);
   return text.data();
 }

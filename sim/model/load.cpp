@@ -1,4 +1,4 @@
-#include "sim/model/load.hpp"
+#include "sim/model/private/load.hpp"
 
 #include <array>
 #include <fstream>
@@ -14,25 +14,30 @@ void install_hooks() {
   mju_user_warning = [](const char*) {};
 }
 
-std::string one_line(std::string text) {
-  for (char& c : text)
-    if (c == '\n' || c == '\r') c = ' ';
-  while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
-  return text;
+std::string one_line(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    const bool space = c == '\n' || c == '\r' || c == ' ';
+    if (!space) line += c;
+    if (space && !line.empty() && line.back() != ' ') line += ' ';
+  }
+  while (!line.empty() && (line.back() == ' ' || line.back() == '.')) line.pop_back();
+  return line;
 }
 
+// MuJoCo says where in several ways: "Element 'gem', line 3", "line = 2, column = -1", "Line number=2: …"; 0 is no place.
 SceneError load_error(const Scene& scene, const std::string& text) {
+  static const std::regex where(R"([,\s(]*[Ll]ine(?: number)? ?=? ?(\d+)(?:, column = -?\d+)?\)?)");
+  const std::string whole = one_line(text);
   std::string place = scene.file.string();
-  std::string cause = one_line(text);
-  std::smatch found;
-  // "XML Error: Schema violation: unrecognized element Element 'gem', line 12, column 5"
-  static const std::regex where(R"((?:XML )?Error:? *(.*?)[,\s]*(?:\(?line (\d+)(?:, column (-?\d+))?\)?)\s*$)");
-  if (std::regex_search(cause, found, where)) {
-    place += ":" + found[2].str();
-    if (found[3].matched && found[3].str() != "-1") place += ":" + found[3].str();
-    cause = found[1].str();
-  }
-  return {place, "MuJoCo does not load the scene: " + cause, "a scene is MJCF of MuJoCo 2.2.2; see docs/workcell.md"};
+  std::string line;
+  for (std::sregex_iterator found(whole.begin(), whole.end(), where), end; found != end; ++found)
+    if ((*found)[1] != "0") line = (*found)[1];
+  if (!line.empty()) place += ":" + line;
+  std::string cause = std::regex_replace(whole, where, "");
+  cause = std::regex_replace(cause, std::regex("^(XML )?Error:? *"), "");
+  return {place, "MuJoCo does not load the scene: " + cause,
+          "the line may be one of an included file; a scene is MJCF of MuJoCo 2.2.2, see docs/workcell.md"};
 }
 
 }  // namespace

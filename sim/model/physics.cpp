@@ -1,8 +1,8 @@
-#include "sim/model/physics.hpp"
+#include "sim/model/private/physics.hpp"
 
 #include <stdexcept>
 
-#include "sim/model/load.hpp"
+#include "sim/model/private/load.hpp"
 
 namespace pal::sim {
 namespace {

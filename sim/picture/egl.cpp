@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "sim/picture/offscreen.hpp"
+#include "sim/picture/private/offscreen.hpp"
 
 namespace pal::sim {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/picture/offscreen.hpp"
+#include "sim/picture/private/offscreen.hpp"
 
 #include <dlfcn.h>
 

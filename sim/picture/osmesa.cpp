@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/picture/offscreen.hpp"
+#include "sim/picture/private/offscreen.hpp"
 
 namespace pal::sim {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "sim/model/physics.hpp"
-#include "sim/picture/offscreen.hpp"
+#include "sim/model/private/physics.hpp"
+#include "sim/picture/private/offscreen.hpp"
 #include "sim/workcell.hpp"
 
 namespace pal::sim {
