@@ -9,7 +9,8 @@ namespace pal::runtime {
 
 enum class CostPolicy { worst, best, random };
 
-/// Draws times from their intervals: always the worst, always the best, or evenly spread, the same for the same seed.
+/// Draws times from their intervals: always the worst, always the best, or evenly spread, the same for the
+/// same seed.
 class CostDraw {
  public:
   CostDraw(CostPolicy policy, std::uint64_t seed) : policy_(policy), state_(seed) {}

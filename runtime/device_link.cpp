@@ -10,7 +10,9 @@ namespace pal::runtime {
 DeviceLink::DeviceLink(Run& run, int index, Device& device, std::vector<int> channels)
     : run_(run), index_(index), device_(device), channels_(std::move(channels)) {}
 
-Time DeviceLink::now() const { return run_.now(); }
+Time DeviceLink::now() const {
+  return run_.now();
+}
 
 void DeviceLink::at(Time when, std::function<void()> action) {
   if (when < run_.now()) {
@@ -32,6 +34,7 @@ bool DeviceLink::deliver(std::size_t port, std::span<const double> fields) {
 
 void DeviceLink::mark_busy(bool busy) {
   if (run_.over()) return;
+  busy_ = busy;
   run_.record_device(busy ? trace::Kind::busy : trace::Kind::idle, index_);
   if (busy) run_.mail().device_takes_request(index_);
 }

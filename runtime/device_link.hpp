@@ -25,6 +25,7 @@ class DeviceLink final : public DeviceHost {
 
   Device& device() const { return device_; }
   void open();
+  bool busy() const { return busy_; }
 
  private:
   Run& run_;
@@ -32,6 +33,7 @@ class DeviceLink final : public DeviceHost {
   Device& device_;
   std::vector<int> channels_;
   bool opened_ = false;
+  bool busy_ = false;
 };
 
 }  // namespace pal::runtime

@@ -27,8 +27,8 @@ std::string in_words(std::span<const Field> fields) {
 }
 
 Connection connect(const Wiring& wiring, std::string_view name, std::span<Device* const> devices) {
-  const auto found =
-      std::find_if(devices.begin(), devices.end(), [&](const Device* device) { return device->name() == name; });
+  const auto found = std::find_if(devices.begin(), devices.end(),
+                                  [&](const Device* device) { return device->name() == name; });
   const std::string called(name);
   if (found == devices.end()) throw std::runtime_error("there is no device " + called);
   Connection connection{*found, std::vector<int>((*found)->ports().size(), -1)};

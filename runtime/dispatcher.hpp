@@ -19,9 +19,10 @@ class Dispatcher {
   /// The devices, found by their names, and the world outlive the dispatcher.
   Dispatcher(std::span<Device* const> devices, World& world) : devices_(devices), world_(world) {}
 
-  /// Runs the skill in virtual time from 0 to its end. Parameters that are not given have their defaults. A parameter that
-  /// may not be, and a device that is missing or whose ports are not what the skill needs, end the skill before it
-  /// begins, with its error completion and the reason. Never throws for what a skill, a device or the world does.
+  /// Runs the skill in virtual time from 0 to its end. Parameters that are not given have their defaults. A
+  /// parameter that may not be, and a device that is missing or whose ports are not what the skill needs, end
+  /// the skill before it begins, with its error completion and the reason. Never throws for what a skill, a
+  /// device or the world does.
   Outcome run(Skill& skill, std::span<const ParameterValue> parameters = {}, const RunOptions& options = {});
 
  private:

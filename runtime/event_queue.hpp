@@ -10,7 +10,13 @@
 namespace pal::runtime {
 
 struct Event {
-  enum class Kind : std::uint8_t { work_done, message_available, wait_expired, request_arrives, device_action };
+  enum class Kind : std::uint8_t {
+    work_done,
+    message_available,
+    wait_expired,
+    request_arrives,
+    device_action
+  };
   Time time{};
   std::uint64_t order = 0;
   Kind kind = Kind::work_done;

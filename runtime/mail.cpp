@@ -59,7 +59,8 @@ void Mail::look(WaitOperation& wait) {
   run_.block(thread, targets.front().channel);
   ++thread.control.wait_token;
   if (wait.within()) {
-    run_.queue().push(wait.deadline, Event::Kind::wait_expired, thread.control.index, thread.control.wait_token);
+    run_.queue().push(wait.deadline, Event::Kind::wait_expired, thread.control.index,
+                      thread.control.wait_token);
   }
 }
 
@@ -79,7 +80,9 @@ void Mail::give_up(WaitOperation& wait) {
   run_.scheduler().need_processor(wait.thread(), run_.draw(run_.wiring().test));
 }
 
-void Mail::wait_expired(Thread& thread) { give_up(*thread.control.waiting); }
+void Mail::wait_expired(Thread& thread) {
+  give_up(*thread.control.waiting);
+}
 
 void Mail::finish(WaitOperation& wait) {
   Thread& thread = wait.thread();
@@ -187,7 +190,8 @@ void Mail::put(Slot& slot, const Thread& sender, std::span<const double> fields)
     run_.open_device(slot.device);
     if (slot.spec->request) {
       // As an event of its own: the device may be in the middle of taking the request before this one.
-      run_.queue().push(run_.now(), Event::Kind::request_arrives, channel, static_cast<std::uint64_t>(slot.serial));
+      run_.queue().push(run_.now(), Event::Kind::request_arrives, channel,
+                        static_cast<std::uint64_t>(slot.serial));
     } else {
       taken_by_device(slot);
       run_.hand_to_device(slot.device, slot.port, slot.fields);
@@ -280,8 +284,9 @@ bool Mail::deliver(int channel, std::span<const double> fields) {
     return true;
   }
   // A device that does not mark itself busy takes a request when it answers it.
-  if (slot.request_of >= 0 && at(slot.request_of).full && at(slot.request_of).handed) {
-    taken_by_device(at(slot.request_of));
+  if (slot.request_of >= 0 && !run_.device_is_busy(slot.device)) {
+    Slot& request = at(slot.request_of);
+    if (request.full && request.handed) taken_by_device(request);
   }
   if (slot.full) {
     run_.overrun(slot.device, channel);

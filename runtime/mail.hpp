@@ -19,17 +19,17 @@ struct Slot {
   bool handed = false;  // to a device that has not taken it yet
   std::vector<double> fields;
   std::int32_t serial = 0;
-  int sender_processor = -1;     // -1: a device
-  Time available_within{};       // to threads of the sender's processor
-  Time available_between{};      // to all others
+  int sender_processor = -1;        // -1: a device
+  Time available_within{};          // to threads of the sender's processor
+  Time available_between{};         // to all others
   const Thread* claimed = nullptr;  // whose receive has begun
 
   // Of a request.
-  int request_of = -1;           // of an answer's slot: the slot of its request
-  int open = 0;                  // sent, and the answer not yet taken
+  int request_of = -1;  // of an answer's slot: the slot of its request
+  int open = 0;         // sent, and the answer not yet taken
   const Thread* requester = nullptr;
   // Of an answer.
-  int unwanted = 0;              // answers yet to come to requests that were withdrawn
+  int unwanted = 0;  // answers yet to come to requests that were withdrawn
 };
 
 class Mail {
@@ -47,7 +47,8 @@ class Mail {
   bool expects_message(int channel, std::uint64_t serial) const;
   void wait_expired(Thread& thread);
 
-  /// A block is stopped: what it has begun to receive is free again, and the requests that it has open are withdrawn.
+  /// A block is stopped: what it has begun to receive is free again, and the requests that it has open are
+  /// withdrawn.
   void abandon(Thread& thread);
 
   // Devices.

@@ -1,7 +1,7 @@
 // One statement that a thread has come to: what the coroutine of a body awaits.
 //
-// The run calls reach() when the thread comes to the statement and work_done() when its processor time is over. Neither
-// resumes the coroutine: Run::proceed() does, when the effect of the statement has taken place.
+// The run calls reach() when the thread comes to the statement and work_done() when its processor time is
+// over. Neither resumes the coroutine: Run::proceed() does, when the effect of the statement has taken place.
 #pragma once
 
 #include <array>
@@ -67,7 +67,8 @@ class Perform final : public Step {
 /// SPC. The value is worked out at the effect.
 class SetCondition : public Step {
  public:
-  SetCondition(Thread& thread, int statement, int condition) : Step(thread, statement), condition_(condition) {}
+  SetCondition(Thread& thread, int statement, int condition)
+      : Step(thread, statement), condition_(condition) {}
 
  protected:
   ~SetCondition() = default;
@@ -152,7 +153,8 @@ class NoArm final : public Operation {
 /// TXM. The payload is fixed when the processor time is over, whether or not the slot is free then.
 class SendOperation : public Operation {
  public:
-  SendOperation(Thread& thread, int statement, int channel) : Operation(thread, statement), channel_(channel) {}
+  SendOperation(Thread& thread, int statement, int channel)
+      : Operation(thread, statement), channel_(channel) {}
 
   int channel() const { return channel_; }
   virtual std::span<const double> payload() const = 0;
@@ -202,7 +204,9 @@ struct Target {
 };
 
 /// A message without fields, or one whose fields the module has no use for.
-inline Target from(int channel) { return {channel, nullptr, nullptr}; }
+inline Target from(int channel) {
+  return {channel, nullptr, nullptr};
+}
 
 /// A message that becomes the module's `message`.
 template <class Message>

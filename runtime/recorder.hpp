@@ -11,7 +11,8 @@
 
 namespace pal::runtime {
 
-/// Actors of the trace are the wiring's threads, then its devices; statements, channels and conditions are the wiring's.
+/// Actors of the trace are the wiring's threads, then its devices; statements, channels and conditions are
+/// the wiring's.
 class Recorder {
  public:
   /// Makes room for `capacity` events; a run with more of them takes memory while it runs.

@@ -104,7 +104,8 @@ void Run::step() {
   const Event event = queue_.pop();
   if (event.time > options_.horizon) {
     now_ = options_.horizon;
-    fail_at(-1, -1, "the run is longer than its limit of " + std::to_string(now_.count()) + " ns" + who_waits());
+    fail_at(-1, -1,
+            "the run is longer than its limit of " + std::to_string(now_.count()) + " ns" + who_waits());
     return;
   }
   if (event.time > now_) {
@@ -257,12 +258,12 @@ int Run::error_code() const {
 
 void Run::complete(Thread& thread, int code) {
   if (over_) return;
+  record(Kind::complete, thread, -1, code);
   over_ = true;
   outcome_.code = code;
   for (const CompletionSpec& completion : skill_.description().completions) {
     if (completion.code == code) outcome_.reason = completion.description;
   }
-  record(Kind::complete, thread, -1, code);
 }
 
 void Run::fail_at(int actor, int statement, const std::string& reason) {
@@ -281,7 +282,9 @@ void Run::fail(const Thread& thread, const std::string& reason) {
           place_of(thread) + ": " + reason);
 }
 
-void Run::fail_device(int device, const std::string& reason) { fail_at(actor_of_device(device), -1, reason); }
+void Run::fail_device(int device, const std::string& reason) {
+  fail_at(actor_of_device(device), -1, reason);
+}
 
 void Run::fail_by_exception(const Thread& thread) {
   try {
@@ -305,24 +308,28 @@ std::string Run::who_waits() const {
   std::string text;
   for (const Thread& thread : threads_) {
     const State state = thread.control.state;
-    if (state != State::idle && state != State::ended) text += (text.empty() ? ": " : ", ") + place_of(thread);
+    if (state != State::idle && state != State::ended)
+      text += (text.empty() ? ": " : ", ") + place_of(thread);
   }
   return text;
 }
 
-// The trace.
+// The trace. Nothing happens any more when the skill is over.
 
 void Run::record(Kind kind, const Thread& thread, int subject, std::int32_t value) {
+  if (over_) return;
   const Operation* operation = thread.control.operation;
   recorder_.add(now_, kind, thread.control.index, operation == nullptr ? -1 : operation->statement(), subject,
                 value);
 }
 
 void Run::record_device(Kind kind, int device, int subject, std::int32_t value) {
+  if (over_) return;
   recorder_.add(now_, kind, actor_of_device(device), -1, subject, value);
 }
 
 void Run::record_drop(int channel, std::int32_t serial) {
+  if (over_) return;
   recorder_.add(now_, Kind::drop, -1, -1, channel, serial);
 }
 

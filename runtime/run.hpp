@@ -29,7 +29,8 @@ struct Connection {
 
 class Run {
  public:
-  /// `connections`: one for each device of the skill's wiring, in its order. Everything that is given outlives the run.
+  /// `connections`: one for each device of the skill's wiring, in its order. Everything that is given
+  /// outlives the run.
   Run(Skill& skill, World& world, const std::vector<Connection>& connections, const RunOptions& options);
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
@@ -65,6 +66,7 @@ class Run {
 
   // Devices.
   void open_device(int device);
+  bool device_is_busy(int device) const { return devices_[static_cast<std::size_t>(device)].busy(); }
   void hand_to_device(int device, std::size_t port, std::span<const double> fields);
 
   // Ends.

@@ -13,7 +13,9 @@ Scheduler::Scheduler(Run& run, const Wiring& wiring) : run_(run) {
   }
 }
 
-void Scheduler::add(Thread& thread) { processor_of(thread).threads.push_back(&thread); }
+void Scheduler::add(Thread& thread) {
+  processor_of(thread).threads.push_back(&thread);
+}
 
 Processor& Scheduler::processor_of(const Thread& thread) {
   return processors_[static_cast<std::size_t>(thread.control.spec->processor)];
@@ -71,7 +73,8 @@ void Scheduler::start(Processor& processor, Thread& thread) {
   processor.since = run_.now();
   ++processor.token;
   run_.record(trace::Kind::start, thread);
-  run_.queue().push(run_.now() + control.left, Event::Kind::work_done, control.spec->processor, processor.token);
+  run_.queue().push(run_.now() + control.left, Event::Kind::work_done, control.spec->processor,
+                    processor.token);
 }
 
 void Scheduler::interrupt(Processor& processor) {

@@ -12,9 +12,9 @@ struct Processor {
   const ProcessorSpec* spec = nullptr;
   std::vector<Thread*> threads;
   Thread* running = nullptr;
-  bool working = false;      // `running` is at work on its statement, since `since`
+  bool working = false;  // `running` is at work on its statement, since `since`
   Time since{};
-  std::uint64_t token = 0;   // names the piece of work that is going on
+  std::uint64_t token = 0;  // names the piece of work that is going on
 };
 
 class Scheduler {

@@ -21,8 +21,9 @@ void check_parameter(const ParameterSpec& parameter, double value) {
   const std::string name(parameter.name);
   const bool in_range = value >= parameter.low && value <= parameter.high;  // false for NaN as well
   if (!in_range) {
-    throw ParameterError("parameter " + name + " is " + with_unit(value, parameter.unit) + "; it may be from " +
-                         with_unit(parameter.low, {}) + " to " + with_unit(parameter.high, parameter.unit));
+    throw ParameterError("parameter " + name + " is " + with_unit(value, parameter.unit) +
+                         "; it may be from " + with_unit(parameter.low, {}) + " to " +
+                         with_unit(parameter.high, parameter.unit));
   }
   if (parameter.type != ParameterType::real && value != std::floor(value)) {
     throw ParameterError("parameter " + name + " is " + with_unit(value, parameter.unit) +

@@ -40,7 +40,8 @@ struct SkillDescription {
   std::span<const CompletionSpec> completions;
 };
 
-/// A parameter that does not exist, is out of its range, or is not of its type. what() says which, and what may be.
+/// A parameter that does not exist, is out of its range, or is not of its type. what() says which, and what
+/// may be.
 class ParameterError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -71,7 +72,8 @@ class Skill {
   /// The coroutine of thread `index` of the wiring, not yet begun.
   virtual Task body(std::size_t index, Thread& thread) = 0;
 
-  /// Makes and drops one coroutine of each module that is run by Execute, so that its frame is there when it is needed.
+  /// Makes and drops one coroutine of each module that is run by Execute, so that its frame is there when it
+  /// is needed.
   virtual void reserve_executed(Thread& thread) = 0;
 };
 

@@ -16,9 +16,9 @@ void body_ended(Thread& thread) noexcept;
 void body_threw(Thread& thread) noexcept;
 }  // namespace detail
 
-/// Owns a coroutine that follows one body of PAL, statement by statement. The coroutine is a function or a member function
-/// whose last parameter is the Thread that it runs in; its frame comes from the thread's pool.
-/// A body that Execute names is awaited: `co_await cm1.body(thread)` runs it in the caller's place.
+/// Owns a coroutine that follows one body of PAL, statement by statement. The coroutine is a function or a
+/// member function whose last parameter is the Thread that it runs in; its frame comes from the thread's
+/// pool. A body that Execute names is awaited: `co_await cm1.body(thread)` runs it in the caller's place.
 class [[nodiscard]] Task {
  public:
   class promise_type {
@@ -27,7 +27,9 @@ class [[nodiscard]] Task {
     template <class Owner>
     promise_type(Owner&, Thread& thread) : thread_(&thread) {}
 
-    static void* operator new(std::size_t size, Thread& thread) { return detail::allocate_frame(thread, size); }
+    static void* operator new(std::size_t size, Thread& thread) {
+      return detail::allocate_frame(thread, size);
+    }
     template <class Owner>
     static void* operator new(std::size_t size, Owner&, Thread& thread) {
       return detail::allocate_frame(thread, size);

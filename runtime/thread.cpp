@@ -13,10 +13,18 @@ Thread::Thread(Run& run, int index, const ThreadSpec& spec, std::size_t conditio
 
 namespace detail {
 
-void* allocate_frame(Thread& thread, std::size_t size) { return thread.run().frames().allocate(size); }
-void release_frame(void* frame) noexcept { FramePool::release(frame); }
-void body_ended(Thread& thread) noexcept { thread.run().blocks().ended(thread); }
-void body_threw(Thread& thread) noexcept { thread.run().fail_by_exception(thread); }
+void* allocate_frame(Thread& thread, std::size_t size) {
+  return thread.run().frames().allocate(size);
+}
+void release_frame(void* frame) noexcept {
+  FramePool::release(frame);
+}
+void body_ended(Thread& thread) noexcept {
+  thread.run().blocks().ended(thread);
+}
+void body_threw(Thread& thread) noexcept {
+  thread.run().fail_by_exception(thread);
+}
 
 }  // namespace detail
 

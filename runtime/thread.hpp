@@ -30,10 +30,10 @@ struct ThreadControl {
   bool resuming = false;           // its effect has taken place; the coroutine is about to go on
 
   // On the processor.
-  Time left{};                  // processor time that the statement still needs
-  bool begun = false;           // some of it was given
-  bool announced = false;       // the trace knows that the thread is ready
-  std::int64_t queue_key = 0;   // among equals the least goes first
+  Time left{};                 // processor time that the statement still needs
+  bool begun = false;          // some of it was given
+  bool announced = false;      // the trace knows that the thread is ready
+  std::int64_t queue_key = 0;  // among equals the least goes first
 
   // Without a processor; each is set while it is true.
   WaitOperation* waiting = nullptr;
@@ -51,8 +51,9 @@ struct ThreadControl {
   std::vector<bool> tested;
 };
 
-/// Statements, channels, conditions and blocks are named by their index in the wiring. Each of these functions is
-/// one statement of PAL, to be awaited at once: `co_await thread.send(…)`. What they are given must outlive that.
+/// Statements, channels, conditions and blocks are named by their index in the wiring. Each of these
+/// functions is one statement of PAL, to be awaited at once: `co_await thread.send(…)`. What they are given
+/// must outlive that.
 class Thread {
  public:
   Thread(Run& run, int index, const ThreadSpec& spec, std::size_t conditions);

@@ -30,8 +30,8 @@ struct ThreadSpec {
   std::string_view name;
   int processor = 0;
   int priority = 0;
-  bool block = false;    // becomes ready with its CONCURRENT, not at time 0
-  bool can_end = true;   // a block that cannot is cancelled when those that can have ended
+  bool block = false;   // becomes ready with its CONCURRENT, not at time 0
+  bool can_end = true;  // a block that cannot is cancelled when those that can have ended
 };
 
 /// A statement that takes part in a run. `cost`: of a WTM that takes a message, the receive.
@@ -49,7 +49,7 @@ struct ChannelSpec {
   std::string_view message;
   std::string_view receiver;
   std::span<const Field> fields;
-  int answer = -1;          // of a request: the channel on which its answer comes
+  int answer = -1;  // of a request: the channel on which its answer comes
   bool request = false;
   bool from_device = false;
   bool to_device = false;
