@@ -78,14 +78,14 @@ class Compiler {
       if (!passes) return compiled(place, node);
       node = forever ? graph[at.mate].out.front() : at.out.front();
     }
-    diagnostics_.report(Code::PAL0711, graph[node].where, "nothing ever happens in this loop",
+    diagnostics_.report(Code::PAL0741, graph[node].where, "nothing ever happens in this loop",
                         "give the loop a wait or an activity");
     return end_step();
   }
 
   int inlined(Place& place, const Node& node, const Execute& execute) {
     if (place.depth > 32) {
-      diagnostics_.report(Code::PAL0711, node.where, "modules execute one another without end");
+      diagnostics_.report(Code::PAL0741, node.where, "modules execute one another without end");
       return end_step();
     }
     // Each place of an Execute has its own copy, kept alive as long as its steps may still be asked for.
