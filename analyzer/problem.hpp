@@ -118,7 +118,7 @@ struct Problem {
 };
 
 /// Builds the model of `network` in `environment`. Reports everything in the environment that is missing, unknown or
-/// impossible (PAL07xx) and requirements that cannot be meant (PAL08xx); no model if there was such an error.
+/// impossible (PAL072x) and requirements that cannot be meant (PAL081x); no model if there was such an error.
 /// `sources` gives statements their file and line; without it they have none.
 std::optional<Problem> make_problem(const pan::Network& network, const pan::Environment& environment,
                                     Diagnostics& diagnostics, const SourceManager* sources = nullptr);
