@@ -29,11 +29,8 @@ Nanoseconds unit_of(const Problem& problem, const Slice& slice) {
     add_range(problem.steps[s].give_up_cost);
     add(problem.steps[s].within.value_or(0));
   }
-  for (std::size_t c = 0; c < problem.channels.size(); ++c) {
-    for (std::size_t t = 0; t < problem.threads.size(); ++t) {
-      if (slice.channels[c] && slice.threads[t]) add_range(problem.latency[t][c]);
-    }
-  }
+  add_range(problem.within_processor);
+  add_range(problem.between_processors);
   for (std::size_t d = 0; d < problem.devices.size(); ++d) {
     if (!slice.devices[d]) continue;
     if (const auto* event = std::get_if<pan::EventDevice>(&problem.devices[d].behaviour)) {

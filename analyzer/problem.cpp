@@ -318,26 +318,14 @@ class Builder final : public TimesAndPlaces {
     }
   }
 
-  /// The threads that wait for a message may stand on several processors: its latency is then any that one of them
-  /// can have.
   void latencies() {
-    problem_.latency.assign(problem_.threads.size(), std::vector<Range>(problem_.channels.size()));
     const Interval& within = environment_.latency.within_processor;
     const Interval& between = environment_.latency.between_processors;
+    problem_.within_processor = {within.best.count(), within.worst.count()};
+    problem_.between_processors = {between.best.count(), between.worst.count()};
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
-      const Channel& channel = problem_.channels[c];
-      if (channel.sender_device >= 0 || channel.receiver_device >= 0) continue;
-      const std::set<int> receivers = processors_of(static_cast<int>(c));
-      for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
-        std::optional<Range> latency;
-        for (int processor : receivers) {
-          const Interval& of = processor == problem_.threads[t].processor ? within : between;
-          if (!latency) latency = Range{of.best.count(), of.worst.count()};
-          latency->best = std::min(latency->best, static_cast<Nanoseconds>(of.best.count()));
-          latency->worst = std::max(latency->worst, static_cast<Nanoseconds>(of.worst.count()));
-        }
-        problem_.latency[t][c] = latency.value_or(Range{between.best.count(), between.worst.count()});
-      }
+      const std::set<int> processors = processors_of(static_cast<int>(c));
+      problem_.channels[c].receiver_processors.assign(processors.begin(), processors.end());
     }
   }
 

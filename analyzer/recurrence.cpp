@@ -214,7 +214,8 @@ Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence&
   }
   for (std::size_t c = 0; c < channels; ++c) {
     slice.channels[c] = groups.of(channel(static_cast<int>(c))) == group;
-    slice.timers[static_cast<std::size_t>(machine.flight_timer(static_cast<int>(c)))] = slice.channels[c];
+    const auto flight = static_cast<std::size_t>(machine.flight_timer(static_cast<int>(c)));
+    slice.timers[flight] = slice.timers[flight + 1] = slice.channels[c];
   }
   for (std::size_t d = 0; d < devices; ++d) {
     slice.devices[d] = groups.of(device(static_cast<int>(d))) == group;
