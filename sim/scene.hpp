@@ -35,4 +35,7 @@ Scene find_scene(const std::string& name_or_path, const std::vector<std::filesys
 /// The names of the scenes in `folders`, sorted: every *.xml that is not itself included by another one there.
 std::vector<Scene> list_scenes(const std::vector<std::filesystem::path>& folders);
 
+/// What the scene says about itself in one line. Throws SceneError.
+std::string describe_scene(const Scene& scene);
+
 }  // namespace pal::sim

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <fstream>
+#include <memory>
 #include <regex>
 
 namespace pal::sim {
@@ -81,9 +82,10 @@ Start read_start(const mjModel& model, const Scene& scene) {
   return start;
 }
 
-std::string read_description(const mjModel& model) {
-  const int text = mj_name2id(&model, mjOBJ_TEXT, "description");
-  return text < 0 ? std::string() : std::string(model.text_data + model.text_adr[text]);
+std::string describe_scene(const Scene& scene) {
+  const std::unique_ptr<mjModel, void (*)(mjModel*)> model(load_model(scene), mj_deleteModel);
+  const int text = mj_name2id(model.get(), mjOBJ_TEXT, "description");
+  return text < 0 ? std::string() : std::string(model->text_data + model->text_adr[text]);
 }
 
 }  // namespace pal::sim

@@ -1,7 +1,6 @@
 // Pictures of the workcell without a screen.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,7 +40,7 @@ struct Picture {
 /// Draws the workcell as it stands. Takes 10 to 1000 ms, so not while a run is going on.
 Picture take_picture(Workcell& workcell, const PictureOptions& options = {});
 
-/// Writes a PNG file: a temporary beside it first, renamed when whole. The answer is what went wrong, if anything did.
-std::optional<std::string> write_png(const Image& image, const std::filesystem::path& file);
+/// The image as the bytes of a PNG file. Throws std::runtime_error if libpng cannot.
+std::string encode_png(const Image& image);
 
 }  // namespace pal::sim
