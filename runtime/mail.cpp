@@ -74,6 +74,7 @@ void Mail::claim(WaitOperation& wait, int target) {
 }
 
 void Mail::give_up(WaitOperation& wait) {
+  run_.record(Kind::give_up, wait.thread(), wait.targets().front().channel);
   wait.chosen = -1;
   wait.thread().control.waiting = nullptr;
   ++wait.thread().control.wait_token;
@@ -89,7 +90,6 @@ void Mail::finish(WaitOperation& wait) {
   const auto targets = wait.targets();
   if (wait.chosen < 0) {
     run_.record(Kind::done, thread);
-    run_.record(Kind::give_up, thread, targets.front().channel);
     for (const Target& target : targets) {
       const int request = at(target.channel).request_of;
       if (request >= 0) withdraw(at(request));
