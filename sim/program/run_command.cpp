@@ -4,8 +4,8 @@
 #include <charconv>
 #include <ostream>
 
+#include "pal/support/nearest.hpp"
 #include "pal/support/output.hpp"
-#include "sim/nearest.hpp"
 #include "sim/program/command_line.hpp"
 #include "sim/program/comparison.hpp"
 #include "sim/program/report_files.hpp"
@@ -19,7 +19,7 @@ std::unique_ptr<runtime::Skill> make_skill(const std::string& wanted, const std:
     if (known.name == wanted) return known.make();
     names.push_back(known.name);
   }
-  const auto nearest = sim::nearest_name(wanted, names);
+  const auto nearest = pal::nearest(wanted, names);
   throw Failure(ExitStatus::wrong_specification, "skill '" + wanted + "'", "there is no skill of this name",
                 nearest ? "did you mean '" + *nearest + "'?" : "workcell list shows the skills that there are");
 }
@@ -54,7 +54,7 @@ runtime::ParameterValue parse_setting(const std::string& setting, const runtime:
     }
     return {name, value};
   }
-  const auto nearest = sim::nearest_name(name, names);
+  const auto nearest = pal::nearest(name, names);
   throw Failure(ExitStatus::wrong_specification, place,
                 fmt::format("skill {} has no parameter '{}'", skill.description().name, name),
                 nearest ? "did you mean '" + *nearest + "'?" : fmt::format("it has {}", fmt::join(names, ", ")));

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "sim/nearest.hpp"
 #include "tests/unit/sim/support.hpp"
 
 using namespace pal::sim;
@@ -66,7 +65,7 @@ TEST_CASE("a scene that does not exist: place, cause, hint") {
   } catch (const SceneError& error) {
     CHECK(error.place() == "scene 'tuch'");
     CHECK(error.cause() == "there is no scene of this name");
-    CHECK(error.hint() == "did you mean 'touch'?");
+    CHECK(error.hint() == "there are nothing, touch");
   }
   CHECK_THROWS_AS(find_scene("somewhere/else.xml", {}), SceneError);
 }
@@ -112,10 +111,4 @@ TEST_CASE("scenes that do not load: place, cause, hint") {
 
   const SceneError missing = refused({"missing", folder.path() / "missing.xml"});
   CHECK(missing.cause() == "the file cannot be read");
-}
-
-TEST_CASE("did you mean") {
-  CHECK(nearest_name("tocuh", {"nothing", "touch"}) == "touch");
-  CHECK(nearest_name("aproach-speed", {"approach-speed", "reach"}) == "approach-speed");
-  CHECK_FALSE(nearest_name("xyz", {"nothing", "touch"}));
 }
