@@ -7,8 +7,8 @@
 namespace pal::sim {
 namespace {
 
-constexpr double fine = 0.05;      // mm
-constexpr double coarse = 1.0;     // mm
+constexpr double fine = 0.05;       // mm
+constexpr double coarse = 1.0;      // mm
 constexpr double far_enough = 400;  // mm
 constexpr runtime::Time rest = std::chrono::milliseconds(100);
 
@@ -34,7 +34,8 @@ double contact_stiffness(const Scene& scene, double low, double high) {
     sum_xy += depth * force;
   }
   const double spread = count * sum_xx - sum_x * sum_x;
-  if (count < 2 || spread <= 0) throw std::runtime_error("the contact is too stiff to measure between these forces");
+  if (count < 2 || spread <= 0)
+    throw std::runtime_error("the contact is too stiff to measure between these forces");
   return (count * sum_xy - sum_x * sum_y) / spread;
 }
 

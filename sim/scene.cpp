@@ -61,8 +61,9 @@ Scene find_scene(const std::string& name_or_path, const std::vector<fs::path>& f
     if (scene.name == name_or_path) return scene;
     names += (names.empty() ? "" : ", ") + scene.name;
   }
-  throw SceneError("scene '" + name_or_path + "'", "there is no scene of this name",
-                   names.empty() ? "no folder of scenes was found; give the path of a scene file" : "there are " + names);
+  throw SceneError(
+      "scene '" + name_or_path + "'", "there is no scene of this name",
+      names.empty() ? "no folder of scenes was found; give the path of a scene file" : "there are " + names);
 }
 
 }  // namespace pal::sim

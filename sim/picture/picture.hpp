@@ -33,7 +33,7 @@ struct PictureOptions {
 /// Either an image or the reason why there is none: pictures are never worth a crash.
 struct Picture {
   std::optional<Image> image;
-  std::string problem;    // what was tried and why it failed; empty with an image
+  std::string problem;   // what was tried and why it failed; empty with an image
   std::string renderer;  // who drew it: "EGL" or "OSMesa"
 };
 

@@ -16,7 +16,8 @@ std::string encode_png(const Image& image) {
   std::string bytes;
   // Once for the size, once for the bytes.
   for (int pass = 0; pass < 2; ++pass) {
-    if (!png_image_write_to_memory(&header, pass == 0 ? nullptr : bytes.data(), &size, 0, image.pixels.data(), 0, nullptr))
+    if (!png_image_write_to_memory(&header, pass == 0 ? nullptr : bytes.data(), &size, 0, image.pixels.data(),
+                                   0, nullptr))
       throw std::runtime_error(std::string("the picture cannot be written as PNG: ") + header.message);
     bytes.resize(size);
   }

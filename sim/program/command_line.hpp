@@ -21,12 +21,12 @@ struct RunCommand {
   std::vector<std::string> scene_folders;
   std::vector<std::string> settings;  // "name=value"
   std::uint64_t seed = 1;
-  double phase = -1;                  // ms; negative: drawn
+  double phase = -1;  // ms; negative: drawn
   std::string times = "random";
-  std::string output;                 // folder; empty: no files
+  std::string output;  // folder; empty: no files
   bool picture = true;
-  int sweep = 0;                      // runs; 0: one run
-  std::string against;                // second skill of a sweep
+  int sweep = 0;        // runs; 0: one run
+  std::string against;  // second skill of a sweep
 };
 
 /// "workcell list": skills with their parameters and completions, scenes.

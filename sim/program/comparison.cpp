@@ -11,16 +11,22 @@
 namespace pal::workcell {
 namespace {
 
-double in_milliseconds(runtime::Time time) { return static_cast<double>(time.count()) / 1e6; }
+double in_milliseconds(runtime::Time time) {
+  return static_cast<double>(time.count()) / 1e6;
+}
 
-bool touched(const SweepRun& run) { return !run.fault && run.completion == 0; }
+bool touched(const SweepRun& run) {
+  return !run.fault && run.completion == 0;
+}
 
 }  // namespace
 
-bool Comparison::agrees() const { return std::abs(resting_difference - predicted) <= 0.25 * std::abs(predicted); }
+bool Comparison::agrees() const {
+  return std::abs(resting_difference - predicted) <= 0.25 * std::abs(predicted);
+}
 
-Comparison compare(const std::vector<SweepRun>& first, const std::vector<SweepRun>& second, const sim::Scene& scene,
-                   double speed) {
+Comparison compare(const std::vector<SweepRun>& first, const std::vector<SweepRun>& second,
+                   const sim::Scene& scene, double speed) {
   Comparison result;
   result.speed = speed;
   double rest_first = 0, rest_second = 0;
@@ -52,8 +58,8 @@ std::string describe(const std::string& skill, const std::vector<SweepRun>& runs
   for (const SweepRun& run : runs)
     if (touched(run)) overshoots.push_back(run.overshoot);
   const Distribution figures = distribution(overshoots);
-  std::string text = fmt::format("{}: overshoot past the threshold, {} of {} runs touched\n", skill, overshoots.size(),
-                                 runs.size());
+  std::string text = fmt::format("{}: overshoot past the threshold, {} of {} runs touched\n", skill,
+                                 overshoots.size(), runs.size());
   if (overshoots.empty()) return text;
   text += fmt::format("  least {:.1f} N, median {:.1f} N, mean {:.1f} N, greatest {:.1f} N\n", figures.least,
                       figures.median, figures.mean, figures.greatest);
@@ -63,12 +69,13 @@ std::string describe(const std::string& skill, const std::vector<SweepRun>& runs
 std::string describe(const Comparison& comparison, const std::string& first, const std::string& second) {
   std::string text;
   text += fmt::format("{} against {}, means over {} pairs of runs\n", second, first, comparison.pairs);
-  text += fmt::format("  the last motion was decided on a force that was older by {:.1f} ms\n", comparison.age_difference);
+  text += fmt::format("  the last motion was decided on a force that was older by {:.1f} ms\n",
+                      comparison.age_difference);
   text += fmt::format("  predicted: {:g} mm/s x {:.1f} ms x {:.2f} N/mm = {:.1f} N more\n", comparison.speed,
                       comparison.age_difference, comparison.stiffness, comparison.predicted);
-  text += fmt::format("  measured:  {:.1f} N more at rest, {:.1f} N more at the peak; higher peak in {} of {} pairs\n",
-                      comparison.resting_difference, comparison.peak_difference, comparison.second_higher,
-                      comparison.pairs);
+  text += fmt::format(
+      "  measured:  {:.1f} N more at rest, {:.1f} N more at the peak; higher peak in {} of {} pairs\n",
+      comparison.resting_difference, comparison.peak_difference, comparison.second_higher, comparison.pairs);
   text += comparison.agrees() ? "  the arm presses as the ages predict (at rest, within a quarter)\n"
                               : "  the arm does not press as the ages predict (at rest, within a quarter)\n";
   return text;

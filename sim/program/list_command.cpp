@@ -17,7 +17,8 @@ std::string range(const runtime::ParameterSpec& parameter) {
   if (parameter.type == runtime::ParameterType::boolean)
     return fmt::format("0 or 1, default {:g}", parameter.default_value);
   const std::string unit = parameter.unit.empty() ? "" : " " + std::string(parameter.unit);
-  return fmt::format("{:g} to {:g}{}, default {:g}", parameter.low, parameter.high, unit, parameter.default_value);
+  return fmt::format("{:g} to {:g}{}, default {:g}", parameter.low, parameter.high, unit,
+                     parameter.default_value);
 }
 
 void list_skill(const runtime::Skill& skill, std::ostream& out) {
@@ -27,7 +28,8 @@ void list_skill(const runtime::Skill& skill, std::ostream& out) {
   for (const runtime::ParameterSpec& parameter : description.parameters)
     out << fmt::format("    --set {}=…  {} ({})\n", parameter.name, parameter.description, range(parameter));
   for (const runtime::CompletionSpec& completion : description.completions)
-    out << fmt::format("    completion {} ({}): {}\n", completion.code, name(completion.kind), completion.description);
+    out << fmt::format("    completion {} ({}): {}\n", completion.code, name(completion.kind),
+                       completion.description);
 }
 
 }  // namespace
@@ -36,7 +38,8 @@ ExitStatus list(const ListCommand& command, const std::vector<KnownSkill>& skill
   out << "skills\n";
   for (const KnownSkill& known : skills) list_skill(*known.make(), out);
   out << "scenes\n";
-  for (const sim::Scene& scene : sim::list_scenes({command.scene_folders.begin(), command.scene_folders.end()}))
+  for (const sim::Scene& scene :
+       sim::list_scenes({command.scene_folders.begin(), command.scene_folders.end()}))
     out << fmt::format("  {:<12} {}\n", scene.name, sim::describe_scene(scene));
   return ExitStatus::done;
 }

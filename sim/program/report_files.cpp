@@ -12,9 +12,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string json_text(const Json& json) { return json.dump(2) + "\n"; }
+std::string json_text(const Json& json) {
+  return json.dump(2) + "\n";
+}
 
-std::string in_folder(const std::string& folder, const char* name) { return folder + "/" + name; }
+std::string in_folder(const std::string& folder, const char* name) {
+  return folder + "/" + name;
+}
 
 std::string log_csv(const std::vector<sim::Sample>& log) {
   std::string text = "time_ns,tool_x_mm,tool_y_mm,tool_z_mm,contact_force_N\n";
@@ -63,8 +67,8 @@ Json figures_json(const std::vector<double>& values) {
 
 }  // namespace
 
-std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skill& skill, const Session& session,
-                                  const SessionResult& result) {
+std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skill& skill,
+                                  const Session& session, const SessionResult& result) {
   std::ostringstream trace, chrome;
   trace::write_json(result.outcome.trace, trace);
   trace::write_chrome(result.outcome.trace, chrome);
@@ -72,21 +76,23 @@ std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skil
                                 {in_folder(folder, "trace.chrome.json"), chrome.str()},
                                 {in_folder(folder, "log.csv"), log_csv(result.log)},
                                 {in_folder(folder, "run.json"), json_text(run_json(skill, session, result))}};
-  if (result.picture.image) files.push_back({in_folder(folder, "arm.png"), sim::encode_png(*result.picture.image)});
+  if (result.picture.image)
+    files.push_back({in_folder(folder, "arm.png"), sim::encode_png(*result.picture.image)});
   return files;
 }
 
 std::vector<OutputFile> sweep_files(const std::string& folder, const std::vector<std::string>& skills,
                                     const std::vector<std::vector<SweepRun>>& sweeps,
                                     const std::optional<Comparison>& comparison) {
-  std::string csv = "skill,alter_phase_ns,raise_mm,seed,completion,fault,peak_force_N,resting_force_N,overshoot_N,age_ns\n";
+  std::string csv =
+      "skill,alter_phase_ns,raise_mm,seed,completion,fault,peak_force_N,resting_force_N,overshoot_N,age_ns\n";
   Json json = Json::object();
   for (std::size_t k = 0; k < sweeps.size(); ++k) {
     std::vector<double> overshoots;
     for (const SweepRun& run : sweeps[k]) {
-      csv += fmt::format("{},{},{:.6f},{},{},{},{:.6f},{:.6f},{:.6f},{}\n", skills[k], run.phase.count(), run.raise,
-                         run.seed, run.completion, run.fault ? 1 : 0, run.peak_force, run.resting_force, run.overshoot,
-                         run.age ? std::to_string(run.age->count()) : "");
+      csv += fmt::format("{},{},{:.6f},{},{},{},{:.6f},{:.6f},{:.6f},{}\n", skills[k], run.phase.count(),
+                         run.raise, run.seed, run.completion, run.fault ? 1 : 0, run.peak_force,
+                         run.resting_force, run.overshoot, run.age ? std::to_string(run.age->count()) : "");
       if (!run.fault && run.completion == 0) overshoots.push_back(run.overshoot);
     }
     json["overshoot_N"][skills[k]] = figures_json(overshoots);

@@ -20,8 +20,9 @@ std::unique_ptr<runtime::Skill> make_skill(const std::string& wanted, const std:
     names.push_back(known.name);
   }
   const auto nearest = pal::nearest(wanted, names);
-  throw Failure(ExitStatus::wrong_specification, "skill '" + wanted + "'", "there is no skill of this name",
-                nearest ? "did you mean '" + *nearest + "'?" : "workcell list shows the skills that there are");
+  throw Failure(
+      ExitStatus::wrong_specification, "skill '" + wanted + "'", "there is no skill of this name",
+      nearest ? "did you mean '" + *nearest + "'?" : "workcell list shows the skills that there are");
 }
 
 double parse_number(const std::string& setting, const std::string& text) {
@@ -39,7 +40,8 @@ runtime::ParameterValue parse_setting(const std::string& setting, const runtime:
   const std::string place = "--set " + setting;
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos)
-    throw Failure(ExitStatus::usage, place, "a parameter is set by name=value", "write --set approach-speed=20");
+    throw Failure(ExitStatus::usage, place, "a parameter is set by name=value",
+                  "write --set approach-speed=20");
   const std::string name = setting.substr(0, equals);
   std::vector<std::string> names;
   for (const runtime::ParameterSpec& parameter : skill.description().parameters) {
@@ -55,9 +57,10 @@ runtime::ParameterValue parse_setting(const std::string& setting, const runtime:
     return {name, value};
   }
   const auto nearest = pal::nearest(name, names);
-  throw Failure(ExitStatus::wrong_specification, place,
-                fmt::format("skill {} has no parameter '{}'", skill.description().name, name),
-                nearest ? "did you mean '" + *nearest + "'?" : fmt::format("it has {}", fmt::join(names, ", ")));
+  throw Failure(
+      ExitStatus::wrong_specification, place,
+      fmt::format("skill {} has no parameter '{}'", skill.description().name, name),
+      nearest ? "did you mean '" + *nearest + "'?" : fmt::format("it has {}", fmt::join(names, ", ")));
 }
 
 runtime::CostPolicy parse_times(const std::string& text) {
@@ -67,8 +70,10 @@ runtime::CostPolicy parse_times(const std::string& text) {
 
 Session make_session(const RunCommand& command, const runtime::Skill& skill) {
   Session session;
-  session.scene = sim::find_scene(command.scene, {command.scene_folders.begin(), command.scene_folders.end()});
-  for (const std::string& setting : command.settings) session.parameters.push_back(parse_setting(setting, skill));
+  session.scene =
+      sim::find_scene(command.scene, {command.scene_folders.begin(), command.scene_folders.end()});
+  for (const std::string& setting : command.settings)
+    session.parameters.push_back(parse_setting(setting, skill));
   session.times = parse_times(command.times);
   session.seed = command.seed;
   if (command.phase >= 0) session.phase = runtime::Time(static_cast<std::int64_t>(command.phase * 1e6));
@@ -83,7 +88,8 @@ void write(const std::vector<OutputFile>& files, std::ostream& out) {
   for (const OutputFile& file : files) out << "  wrote " << file.path << '\n';
 }
 
-ExitStatus run_once(const RunCommand& command, runtime::Skill& skill, const Session& session, std::ostream& out) {
+ExitStatus run_once(const RunCommand& command, runtime::Skill& skill, const Session& session,
+                    std::ostream& out) {
   const SessionResult result = run_session(skill, session);
   const runtime::Outcome& outcome = result.outcome;
   out << fmt::format("{} in scene {}: {} {}\n", skill.description().name, session.scene.name,
@@ -95,9 +101,11 @@ ExitStatus run_once(const RunCommand& command, runtime::Skill& skill, const Sess
   if (result.log.empty()) return ExitStatus::error_completion;
   const Eigen::Vector3d way = (result.log.back().tool - result.log.front().tool) * 1e3;
   out << fmt::format("  the tool moved by ({:.2f}, {:.2f}, {:.2f}) mm\n", way.x(), way.y(), way.z());
-  out << fmt::format("  contact force: {:.2f} N at its peak, {:.2f} N at rest\n", result.peak_force, result.resting_force);
+  out << fmt::format("  contact force: {:.2f} N at its peak, {:.2f} N at rest\n", result.peak_force,
+                     result.resting_force);
   if (const auto threshold = parameter_value(skill, session, "threshold"); threshold && result.peak_force > 0)
-    out << fmt::format("  overshoot: {:.2f} N past the threshold of {:g} N\n", result.peak_force - *threshold, *threshold);
+    out << fmt::format("  overshoot: {:.2f} N past the threshold of {:g} N\n", result.peak_force - *threshold,
+                       *threshold);
   if (session.picture && !result.picture.image) out << "  no picture: " << result.picture.problem << '\n';
   if (!command.output.empty()) write(run_files(command.output, skill, session, result), out);
 
@@ -105,8 +113,9 @@ ExitStatus run_once(const RunCommand& command, runtime::Skill& skill, const Sess
     return completion.code == outcome.code && completion.kind == runtime::CompletionSpec::Kind::error;
   };
   const auto completions = skill.description().completions;
-  return outcome.fault || std::any_of(completions.begin(), completions.end(), is_error) ? ExitStatus::error_completion
-                                                                                       : ExitStatus::done;
+  return outcome.fault || std::any_of(completions.begin(), completions.end(), is_error)
+             ? ExitStatus::error_completion
+             : ExitStatus::done;
 }
 
 // The same bins for all, so that the histograms can be compared by eye.
@@ -152,7 +161,8 @@ ExitStatus run_sweep(const RunCommand& command, runtime::Skill& skill, const Ses
 ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out) {
   const auto skill = make_skill(command.skill, skills);
   const Session session = make_session(command, *skill);
-  return command.sweep > 0 ? run_sweep(command, *skill, session, skills, out) : run_once(command, *skill, session, out);
+  return command.sweep > 0 ? run_sweep(command, *skill, session, skills, out)
+                           : run_once(command, *skill, session, out);
 }
 
 }  // namespace pal::workcell

@@ -38,13 +38,15 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   while (!workcell.idle()) workcell.advance_to(workcell.now() + sim::alter_period);
   workcell.advance_to(workcell.now() + rest);
   result.log = workcell.log();
-  for (const sim::Sample& sample : result.log) result.peak_force = std::max(result.peak_force, sample.contact_force);
+  for (const sim::Sample& sample : result.log)
+    result.peak_force = std::max(result.peak_force, sample.contact_force);
   if (!result.log.empty()) result.resting_force = result.log.back().contact_force;
   if (session.picture) result.picture = sim::take_picture(workcell);
   return result;
 }
 
-std::optional<double> parameter_value(const runtime::Skill& skill, const Session& session, std::string_view name) {
+std::optional<double> parameter_value(const runtime::Skill& skill, const Session& session,
+                                      std::string_view name) {
   for (const runtime::ParameterValue& parameter : session.parameters)
     if (parameter.name == name) return parameter.value;
   for (const runtime::ParameterSpec& parameter : skill.description().parameters)

@@ -27,18 +27,20 @@ struct Session {
 
 struct SessionResult {
   runtime::Outcome outcome;
-  runtime::Time phase{};          // as given or drawn
-  std::vector<sim::Sample> log;   // until the arm has come to rest
-  double peak_force = 0;          // N
-  double resting_force = 0;       // N, at the end of the log
+  runtime::Time phase{};         // as given or drawn
+  std::vector<sim::Sample> log;  // until the arm has come to rest
+  double peak_force = 0;         // N
+  double resting_force = 0;      // N, at the end of the log
   sim::Picture picture;
 };
 
-/// Runs the skill, then lets the arm end its motion and come to rest. Throws sim::SceneError; std::runtime_error when the
-/// physics diverged after the skill's end (before it, that is a fault of the skill).
+/// Runs the skill, then lets the arm end its motion and come to rest. Throws sim::SceneError;
+/// std::runtime_error when the physics diverged after the skill's end (before it, that is a fault of the
+/// skill).
 SessionResult run_session(runtime::Skill& skill, const Session& session);
 
 /// The value that the session gives a parameter, or its default; nothing if the skill has none of that name.
-std::optional<double> parameter_value(const runtime::Skill& skill, const Session& session, std::string_view name);
+std::optional<double> parameter_value(const runtime::Skill& skill, const Session& session,
+                                      std::string_view name);
 
 }  // namespace pal::workcell

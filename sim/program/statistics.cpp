@@ -20,7 +20,8 @@ Distribution distribution(std::vector<double> values) {
   return result;
 }
 
-std::string histogram(const std::vector<double>& values, double low, double high, int bins, const std::string& unit) {
+std::string histogram(const std::vector<double>& values, double low, double high, int bins,
+                      const std::string& unit) {
   const double width = (high - low) / bins;
   std::vector<int> counts(static_cast<std::size_t>(bins), 0);
   for (const double value : values) {
@@ -30,8 +31,8 @@ std::string histogram(const std::vector<double>& values, double low, double high
   std::string text;
   for (int bin = 0; bin < bins; ++bin) {
     const int count = counts[static_cast<std::size_t>(bin)];
-    text += fmt::format("  {:6.1f} to {:6.1f} {} |{:<30}{}\n", low + bin * width, low + (bin + 1) * width, unit,
-                        std::string(static_cast<std::size_t>(std::min(count, 30)), '#'),
+    text += fmt::format("  {:6.1f} to {:6.1f} {} |{:<30}{}\n", low + bin * width, low + (bin + 1) * width,
+                        unit, std::string(static_cast<std::size_t>(std::min(count, 30)), '#'),
                         count > 0 ? fmt::format(" {}", count) : "");
   }
   return text;

@@ -28,7 +28,8 @@ std::vector<SweepRun> sweep(runtime::Skill& skill, const Session& session, int c
   const double speed = parameter_value(skill, session, "approach-speed").value_or(0);
   const double threshold = parameter_value(skill, session, "threshold").value_or(0);
   const double cycle = std::chrono::duration<double>(sim::alter_period).count();
-  constexpr double golden = 0.6180339887498949;  // its multiples fill [0, 1) evenly and in no step with i / count
+  constexpr double golden =
+      0.6180339887498949;  // its multiples fill [0, 1) evenly and in no step with i / count
 
   std::vector<SweepRun> runs;
   for (int i = 0; i < count; ++i) {
@@ -49,7 +50,8 @@ std::vector<SweepRun> sweep(runtime::Skill& skill, const Session& session, int c
     run.resting_force = result.resting_force;
     run.overshoot = result.peak_force - threshold;
     if (has_condition(result.outcome.trace, "pc-force")) {
-      const auto ages = trace::ages(result.outcome.trace, "pc-force", motion_statements(result.outcome.trace));
+      const auto ages =
+          trace::ages(result.outcome.trace, "pc-force", motion_statements(result.outcome.trace));
       if (!ages.empty()) run.age = runtime::Time(ages.back().length_ns());
     }
     runs.push_back(run);

@@ -61,22 +61,25 @@ TEST_CASE("workcell run writes what it did") {
   CHECK(answer.out.find("first request after 3.000 ms") != std::string::npos);
   std::ifstream in(folder.path() + "/trace.json");
   CHECK(pal::trace::read_json(in).origin == "measured");
-  for (const char* file : {"log.csv", "run.json", "trace.chrome.json"}) CHECK(fs::exists(fs::path(folder.path()) / file));
+  for (const char* file : {"log.csv", "run.json", "trace.chrome.json"})
+    CHECK(fs::exists(fs::path(folder.path()) / file));
   CHECK_FALSE(fs::exists(fs::path(folder.path()) / "arm.png"));
   // Nothing half-written is left.
   for (const auto& entry : fs::directory_iterator(folder.path())) CHECK(entry.path().extension() != ".part");
 }
 
 TEST_CASE("a contingency is an end like others; an error completion is not") {
-  CHECK(workcell({"run", "touch", "--scene", "nothing", "--set", "reach=5", "--no-picture"}).status == ExitStatus::done);
+  CHECK(workcell({"run", "touch", "--scene", "nothing", "--set", "reach=5", "--no-picture"}).status ==
+        ExitStatus::done);
   // From here straight down leads out of the arm's reach.
   const Folder folder;
   fs::create_directories(folder.path());
-  for (const char* part : {"puma560.xml", "cell.xml"}) fs::copy_file(fs::path(PAL_SCENE_DIR) / part, fs::path(folder.path()) / part);
+  for (const char* part : {"puma560.xml", "cell.xml"})
+    fs::copy_file(fs::path(PAL_SCENE_DIR) / part, fs::path(folder.path()) / part);
   std::ofstream(folder.path() + "/edge.xml")
       << R"(<mujoco><include file="puma560.xml"/><custom><numeric name="start" data="0.82 -0.2 -0.1 0"/></custom></mujoco>)";
-  const Answer answer = workcell({"run", "touch", "--scene", "edge", "--scenes", folder.path(), "--set", "reach=300",
-                                  "--set", "approach-speed=60", "--no-picture"});
+  const Answer answer = workcell({"run", "touch", "--scene", "edge", "--scenes", folder.path(), "--set",
+                                  "reach=300", "--set", "approach-speed=60", "--no-picture"});
   CAPTURE(answer.out, answer.error);
   CHECK(answer.status == ExitStatus::error_completion);
   CHECK(answer.out.find("fault, completion 2\n  alter: cannot make the motion: ") != std::string::npos);
@@ -94,18 +97,22 @@ TEST_CASE("bad input: place, cause, hint, status, and no files") {
   };
   refused({"run", "tuoch"}, ExitStatus::wrong_specification,
           "workcell: error: skill 'tuoch': there is no skill of this name\n  hint: did you mean 'touch'?\n");
-  refused({"run", "touch", "--scene", "nothin"}, ExitStatus::wrong_specification,
-          "workcell: error: scene 'nothin': there is no scene of this name\n  hint: there are nothing, touch\n");
+  refused(
+      {"run", "touch", "--scene", "nothin"}, ExitStatus::wrong_specification,
+      "workcell: error: scene 'nothin': there is no scene of this name\n  hint: there are nothing, touch\n");
   refused({"run", "touch", "--set", "approach-speed=600"}, ExitStatus::wrong_specification,
-          "workcell: error: --set approach-speed=600: parameter approach-speed is 600 mm/s; it may be from 1 to 60 mm/s\n"
+          "workcell: error: --set approach-speed=600: parameter approach-speed is 600 mm/s; it may be from 1 "
+          "to 60 mm/s\n"
           "  hint: its default is 20 mm/s\n");
   refused({"run", "touch", "--set", "aproach-speed=20"}, ExitStatus::wrong_specification,
           "workcell: error: --set aproach-speed=20: skill touch has no parameter 'aproach-speed'\n"
           "  hint: did you mean 'approach-speed'?\n");
   refused({"run", "touch", "--set", "reach=20mm"}, ExitStatus::wrong_specification,
-          "workcell: error: --set reach=20mm: '20mm' is not a number\n  hint: write the value without its unit\n");
+          "workcell: error: --set reach=20mm: '20mm' is not a number\n  hint: write the value without its "
+          "unit\n");
   refused({"run", "touch", "--set", "reach"}, ExitStatus::usage,
-          "workcell: error: --set reach: a parameter is set by name=value\n  hint: write --set approach-speed=20\n");
+          "workcell: error: --set reach: a parameter is set by name=value\n  hint: write --set "
+          "approach-speed=20\n");
 }
 
 TEST_CASE("a command line that is wrong is a matter of usage") {

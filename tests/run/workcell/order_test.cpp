@@ -1,4 +1,5 @@
-// The physics experiment in small: the order that decides on older forces presses harder, by as much as the ages say.
+// The physics experiment in small: the order that decides on older forces presses harder, by as much as the
+// ages say.
 #include <catch2/catch.hpp>
 
 #include "sim/program/comparison.hpp"
@@ -75,7 +76,8 @@ TEST_CASE("the order that reads first presses harder, by what the ages predict")
   CHECK(comparison.age_difference > 26);
   CHECK(comparison.age_difference < 28);
   CHECK(comparison.agrees());
-  // design: overshoot up to 62 ms times speed times stiffness, here with the tool's and the arm's inertia (a fifth).
+  // design: overshoot up to 62 ms times speed times stiffness, here with the tool's and the arm's inertia (a
+  // fifth).
   for (const SweepRun& run : first) {
     CHECK(run.age.value() <= 7ms);
     CHECK(run.overshoot > 0);

@@ -12,28 +12,73 @@ namespace {
 
 constexpr double cycle = 0.028;  // s, of ALTER
 
-enum Channel { start_force, zforce, ask_wrench, wrench, ask_device, device_wrench, tick, ask_motion, motion, correction };
+enum Channel {
+  start_force,
+  zforce,
+  ask_wrench,
+  wrench,
+  ask_device,
+  device_wrench,
+  tick,
+  ask_motion,
+  motion,
+  correction
+};
 enum Condition { pc_force, pc_reach, pc_home };
 enum ThreadIndex { thread_sm1, thread_sense, thread_move, thread_ls1, thread_mc1, thread_sd1 };
 enum Statement {
-  s_start, s_ask, s_take, s_set,                            // SM1, before
-  b_ask, b_take, b_set,                                     // SM1.1
-  m_wait, m_read, m_case, m_still, m_advance, m_send, m_reach, m_until,  // SM1.2
-  s_concurrent, s_case, s_taken, s_done, s_gave_up,                  // SM1, after
-  c_wait, c_retreat, c_send, c_home, c_until, c_taken,               // CM1
-  l_wait, l_ask, l_take, l_extract, l_send,                 // LS1
-  a_tick, a_ask, a_take, a_obey, a_hold, a_send,            // MC1
-  d_wait, d_ask, d_take, d_send                             // SD1
+  s_start,
+  s_ask,
+  s_take,
+  s_set,  // SM1, before
+  b_ask,
+  b_take,
+  b_set,  // SM1.1
+  m_wait,
+  m_read,
+  m_case,
+  m_still,
+  m_advance,
+  m_send,
+  m_reach,
+  m_until,  // SM1.2
+  s_concurrent,
+  s_case,
+  s_taken,
+  s_done,
+  s_gave_up,  // SM1, after
+  c_wait,
+  c_retreat,
+  c_send,
+  c_home,
+  c_until,
+  c_taken,  // CM1
+  l_wait,
+  l_ask,
+  l_take,
+  l_extract,
+  l_send,  // LS1
+  a_tick,
+  a_ask,
+  a_take,
+  a_obey,
+  a_hold,
+  a_send,  // MC1
+  d_wait,
+  d_ask,
+  d_take,
+  d_send  // SD1
 };
 
 const std::vector<runtime::Field> force_fields{{"value", "N"}};
-const std::vector<runtime::Field> motion_fields{{"dx", "mm"}, {"dy", "mm"}, {"dz", "mm"},
+const std::vector<runtime::Field> motion_fields{{"dx", "mm"},  {"dy", "mm"},  {"dz", "mm"},
                                                 {"rx", "deg"}, {"ry", "deg"}, {"rz", "deg"}};
 const std::vector<runtime::Field> wrench_fields{{"fx", "N"},   {"fy", "N"},   {"fz", "N"},
                                                 {"tx", "N*m"}, {"ty", "N*m"}, {"tz", "N*m"}};
 const std::vector<runtime::ProcessorSpec> processors{{"P0"}, {"P1"}, {"P2"}, {"P3"}};
-const std::vector<runtime::ThreadSpec> threads{{"SM1", 0, 1},  {"SM1.1", 1, 1, true, false}, {"SM1.2", 0, 1, true, true},
-                                               {"LS1", 1, 2},  {"MC1", 2, 1},                {"SD1", 3, 1}};
+const std::vector<runtime::ThreadSpec> threads{
+    {"SM1", 0, 1}, {"SM1.1", 1, 1, true, false}, {"SM1.2", 0, 1, true, true}, {"LS1", 1, 2}, {"MC1", 2, 1},
+    {"SD1", 3, 1}};
 const std::vector<std::string_view> conditions{"pc-force", "pc-reach", "pc-home"};
 const std::vector<std::string_view> devices{"force-torque", "alter"};
 const std::vector<runtime::CompletionSpec> completions{
@@ -57,7 +102,7 @@ WrittenTouch::WrittenTouch(bool read_first) : read_first_(read_first) {
   const auto cost = 50us;
   int line = 0;
   const auto add = [&](std::string_view module, std::string_view text, runtime::Time best,
-                                 runtime::Time worst) { statement(module, text, ++line, best, worst); };
+                       runtime::Time worst) { statement(module, text, ++line, best, worst); };
   const auto fixed = [&](std::string_view module, std::string_view text) { add(module, text, cost, cost); };
   add("SM1", "WTM( Coordinator )", 0us, 0us);
   for (const char* text : {"TXM( request Zforce from LS1 )", "WTM( Zforce from LS1 )", "SPC( pc-force )",
@@ -66,17 +111,24 @@ WrittenTouch::WrittenTouch(bool read_first) : read_first_(read_first) {
     fixed("SM1", text);
   add("SM1", "stand-still", 100us, 100us);
   add("SM1", "advance", 100us, 300us);
-  for (const char* text : {"TXM( motion to MC1 )", "SPC( pc-reach )", "UNTIL( pc-force OR pc-reach )"}) fixed("SM1", text);
+  for (const char* text : {"TXM( motion to MC1 )", "SPC( pc-reach )", "UNTIL( pc-force OR pc-reach )"})
+    fixed("SM1", text);
   add("SM1", "CONCURRENT", 0us, 0us);
-  for (const char* text : {"CASE", "WTM( motion request from MC1 )", "TXM( Completion Protocol 0 )", "TXM( Completion Protocol 1 )"}) fixed("SM1", text);
+  for (const char* text : {"CASE", "WTM( motion request from MC1 )", "TXM( Completion Protocol 0 )",
+                           "TXM( Completion Protocol 1 )"})
+    fixed("SM1", text);
   fixed("CM1", "WTM( motion request from MC1 )");
   add("CM1", "retreat", 100us, 300us);
-  for (const char* text : {"TXM( motion to MC1 )", "SPC( pc-home )", "UNTIL( pc-home )", "WTM( motion request from MC1 )"}) fixed("CM1", text);
-  for (const char* text : {"WTM( request Zforce from SM1 )", "TXM( request wrench from SD1 )", "WTM( wrench from SD1 )"})
+  for (const char* text :
+       {"TXM( motion to MC1 )", "SPC( pc-home )", "UNTIL( pc-home )", "WTM( motion request from MC1 )"})
+    fixed("CM1", text);
+  for (const char* text :
+       {"WTM( request Zforce from SM1 )", "TXM( request wrench from SD1 )", "WTM( wrench from SD1 )"})
     fixed("LS1", text);
   add("LS1", "extract-z", 100us, 200us);
   fixed("LS1", "TXM( Zforce to SM1 )");
-  for (const char* text : {"WTM( tick from alter )", "TXM( request motion from SM1 )", "WTM( motion from SM1 ) WITHIN 4 ms"})
+  for (const char* text :
+       {"WTM( tick from alter )", "TXM( request motion from SM1 )", "WTM( motion from SM1 ) WITHIN 4 ms"})
     fixed("MC1", text);
   add("MC1", "obey", 100us, 200us);
   add("MC1", "hold", 100us, 100us);
@@ -96,29 +148,42 @@ WrittenTouch::WrittenTouch(bool read_first) : read_first_(read_first) {
                {"SM1", "motion", "MC1", motion_fields},
                {"MC1", "correction", "alter", motion_fields, -1, false, false, true}};
   const std::string_view name = read_first_ ? "touch-read-first" : "touch";
-  wiring_ = {name, "workcell", processors, threads, statements_, channels_, conditions, devices, {cost, cost}, {{}, {0us, 50us}}};
+  wiring_ = {name,      "workcell", processors, threads,      statements_,
+             channels_, conditions, devices,    {cost, cost}, {{}, {0us, 50us}}};
   description_ = {name, "workcell", {}, parameters, completions};
 }
 
 void WrittenTouch::set_parameter(std::string_view name, double value) {
   for (const runtime::ParameterSpec& parameter : parameters)
     if (parameter.name == name) runtime::check_parameter(parameter, value);
-  if (name == "approach-speed") speed = value;
-  else if (name == "reach") reach = value;
-  else if (name == "threshold") threshold = value;
-  else runtime::unknown_parameter(description_, name);
+  if (name == "approach-speed")
+    speed = value;
+  else if (name == "reach")
+    reach = value;
+  else if (name == "threshold")
+    threshold = value;
+  else
+    runtime::unknown_parameter(description_, name);
 }
 
-void WrittenTouch::start() { moved_ = 0; }
+void WrittenTouch::start() {
+  moved_ = 0;
+}
 
 Task WrittenTouch::body(std::size_t index, Thread& thread) {
   switch (index) {
-    case thread_sm1: return sm1(thread);
-    case thread_sense: return sm1_sense(thread);
-    case thread_move: return read_first_ ? sm1_move_read_first(thread) : sm1_move(thread);
-    case thread_ls1: return ls1(thread);
-    case thread_mc1: return mc1(thread);
-    default: return sd1(thread);
+    case thread_sm1:
+      return sm1(thread);
+    case thread_sense:
+      return sm1_sense(thread);
+    case thread_move:
+      return read_first_ ? sm1_move_read_first(thread) : sm1_move(thread);
+    case thread_ls1:
+      return ls1(thread);
+    case thread_mc1:
+      return mc1(thread);
+    default:
+      return sd1(thread);
   }
 }
 

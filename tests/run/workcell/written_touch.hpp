@@ -51,7 +51,8 @@ class WrittenTouch final : public runtime::Skill {
   runtime::Task mc1(runtime::Thread& thread);
   runtime::Task sd1(runtime::Thread& thread);
   runtime::Task cm1(runtime::Thread& thread);
-  int statement(std::string_view module, std::string_view text, int line, runtime::Time best, runtime::Time worst);
+  int statement(std::string_view module, std::string_view text, int line, runtime::Time best,
+                runtime::Time worst);
 
   bool read_first_;
   std::vector<runtime::StatementSpec> statements_;

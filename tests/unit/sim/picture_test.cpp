@@ -33,9 +33,15 @@ void check_picture(Renderer renderer) {
 }  // namespace
 
 // MuJoCo takes its OpenGL functions from the first renderer of the process; ctest runs each case in its own.
-TEST_CASE("pictures are drawn without a screen by EGL, or there is a reason") { check_picture(Renderer::egl); }
-TEST_CASE("pictures are drawn without a screen by OSMesa, or there is a reason") { check_picture(Renderer::osmesa); }
-TEST_CASE("pictures are drawn by whatever there is, or there is a reason") { check_picture(Renderer::automatic); }
+TEST_CASE("pictures are drawn without a screen by EGL, or there is a reason") {
+  check_picture(Renderer::egl);
+}
+TEST_CASE("pictures are drawn without a screen by OSMesa, or there is a reason") {
+  check_picture(Renderer::osmesa);
+}
+TEST_CASE("pictures are drawn by whatever there is, or there is a reason") {
+  check_picture(Renderer::automatic);
+}
 
 TEST_CASE("a PNG file begins and ends as it should") {
   const std::string bytes = encode_png({2, 1, {255, 0, 0, 0, 0, 255}});
