@@ -1,6 +1,7 @@
 // Codes of the findings, from the one table in diagnostic_code.def.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 namespace pal {
@@ -19,5 +20,10 @@ std::string_view name(Code code);
 Severity severity(Code code);
 /// The table's short title, lower case.
 std::string_view title(Code code);
+/// How many rows the table has; a code is its row's number.
+std::size_t code_count();
+
+/// "note", "warning", "error".
+std::string_view name(Severity severity);
 
 }  // namespace pal

@@ -1,0 +1,235 @@
+// The sentences of PAL. docs/language.md explains them; tests/golden has one of each.
+//
+// Every rule that the error strategy recovers in is named in pal/syntax/recovery.cpp.
+parser grammar PalParser;
+
+options { tokenVocab = PalLexer; }
+
+file : unit* EOF ;
+
+unit
+  : uses
+  | messageUnit
+  | conditionUnit
+  | deviceUnit
+  | moduleUnit
+  | skillUnit
+  | environmentUnit
+  ;
+
+uses : USES STRING ;
+
+// MESSAGE wrench : fx, fy, fz : REAL N; tx, ty, tz : REAL N*m
+messageUnit : MESSAGE name COLON payload ;
+
+payload
+  : SIGNAL
+  | type
+  | fieldGroup ( SEMICOLON fieldGroup )* SEMICOLON?
+  ;
+
+fieldGroup : name ( COMMA name )* COLON type ;
+
+type : ( REAL | INTEGER | BOOLEAN ) physicalUnit? ;
+
+physicalUnit : unitFactor ( ( STAR | SLASH ) unitFactor )* | PERCENT ;
+
+unitFactor : NAME ( CARET NUMBER )? ;
+
+conditionUnit : CONDITION name ( FROM name ( COMMA name )* )? STRING? ;
+
+deviceUnit : DEVICE name STRING? ;
+
+// ---- modules
+
+// Without BEGIN … END the module stands for the device of its name.
+moduleUnit : kind COLON name heading* ( BEGIN statements END )? ;
+
+kind
+  : SENSOR DRIVER
+  | LOGICAL SENSOR
+  | MACHINE CONTROLLER
+  | SKILL MODULE
+  | CONTINGENCY MODULE
+  ;
+
+heading
+  : DESCRIPTION STRING
+  | ACTIVITY activityName access*
+  ;
+
+access : ( READS | WRITES ) name ( COMMA name )* ;
+
+// ---- statements
+
+statements : statement* ;
+
+statement
+  : wait
+  | send
+  | set
+  | read
+  | choose
+  | repeat
+  | concurrent
+  | execute
+  | nothing
+  | perform
+  ;
+
+wait
+  : WTM LEFT COORDINATOR RIGHT                                                        # waitForStart
+  | WTM source                                                                        # waitForOne
+  | WTM source WITHIN duration statements ELSE statements END_WTM WTM                 # waitWithin
+  | WTM FIRST ( WITHIN duration )? waitArm+ ( ELSE statements )? END_WTM WTM          # waitForFirst
+  ;
+
+source : LEFT message FROM party RIGHT ;
+
+waitArm : source COLON statements ;
+
+send
+  : TXM LEFT COMPLETION PROTOCOL NUMBER RIGHT                                         # complete
+  | TXM LEFT message TO party RIGHT                                                   # sendTo
+  | TXM LEFT message FROM party RIGHT                                                 # ask
+  ;
+
+set : SPC LEFT name ( EQUAL truth )? RIGHT ;
+
+read : RPC LEFT name RIGHT ;
+
+choose : CASE arm+ END_CASE CASE ;
+
+arm : LEFT guard RIGHT COLON statements ;
+
+repeat : REPEAT statements UNTIL LEFT ending RIGHT ;
+
+ending : FOREVER | guard ;
+
+concurrent : CONCURRENT block+ END_CONCURRENT CONCURRENT ;
+
+block : BEGIN statements END ;
+
+execute : EXECUTE kind? name ;
+
+nothing : DO NOTHING ;
+
+perform : activityName ;
+
+// ---- guards: NOT before AND before OR
+
+guard : conjunction ( OR conjunction )* ;
+
+conjunction : factor ( AND factor )* ;
+
+factor : NOT* ( LEFT guard RIGHT | name ( EQUAL truth )? ) ;
+
+truth : TRUE | FALSE ;
+
+// ---- the parts that statements name
+
+message : REQUEST name | name REQUEST? ;
+
+party : kind? name ;
+
+// ---- the skill template (thesis, section 2.3.2)
+
+skillUnit : SKILL name slot* END SKILL ;
+
+slot
+  : DESCRIPTION STRING                                                                # descriptionSlot
+  | PRECONDITION strings                                                              # preconditionSlot
+  | POSTCONDITION strings                                                             # postconditionSlot
+  | SENSOR DRIVER names                                                               # sensorDriverSlot
+  | MACHINE CONTROLLER names                                                          # machineControllerSlot
+  | LOGICAL SENSOR names                                                              # logicalSensorSlot
+  | MODEL DATA strings                                                                # modelDataSlot
+  | SKILL METHOD names                                                                # skillMethodSlot
+  | CONTINGENCY NUMBER STRING ( METHOD name )?                                        # contingencySlot
+  | PARAMETER name COLON type ( DEFAULT literal )? ( RANGE literal TO literal )? STRING?      # parameterSlot
+  | COMPLETION NUMBER ( NORMAL | CONTINGENCY NUMBER | ERROR ) STRING?                 # completionSlot
+  | REQUIREMENT name COLON measure                                                    # requirementSlot
+  ;
+
+names : NONE | name ( COMMA name )* ;
+
+strings : NONE | STRING+ ;
+
+literal : NUMBER | truth ;
+
+measure
+  : RESPONSE FROM message OF party TO step AT MOST duration                           # response
+  | AGE OF name AT step AT MOST duration                                              # age
+  | LOAD OF ( EACH PROCESSOR | name ) AT MOST NUMBER PERCENT                          # load
+  ;
+
+// Every statement of this form, of one module if one is named.
+step : pattern ( IN party )? ;
+
+pattern
+  : WTM source                                                                        # waitPattern
+  | TXM LEFT message TO party RIGHT                                                   # sendPattern
+  | TXM LEFT message FROM party RIGHT                                                 # askPattern
+  | SPC LEFT name RIGHT                                                               # setPattern
+  | RPC LEFT name RIGHT                                                               # readPattern
+  | activityName                                                                      # activityPattern
+  ;
+
+// ---- the environment (thesis, section 2.3.3)
+
+environmentUnit : ENVIRONMENT name item* END ENVIRONMENT ;
+
+item
+  : DESCRIPTION STRING                                                                # environmentDescription
+  | PROCESSOR name NONPREEMPTIVE?                                                     # processor
+  | DEVICE name EVENT message eventClause+                                            # eventDevice
+  | DEVICE name ON REQUEST interval                                                   # requestDevice
+  | DEVICE name FRAMES frameClause+                                                   # frameDevice
+  | PLACE name ( DOT NUMBER )? ON name PRIORITY NUMBER                                # placement
+  | TIME activityName ( OF name )? COLON interval                                     # activityTime
+  | COST ( SEND | RECEIVE | SET | READ | TEST ) interval                              # cost
+  | LATENCY ( WITHIN PROCESSOR | BETWEEN PROCESSORS ) interval                        # latency
+  ;
+
+eventClause
+  : EVERY duration
+  | SPORADIC duration
+  | JITTER duration
+  | PHASE duration
+  | ANSWER message WITHIN duration
+  ;
+
+frameClause : EVERY duration | COLLECTING duration | PHASE duration ;
+
+// 28 ms; 0.1 TO 0.2 ms, where the first figure has the unit of the second; 100 us TO 0.2 ms.
+duration : NUMBER NAME ;
+
+interval : NUMBER NAME? ( TO NUMBER NAME )? ;
+
+// ---- names
+
+activityName
+  : NAME
+  | contextual
+  ;
+
+name
+  : NAME
+  | contextual
+  | opener
+  ;
+
+contextual
+  : ACTIVITY | AGE | ANSWER | AT | BETWEEN | BOOLEAN | COLLECTING | COMPLETION | CONTROLLER
+  | COORDINATOR | COST | DATA | DEFAULT | DESCRIPTION | DRIVER | EACH | ERROR | EVENT | EVERY | FIRST
+  | FOREVER | FRAMES | IN | INTEGER | JITTER | LATENCY | LOAD | METHOD | MODEL | MODULE | MOST
+  | NONPREEMPTIVE | NORMAL | NOTHING | OF | ON | PARAMETER | PHASE | PLACE | POSTCONDITION
+  | PRECONDITION | PRIORITY | PROCESSOR | PROCESSORS | PROTOCOL | RANGE | READ | READS | REAL
+  | RECEIVE | REQUIREMENT | RESPONSE | SEND | SET | SIGNAL | SPORADIC | TEST | TIME | WITHIN | WRITES
+  ;
+
+// The words that begin a unit of a file.
+opener
+  : USES | MESSAGE | CONDITION | DEVICE | SKILL | SENSOR | LOGICAL | MACHINE | CONTINGENCY
+  | ENVIRONMENT
+  ;

@@ -1,0 +1,88 @@
+#include "pal/check/check.hpp"
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "pal/check/build_network.hpp"
+#include "pal/check/environment.hpp"
+#include "pal/check/report.hpp"
+#include "pal/check/scope.hpp"
+
+namespace pal {
+
+namespace {
+
+class Checker {
+ public:
+  Checker(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics)
+      : trees_(trees), diagnostics_(diagnostics) {}
+
+  Specification check() {
+    for (std::size_t i = 0; i < trees_.size(); ++i) check_units(i);
+    for (std::size_t i = 0; i < trees_.size(); ++i) check_unused(i);
+    return std::move(result_);
+  }
+
+ private:
+  void check_units(std::size_t index) {
+    for (const auto& unit : trees_[index].units) {
+      if (const auto* environment = std::get_if<syntax::EnvironmentUnit>(&unit)) {
+        once(environments_, "environment", environment->name);
+        result_.environments.push_back(frontend::build_environment(*environment, diagnostics_));
+      } else if (const auto* skill = std::get_if<syntax::SkillUnit>(&unit)) {
+        once(skills_, "skill", skill->name);
+        check_skill(index, *skill);
+      }
+    }
+  }
+
+  void once(std::map<std::string, const syntax::Name*>& seen, const char* what, const syntax::Name& name) {
+    const auto [first, fresh] = seen.emplace(name.text, &name);
+    if (!fresh) frontend::report_twice(diagnostics_, what, name, *first->second);
+  }
+
+  bool complete(const frontend::Scope& scope) const {
+    for (const auto tree : scope.trees) {
+      if (!trees_[tree].complete) return false;
+    }
+    return true;
+  }
+
+  void check_skill(std::size_t index, const syntax::SkillUnit& skill) {
+    const auto scope = frontend::scope_of(trees_, index, diagnostics_);
+    used_.insert(scope.trees.begin(), scope.trees.end());
+    // What a syntax error hides would be missed everywhere else.
+    if (!complete(scope)) return;
+    result_.skills.push_back(frontend::build_network(scope, skill, diagnostics_));
+  }
+
+  /// Files with modules that no skill sees: a sketch for each that no other such file uses.
+  void check_unused(std::size_t index) {
+    if (used_.contains(index)) return;
+    const auto scope = frontend::scope_of(trees_, index, diagnostics_);
+    used_.insert(scope.trees.begin(), scope.trees.end());
+    if (scope.modules.all().empty() || !complete(scope)) return;
+    const auto& first = *scope.modules.all().front();
+    diagnostics_.report(
+        Code::PAL0209, first.name.where,
+        "no skill uses this module: what it names elsewhere is taken on trust",
+        "check a file with a SKILL that USES this one to have its talk and its ending checked");
+    result_.sketches.push_back(frontend::build_sketch(scope, first.name.text, first.where, diagnostics_));
+  }
+
+  const std::vector<syntax::Tree>& trees_;
+  Diagnostics& diagnostics_;
+  Specification result_;
+  std::set<std::size_t> used_;
+  std::map<std::string, const syntax::Name*> environments_;
+  std::map<std::string, const syntax::Name*> skills_;
+};
+
+}  // namespace
+
+Specification check(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics) {
+  return Checker(trees, diagnostics).check();
+}
+
+}  // namespace pal

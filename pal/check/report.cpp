@@ -1,0 +1,26 @@
+#include "pal/check/report.hpp"
+
+#include "pal/support/nearest.hpp"
+
+namespace pal::frontend {
+
+std::string quoted(const std::string& name) {
+  return "'" + name + "'";
+}
+
+void report_twice(Diagnostics& diagnostics, const std::string& what, const syntax::Name& second,
+                  const syntax::Name& first) {
+  auto& finding =
+      diagnostics.report(Code::PAL0205, second.where, what + " " + quoted(second.text) + " is declared twice",
+                         "rename one of them, or remove it");
+  finding.notes.push_back({first.where, "it is also declared here"});
+}
+
+void report_unknown(Diagnostics& diagnostics, Code code, const std::string& what, const syntax::Name& name,
+                    const std::vector<std::string>& known, const std::string& otherwise) {
+  const auto meant = nearest(name.text, known);
+  diagnostics.report(code, name.where, "there is no " + what + " " + quoted(name.text),
+                     meant ? "did you mean " + quoted(*meant) + "?" : otherwise);
+}
+
+}  // namespace pal::frontend

@@ -1,0 +1,156 @@
+#include "pal/check/requirements.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "pal/check/report.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+class RequirementBuilder {
+ public:
+  RequirementBuilder(Names& names, pan::Network& network, Diagnostics& diagnostics)
+      : names_(names), network_(network), diagnostics_(diagnostics) {}
+
+  void build(const syntax::Requirement& written) {
+    if (auto measure = std::visit([&](const auto& m) { return build_measure(m); }, written.measure)) {
+      network_.requirements.push_back({written.name.text, std::move(*measure), written.limit, written.where});
+    }
+  }
+
+ private:
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::Load& load) {
+    return pan::Load{load.processor ? load.processor->text : std::string()};
+  }
+
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::Age& age) {
+    const auto condition = names_.condition(age.condition);
+    auto at = statements(age.at);
+    if (!condition || at.empty()) return std::nullopt;
+    return pan::Age{*condition, std::move(at)};
+  }
+
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::Response& response) {
+    const auto message = names_.message(response.event);
+    const auto sender = names_.party(response.of);
+    auto at = statements(response.to);
+    if (!message || !sender) return std::nullopt;
+    const auto found =
+        std::find_if(network_.channels.begin(), network_.channels.end(), [&](const pan::Channel& channel) {
+          return channel.sender == *sender && channel.message == *message;
+        });
+    if (found == network_.channels.end()) {
+      diagnostics_.report(Code::PAL0803, response.event.where,
+                          "nobody waits for " + quoted(network_.messages[message->index()].name) + " from " +
+                              quoted(response.of.name.text),
+                          "name an event that a module of the skill waits for");
+      return std::nullopt;
+    }
+    if (at.empty()) return std::nullopt;
+    return pan::Response{pan::ChannelId(static_cast<std::size_t>(found - network_.channels.begin())),
+                         std::move(at)};
+  }
+
+  /// All statements that the pattern means; reports if there are none.
+  std::vector<pan::StatementRef> statements(const syntax::Step& step) {
+    std::optional<pan::ModuleId> only;
+    if (step.in) {
+      only = names_.callee(*step.in);
+      if (!only) return {};
+    }
+    const auto matches = matcher(step);
+    if (!matches) return {};
+    std::vector<pan::StatementRef> result;
+    for (std::size_t m = 0; m < network_.modules.size(); ++m) {
+      const pan::ModuleId module(m);
+      if (only && *only != module) continue;
+      const auto& nodes = network_.modules[m].body.nodes;
+      for (std::size_t n = 0; n < nodes.size(); ++n) {
+        if (matches->is(nodes[n].content, network_)) result.push_back({module, pan::NodeId(n)});
+      }
+    }
+    if (result.empty()) {
+      diagnostics_.report(Code::PAL0802, step.where,
+                          only ? "there is no such statement in " + quoted(step.in->name.text)
+                               : std::string("there is no such statement in this skill"),
+                          "write the statement as it stands in the module, without kind words if you like");
+    }
+    return result;
+  }
+
+  struct Matcher {
+    syntax::Step::Kind kind;
+    std::optional<pan::MessageId> message;
+    std::optional<pan::Party> party;
+    std::optional<pan::ConditionId> condition;
+    std::string name;
+
+    bool is(const pan::Content& content, const pan::Network& network) const {
+      switch (kind) {
+        case syntax::Step::Kind::wait: {
+          const auto* wait = std::get_if<pan::Wait>(&content);
+          return wait != nullptr &&
+                 std::any_of(wait->channels.begin(), wait->channels.end(), [&](pan::ChannelId id) {
+                   const auto& channel = network.channels[id.index()];
+                   return channel.message == *message && channel.sender == *party;
+                 });
+        }
+        case syntax::Step::Kind::send: {
+          const auto* send = std::get_if<pan::Send>(&content);
+          if (send == nullptr) return false;
+          const auto& channel = network.channels[send->channel.index()];
+          return channel.message == *message && channel.receiver == *party;
+        }
+        case syntax::Step::Kind::set: {
+          const auto* set = std::get_if<pan::Set>(&content);
+          return set != nullptr && set->condition == *condition;
+        }
+        case syntax::Step::Kind::read: {
+          const auto* read = std::get_if<pan::Read>(&content);
+          return read != nullptr && read->condition == *condition;
+        }
+        case syntax::Step::Kind::perform: {
+          const auto* perform = std::get_if<pan::Perform>(&content);
+          return perform != nullptr && network.activities[perform->activity.index()].name == name;
+        }
+      }
+      return false;
+    }
+  };
+
+  std::optional<Matcher> matcher(const syntax::Step& step) {
+    Matcher result{step.kind, {}, {}, {}, step.name.text};
+    if (step.kind == syntax::Step::Kind::wait || step.kind == syntax::Step::Kind::send) {
+      result.message = names_.message(step.message);
+      result.party = names_.party(step.party);
+      if (!result.message || !result.party) return std::nullopt;
+    }
+    if (step.kind == syntax::Step::Kind::set || step.kind == syntax::Step::Kind::read) {
+      result.condition = names_.condition(step.name);
+      if (!result.condition) return std::nullopt;
+    }
+    return result;
+  }
+
+  Names& names_;
+  pan::Network& network_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void build_requirements(const syntax::SkillUnit& skill, Names& names, pan::Network& network,
+                        Diagnostics& diagnostics) {
+  std::map<std::string, const syntax::Name*> seen;
+  RequirementBuilder builder(names, network, diagnostics);
+  for (const auto& requirement : skill.requirements) {
+    const auto [first, fresh] = seen.emplace(requirement.name.text, &requirement.name);
+    if (!fresh) report_twice(diagnostics, "requirement", requirement.name, *first->second);
+    builder.build(requirement);
+  }
+}
+
+}  // namespace pal::frontend

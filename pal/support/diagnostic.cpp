@@ -1,0 +1,77 @@
+#include "pal/support/diagnostic.hpp"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+
+namespace pal {
+
+namespace {
+
+struct Row {
+  std::string_view name;
+  Severity severity;
+  std::string_view title;
+};
+
+constexpr std::array rows{
+#define PAL_DIAGNOSTIC(code, severity, title) Row{#code, Severity::severity, title},
+#include "pal/support/diagnostic_code.def"
+#undef PAL_DIAGNOSTIC
+};
+
+const Row& row(Code code) {
+  return rows.at(static_cast<std::size_t>(code));
+}
+
+auto place(const SourceSpan& span) {
+  return std::tuple(span.file.value, span.begin, span.end);
+}
+
+}  // namespace
+
+std::string_view name(Code code) {
+  return row(code).name;
+}
+Severity severity(Code code) {
+  return row(code).severity;
+}
+std::string_view title(Code code) {
+  return row(code).title;
+}
+std::size_t code_count() {
+  return rows.size();
+}
+
+std::string_view name(Severity severity) {
+  switch (severity) {
+    case Severity::note:
+      return "note";
+    case Severity::warning:
+      return "warning";
+    case Severity::error:
+      return "error";
+  }
+  return "error";
+}
+
+Diagnostic& Diagnostics::report(Code code, SourceSpan where, std::string message, std::string hint) {
+  const auto level = severity(code);
+  if (level == Severity::error) ++errors_;
+  return all_.emplace_back(Diagnostic{code, level, where, std::move(message), {}, std::move(hint)});
+}
+
+std::vector<Diagnostic> Diagnostics::sorted() const {
+  auto result = all_;
+  const auto key = [](const Diagnostic& d) { return std::tuple(place(d.where), d.code); };
+  std::stable_sort(result.begin(), result.end(),
+                   [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
+  const auto same = [&](const Diagnostic& a, const Diagnostic& b) {
+    return key(a) == key(b) && a.message == b.message;
+  };
+  result.erase(std::unique(result.begin(), result.end(), same), result.end());
+  return result;
+}
+
+}  // namespace pal

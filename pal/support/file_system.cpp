@@ -1,0 +1,56 @@
+#include "pal/support/file_system.hpp"
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+namespace pal {
+
+namespace {
+
+std::string too_large() {
+  return "it is larger than " + std::to_string(largest_file >> 20) + " MB";
+}
+
+}  // namespace
+
+std::variant<std::string, FileError> DiskFileSystem::read(const std::string& path) const {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) return FileError{"no such file"};
+  if (error) return FileError{error.message()};
+  if (status.type() == fs::file_type::directory) return FileError{"it is a directory"};
+
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return FileError{errno != 0 ? std::generic_category().message(errno) : "it cannot be opened"};
+  // Read in pieces: a pipe has no size to ask for, and a file may grow meanwhile.
+  std::string text;
+  constexpr std::size_t piece = std::size_t{1} << 16;
+  while (in) {
+    const auto had = text.size();
+    if (had > largest_file) return FileError{too_large()};
+    text.resize(had + piece);
+    in.read(text.data() + had, static_cast<std::streamsize>(piece));
+    text.resize(had + static_cast<std::size_t>(in.gcount()));
+  }
+  if (in.bad()) return FileError{"reading it failed"};
+  if (text.size() > largest_file) return FileError{too_large()};
+  return text;
+}
+
+std::variant<std::string, FileError> MemoryFileSystem::read(const std::string& path) const {
+  const auto found = files_.find(path);
+  if (found == files_.end()) return FileError{"no such file"};
+  if (found->second.size() > largest_file) return FileError{too_large()};
+  return found->second;
+}
+
+std::string resolve_path(const std::string& naming, const std::string& named) {
+  const auto folder = std::filesystem::path(naming).parent_path();
+  return (folder / std::filesystem::path(named)).lexically_normal().string();
+}
+
+}  // namespace pal

@@ -1,0 +1,50 @@
+// Where texts come from: the disk, or a test's strings.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <variant>
+
+namespace pal {
+
+/// Why a file could not be read: a phrase that completes "cannot read 'x': …".
+struct FileError {
+  std::string reason;
+};
+
+/// What every text must satisfy, wherever it comes from.
+constexpr std::size_t largest_file = std::size_t{64} << 20;
+
+class FileSystem {
+ public:
+  virtual ~FileSystem() = default;
+
+  /// The whole file, byte for byte. Never throws.
+  virtual std::variant<std::string, FileError> read(const std::string& path) const = 0;
+};
+
+/// The real one. Refuses directories and files above `largest_file` without reading them.
+class DiskFileSystem : public FileSystem {
+ public:
+  std::variant<std::string, FileError> read(const std::string& path) const override;
+};
+
+/// Files that are strings.
+class MemoryFileSystem : public FileSystem {
+ public:
+  MemoryFileSystem() = default;
+  explicit MemoryFileSystem(std::map<std::string, std::string> files) : files_(std::move(files)) {}
+
+  void add(std::string path, std::string text) { files_[std::move(path)] = std::move(text); }
+  std::variant<std::string, FileError> read(const std::string& path) const override;
+
+ private:
+  std::map<std::string, std::string> files_;
+};
+
+/// The path of `named` as the file `naming` means it: relative to the folder of `naming`, without "." and
+/// "x/..".
+std::string resolve_path(const std::string& naming, const std::string& named);
+
+}  // namespace pal

@@ -1,0 +1,140 @@
+#include <utility>
+
+#include "pal/syntax/build.hpp"
+
+namespace pal::syntax {
+
+namespace {
+
+std::string full_name(const MessageName& message) {
+  return (message.request ? "request " : "") + message.name.text;
+}
+
+}  // namespace
+
+EnvironmentUnit Builder::environment_unit(Parser::EnvironmentUnitContext* context) {
+  EnvironmentUnit result;
+  result.name = name(context->name());
+  result.where = span(span(context->ENVIRONMENT(0)), result.name.where);
+  for (auto* item : context->item()) add_item(result, item);
+  return result;
+}
+
+void Builder::add_item(EnvironmentUnit& environment, Parser::ItemContext* context) {
+  const auto where = span(context);
+  if (auto* c = dynamic_cast<Parser::EnvironmentDescriptionContext*>(context)) {
+    environment.descriptions.push_back(text(c->STRING()));
+    return;
+  }
+  if (auto* c = dynamic_cast<Parser::ProcessorContext*>(context)) {
+    environment.processors.push_back({name(c->name()).text, c->NONPREEMPTIVE() == nullptr, where});
+    return;
+  }
+  if (auto* c = dynamic_cast<Parser::EventDeviceContext*>(context)) {
+    environment.devices.push_back({name(c->name()).text, event_device(c), where});
+    return;
+  }
+  if (auto* c = dynamic_cast<Parser::RequestDeviceContext*>(context)) {
+    environment.devices.push_back({name(c->name()).text, pan::RequestDevice{interval(c->interval())}, where});
+    return;
+  }
+  if (auto* c = dynamic_cast<Parser::FrameDeviceContext*>(context)) {
+    environment.devices.push_back({name(c->name()).text, frame_device(c), where});
+    return;
+  }
+  if (auto* c = dynamic_cast<Parser::PlacementContext*>(context)) {
+    auto thread = name(c->name(0)).text;
+    auto* priority = c->NUMBER(0);
+    if (c->DOT() != nullptr) {
+      thread += "." + std::to_string(integer(c->NUMBER(0)));
+      priority = c->NUMBER(1);
+    }
+    environment.placements.push_back({std::move(thread), name(c->name(1)).text, integer(priority), where});
+    return;
+  }
+  if (auto* c = dynamic_cast<Parser::ActivityTimeContext*>(context)) {
+    environment.activities.push_back(
+        {name(c->activityName()).text, name(c->name()).text, interval(c->interval()), where});
+    return;
+  }
+  if (auto* c = dynamic_cast<Parser::CostContext*>(context)) {
+    const auto kind = c->SEND() != nullptr      ? CostItem::Kind::send
+                      : c->RECEIVE() != nullptr ? CostItem::Kind::receive
+                      : c->SET() != nullptr     ? CostItem::Kind::set
+                      : c->READ() != nullptr    ? CostItem::Kind::read
+                                                : CostItem::Kind::test;
+    environment.costs.push_back({kind, interval(c->interval()), where});
+    return;
+  }
+  if (auto* c = dynamic_cast<Parser::LatencyContext*>(context)) {
+    const auto kind =
+        c->WITHIN() != nullptr ? CostItem::Kind::latency_within : CostItem::Kind::latency_between;
+    environment.costs.push_back({kind, interval(c->interval()), where});
+  }
+}
+
+pan::EventDevice Builder::event_device(Parser::EventDeviceContext* context) {
+  pan::EventDevice result;
+  result.message = full_name(message(context->message()));
+  bool has_period = false;
+  bool has_jitter = false;
+  for (auto* clause : context->eventClause()) {
+    const auto once = [&](bool given) {
+      if (given)
+        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them");
+    };
+    if (clause->EVERY() != nullptr || clause->SPORADIC() != nullptr) {
+      once(has_period);
+      has_period = true;
+      result.sporadic = clause->SPORADIC() != nullptr;
+      result.period = duration(clause->duration());
+    } else if (clause->JITTER() != nullptr) {
+      once(has_jitter);
+      has_jitter = true;
+      result.jitter = duration(clause->duration());
+    } else if (clause->PHASE() != nullptr) {
+      once(result.phase.has_value());
+      result.phase = duration(clause->duration());
+    } else if (clause->ANSWER() != nullptr) {
+      once(result.answer_within.has_value());
+      result.answer = full_name(message(clause->message()));
+      result.answer_within = duration(clause->duration());
+    }
+  }
+  if (!has_period && context->exception == nullptr) {
+    diagnostics_.report(Code::PAL0707, span(context), "this device does not say how often it sends its event",
+                        "add EVERY or SPORADIC and a time");
+  }
+  return result;
+}
+
+pan::FrameDevice Builder::frame_device(Parser::FrameDeviceContext* context) {
+  pan::FrameDevice result;
+  bool has_period = false;
+  bool has_collecting = false;
+  for (auto* clause : context->frameClause()) {
+    const auto once = [&](bool given) {
+      if (given)
+        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them");
+    };
+    if (clause->EVERY() != nullptr) {
+      once(has_period);
+      has_period = true;
+      result.period = duration(clause->duration());
+    } else if (clause->COLLECTING() != nullptr) {
+      once(has_collecting);
+      has_collecting = true;
+      result.collecting = duration(clause->duration());
+    } else if (clause->PHASE() != nullptr) {
+      once(result.phase.has_value());
+      result.phase = duration(clause->duration());
+    }
+  }
+  if ((!has_period || !has_collecting) && context->exception == nullptr) {
+    diagnostics_.report(Code::PAL0707, span(context), "this device needs both EVERY and COLLECTING",
+                        "write FRAMES EVERY 78 ms COLLECTING 76 ms, with its own times");
+  }
+  return result;
+}
+
+}  // namespace pal::syntax

@@ -1,0 +1,102 @@
+#include <utility>
+
+#include "pal/syntax/build.hpp"
+
+namespace pal::syntax {
+
+Tree Builder::build(Parser::FileContext* file) {
+  Tree tree;
+  tree.file = tokens_.file();
+  for (auto* child : file->unit()) {
+    if (auto built = unit(child)) tree.units.push_back(std::move(*built));
+  }
+  return tree;
+}
+
+std::optional<Unit> Builder::unit(Parser::UnitContext* context) {
+  if (auto* c = context->uses()) return uses(c);
+  if (auto* c = context->messageUnit()) return message_unit(c);
+  if (auto* c = context->conditionUnit()) return condition_unit(c);
+  if (auto* c = context->deviceUnit()) return device_unit(c);
+  if (auto* c = context->moduleUnit()) return module_unit(c);
+  if (auto* c = context->skillUnit()) return skill_unit(c);
+  if (auto* c = context->environmentUnit()) return environment_unit(c);
+  return std::nullopt;
+}
+
+Uses Builder::uses(Parser::UsesContext* context) {
+  return {text(context->STRING()), span(context->STRING()), {}};
+}
+
+MessageUnit Builder::message_unit(Parser::MessageUnitContext* context) {
+  MessageUnit result{name(context->name()), {}, {}, span(context)};
+  auto* payload = context->payload();
+  if (payload == nullptr) return result;
+  const auto type_of = [&](Parser::TypeContext* type) {
+    pan::Field field;
+    if (type == nullptr) return field;
+    field.type = type->INTEGER() != nullptr   ? pan::ScalarType::integer
+                 : type->BOOLEAN() != nullptr ? pan::ScalarType::boolean
+                                              : pan::ScalarType::real;
+    field.unit = unit(type->physicalUnit());
+    return field;
+  };
+  if (payload->type() != nullptr) {
+    auto field = type_of(payload->type());
+    field.name = "value";
+    result.fields.push_back(std::move(field));
+    return result;
+  }
+  for (auto* group : payload->fieldGroup()) {
+    const auto field = type_of(group->type());
+    for (auto& field_name : names(group->name())) {
+      result.fields.push_back({field_name.text, field.type, field.unit});
+      result.field_names.push_back(std::move(field_name));
+    }
+  }
+  return result;
+}
+
+ConditionUnit Builder::condition_unit(Parser::ConditionUnitContext* context) {
+  auto all = names(context->name());
+  ConditionUnit result;
+  result.where = span(context);
+  result.description = text(context->STRING());
+  if (all.empty()) return result;
+  result.name = std::move(all.front());
+  result.from.assign(std::make_move_iterator(all.begin() + 1), std::make_move_iterator(all.end()));
+  return result;
+}
+
+DeviceUnit Builder::device_unit(Parser::DeviceUnitContext* context) {
+  return {name(context->name()), text(context->STRING()), span(context)};
+}
+
+ModuleUnit Builder::module_unit(Parser::ModuleUnitContext* context) {
+  ModuleUnit result;
+  result.name = name(context->name());
+  if (const auto word = kind(context->kind())) result.kind = *word;
+  result.where = span(span(context->kind()), result.name.where);
+  for (auto* heading : context->heading()) add_heading(result, heading);
+  result.has_body = context->BEGIN() != nullptr;
+  result.body = statements(context->statements());
+  result.end = span(context->END());
+  return result;
+}
+
+void Builder::add_heading(ModuleUnit& module, Parser::HeadingContext* context) {
+  if (context->DESCRIPTION() != nullptr) {
+    module.descriptions.push_back(text(context->STRING()));
+    return;
+  }
+  ActivityHeading activity;
+  activity.name = name(context->activityName());
+  activity.where = span(context);
+  for (auto* access : context->access()) {
+    auto& list = access->READS() != nullptr ? activity.reads : activity.writes;
+    for (auto& message : names(access->name())) list.push_back(std::move(message));
+  }
+  module.activities.push_back(std::move(activity));
+}
+
+}  // namespace pal::syntax

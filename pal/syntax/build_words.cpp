@@ -1,0 +1,184 @@
+// Names, numbers, times and units.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+#include <string_view>
+
+#include "pal/support/duration_text.hpp"
+#include "pal/syntax/build.hpp"
+#include "pal/syntax/physical_unit.hpp"
+
+namespace pal::syntax {
+
+SourceSpan Builder::span(antlr4::ParserRuleContext* context) const {
+  if (context == nullptr || context->start == nullptr) return {};
+  const auto* last = context->stop != nullptr ? context->stop : context->start;
+  return tokens_.span(context->start, last);
+}
+
+SourceSpan Builder::span(antlr4::tree::TerminalNode* node) const {
+  return span(node, node);
+}
+
+SourceSpan Builder::span(antlr4::tree::TerminalNode* first, antlr4::tree::TerminalNode* last) const {
+  if (first == nullptr) return {};
+  return tokens_.span(first->getSymbol(), last == nullptr ? first->getSymbol() : last->getSymbol());
+}
+
+SourceSpan Builder::span(SourceSpan first, SourceSpan last) const {
+  if (!first.valid() || !last.valid()) return first;
+  return {first.file, first.begin, std::max(first.end, last.end)};
+}
+
+Name Builder::name(antlr4::ParserRuleContext* context) const {
+  if (context == nullptr || context->start == nullptr || context->exception != nullptr)
+    return {{}, span(context)};
+  // A token that the parser made up stands for no text.
+  if (context->start->getTokenIndex() == INVALID_INDEX) return {{}, span(context)};
+  return {context->start->getText(), span(context)};
+}
+
+std::vector<Name> Builder::names(const std::vector<Parser::NameContext*>& contexts) const {
+  std::vector<Name> result;
+  result.reserve(contexts.size());
+  for (auto* context : contexts) result.push_back(name(context));
+  return result;
+}
+
+std::vector<Name> Builder::names(Parser::NamesContext* context) const {
+  return context == nullptr ? std::vector<Name>{} : names(context->name());
+}
+
+std::string Builder::text(antlr4::tree::TerminalNode* string) {
+  if (string == nullptr || string->getSymbol()->getTokenIndex() == INVALID_INDEX) return {};
+  const auto quoted = string->getText();
+  std::string result;
+  for (std::size_t i = 1; i + 1 < quoted.size(); ++i) {
+    if (quoted[i] == '\\' && i + 2 < quoted.size()) {
+      ++i;
+      if (quoted[i] != '"' && quoted[i] != '\\') {
+        diagnostics_.report(Code::PAL0106, span(string), "in a text, \\ stands before \" and \\ only",
+                            "write \\\\ for one \\");
+      }
+    }
+    result += quoted[i];
+  }
+  return result;
+}
+
+std::vector<std::string> Builder::texts(Parser::StringsContext* context) {
+  std::vector<std::string> result;
+  if (context == nullptr) return result;
+  for (auto* string : context->STRING()) result.push_back(text(string));
+  return result;
+}
+
+int Builder::integer(antlr4::tree::TerminalNode* number) {
+  if (number == nullptr || number->getSymbol()->getTokenIndex() == INVALID_INDEX) return 0;
+  const auto digits = number->getText();
+  int value = 0;
+  const auto end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, value);
+  if (error != std::errc{} || stop != end) {
+    diagnostics_.report(Code::PAL0107, span(number),
+                        "this must be a whole number between -2147483648 and 2147483647");
+    return 0;
+  }
+  return value;
+}
+
+std::optional<double> Builder::real(antlr4::tree::TerminalNode* number) {
+  if (number == nullptr || number->getSymbol()->getTokenIndex() == INVALID_INDEX) return std::nullopt;
+  const auto digits = number->getText();
+  double value = 0;
+  const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc{}) {
+    diagnostics_.report(Code::PAL0107, span(number), "this number is out of the range of numbers");
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::optional<double> Builder::literal(Parser::LiteralContext* context) {
+  if (context == nullptr) return std::nullopt;
+  if (auto* truth = context->truth()) return truth->TRUE() != nullptr ? 1.0 : 0.0;
+  return real(context->NUMBER());
+}
+
+Duration Builder::duration(Parser::DurationContext* context) {
+  return context == nullptr ? Duration{} : duration(context->NUMBER(), context->NAME());
+}
+
+Duration Builder::duration(antlr4::tree::TerminalNode* number, antlr4::tree::TerminalNode* unit) {
+  if (number == nullptr || unit == nullptr) return Duration{};
+  const auto parsed = parse_duration(number->getText(), unit->getText());
+  if (const auto* value = std::get_if<Duration>(&parsed)) {
+    if (*value < Duration{}) {
+      diagnostics_.report(Code::PAL0701, span(number, unit), "a time cannot be negative");
+      return Duration{};
+    }
+    return *value;
+  }
+  switch (std::get<DurationError>(parsed)) {
+    case DurationError::no_unit:
+      diagnostics_.report(Code::PAL0702, span(unit), "'" + unit->getText() + "' is no unit of time",
+                          "the units are ns, us, ms, s and min");
+      break;
+    case DurationError::not_whole:
+      diagnostics_.report(Code::PAL0703, span(number, unit), "this is no whole number of nanoseconds",
+                          "all times are counted in nanoseconds");
+      break;
+    default:
+      diagnostics_.report(Code::PAL0704, span(number, unit), "this time is too long",
+                          "the longest is 9223372036.854775807 s");
+  }
+  return Duration{};
+}
+
+Interval Builder::interval(Parser::IntervalContext* context) {
+  if (context == nullptr) return {};
+  auto* best = context->NUMBER(0);
+  auto* worst = context->NUMBER(1);
+  auto* unit = context->NAME(0);
+  if (best == nullptr) return {};
+  if (unit == nullptr) {
+    diagnostics_.report(Code::PAL0702, span(best), "this time has no unit",
+                        "the units are ns, us, ms, s and min");
+    return {};
+  }
+  if (worst == nullptr) {
+    const auto value = duration(best, unit);
+    return {value, value};
+  }
+  // 0.1 TO 0.2 ms: one unit stands for both.
+  auto* last = context->NAME(1) != nullptr ? context->NAME(1) : unit;
+  const Interval result{duration(best, unit), duration(worst, last)};
+  if (result.best > result.worst) {
+    diagnostics_.report(Code::PAL0705, span(context), "this interval runs backwards",
+                        "write the best time first: " + to_text(Interval{result.worst, result.best}));
+  }
+  return result;
+}
+
+std::string Builder::unit(Parser::PhysicalUnitContext* context) {
+  if (context == nullptr || context->exception != nullptr) return {};
+  auto written = context->getText();  // without the spaces between
+  if (!is_physical_unit(written)) {
+    diagnostics_.report(Code::PAL0601, span(context), "'" + written + "' is no unit",
+                        "units are products and quotients of " + physical_units());
+  }
+  return written;
+}
+
+std::optional<pan::ModuleKind> Builder::kind(Parser::KindContext* context) const {
+  if (context == nullptr) return std::nullopt;
+  if (context->DRIVER() != nullptr) return pan::ModuleKind::sensor_driver;
+  if (context->LOGICAL() != nullptr) return pan::ModuleKind::logical_sensor;
+  if (context->MACHINE() != nullptr) return pan::ModuleKind::machine_controller;
+  if (context->SKILL() != nullptr) return pan::ModuleKind::skill_module;
+  if (context->CONTINGENCY() != nullptr) return pan::ModuleKind::contingency_module;
+  return std::nullopt;
+}
+
+}  // namespace pal::syntax

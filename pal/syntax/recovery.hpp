@@ -1,0 +1,45 @@
+// What the parser does after a mistake. Private to pal/syntax: shows ANTLR.
+#pragma once
+
+#include <antlr4-runtime.h>
+
+#include <cstddef>
+
+#include "pal/support/diagnostic.hpp"
+#include "pal/syntax/tokens.hpp"
+
+namespace pal::syntax {
+
+/// Says each mistake once, and goes on at the next statement, slot or unit:
+/// - A word that is in the way is dropped, one that is missing is made up, if the rest then fits.
+/// - Otherwise the statement is given up, and the next line that can go on here is looked for. A reserved
+/// word that
+///   belongs to a statement around this one is left to it: a forgotten END CASE costs that statement only.
+class Recovery : public antlr4::DefaultErrorStrategy {
+ public:
+  Recovery(const Tokens& tokens, Diagnostics& diagnostics) : tokens_(tokens), diagnostics_(diagnostics) {}
+
+  void recover(antlr4::Parser* parser, std::exception_ptr error) override;
+  void sync(antlr4::Parser* parser) override;
+
+ protected:
+  void reportNoViableAlternative(antlr4::Parser* parser, const antlr4::NoViableAltException& e) override;
+  void reportInputMismatch(antlr4::Parser* parser, const antlr4::InputMismatchException& e) override;
+  void reportUnwantedToken(antlr4::Parser* parser) override;
+  void reportMissingToken(antlr4::Parser* parser) override;
+  antlr4::Token* singleTokenDeletion(antlr4::Parser* parser) override;
+
+ private:
+  /// Nothing is returned, and nothing reported, of what was reported before.
+  Diagnostic* report(antlr4::Parser* parser, const antlr4::Token* at, std::string message,
+                     std::string hint = {});
+  /// If a compound statement or a unit lacks its end here: says so and returns true.
+  bool report_missing_end(antlr4::Parser* parser, const antlr4::Token* at);
+  bool goes_on_at(antlr4::Parser* parser, const antlr4::misc::IntervalSet& follow);
+
+  const Tokens& tokens_;
+  Diagnostics& diagnostics_;
+  std::size_t reported_ = 0;
+};
+
+}  // namespace pal::syntax

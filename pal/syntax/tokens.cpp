@@ -1,0 +1,174 @@
+#include "pal/syntax/tokens.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "pal/support/utf8.hpp"
+#include "pal/syntax/parse.hpp"
+
+namespace pal::syntax {
+
+namespace {
+
+using Lexer = grammar::PalLexer;
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+std::vector<std::uint32_t> code_point_offsets(std::string_view text) {
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  if (std::all_of(text.begin(), text.end(), is_ascii)) return {};
+  std::vector<std::uint32_t> offsets;
+  offsets.reserve(text.size());
+  for (std::size_t at = 0; at < text.size(); at += utf8::decode(text.substr(at)).bytes) {
+    offsets.push_back(static_cast<std::uint32_t>(at));
+  }
+  return offsets;
+}
+
+std::string_view without_mark(std::string_view text) {
+  return text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size()) : text;
+}
+
+}  // namespace
+
+Tokens::Tokens(FileId file, std::string_view text, Diagnostics& diagnostics)
+    : file_(file),
+      size_(static_cast<std::uint32_t>(text.size())),
+      mark_bytes_(static_cast<std::uint32_t>(text.size() - without_mark(text).size())),
+      byte_offsets_(code_point_offsets(without_mark(text))),
+      input_(std::string(without_mark(text))),
+      lexer_(&input_),
+      stream_(&lexer_) {
+  lexer_.removeErrorListeners();  // every character is a token, so there is nothing to listen to
+  stream_.fill();
+  all_ = stream_.getTokens();
+  tell_ends_apart();
+  report_strays(diagnostics);
+  bound_nesting(diagnostics);
+}
+
+std::uint32_t Tokens::byte(std::size_t code_point) const {
+  if (byte_offsets_.empty()) return std::min(size_, mark_bytes_ + static_cast<std::uint32_t>(code_point));
+  if (code_point >= byte_offsets_.size()) return size_;
+  return mark_bytes_ + byte_offsets_[code_point];
+}
+
+SourceSpan Tokens::span(const antlr4::Token* token) const {
+  return span(token, token);
+}
+
+SourceSpan Tokens::span(const antlr4::Token* first, const antlr4::Token* last) const {
+  const auto made_up = [](const antlr4::Token* t) { return t->getTokenIndex() == INVALID_INDEX; };
+  if (made_up(first) || made_up(last)) {
+    if (!made_up(first)) return span(first);
+    if (!made_up(last)) return span(last);
+    return {file_, size_, size_};
+  }
+  const auto ends = [](const antlr4::Token* t) { return t->getType() == antlr4::Token::EOF; };
+  const auto begin = ends(first) ? size_ : byte(first->getStartIndex());
+  const auto end = ends(last) ? size_ : byte(last->getStopIndex() + 1);
+  return {file_, begin, std::max(begin, end)};
+}
+
+antlr4::Token* Tokens::before(const antlr4::Token* token) const {
+  const auto index = token->getTokenIndex();
+  if (index == INVALID_INDEX || index == 0 || index > all_.size()) return nullptr;
+  return all_[index - 1];
+}
+
+bool Tokens::first_on_line(const antlr4::Token* token) const {
+  const auto* previous = before(token);
+  return previous == nullptr || previous->getLine() != token->getLine();
+}
+
+void Tokens::tell_ends_apart() {
+  for (std::size_t i = 0; i + 1 < all_.size(); ++i) {
+    if (all_[i]->getType() != Lexer::END) continue;
+    auto* end = static_cast<antlr4::CommonToken*>(all_[i]);  // what the lexer's factory makes
+    switch (all_[i + 1]->getType()) {
+      case Lexer::CASE:
+        end->setType(Lexer::END_CASE);
+        break;
+      case Lexer::CONCURRENT:
+        end->setType(Lexer::END_CONCURRENT);
+        break;
+      case Lexer::WTM:
+        end->setType(Lexer::END_WTM);
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+void Tokens::report_strays(Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    const auto type = all_[i]->getType();
+    if (type == Lexer::OPEN_STRING) {
+      diagnostics.report(Code::PAL0103, span(all_[i]), "the text has no closing quote on its line",
+                         "end the text with \"");
+      has_errors_ = true;
+    } else if (type == Lexer::STRAY) {
+      auto last = i;
+      while (last + 1 < all_.size() && all_[last + 1]->getType() == Lexer::STRAY &&
+             all_[last + 1]->getStartIndex() == all_[last]->getStopIndex() + 1) {
+        ++last;
+      }
+      diagnostics.report(
+          Code::PAL0102, span(all_[i], all_[last]),
+          last == i ? "this character means nothing in PAL" : "these characters mean nothing in PAL",
+          "remove it; a comment begins with #");
+      has_errors_ = true;
+      i = last;
+    }
+  }
+}
+
+void Tokens::bound_nesting(Diagnostics& diagnostics) {
+  int depth = 0;
+  auto previous = antlr4::Token::EOF;
+  for (const auto* token : all_) {
+    const auto type = token->getType();
+    switch (type) {
+      case Lexer::BEGIN:
+      case Lexer::REPEAT:
+      case Lexer::LEFT:
+        ++depth;
+        break;
+      case Lexer::CASE:
+        if (previous != Lexer::END_CASE) ++depth;
+        break;
+      case Lexer::CONCURRENT:
+        if (previous != Lexer::END_CONCURRENT) ++depth;
+        break;
+      case Lexer::WITHIN:  // WTM( X from M ) WITHIN … END WTM
+        if (previous == Lexer::RIGHT) ++depth;
+        break;
+      case Lexer::FIRST:
+        if (previous == Lexer::WTM) ++depth;
+        break;
+      case Lexer::END:
+      case Lexer::END_CASE:
+      case Lexer::END_CONCURRENT:
+      case Lexer::END_WTM:
+      case Lexer::UNTIL:
+      case Lexer::RIGHT:
+        depth = std::max(0, depth - 1);
+        break;
+      default:
+        break;
+    }
+    if (depth > deepest_nesting) {
+      diagnostics.report(
+          Code::PAL0105, span(token),
+          "statements and parentheses are nested deeper than " + std::to_string(deepest_nesting),
+          "move inner statements to a module of their own and Execute it");
+      parseable_ = false;
+      has_errors_ = true;
+      return;
+    }
+    previous = type;
+  }
+}
+
+}  // namespace pal::syntax

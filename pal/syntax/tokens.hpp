@@ -1,0 +1,57 @@
+// The tokens of one file, made ready for the parser. Private to pal/syntax: shows ANTLR.
+#pragma once
+
+#include <antlr4-runtime.h>
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "PalLexer.h"
+#include "pal/support/diagnostic.hpp"
+#include "pal/support/source.hpp"
+
+namespace pal::syntax {
+
+/// Owns the text as ANTLR wants it, the lexer and the tokens; maps tokens to bytes of the text.
+class Tokens {
+ public:
+  /// Reads all tokens. Reports what is no token of PAL, and nesting deeper than `deepest_nesting`.
+  Tokens(FileId file, std::string_view text, Diagnostics& diagnostics);
+
+  /// False if a parser must not be let loose on these.
+  bool parseable() const { return parseable_; }
+  bool has_errors() const { return has_errors_; }
+
+  antlr4::CommonTokenStream& stream() { return stream_; }
+  FileId file() const { return file_; }
+
+  /// Of a token, also the one for the end of the file. Of one that the parser made up: the end of the token
+  /// before.
+  SourceSpan span(const antlr4::Token* token) const;
+  /// From the first byte of one to the last of the other.
+  SourceSpan span(const antlr4::Token* first, const antlr4::Token* last) const;
+  /// The token before this one, or nullptr.
+  antlr4::Token* before(const antlr4::Token* token) const;
+  bool first_on_line(const antlr4::Token* token) const;
+
+ private:
+  std::uint32_t byte(std::size_t code_point) const;
+  void tell_ends_apart();
+  void report_strays(Diagnostics& diagnostics);
+  void bound_nesting(Diagnostics& diagnostics);
+
+  FileId file_;
+  std::uint32_t size_;
+  std::uint32_t mark_bytes_;                 // of a byte order mark, which ANTLR does not count
+  std::vector<std::uint32_t> byte_offsets_;  // of each code point; empty if all are one byte
+  antlr4::ANTLRInputStream input_;
+  grammar::PalLexer lexer_;
+  antlr4::CommonTokenStream stream_;
+  std::vector<antlr4::Token*> all_;
+  bool parseable_ = true;
+  bool has_errors_ = false;
+};
+
+}  // namespace pal::syntax

@@ -1,0 +1,172 @@
+// A file of PAL as it was written: what stands where, before any name is looked up.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "pal/pan/environment.hpp"
+#include "pal/pan/network.hpp"
+#include "pal/support/source.hpp"
+#include "pal/support/time.hpp"
+#include "pal/syntax/statement.hpp"
+
+namespace pal::syntax {
+
+/// USES "file.pal"
+struct Uses {
+  std::string path;  // as written
+  SourceSpan where;  // of the text between and with the quotes
+  FileId file{};     // what load() found under it; invalid before, or if there is none
+};
+
+/// MESSAGE name : fields
+struct MessageUnit {
+  Name name;
+  std::vector<pan::Field> fields;
+  std::vector<Name> field_names;  // in the order of fields; empty if the one field has no name of its own
+  SourceSpan where;
+};
+
+/// CONDITION name FROM messages "description"
+struct ConditionUnit {
+  Name name;
+  std::vector<Name> from;
+  std::string description;
+  SourceSpan where;
+};
+
+/// DEVICE name "description"
+struct DeviceUnit {
+  Name name;
+  std::string description;
+  SourceSpan where;
+};
+
+/// ACTIVITY name READS messages WRITES messages
+struct ActivityHeading {
+  Name name;
+  std::vector<Name> reads;
+  std::vector<Name> writes;
+  SourceSpan where;
+};
+
+/// Kind: name … BEGIN … END
+struct ModuleUnit {
+  pan::ModuleKind kind = pan::ModuleKind::skill_module;
+  Name name;
+  std::vector<std::string> descriptions;
+  std::vector<ActivityHeading> activities;
+  bool has_body = false;
+  Statements body;
+  SourceSpan where;  // from the kind to the name
+  SourceSpan end;    // the last END
+};
+
+struct Contingency {
+  int number = 0;
+  std::string description;
+  std::optional<Name> method;
+  SourceSpan where;
+};
+
+struct Parameter {
+  Name name;
+  pan::ScalarType type = pan::ScalarType::real;
+  std::string unit;
+  std::optional<double> default_value;  // booleans: 0 or 1
+  std::optional<double> low;
+  std::optional<double> high;
+  std::string description;
+  SourceSpan where;
+};
+
+struct Completion {
+  int code = 0;
+  pan::Completion::Kind kind = pan::Completion::Kind::normal;
+  int contingency = 0;
+  std::string description;
+  SourceSpan where;
+};
+
+/// Every statement of this form; of one module only, if one is named.
+struct Step {
+  enum class Kind { wait, send, set, read, perform };
+  Kind kind = Kind::send;
+  MessageName message;  // wait, send
+  PartyName party;      // wait: the sender; send: the receiver
+  Name name;            // set, read: the condition; perform: the activity
+  std::optional<PartyName> in;
+  SourceSpan where;
+};
+
+struct Requirement {
+  struct Response {
+    MessageName event;
+    PartyName of;
+    Step to;
+  };
+  struct Age {
+    Name condition;
+    Step at;
+  };
+  struct Load {
+    std::optional<Name> processor;
+  };
+  Name name;
+  std::variant<Response, Age, Load> measure;
+  Duration limit{};  // of a load: nanoseconds of work in a second
+  SourceSpan where;
+};
+
+/// SKILL name … END SKILL: the generic skill template (thesis, section 2.3.2).
+struct SkillUnit {
+  Name name;
+  std::vector<std::string> descriptions;
+  std::vector<std::string> preconditions;
+  std::vector<std::string> postconditions;
+  std::vector<std::string> model_data;
+  std::vector<Name> sensor_drivers;
+  std::vector<Name> machine_controllers;
+  std::vector<Name> logical_sensors;
+  std::vector<Name> skill_methods;
+  std::vector<Contingency> contingencies;
+  std::vector<Parameter> parameters;
+  std::vector<Completion> completions;
+  std::vector<Requirement> requirements;
+  SourceSpan where;  // SKILL and the name
+};
+
+/// COST SEND 0.05 ms, LATENCY WITHIN PROCESSOR 0 ms
+struct CostItem {
+  enum class Kind { send, receive, set, read, test, latency_within, latency_between };
+  Kind kind = Kind::send;
+  Interval time;
+  SourceSpan where;
+};
+
+/// ENVIRONMENT name … END ENVIRONMENT. Its parts need no names looked up, and are what pan::Environment
+/// holds.
+struct EnvironmentUnit {
+  Name name;
+  std::vector<std::string> descriptions;
+  std::vector<pan::Processor> processors;
+  std::vector<pan::DeviceTiming> devices;
+  std::vector<pan::Placement> placements;
+  std::vector<pan::ActivityTime> activities;
+  std::vector<CostItem> costs;
+  SourceSpan where;  // ENVIRONMENT and the name
+};
+
+using Unit =
+    std::variant<Uses, MessageUnit, ConditionUnit, DeviceUnit, ModuleUnit, SkillUnit, EnvironmentUnit>;
+
+/// One file. `complete` is false if there were syntax errors: then parts of the text are not in the tree.
+struct Tree {
+  FileId file{};
+  bool complete = true;
+  std::vector<Unit> units;  // in the order of the text
+};
+
+}  // namespace pal::syntax
