@@ -94,7 +94,7 @@ TEST_CASE("the order that reads first presses harder, by what the ages predict")
   const int count = 14;
   const auto first = sweep(*corrected, session(), count);
   const auto second = sweep(*read_first, session(), count);
-  const Comparison comparison = compare(first, second, session().scene, 20);
+  const Comparison comparison = compare(first, second, session().scene, 20).value();
   CAPTURE(describe(comparison, "corrected", "read first"));
   CHECK(comparison.pairs == count);
   // Equal where the force was noticed after the read that the motion was decided on and before the test that
