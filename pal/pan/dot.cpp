@@ -58,7 +58,6 @@ class DotWriter {
     for (std::size_t i = 0; i < body_.nodes.size(); ++i) {
       if (reached_[i] && !ends_block(i)) draw_ways(i);
     }
-    line("  }");
     line("}");
     return std::move(out_);
   }
@@ -125,12 +124,13 @@ class DotWriter {
                           {"nodesep", "0.3"},
                           {"ranksep", downwards() ? "0.24" : "0.3"},
                           {"fontname", fonts},
-                          {"fontsize", "11"},
+                          {"fontsize", options_.letters ? "11" : "13"},
                           {"pad", "0.1"}};
-    if (options_.letters) {
-      look.emplace_back("label", key());
-      look.emplace_back("labelloc", "b");
-    }
+    // No cluster holds the title: inside one, Graphviz does not keep the order of the arms.
+    const std::string skill = network_.skill.name.empty() ? std::string() : " of " + network_.skill.name;
+    const std::string title = kind + " " + module.name + skill;
+    look.emplace_back("label", options_.letters ? key(title) : title);
+    look.emplace_back("labelloc", options_.letters ? "b" : "t");
     line("  graph " + dot_list(look));
     line("  node " + dot_list({{"shape", "box"},
                                {"fontname", fonts},
@@ -141,21 +141,17 @@ class DotWriter {
                                {"ordering", "out"},
                                {"fillcolor", "white"}}));
     line("  edge " + dot_list({{"arrowsize", "0.6"}, {"fontname", fonts}, {"fontsize", "10"}}));
-    line("  subgraph cluster_body {");
-    const std::string skill = network_.skill.name.empty() ? std::string() : " of " + network_.skill.name;
-    line("    graph " + dot_list({{"label", kind + " " + module.name + skill},
-                                  {"labelloc", "t"},
-                                  {"peripheries", "0"},
-                                  {"fontsize", "13"}}));
   }
 
   /// Letters and conditions with their meanings, as a table under the drawing.
-  std::string key() const {
+  std::string key(const std::string& title) const {
     std::vector<std::pair<std::string, std::string>> rows = letters_.statements();
     rows.insert(rows.end(), letters_.conditions().begin(), letters_.conditions().end());
     const std::size_t columns = downwards() ? 2 : 3;
     const std::size_t height = (rows.size() + columns - 1) / columns;
     std::string table = "<<TABLE BORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"2\">";
+    table += "<TR><TD COLSPAN=\"" + std::to_string(2 * columns) + "\"><FONT POINT-SIZE=\"13\">" +
+             dot_html(title) + "</FONT></TD></TR>";
     for (std::size_t row = 0; row < height; ++row) {
       table += "<TR>";
       for (std::size_t column = 0; column < columns; ++column) {
@@ -179,10 +175,10 @@ class DotWriter {
         std::visit([&](const auto& content) { return look_of(content, i); }, body_.nodes[i].content);
     attributes.insert(attributes.end(), look.begin(), look.end());
     attributes.emplace_back("group", column(i));
-    line("    " + name(i) + " " + dot_list(attributes));
+    line("  " + name(i) + " " + dot_list(attributes));
     if (const auto* choose = as<Choose>(i)) {
       for (std::size_t arm = 0; arm < choose->guards.size(); ++arm) {
-        line("    " + arm_name(i, arm) + " " +
+        line("  " + arm_name(i, arm) + " " +
              dot_list({{"pal_kind", "guard"},
                        {"pal_guard", guard_text(network_, choose->guards[arm])},
                        {"label", guard(choose->guards[arm])},
@@ -278,7 +274,7 @@ class DotWriter {
   std::string out_side() const { return downwards() ? ":s" : ":e"; }
 
   void edge(const std::string& from, const std::string& to, const DotAttributes& attributes) {
-    line("    " + from + " -> " + to + (attributes.empty() ? "" : " " + dot_list(attributes)));
+    line("  " + from + " -> " + to + (attributes.empty() ? "" : " " + dot_list(attributes)));
   }
 
   void draw_ways(std::size_t i) {

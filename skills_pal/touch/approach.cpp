@@ -8,6 +8,7 @@ void Approach::start(double speed, double reach) {
   step_ = speed * alter_period;
   reach_ = reach;
   gone_ = 0;
+  home_ = false;
 }
 
 // The ends are set, not summed up to: sums of steps miss them by a rounding error.
@@ -20,6 +21,7 @@ double Approach::step_forward() {
 
 double Approach::step_back() {
   const double step = std::min(step_, gone_);
+  home_ = step <= 0;
   gone_ = step < step_ ? 0 : gone_ - step;
   return -step;
 }

@@ -15,16 +15,19 @@ class Approach {
 
   /// The next step away from home; less than a whole one, or 0, where the reach ends.
   double step_forward();
-  /// The next step towards home, negative; less than a whole one, or 0, at home.
+  /// The next step towards home, negative; less than a whole one at the end, and 0 at home.
   double step_back();
 
   bool at_reach() const { return gone_ >= reach_; }
-  bool at_home() const { return gone_ <= 0; }
+  /// The last step back was 0: the steps before it have been made, which a step that was only just given has
+  /// not.
+  bool at_home() const { return home_; }
 
  private:
   double step_ = 0;
   double reach_ = 0;
   double gone_ = 0;
+  bool home_ = false;
 };
 
 }  // namespace pal::skills
