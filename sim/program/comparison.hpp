@@ -1,6 +1,7 @@
 // Does the arm do what the proof says? Two orders of one skill, swept over the same phases.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,10 +27,10 @@ struct Comparison {
   bool agrees() const;
 };
 
-/// Pairs the runs by their order. Presses on the scene to find the stiffness. Throws std::runtime_error if no
-/// pair ended with completion 0 in both.
-Comparison compare(const std::vector<SweepRun>& first, const std::vector<SweepRun>& second,
-                   const sim::Scene& scene, double speed);
+/// Pairs the runs by their order, and presses on the scene to find the stiffness. Nothing if no pair ended
+/// with completion 0 in both.
+std::optional<Comparison> compare(const std::vector<SweepRun>& first, const std::vector<SweepRun>& second,
+                                  const sim::Scene& scene, double speed);
 
 /// "overshoot past the threshold": counts, figures, histogram.
 std::string describe(const std::string& skill, const std::vector<SweepRun>& runs, double low, double high);

@@ -147,7 +147,7 @@ ExitStatus run_sweep(const RunCommand& command, runtime::Skill& skill, const Ses
   const auto speed = parameter_value(skill, session, "approach-speed");
   if (sweeps.size() == 2 && speed) {
     comparison = compare(sweeps[0], sweeps[1], session.scene, *speed);
-    out << describe(*comparison, names[0], names[1]);
+    if (comparison) out << describe(*comparison, names[0], names[1]);
   }
   if (!command.output.empty()) write(sweep_files(command.output, names, sweeps, comparison), out);
   const auto failed = [](const SweepRun& run) { return run.fault; };
