@@ -81,7 +81,7 @@ Length Panel::draw() {
   draw_deadlines();
   for (const Layer& layer : layers_) keep_off_arrows(layer);
   for (const Layer& layer : layers_) draw_marks(layer);
-  for (const Layer& layer : layers_) label_bars(layer);
+  for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) label_bars(*layer);
   if (style_.labelled) {
     for (const Layer& layer : layers_) label_arrows(layer);
     for (const Layer& layer : layers_) label_gaps(layer);
@@ -177,7 +177,14 @@ void Panel::draw_folds() {
     out_.rect({piece.x0 + 50, lanes_top_ - 20, piece.x1 - 50, bottom_ + 40}, "fold", title);
     tear(piece.x0 + 50, title);
     tear(piece.x1 - 50, title);
-    out_.text({(piece.x0 + piece.x1) / 2, bottom_ + 290}, Anchor::middle, "small", left_out, title);
+    // To a hundredth of a millisecond; the title is exact.
+    const std::int64_t length = piece.time.to_ns - piece.time.from_ns;
+    const std::string figure = duration_text(length < 10'000 ? length : (length + 5'000) / 10'000 * 10'000);
+    const Length half = text_width(figure, 80) / 2 + 15;
+    const Length middle = (piece.x0 + piece.x1) / 2;
+    if (labels_.claim({middle - half, bottom_ + 210, middle + half, bottom_ + 310})) {
+      out_.text({middle, bottom_ + 290}, Anchor::middle, "small", figure, title);
+    }
   }
   const Layer& first = layers_.front();
   const std::int64_t run_from = first.shift_ns;

@@ -65,8 +65,9 @@ class Panel {
   void draw_bars(const Layer& layer);
   void draw_waves(const Layer& layer);
   void label_bars(const Layer& layer);
-  void label_wide_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box,
-                      const std::string& ink);
+  void label_wide_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box);
+  bool label_narrow_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box, int number);
+  void label_backdrop(int number, const Box& box);
   void label_cluster(const Cluster& cluster, const Row& row);
   void label_gaps(const Layer& layer);
   Box bar_box(const Layer& layer, std::size_t lane, std::int64_t from_ns, std::int64_t to_ns) const;

@@ -127,9 +127,11 @@ void Panel::draw_marks(const Layer& layer) {
           move_to({place - 45, box.y0}) + line_to({place + 45, box.y0}) + line_to({place, box.y1}) + "Z",
           "event" + faded, title);
       const Length width = text_width(mark.text, bar_font);
-      if (layer.role != Role::backdrop &&
-          labels_.claim({place + 60, middle - 50, place + 60 + width, middle + 50})) {
-        out_.text({place + 60, middle + 30}, Anchor::start, "on-light", mark.text, title);
+      for (const Length left : {place + 60, place - 60 - width}) {
+        if (layer.role == Role::backdrop || left < scale_.x0() || left + width > scale_.x1()) continue;
+        if (!labels_.claim({left, middle - 50, left + width, middle + 50})) continue;
+        out_.text({left, middle + 30}, Anchor::start, "on-light", mark.text, title);
+        break;
       }
     } else if (mark.kind == MarkKind::overrun) {
       out_.path(cross({place, middle}, 45), "overrun" + faded, title);

@@ -123,7 +123,6 @@ void Panel::label_cluster(const Cluster& cluster, const Row& row) {
 // A text that fits is written into its bar; else its number is; else the numbers of neighbours are written
 // together above them.
 void Panel::label_bars(const Layer& layer) {
-  if (layer.role == Role::backdrop) return;
   for (std::size_t i = 0; i < layer.timeline->lanes.size(); ++i) {
     if (layer.rows[i] < 0) continue;
     const Lane& lane = layer.timeline->lanes[i];
@@ -136,33 +135,47 @@ void Panel::label_bars(const Layer& layer) {
     for (const Bar& bar : lane.bars) {
       if (!touches(layer, bar.from_ns, bar.to_ns)) continue;
       const Box box = bar_box(layer, i, bar.from_ns, bar.to_ns);
-      const Length middle = (box.x0 + box.x1) / 2;
-      const Length baseline = (box.y0 + box.y1) / 2 + 30;
-      const std::string ink = bar.kind == BarKind::computation ? "on-dark" : "on-light";
-      if (text_fits(bar, layer.shift_ns, scale_) && box.y1 - box.y0 >= 100) {
-        flush();
-        label_wide_bar(layer, lane, bar, box, ink);
-        continue;
-      }
       const int number = style_.labelled && !bar.resumed ? numbering_.number(lane, bar) : 0;
-      if (number == 0) continue;
-      const std::string text = std::to_string(number);
-      if (text_width(text, small_font) + 10 <= box.x1 - box.x0 && box.y1 - box.y0 >= 70) {
+      if (layer.role == Role::backdrop) {
+        if (number != 0) label_backdrop(number, box);
+      } else if (text_fits(bar, layer.shift_ns, scale_) && box.y1 - box.y0 >= 100) {
         flush();
-        out_.text({middle, baseline}, Anchor::middle, "number " + ink, text, bar_title(layer, lane, bar));
-        continue;
+        label_wide_bar(layer, lane, bar, box);
+      } else if (number != 0 && !label_narrow_bar(layer, lane, bar, box, number)) {
+        if (!cluster.numbers.empty() && box.x0 - cluster.x1 > 30) flush();
+        if (cluster.numbers.empty()) cluster.x0 = box.x0;
+        cluster.x1 = box.x1;
+        cluster.numbers.push_back(number);
       }
-      if (!cluster.numbers.empty() && box.x0 - cluster.x1 > 30) flush();
-      if (cluster.numbers.empty()) cluster.x0 = box.x0;
-      cluster.x1 = box.x1;
-      cluster.numbers.push_back(number);
     }
     flush();
   }
 }
 
-void Panel::label_wide_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box,
-                           const std::string& ink) {
+// The number of a proved action, in the upper half, where the measured run does not cover it.
+void Panel::label_backdrop(int number, const Box& box) {
+  const std::string text = std::to_string(number);
+  const TimeScale::Stretch room = scale_.widest(box.x0, box.x1);
+  const Length half = text_width(text, small_font) / 2;
+  if (2 * half + 10 > room.x1 - room.x0) return;
+  const Length middle = (room.x0 + room.x1) / 2;
+  const Length baseline = box.y0 + (box.y1 - box.y0) / 4 + 30;
+  if (!labels_.claim({middle - half, baseline - 70, middle + half, baseline + 5})) return;
+  out_.text({middle, baseline}, Anchor::middle, "number faded", text);
+}
+
+bool Panel::label_narrow_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box,
+                             int number) {
+  const std::string text = std::to_string(number);
+  const TimeScale::Stretch room = scale_.widest(box.x0, box.x1);
+  if (text_width(text, small_font) + 10 > room.x1 - room.x0 || box.y1 - box.y0 < 70) return false;
+  const std::string ink = bar.kind == BarKind::computation ? "on-dark" : "on-light";
+  out_.text({(room.x0 + room.x1) / 2, (box.y0 + box.y1) / 2 + 30}, Anchor::middle, "number " + ink, text,
+            bar_title(layer, lane, bar));
+  return true;
+}
+
+void Panel::label_wide_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box) {
   const TimeScale::Stretch room = scale_.widest(box.x0, box.x1);
   const Length width = text_width(bar.text, bar_font);
   if (width + 40 > room.x1 - room.x0) return;
@@ -170,6 +183,7 @@ void Panel::label_wide_bar(const Layer& layer, const Lane& lane, const Bar& bar,
   if (bar.kind == BarKind::serving) {
     out_.rect({middle - width / 2 - 20, box.y0 + 20, middle + width / 2 + 20, box.y1 - 20}, "paper");
   }
+  const char* ink = bar.kind == BarKind::computation ? "on-dark" : "on-light";
   out_.text({middle, (box.y0 + box.y1) / 2 + 30}, Anchor::middle, ink, bar.text, bar_title(layer, lane, bar));
 }
 

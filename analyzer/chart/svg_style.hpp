@@ -15,6 +15,7 @@ text { font-family: "DejaVu Sans", Verdana, sans-serif; font-size: 90px; fill: #
 .tick { font-size: 100px } .small, .number { font-size: 80px } .key { font-size: 90px } .key.number { font-weight: bold }
 .on-dark { font-size: 85px; fill: #fff } .on-light { font-size: 85px }
 .number.on-dark, .number.on-light { font-size: 80px }
+.faded { fill: #666 }
 .quiet { font-size: 80px; fill: #444; font-style: italic }
 .message-name, .halo { font-size: 80px; fill: #222; paint-order: stroke; stroke: #fff; stroke-width: 20px }
 .figure { font-size: 105px; font-weight: bold } .figure.fails { fill: #a63c00 } .figure.holds { fill: #00563f }
