@@ -4,7 +4,8 @@
 #include <map>
 #include <memory>
 
-#include "analyzer/statement_text.hpp"
+#include "pal/pan/dump.hpp"
+
 
 namespace pal::analyzer {
 namespace {
@@ -78,14 +79,14 @@ class Compiler {
       if (!passes) return compiled(place, node);
       node = forever ? graph[at.mate].out.front() : at.out.front();
     }
-    diagnostics_.report(Code::PAL0741, graph[node].where, "nothing ever happens in this loop",
+    diagnostics_.report(Code::PAL0729, graph[node].where, "nothing ever happens in this loop",
                         "give the loop a wait or an activity");
     return end_step();
   }
 
   int inlined(Place& place, const Node& node, const Execute& execute) {
     if (place.depth > 32) {
-      diagnostics_.report(Code::PAL0741, node.where, "modules execute one another without end");
+      diagnostics_.report(Code::PAL0729, node.where, "modules execute one another without end");
       return end_step();
     }
     // Each place of an Execute has its own copy, kept alive as long as its steps may still be asked for.
@@ -201,7 +202,7 @@ class Compiler {
     const Node& node = network_.modules[module].body[id];
     Statement made;
     made.module = network_.modules[module].name;
-    made.text = statement_text(network_, node);
+    made.text = pan::statement_text(network_, pan::ModuleId(module), id);
     made.where = node.where;
     made.source_module = static_cast<int>(module);
     made.source_node = id.value;

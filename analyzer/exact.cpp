@@ -126,12 +126,12 @@ class Analyzer {
     }
     LoadBound worst;
     int busiest = -1;
-    bool proved = true;
     std::string others;
-    for (int processor : requirement.processors) {
-      LoadBound bound = load_bound(problem_, graph, processor, limits());
+    std::vector<LoadBound> bounds = load_bounds(machine, graph, requirement.processors, limits());
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+      LoadBound& bound = bounds[i];
+      const int processor = requirement.processors[i];
       analysis_.statistics.states += bound.states;
-      proved = proved && bound.proved;
       const bool more = busiest < 0 || greater(bound.most, worst.most);
       if (!others.empty()) others += ", ";
       others += problem_.processors[static_cast<std::size_t>(processor)].name + " " + percent(bound);

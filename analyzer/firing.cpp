@@ -42,9 +42,10 @@ void Firing::fire(int timer) {
       effect(timer);
     }
   } else if (timer < machine_.next_timer(0)) {
-    const int channel = timer - machine_.flight_timer(0);
-    slot(channel).fill = SlotState::Fill::available;
-    message_available(channel);
+    const int channel = (timer - machine_.flight_timer(0)) / 2;
+    SlotState& of = slot(channel);
+    (timer == machine_.flight_timer(channel) ? of.near : of.far) = SlotState::Way::there;
+    if (of.fill == SlotState::Fill::full) message_available(channel);
   } else {
     const int device = (timer - machine_.next_timer(0)) / 2;
     if (timer == machine_.next_timer(device)) {

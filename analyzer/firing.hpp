@@ -45,7 +45,9 @@ class Firing {
 
   // Messages and devices (firing_mail.cpp).
   bool put(int channel, int thread, int device, std::uint8_t carries);
+  bool available(int channel, int thread) const;
   void message_available(int channel);
+  void fill(int channel, int processor);
   void take(int channel, int thread, int device);
   void empty(int channel);
   void drop(int channel);

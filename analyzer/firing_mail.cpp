@@ -11,7 +11,7 @@ constexpr int most_open = 20;  // requests of one channel at a time, before the 
 bool Firing::put(int channel, int thread, int device, std::uint8_t carries) {
   SlotState& to = slot(channel);
   if (to.fill != SlotState::Fill::empty) return false;
-  to.fill = SlotState::Fill::available;
+  fill(channel, thread < 0 ? -1 : thread_of(thread).processor);
   to.carries = carries;
   if (device >= 0) {
     emit_device(Kind::put, device, channel);
@@ -31,23 +31,41 @@ bool Firing::put(int channel, int thread, int device, std::uint8_t carries) {
     arrives_at_device(channel);
     return true;
   }
-  if (device < 0) {
-    const Range latency = problem_.latency[static_cast<std::size_t>(thread)][static_cast<std::size_t>(channel)];
-    if (latency.worst > 0) {
-      to.fill = SlotState::Fill::flying;
-      start_timer(machine_.flight_timer(channel), latency);
-      return true;
-    }
-  }
   message_available(channel);
   return true;
+}
+
+/// The message sets out for the processors on which somebody waits for it.
+void Firing::fill(int channel, int processor) {
+  SlotState& to = slot(channel);
+  to.fill = SlotState::Fill::full;
+  to.from = static_cast<std::int8_t>(processor);
+  to.near = to.far = SlotState::Way::there;
+  if (processor < 0 || channel_of(channel).receiver_device >= 0) return;
+  bool near = false;
+  bool far = false;
+  for (int receiver : channel_of(channel).receiver_processors) (receiver == processor ? near : far) = true;
+  if (near && problem_.within_processor.worst > 0) {
+    to.near = SlotState::Way::flying;
+    start_timer(machine_.flight_timer(channel), problem_.within_processor);
+  }
+  if (far && problem_.between_processors.worst > 0) {
+    to.far = SlotState::Way::flying;
+    start_timer(machine_.flight_timer(channel) + 1, problem_.between_processors);
+  }
+}
+
+bool Firing::available(int channel, int thread) const {
+  const SlotState& of = state_.slots[static_cast<std::size_t>(channel)];
+  if (of.fill != SlotState::Fill::full) return false;
+  return (of.from == thread_of(thread).processor ? of.near : of.far) == SlotState::Way::there;
 }
 
 /// Gives the message to one of the threads that wait for it, if any.
 void Firing::message_available(int channel) {
   std::vector<std::pair<int, int>> waiting;
   for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
-    if (state_.threads[t].status != Status::waiting) continue;
+    if (state_.threads[t].status != Status::waiting || !available(channel, static_cast<int>(t))) continue;
     const Step& step = step_of(static_cast<int>(t));
     for (std::size_t i = 0; i < step.channels.size(); ++i) {
       if (step.channels[i] == channel) waiting.emplace_back(static_cast<int>(t), static_cast<int>(i));
@@ -81,7 +99,11 @@ void Firing::take(int channel, int thread, int device) {
 /// Frees the slot, for a sender that is blocked perhaps.
 void Firing::empty(int channel) {
   SlotState& of = slot(channel);
+  if (of.near == SlotState::Way::flying) stop_timer(machine_.flight_timer(channel));
+  if (of.far == SlotState::Way::flying) stop_timer(machine_.flight_timer(channel) + 1);
   of.fill = SlotState::Fill::empty;
+  of.near = of.far = SlotState::Way::none;
+  of.from = -1;
   of.carries = tag::none;
   std::vector<int> senders;
   for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
@@ -104,7 +126,6 @@ void Firing::empty(int channel) {
 /// Somebody withdrew the message that is in the slot, or on its way to it.
 void Firing::drop(int channel) {
   SlotState& of = slot(channel);
-  if (of.fill == SlotState::Fill::flying) stop_timer(machine_.flight_timer(channel));
   if (of.fill == SlotState::Fill::claimed) {
     for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
       ThreadState& thread = state_.threads[t];
@@ -143,7 +164,7 @@ void Firing::abandon(int thread) {
   if (step.kind == Step::Kind::wait && state.choice >= 0) {
     const int channel = step.channels[static_cast<std::size_t>(state.choice)];
     if (slot(channel).fill == SlotState::Fill::claimed) {
-      slot(channel).fill = SlotState::Fill::available;
+      slot(channel).fill = SlotState::Fill::full;
       message_available(channel);
     }
   }
@@ -181,7 +202,7 @@ void Firing::take_pending(int device) {
   const Device& of = problem_.devices[static_cast<std::size_t>(device)];
   std::vector<std::size_t> pending;
   for (std::size_t i = 0; i < of.requests.size(); ++i) {
-    if (slot(of.requests[i]).fill == SlotState::Fill::available) pending.push_back(i);
+    if (slot(of.requests[i]).fill == SlotState::Fill::full) pending.push_back(i);
   }
   const auto* request = std::get_if<pan::RequestDevice>(&of.behaviour);
   if (request != nullptr && pending.size() > 1) {

@@ -66,9 +66,8 @@ void Firing::reach_wait(int thread) {
     if (channel_of(channel).sender_device >= 0) open_device(channel_of(channel).sender_device);
   }
   for (std::size_t i = 0; i < step.channels.size(); ++i) {
-    SlotState& from = slot(step.channels[i]);
-    if (from.fill != SlotState::Fill::available) continue;
-    from.fill = SlotState::Fill::claimed;
+    if (!available(step.channels[i], thread)) continue;
+    slot(step.channels[i]).fill = SlotState::Fill::claimed;
     state_of(thread).choice = static_cast<std::int8_t>(i);
     need_processor(thread);
     return;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "analyzer/problem.hpp"
 #include "analyzer/witness.hpp"
@@ -29,7 +30,8 @@ struct LoadBound {
 /// Nanoseconds of work in a second, rounded up.
 Nanoseconds per_second(const Fraction& fraction);
 
-/// `graph`: all classes of `problem` with nothing watched, with its edges, explored to the end.
-LoadBound load_bound(const Problem& problem, const ZoneGraph& graph, int processor, const Limits& limits);
+/// One bound a processor. `graph`: all classes of `machine`, which watches nothing, with its edges, explored to the end.
+std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph, const std::vector<int>& processors,
+                                   const Limits& limits);
 
 }  // namespace pal::analyzer

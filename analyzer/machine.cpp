@@ -48,7 +48,7 @@ Range Machine::cost(const State& state, int timer) const {
 
 std::string Machine::timer_name(int timer) const {
   if (timer < flight_timer(0)) return problem_.threads[static_cast<std::size_t>(timer)].name;
-  if (timer < next_timer(0)) return problem_.channels[static_cast<std::size_t>(timer - flight_timer(0))].message;
+  if (timer < next_timer(0)) return problem_.channels[static_cast<std::size_t>((timer - flight_timer(0)) / 2)].message;
   return problem_.devices[static_cast<std::size_t>((timer - next_timer(0)) / 2)].name;
 }
 

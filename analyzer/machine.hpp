@@ -76,11 +76,11 @@ class Machine {
   const Problem& problem() const { return problem_; }
   const Watch& watch() const { return watch_; }
 
-  /// Timers: one a thread (its action, or the limit of its wait), one a channel (message on its way), two a device (its
-  /// next event or frame; its service, or lateness).
+  /// Timers: one a thread (its action, or the limit of its wait), two a channel (message on its way to threads on the
+  /// sender's processor; to others), two a device (its next event or frame; its service, or lateness).
   int timer_count() const;
   int thread_timer(int thread) const { return thread; }
-  int flight_timer(int channel) const { return static_cast<int>(problem_.threads.size()) + channel; }
+  int flight_timer(int channel) const { return static_cast<int>(problem_.threads.size()) + 2 * channel; }
   int next_timer(int device) const { return flight_timer(static_cast<int>(problem_.channels.size())) + 2 * device; }
   int service_timer(int device) const { return next_timer(device) + 1; }
   /// Processor whose work the timer measures in `state`; -1: none.

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "analyzer/compile.hpp"
-#include "analyzer/statement_text.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -59,7 +58,7 @@ class Builder final : public TimesAndPlaces {
     if (found != nullptr) return {found->time.best.count(), found->time.worst.count()};
     if (untimed_.insert(activity.name + " OF " + module).second) {
       diagnostics_
-          .report(Code::PAL0737, environment_.where,
+          .report(Code::PAL0725, environment_.where,
                   "environment " + environment_.name + " gives activity " + activity.name + " of " + module + " no time",
                   "add TIME " + activity.name + " OF " + module + " : … to the environment")
           .notes.push_back({activity.where, "the activity"});
@@ -80,7 +79,7 @@ class Builder final : public TimesAndPlaces {
       }
     }
     if (placement == nullptr) {
-      diagnostics_.report(Code::PAL0731, environment_.where,
+      diagnostics_.report(Code::PAL0721, environment_.where,
                           "environment " + environment_.name + " places " + thread.name + " nowhere",
                           "add PLACE " + thread.name + " ON … to the environment");
       thread.processor = 0;
@@ -103,13 +102,13 @@ class Builder final : public TimesAndPlaces {
     for (const Processor& processor : environment_.processors) {
       const bool added = processor_.emplace(processor.name, static_cast<int>(problem_.processors.size())).second;
       if (!added) {
-        diagnostics_.report(Code::PAL0740, processor.where, "processor " + processor.name + " is declared twice");
+        diagnostics_.report(Code::PAL0728, processor.where, "processor " + processor.name + " is declared twice");
         continue;
       }
       problem_.processors.push_back(processor);
     }
     if (problem_.processors.empty()) {
-      diagnostics_.report(Code::PAL0731, environment_.where,
+      diagnostics_.report(Code::PAL0721, environment_.where,
                           "environment " + environment_.name + " has no processor", "add PROCESSOR P0");
     }
   }
@@ -128,25 +127,25 @@ class Builder final : public TimesAndPlaces {
     std::set<std::string> placed;
     for (const Placement& placement : environment_.placements) {
       if (!processor_.contains(placement.processor)) {
-        diagnostics_.report(Code::PAL0732, placement.where, "there is no processor " + placement.processor);
+        diagnostics_.report(Code::PAL0722, placement.where, "there is no processor " + placement.processor);
       }
       if (!placed.insert(placement.thread).second) {
-        diagnostics_.report(Code::PAL0740, placement.where, placement.thread + " is placed twice");
+        diagnostics_.report(Code::PAL0728, placement.where, placement.thread + " is placed twice");
       }
       if (executed_.contains(placement.thread)) {
-        diagnostics_.report(Code::PAL0733, placement.where,
+        diagnostics_.report(Code::PAL0723, placement.where,
                             placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
                             "leave the placement out");
       } else if (modules.contains(placement.thread.substr(0, placement.thread.find('.'))) &&
                  !threads.contains(placement.thread)) {
-        diagnostics_.report(Code::PAL0733, placement.where,
+        diagnostics_.report(Code::PAL0723, placement.where,
                             "skill " + network_.skill.name + " has no block " + placement.thread);
       }
     }
     std::set<std::pair<std::string, std::string>> timed;
     for (const ActivityTime& time : environment_.activities) {
       if (!timed.insert({time.activity, time.module}).second) {
-        diagnostics_.report(Code::PAL0740, time.where, "activity " + time.activity + " is given a time twice");
+        diagnostics_.report(Code::PAL0728, time.where, "activity " + time.activity + " is given a time twice");
       }
       interval(time.time, time.where, "activity " + time.activity);
     }
@@ -154,11 +153,11 @@ class Builder final : public TimesAndPlaces {
 
   void time(Duration value, SourceSpan where, const std::string& what, bool positive = false) {
     if (value.count() < 0) {
-      diagnostics_.report(Code::PAL0738, where, "the time of " + what + " is negative");
+      diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is negative");
     } else if (positive && value.count() == 0) {
-      diagnostics_.report(Code::PAL0738, where, "the time of " + what + " is zero", "give it a time above zero");
+      diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is zero", "give it a time above zero");
     } else if (value.count() > longest_time) {
-      diagnostics_.report(Code::PAL0738, where, "the time of " + what + " is too long to reckon with",
+      diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is too long to reckon with",
                           "the longest time is 1000000 s");
     }
   }
@@ -167,7 +166,7 @@ class Builder final : public TimesAndPlaces {
     time(value.best, where, what);
     time(value.worst, where, what);
     if (value.best > value.worst) {
-      diagnostics_.report(Code::PAL0738, where, "the best time of " + what + " is longer than its worst",
+      diagnostics_.report(Code::PAL0726, where, "the best time of " + what + " is longer than its worst",
                           "write the shorter time first");
     }
   }
@@ -223,7 +222,7 @@ class Builder final : public TimesAndPlaces {
     std::set<std::string> described;
     for (const DeviceTiming& timing : environment_.devices) {
       if (!described.insert(timing.device).second) {
-        diagnostics_.report(Code::PAL0740, timing.where, "device " + timing.device + " is described twice");
+        diagnostics_.report(Code::PAL0728, timing.where, "device " + timing.device + " is described twice");
       }
     }
     for (std::size_t d = 0; d < world.size(); ++d) device(world[d], static_cast<int>(d));
@@ -244,7 +243,7 @@ class Builder final : public TimesAndPlaces {
       if (!sent.empty()) {
         const std::string what = thing.module ? "module " + thing.name + " has no body, and environment "
                                               : "device " + thing.name + " sends messages, and environment ";
-        diagnostics_.report(Code::PAL0736, thing.where, what + environment_.name + " does not say how it behaves",
+        diagnostics_.report(Code::PAL0724, thing.where, what + environment_.name + " does not say how it behaves",
                             "add DEVICE " + thing.name + " … to the environment" +
                                 (thing.module ? ", or give the module a body" : ""));
       }
@@ -257,7 +256,7 @@ class Builder final : public TimesAndPlaces {
       served_device(*timing, index, sent, made);
     }
     for (int c : sent) {
-      diagnostics_.report(Code::PAL0739, timing->where,
+      diagnostics_.report(Code::PAL0727, timing->where,
                           thing.name + " never sends " + problem_.channels[static_cast<std::size_t>(c)].message +
                               ", which the skill waits for");
     }
@@ -270,12 +269,12 @@ class Builder final : public TimesAndPlaces {
     time(event.period, timing.where, "the period of " + made.name, true);
     time(event.jitter, timing.where, "the jitter of " + made.name);
     if (event.jitter >= event.period && event.period.count() > 0) {
-      diagnostics_.report(Code::PAL0738, timing.where, "the jitter of " + made.name + " is not shorter than its period");
+      diagnostics_.report(Code::PAL0726, timing.where, "the jitter of " + made.name + " is not shorter than its period");
     }
     if (event.phase) {
       time(*event.phase, timing.where, "the phase of " + made.name);
       if (*event.phase > event.period) {
-        diagnostics_.report(Code::PAL0738, timing.where, "the phase of " + made.name + " is longer than its period");
+        diagnostics_.report(Code::PAL0726, timing.where, "the phase of " + made.name + " is longer than its period");
       }
     }
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
@@ -286,7 +285,7 @@ class Builder final : public TimesAndPlaces {
       }
     }
     if (made.event < 0) {
-      diagnostics_.report(Code::PAL0739, timing.where,
+      diagnostics_.report(Code::PAL0727, timing.where,
                           "nothing in skill " + network_.skill.name + " waits for " + event.message + " from " + made.name);
     }
   }
@@ -301,12 +300,12 @@ class Builder final : public TimesAndPlaces {
       time(frames.period, timing.where, "the period of " + made.name, true);
       time(frames.collecting, timing.where, "collecting a frame of " + made.name);
       if (frames.collecting > frames.period) {
-        diagnostics_.report(Code::PAL0738, timing.where, made.name + " collects a frame for longer than its period");
+        diagnostics_.report(Code::PAL0726, timing.where, made.name + " collects a frame for longer than its period");
       }
       if (frames.phase) {
         time(*frames.phase, timing.where, "the phase of " + made.name);
         if (*frames.phase > frames.period) {
-          diagnostics_.report(Code::PAL0738, timing.where, "the phase of " + made.name + " is longer than its period");
+          diagnostics_.report(Code::PAL0726, timing.where, "the phase of " + made.name + " is longer than its period");
         }
       }
     }
@@ -319,26 +318,14 @@ class Builder final : public TimesAndPlaces {
     }
   }
 
-  /// The threads that wait for a message may stand on several processors: its latency is then any that one of them
-  /// can have.
   void latencies() {
-    problem_.latency.assign(problem_.threads.size(), std::vector<Range>(problem_.channels.size()));
     const Interval& within = environment_.latency.within_processor;
     const Interval& between = environment_.latency.between_processors;
+    problem_.within_processor = {within.best.count(), within.worst.count()};
+    problem_.between_processors = {between.best.count(), between.worst.count()};
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
-      const Channel& channel = problem_.channels[c];
-      if (channel.sender_device >= 0 || channel.receiver_device >= 0) continue;
-      const std::set<int> receivers = processors_of(static_cast<int>(c));
-      for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
-        std::optional<Range> latency;
-        for (int processor : receivers) {
-          const Interval& of = processor == problem_.threads[t].processor ? within : between;
-          if (!latency) latency = Range{of.best.count(), of.worst.count()};
-          latency->best = std::min(latency->best, static_cast<Nanoseconds>(of.best.count()));
-          latency->worst = std::max(latency->worst, static_cast<Nanoseconds>(of.worst.count()));
-        }
-        problem_.latency[t][c] = latency.value_or(Range{between.best.count(), between.worst.count()});
-      }
+      const std::set<int> processors = processors_of(static_cast<int>(c));
+      problem_.channels[c].receiver_processors.assign(processors.begin(), processors.end());
     }
   }
 
@@ -384,7 +371,7 @@ class Builder final : public TimesAndPlaces {
       }
     }
     if (!any) {
-      diagnostics_.report(Code::PAL0821, requirement.where,
+      diagnostics_.report(Code::PAL0811, requirement.where,
                           "requirement " + requirement.name + " is about a statement that no thread ever reaches");
     }
     return steps;
@@ -397,7 +384,7 @@ class Builder final : public TimesAndPlaces {
       made.limit = requirement.limit.count();
       made.where = requirement.where;
       if (made.limit < 0 || made.limit > longest_time) {
-        diagnostics_.report(Code::PAL0824, requirement.where, "the limit of " + requirement.name + " is impossible");
+        diagnostics_.report(Code::PAL0814, requirement.where, "the limit of " + requirement.name + " is impossible");
       }
       if (const auto* age = std::get_if<Age>(&requirement.measure)) {
         made.measure = Requirement::Measure::age;
@@ -410,7 +397,7 @@ class Builder final : public TimesAndPlaces {
         made.device = problem_.channels[response->event.index()].sender_device;
         const bool event = made.device >= 0 && problem_.devices[static_cast<std::size_t>(made.device)].event == made.event;
         if (!event) {
-          diagnostics_.report(Code::PAL0822, requirement.where,
+          diagnostics_.report(Code::PAL0812, requirement.where,
                               problem_.channels[response->event.index()].message + " is no event of a device in environment " +
                                   environment_.name,
                               "describe its sender as DEVICE … EVENT in the environment");
@@ -431,7 +418,7 @@ class Builder final : public TimesAndPlaces {
       }
     }
     if (made.processors.empty()) {
-      diagnostics_.report(Code::PAL0823, requirement.where,
+      diagnostics_.report(Code::PAL0813, requirement.where,
                           "environment " + environment_.name + " has no processor " + load.processor);
     }
   }
@@ -460,7 +447,7 @@ class Builder final : public TimesAndPlaces {
       if (channel.receiver_device == d && channel.message == event->answer) made.at[s] = any = true;
     }
     if (!any) {
-      diagnostics_.report(Code::PAL0739, where,
+      diagnostics_.report(Code::PAL0727, where,
                           "nothing in skill " + network_.skill.name + " sends " + event->answer + " to " + device.name);
       return;
     }
@@ -476,7 +463,7 @@ class Builder final : public TimesAndPlaces {
                       static_cast<int>(problem_.channels.size()) <= most_channels &&
                       problem_.steps.size() < 30000;
     if (!fits) {
-      diagnostics_.report(Code::PAL0742, network_.skill.where, "skill " + network_.skill.name + " is too large to analyse",
+      diagnostics_.report(Code::PAL0730, network_.skill.where, "skill " + network_.skill.name + " is too large to analyse",
                           "it may have 100 threads, 120 channels, 64 conditions and 30000 statements");
     }
   }

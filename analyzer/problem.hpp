@@ -66,6 +66,7 @@ struct Channel {
   int answer = -1;      // of a request: channel of its answer
   int answers = -1;     // of an answer: channel of the request
   bool served = false;  // a request that its device answers
+  std::vector<int> receiver_processors;  // of the threads that wait for it
   std::string message;
 };
 
@@ -111,14 +112,14 @@ struct Problem {
   std::vector<std::string> conditions;
   std::vector<Statement> statements;
   std::vector<Requirement> requirements;
-  /// latency[sending thread][channel]; only for channels between modules.
-  std::vector<std::vector<Range>> latency;
+  Range within_processor;      // latency of a message to a thread on the sender's processor
+  Range between_processors;    // and to one on another
   std::vector<std::string> module_names;
   int error_code = 2;  // of the error completion
 };
 
 /// Builds the model of `network` in `environment`. Reports everything in the environment that is missing, unknown or
-/// impossible (PAL07xx) and requirements that cannot be meant (PAL08xx); no model if there was such an error.
+/// impossible (PAL072x) and requirements that cannot be meant (PAL081x); no model if there was such an error.
 /// `sources` gives statements their file and line; without it they have none.
 std::optional<Problem> make_problem(const pan::Network& network, const pan::Environment& environment,
                                     Diagnostics& diagnostics, const SourceManager* sources = nullptr);

@@ -36,8 +36,12 @@ struct ThreadState {
 };
 
 struct SlotState {
-  enum class Fill : std::uint8_t { empty, flying, available, claimed };
+  enum class Fill : std::uint8_t { empty, full, claimed };
+  enum class Way : std::uint8_t { none, flying, there };
   Fill fill = Fill::empty;
+  Way near = Way::none;       // to threads on the sender's processor
+  Way far = Way::none;        // to those on others
+  std::int8_t from = -1;      // the sender's processor; -1: a device, or nobody
   std::uint8_t carries = tag::none;
   std::uint8_t open = 0;      // requests: sent and not answered, the answer taken
   std::uint8_t unwanted = 0;  // answers: how many to discard instead of putting them
@@ -90,7 +94,8 @@ struct StateHash {
     for (std::int8_t r : state.running) mix(static_cast<std::uint64_t>(r + 1));
     for (std::int8_t q : state.queue) mix(static_cast<std::uint64_t>(q + 1000));
     for (const SlotState& s : state.slots) {
-      mix(static_cast<std::uint64_t>(s.fill) << 40U | static_cast<std::uint64_t>(s.carries) << 32U |
+      mix(static_cast<std::uint64_t>(s.fill) << 56U | static_cast<std::uint64_t>(s.near) << 54U |
+          static_cast<std::uint64_t>(s.far) << 52U | static_cast<std::uint64_t>(s.from + 1) << 40U | static_cast<std::uint64_t>(s.carries) << 32U |
           static_cast<std::uint64_t>(s.open) << 24U | static_cast<std::uint64_t>(s.unwanted) << 16U |
           static_cast<std::uint64_t>(s.owner + 1) << 8U | s.serving_carries);
     }

@@ -34,10 +34,7 @@ void write_results(Writer& out, const Plan& plan, const PlannedModule& module) {
 
 void write_interface(Writer& out, const Plan& plan, const PlannedModule& module) {
   write_results(out, plan, module);
-  out.line("/// What " + module.kind + " " + module.pal_name +
-           " leaves to its author. The methods are called one at a time; none may");
-  out.line(
-      "/// wait, or allocate once the skill runs. One that throws ends the skill with its error completion.");
+  out.line("/// What " + module.kind + " " + module.pal_name + " leaves to its author.");
   out.line("class " + module.interface + " {");
   out.line(" public:").indent();
   out.line("virtual ~" + module.interface + "() = default;").line();
@@ -57,6 +54,11 @@ void write_interface(Writer& out, const Plan& plan, const PlannedModule& module)
 GeneratedFile emit_activities(const Plan& plan) {
   Writer out;
   write_heading(out, plan, "What the system programmer writes for skill " + plan.skill.name + ".");
+  out.line("//");
+  out.line(
+      "// The methods are called one at a time, at the instant at which the statement has its effect. None "
+      "may wait, or");
+  out.line("// allocate once the skill runs. One that throws ends the skill with its error completion.");
   out.line("#pragma once").line();
   out.line("#include \"" + plan.name + "_messages.hpp\"");
   out.line("#include \"" + plan.name + "_parameters.hpp\"");

@@ -93,37 +93,36 @@ class BodyWriter {
 
   void write_send(const PlannedStatement& statement) {
     const PlannedEnd& end = statement.ends.front();
-    std::string text = "co_await thread.send(" + row(statement) + ", " + channel(end);
-    if (end.message) text += ", " + member(*end.message);
-    if (statement.method) text += ", [this] { " + work(*statement.method) + " }";
-    out_.line(text + ");");
+    std::vector<std::string> given{row(statement), channel(end)};
+    if (end.message) given.push_back(member(*end.message));
+    if (statement.method) given.push_back("[this] { " + work(*statement.method) + " }");
+    out_.list("co_await thread.send(", given, ");");
   }
 
   void write_set(const PlannedStatement& statement) {
-    std::string text =
-        "co_await thread.set(" + row(statement) + ", " + condition(*statement.condition) + ", ";
+    std::vector<std::string> given{row(statement), condition(*statement.condition)};
     if (statement.value) {
-      text += *statement.value ? "true" : "false";
+      given.emplace_back(*statement.value ? "true" : "false");
     } else {
-      text += "[this] { return " + call(module_.methods[*statement.method]) + "; }";
+      given.push_back("[this] { return " + call(module_.methods[*statement.method]) + "; }");
     }
-    out_.line(text + ");");
+    out_.list("co_await thread.set(", given, ");");
   }
 
   void write_wait(const PlannedStatement& statement) {
-    std::string text = "co_await thread.";
-    text += statement.within ? "wait_within(" + row(statement) + ", " + duration(*statement.within)
-                             : "wait(" + row(statement);
+    std::vector<std::string> given{row(statement)};
+    if (statement.within) given.push_back(duration(*statement.within));
     for (const PlannedEnd& end : statement.ends) {
-      text += ", runtime::from(" + channel(end) + (end.message ? ", " + member(*end.message) : "") + ")";
+      given.push_back("runtime::from(" + channel(end) + (end.message ? ", " + member(*end.message) : "") +
+                      ")");
     }
-    text += ");";
+    const std::string waits = std::string("co_await thread.") + (statement.within ? "wait_within(" : "wait(");
     if (statement.branches.empty()) {
-      out_.line(text);
+      out_.list(waits, given, ");");
       return;
     }
     const std::string taken = "taken_" + plan_.statements[*statement.row].constant;
-    out_.line("const int " + taken + " = " + text);
+    out_.list("const int " + taken + " = " + waits, given, ");");
     for (std::size_t i = 0; i < statement.branches.size(); ++i) {
       const bool gave_up = i == statement.ends.size();
       const std::string head = (i == 0 ? "if (" : "} else if (") + taken + " == " + std::to_string(i) + ") {";
@@ -136,7 +135,7 @@ class BodyWriter {
   }
 
   void write_choose(const PlannedStatement& statement) {
-    out_.line(test(statement));
+    write_test(statement);
     for (std::size_t i = 0; i < statement.branches.size(); ++i) {
       out_.open((i == 0 ? "if (" : "} else if (") + expression(statement.guards[i]) + ") {");
       out_.line("// " + statement.arms[i]);
@@ -153,17 +152,17 @@ class BodyWriter {
     write(statement.branches.front());
     comment(statement.until_line, statement.until);
     if (!statement.guards.empty()) {
-      out_.line(test(statement));
+      write_test(statement);
       out_.line("if (" + expression(statement.guards.front()) + ") break;");
     }
     out_.close();
   }
 
   void write_concurrent(const PlannedStatement& statement) {
-    std::string text = "co_await thread.concurrent(" + row(statement);
+    std::vector<std::string> given{row(statement)};
     for (const std::size_t thread : statement.threads)
-      text += ", thread_of::" + plan_.threads[thread].constant;
-    out_.line(text + ");");
+      given.push_back("thread_of::" + plan_.threads[thread].constant);
+    out_.list("co_await thread.concurrent(", given, ");");
   }
 
   // Guards.
@@ -178,12 +177,12 @@ class BodyWriter {
     for (const pan::Guard& term : guard.terms) conditions(term, found);
   }
 
-  std::string test(const PlannedStatement& statement) const {
+  void write_test(const PlannedStatement& statement) {
     std::vector<std::size_t> tested;
     for (const pan::Guard& guard : statement.guards) conditions(guard, tested);
-    std::string text = "co_await thread.test(" + row(statement);
-    for (const std::size_t index : tested) text += ", " + condition(index);
-    return text + ");";
+    std::vector<std::string> given{row(statement)};
+    for (const std::size_t index : tested) given.push_back(condition(index));
+    out_.list("co_await thread.test(", given, ");");
   }
 
   std::string expression(const pan::Guard& guard) const {

@@ -5,14 +5,18 @@ namespace pal::codegen {
 
 namespace {
 
-std::string factory(const Plan& plan) {
-  std::string arguments;
+/// What the skill is made of: "std::unique_ptr<SM1Activities> sm1", …
+std::vector<std::string> makings(const Plan& plan) {
+  std::vector<std::string> result;
   for (const PlannedModule& module : plan.modules) {
-    if (module.interface.empty()) continue;
-    arguments +=
-        (arguments.empty() ? "" : ", ") + ("std::unique_ptr<" + module.interface + "> " + module.variable);
+    if (!module.interface.empty())
+      result.push_back("std::unique_ptr<" + module.interface + "> " + module.variable);
   }
-  return "std::unique_ptr<runtime::Skill> make_" + plan.name + "(" + arguments + ")";
+  return result;
+}
+
+std::string factory(const Plan& plan) {
+  return "std::unique_ptr<runtime::Skill> make_" + plan.name + "(";
 }
 
 std::string header(const Plan& plan) {
@@ -25,7 +29,7 @@ std::string header(const Plan& plan) {
   open_namespace(out, plan);
   out.line("const runtime::SkillDescription& description();").line();
   out.line("/// The skill with the activities of its modules, none of them null.");
-  out.line(factory(plan) + ";");
+  out.list(factory(plan), makings(plan), ");");
   close_namespace(out, plan);
   return out.take();
 }
@@ -50,18 +54,15 @@ void write_description(Writer& out, const Plan& plan) {
 void write_class(Writer& out, const Plan& plan) {
   out.line("class " + plan.skill_class + " final : public runtime::Skill {");
   out.line(" public:").indent();
-  std::string arguments;
-  std::string initialisers;
+  std::vector<std::string> initialisers;
   for (const PlannedModule& module : plan.modules) {
-    if (module.interface.empty()) continue;
-    arguments +=
-        (arguments.empty() ? "" : ", ") + ("std::unique_ptr<" + module.interface + "> " + module.variable);
-    initialisers += (initialisers.empty() ? " : " : ", ") + module.variable + "_activities_(std::move(" +
-                    module.variable + "))";
+    if (!module.interface.empty()) {
+      initialisers.push_back(module.variable + "_activities_(std::move(" + module.variable + "))");
+    }
   }
-  if (!arguments.empty()) {
-    out.line("explicit " + plan.skill_class + "(" + arguments + ")");
-    out.line("   " + initialisers + " {}").line();
+  if (!initialisers.empty()) {
+    out.list("explicit " + plan.skill_class + "(", makings(plan), ")");
+    out.list("    : ", initialisers, " {}").line();
   }
   out.line("const runtime::SkillDescription& description() const override { return " + plan.name +
            "::description(); }");
@@ -81,11 +82,10 @@ void write_class(Writer& out, const Plan& plan) {
     if (!module.executed) {
       for (const PlannedThread& thread : plan.threads) {
         const bool own = !thread.block && plan.modules[thread.module].pal_name == module.pal_name;
-        if (own)
-          out.line("case thread_of::" + thread.constant + ":")
-              .indent()
-              .line("return " + module.variable + "_.body(thread);")
-              .outdent();
+        if (own) {
+          out.line("case thread_of::" + thread.constant + ":").indent();
+          out.line("return " + module.variable + "_.body(thread);").outdent();
+        }
       }
     }
     for (const auto& block : module.blocks) {
@@ -155,7 +155,7 @@ std::string source(const Plan& plan) {
            literal(plan.environment.name) + ", descriptions, parameter_specs, completions};");
   out.line("return text;");
   out.close().line();
-  out.open(factory(plan) + " {");
+  out.list(factory(plan), makings(plan), ") {").indent();
   std::string moved;
   for (const PlannedModule& module : plan.modules) {
     if (!module.interface.empty())

@@ -10,11 +10,11 @@ namespace {
 template <class Rows>
 void write_constants(Writer& out, const char* space, const char* comment, const Rows& rows) {
   out.line(std::string("/// ") + comment);
-  out.open(std::string("namespace ") + space + " {");
+  out.line(std::string("namespace ") + space + " {");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     out.line("constexpr int " + rows[i].constant + " = " + std::to_string(i) + ";");
   }
-  out.close(std::string("}  // namespace ") + space).line();
+  out.line(std::string("}  // namespace ") + space).line();
 }
 
 std::string header(const Plan& plan) {
@@ -51,12 +51,13 @@ void write_fields(Writer& out, const Plan& plan) {
                                   [m](const PlannedChannel& channel) { return channel.fields == m; });
     if (!used) continue;
     const PlannedMessage& message = plan.messages[m];
-    std::string rows;
+    std::vector<std::string> rows;
     for (const PlannedField& field : message.fields) {
-      rows += (rows.empty() ? "{" : ", {") + literal(field.pal_name) + ", " + literal(field.unit) + "}";
+      rows.push_back("{" + literal(field.pal_name) + ", " + literal(field.unit) + "}");
     }
-    out.line("constexpr std::array<runtime::Field, " + std::to_string(message.fields.size()) + "> " +
-             message.variable + "_fields{{" + rows + "}};");
+    out.list("constexpr std::array<runtime::Field, " + std::to_string(message.fields.size()) + "> " +
+                 message.variable + "_fields{{",
+             rows, "}};");
   }
 }
 

@@ -1,7 +1,7 @@
 #include "codegen/plan.hpp"
 
 #include <algorithm>
-#include <map>
+#include <array>
 
 #include "codegen/body.hpp"
 #include "codegen/names.hpp"
@@ -17,6 +17,14 @@ bool is_device(const pan::Network& network, const pan::Party& party) {
   return module == nullptr || network.modules[module->index()].body.empty();
 }
 
+/// The skill's namespace stands inside pal::skills, and must not hide what generated code names.
+std::string namespace_name(const std::string& skill) {
+  static constexpr std::array taken{"channel", "condition", "description", "pal",       "runtime",
+                                    "skills",  "statement", "std",         "thread_of", "wiring"};
+  const std::string name = snake_case(skill);
+  return std::find(taken.begin(), taken.end(), name) == taken.end() ? name : name + "_skill";
+}
+
 class Planner {
  public:
   Planner(const pan::Network& network, const pan::Environment& environment, const SourceManager& sources,
@@ -25,7 +33,7 @@ class Planner {
 
   std::optional<Plan> plan() {
     const std::size_t errors = diagnostics_.errors();
-    plan_.name = snake_case(network_.skill.name);
+    plan_.name = namespace_name(network_.skill.name);
     plan_.skill_class = types_.unique(camel_case(network_.skill.name) + "Skill");
     plan_.skill = network_.skill;
     plan_.environment = environment_;
@@ -49,14 +57,13 @@ class Planner {
   }
 
   void messages() {
-    Scope variables;
     for (const pan::Message& message : network_.messages) {
       indices_.messages.emplace_back();
       if (message.fields.empty()) continue;
       indices_.messages.back() = plan_.messages.size();
       PlannedMessage planned;
       planned.type = types_.unique(camel_case(message.name));
-      planned.variable = variables.unique(snake_case(message.name));
+      planned.variable = variables_.unique(snake_case(message.name));
       planned.pal_name = message.name;
       Scope fields({"fields", "field_count", "from_fields", planned.type});
       for (const pan::Field& field : message.fields) {
@@ -98,14 +105,13 @@ class Planner {
   }
 
   void modules() {
-    Scope variables;
     for (const pan::Module& module : network_.modules) {
       indices_.modules.emplace_back();
       if (module.body.empty()) continue;
       indices_.modules.back() = plan_.modules.size();
       PlannedModule planned;
       planned.type = types_.unique(camel_case(module.name));
-      planned.variable = variables.unique(snake_case(module.name));
+      planned.variable = variables_.unique(snake_case(module.name));
       planned.pal_name = module.name;
       planned.kind = pan::kind_text(module.kind);
       if (module.where.valid()) planned.file = sources_.name(module.where.file);
@@ -159,7 +165,9 @@ class Planner {
   Diagnostics& diagnostics_;
   Plan plan_;
   Indices indices_;
-  Scope types_{{"Parameters"}};
+  // Besides our own: macros of the C library that look like names of types.
+  Scope types_{{"Parameters", "NULL", "EOF", "NAN", "INFINITY", "BUFSIZ", "RAND_MAX", "CHAR_BIT"}};
+  Scope variables_{{"activities", "parameters"}};
 };
 
 }  // namespace

@@ -22,6 +22,24 @@ Writer& Writer::close(std::string_view text) {
   return line(text);
 }
 
+Writer& Writer::list(const std::string& before, const std::vector<std::string>& items,
+                     const std::string& after) {
+  constexpr std::size_t width = 110;
+  std::string row = before;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const bool last = i + 1 == items.size();
+    const std::string item = items[i] + (last ? after : ",");
+    const bool first_of_row = row.empty() || (row == before && i == 0);
+    if (!first_of_row && level_ * 2 + row.size() + 1 + item.size() > width) {
+      line(row);
+      row = "    " + item;
+    } else {
+      row += (first_of_row ? "" : " ") + item;
+    }
+  }
+  return line(items.empty() ? before + after : row);
+}
+
 Writer& Writer::indent() {
   ++level_;
   return *this;

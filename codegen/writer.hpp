@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "codegen/plan.hpp"
 
@@ -17,6 +18,8 @@ class Writer {
   Writer& open(std::string_view text);
   /// Back out, then the line.
   Writer& close(std::string_view text = "}");
+  /// `before`, the items with commas between, `after`: in one line if it fits, otherwise over several.
+  Writer& list(const std::string& before, const std::vector<std::string>& items, const std::string& after);
   Writer& indent();
   Writer& outdent();
 

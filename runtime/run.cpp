@@ -46,6 +46,9 @@ Outcome Run::execute() {
   start_skill();
   while (!over_) step();
   close_devices();
+  for (const CompletionSpec& completion : skill_.description().completions) {
+    if (!outcome_.fault && completion.code == outcome_.code) outcome_.reason = completion.description;
+  }
   outcome_.duration = now_;
   outcome_.trace = recorder_.take();
   return std::move(outcome_);
@@ -242,7 +245,8 @@ void Run::close_devices() {
     } catch (const std::exception& error) {
       outcome_.fault = true;
       outcome_.code = error_code();
-      outcome_.reason += "; closing " + link.device().name() + ": " + error.what();
+      outcome_.reason +=
+          (outcome_.reason.empty() ? "closing " : "; closing ") + link.device().name() + ": " + error.what();
     }
   }
 }
@@ -261,9 +265,6 @@ void Run::complete(Thread& thread, int code) {
   record(Kind::complete, thread, -1, code);
   over_ = true;
   outcome_.code = code;
-  for (const CompletionSpec& completion : skill_.description().completions) {
-    if (completion.code == code) outcome_.reason = completion.description;
-  }
 }
 
 void Run::fail_at(int actor, int statement, const std::string& reason) {

@@ -13,7 +13,8 @@ namespace pal::sim {
 class Random {
  public:
   /// `stream` keeps users of one seed apart.
-  Random(std::uint64_t seed, std::uint64_t stream) : engine_(mix(seed + 0x9e3779b97f4a7c15ULL * (stream + 1))) {}
+  Random(std::uint64_t seed, std::uint64_t stream)
+      : engine_(mix(seed + 0x9e3779b97f4a7c15ULL * (stream + 1))) {}
 
   /// In [0, 1).
   double unit() { return static_cast<double>(engine_() >> 11) * 0x1.0p-53; }

@@ -5,8 +5,6 @@
 #include <iterator>
 #include <set>
 
-#include "sim/nearest.hpp"
-
 namespace pal::sim {
 
 namespace fs = std::filesystem;
@@ -58,14 +56,14 @@ Scene find_scene(const std::string& name_or_path, const std::vector<fs::path>& f
     if (!fs::exists(path)) throw SceneError(name_or_path, "there is no such file", "check the path");
     return {path.stem().string(), path};
   }
-  std::vector<std::string> names;
+  std::string names;
   for (const Scene& scene : list_scenes(folders)) {
     if (scene.name == name_or_path) return scene;
-    names.push_back(scene.name);
+    names += (names.empty() ? "" : ", ") + scene.name;
   }
-  std::string hint = "workcell list shows the scenes that there are";
-  if (const auto nearest = nearest_name(name_or_path, names)) hint = "did you mean '" + *nearest + "'?";
-  throw SceneError("scene '" + name_or_path + "'", "there is no scene of this name", hint);
+  throw SceneError(
+      "scene '" + name_or_path + "'", "there is no scene of this name",
+      names.empty() ? "no folder of scenes was found; give the path of a scene file" : "there are " + names);
 }
 
 }  // namespace pal::sim

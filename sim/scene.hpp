@@ -28,11 +28,15 @@ struct Scene {
   std::filesystem::path file;
 };
 
-/// A scene by its name, or by the path of a file (anything with a '/' or ending in .xml). Names are looked up in
-/// `folders`, in their order. Throws SceneError, with the nearest name as a hint.
+/// A scene by its name, or by the path of a file (anything with a '/' or ending in .xml). Names are looked up
+/// in `folders`, in their order. Throws SceneError, with the names that there are as a hint.
 Scene find_scene(const std::string& name_or_path, const std::vector<std::filesystem::path>& folders);
 
-/// The names of the scenes in `folders`, sorted: every *.xml that is not itself included by another one there.
+/// The names of the scenes in `folders`, sorted: every *.xml that is not itself included by another one
+/// there.
 std::vector<Scene> list_scenes(const std::vector<std::filesystem::path>& folders);
+
+/// What the scene says about itself in one line. Throws SceneError.
+std::string describe_scene(const Scene& scene);
 
 }  // namespace pal::sim

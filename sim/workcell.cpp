@@ -14,7 +14,8 @@ Joints start_joints(const Scene& scene, const Physics& physics, double raise) {
   start.tool.translation().z() += raise * 1e-3;
   const InverseSolution solution = inverse_tool(start.tool, start.configuration, Joints::Zero());
   if (solution.problem != InverseProblem::none)
-    throw SceneError(scene.file.string(), "the arm cannot bring the tool to its start as " + to_string(start.configuration),
+    throw SceneError(scene.file.string(),
+                     "the arm cannot bring the tool to its start as " + to_string(start.configuration),
                      "move the start into the arm's reach, or choose another configuration");
   return solution.q;
 }
@@ -32,7 +33,8 @@ struct Workcell::Parts {
   }
 
   void step(runtime::Time when) {
-    physics.step(servos.torques(trajectory.at(when), physics.joints(), physics.joint_speeds(), physics.bias()));
+    physics.step(
+        servos.torques(trajectory.at(when), physics.joints(), physics.joint_speeds(), physics.bias()));
   }
 
   // Over all contacts of the tip.
@@ -66,41 +68,60 @@ void Workcell::advance_to(runtime::Time when) {
     parts_->step(parts_->now);
     parts_->now += physics_step;
     const Physics& physics = parts_->physics;
-    parts_->log.push_back({parts_->now, physics.site_pose(physics.index().tip).translation(), parts_->contact_force()});
+    parts_->log.push_back(
+        {parts_->now, physics.site_pose(physics.index().tip).translation(), parts_->contact_force()});
   }
 }
 
-runtime::Time Workcell::now() const { return parts_->now; }
+runtime::Time Workcell::now() const {
+  return parts_->now;
+}
 
-std::optional<std::string> Workcell::move(const Correction& correction, CorrectionFrame frame, runtime::Time begin) {
+std::optional<std::string> Workcell::move(const Correction& correction, CorrectionFrame frame,
+                                          runtime::Time begin) {
   auto refused = parts_->trajectory.add(correction, frame, begin);
   if (refused) stop();
   return refused;
 }
 
-void Workcell::stop() { parts_->trajectory.stop(parts_->now); }
+void Workcell::stop() {
+  parts_->trajectory.stop(parts_->now);
+}
 
-bool Workcell::idle() const { return parts_->trajectory.idle(parts_->now); }
+bool Workcell::idle() const {
+  return parts_->trajectory.idle(parts_->now);
+}
 
-Joints Workcell::joints() const { return parts_->physics.joints(); }
+Joints Workcell::joints() const {
+  return parts_->physics.joints();
+}
 
-Pose Workcell::tool() const { return parts_->physics.site_pose(parts_->physics.index().tip); }
+Pose Workcell::tool() const {
+  return parts_->physics.site_pose(parts_->physics.index().tip);
+}
 
-Pose Workcell::set_point() const { return tool_pose(parts_->trajectory.at(parts_->now).position); }
+Pose Workcell::set_point() const {
+  return tool_pose(parts_->trajectory.at(parts_->now).position);
+}
 
 Wrench Workcell::wrench() const {
   // MuJoCo gives what the arm does to the tool; the sensor what the tool does to the arm.
   const ModelIndex& index = parts_->physics.index();
   const mjtNum* data = parts_->physics.data().sensordata;
-  return {-Eigen::Map<const Eigen::Vector3d>(data + index.force), -Eigen::Map<const Eigen::Vector3d>(data + index.torque)};
+  return {-Eigen::Map<const Eigen::Vector3d>(data + index.force),
+          -Eigen::Map<const Eigen::Vector3d>(data + index.torque)};
 }
 
-const std::vector<Sample>& Workcell::log() const { return parts_->log; }
+const std::vector<Sample>& Workcell::log() const {
+  return parts_->log;
+}
 
 double Workcell::pad_stiffness() const {
   return parts_->physics.model().jnt_stiffness[parts_->physics.index().pad_joint];
 }
 
-Physics& Workcell::physics() { return parts_->physics; }
+Physics& Workcell::physics() {
+  return parts_->physics;
+}
 
 }  // namespace pal::sim

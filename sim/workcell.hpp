@@ -52,8 +52,8 @@ class Workcell final : public runtime::World {
   void advance_to(runtime::Time when) override;
   runtime::Time now() const;
 
-  /// Gives the controller a relative motion to be made evenly within [begin, begin + 28 ms], after all those given
-  /// before. A motion that the arm cannot make is refused: the answer says why, and the arm stops.
+  /// Gives the controller a relative motion to be made evenly within [begin, begin + 28 ms], after all those
+  /// given before. A motion that the arm cannot make is refused: the answer says why, and the arm stops.
   std::optional<std::string> move(const Correction& correction, CorrectionFrame frame, runtime::Time begin);
   /// Drops what has not been moved yet and holds the arm where its set-point is.
   void stop();
@@ -61,10 +61,10 @@ class Workcell final : public runtime::World {
   bool idle() const;
 
   Joints joints() const;
-  Pose tool() const;      // the tip, where the arm is
+  Pose tool() const;       // the tip, where the arm is
   Pose set_point() const;  // the tip, where the arm has been told to be
-  /// What the environment does to the tool, and the tool's weight: pressing gives a negative force along z. As of the
-  /// last step.
+  /// What the environment does to the tool, and the tool's weight: pressing gives a negative force along z.
+  /// As of the last step.
   Wrench wrench() const;
   const std::vector<Sample>& log() const;
   /// Newton per metre, of the tool's compliant pad alone.

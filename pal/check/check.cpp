@@ -6,6 +6,8 @@
 
 #include "pal/check/build_network.hpp"
 #include "pal/check/environment.hpp"
+#include "pal/check/families.hpp"
+#include "pal/check/flow.hpp"
 #include "pal/check/report.hpp"
 #include "pal/check/scope.hpp"
 
@@ -54,7 +56,10 @@ class Checker {
     used_.insert(scope.trees.begin(), scope.trees.end());
     // What a syntax error hides would be missed everywhere else.
     if (!complete(scope)) return;
-    result_.skills.push_back(frontend::build_network(scope, skill, diagnostics_));
+    const auto errors_before = diagnostics_.errors();
+    auto network = frontend::build_network(scope, skill, diagnostics_);
+    check_network(network, diagnostics_.errors() == errors_before);
+    result_.skills.push_back(std::move(network));
   }
 
   /// Files with modules that no skill sees: a sketch for each that no other such file uses.
@@ -68,7 +73,28 @@ class Checker {
         Code::PAL0209, first.name.where,
         "no skill uses this module: what it names elsewhere is taken on trust",
         "check a file with a SKILL that USES this one to have its talk and its ending checked");
-    result_.sketches.push_back(frontend::build_sketch(scope, first.name.text, first.where, diagnostics_));
+    const auto errors_before = diagnostics_.errors();
+    auto network = frontend::build_sketch(scope, first.name.text, first.where, diagnostics_);
+    if (diagnostics_.errors() == errors_before) check_bodies(network, frontend::Flow(network));
+    result_.sketches.push_back(std::move(network));
+  }
+
+  /// `sound`: every name meant something. If not, statements are missing, and what is said of talk and flow
+  /// would be said of a program that nobody wrote.
+  void check_network(const pan::Network& network, bool sound) {
+    frontend::check_layers(network, diagnostics_);
+    if (!sound) return;
+    const frontend::Flow flow(network);
+    frontend::check_channels(network, diagnostics_);
+    frontend::check_protocol(network, flow, diagnostics_);
+    check_bodies(network, flow);
+  }
+
+  void check_bodies(const pan::Network& network, const frontend::Flow& flow) {
+    frontend::check_writers(network, diagnostics_);
+    frontend::check_reads(network, flow, diagnostics_);
+    frontend::check_flow(network, flow, diagnostics_);
+    frontend::check_cases(network, flow, diagnostics_);
   }
 
   const std::vector<syntax::Tree>& trees_;

@@ -19,9 +19,12 @@ Pose link_transform(const Link& link, double q) {
          Eigen::Translation3d(link.a, 0, link.d) * Eigen::AngleAxisd(link.alpha, Eigen::Vector3d::UnitX());
 }
 
-Pose along_z(double length) { return Pose(Eigen::Translation3d(0, 0, length)); }
+Pose along_z(double length) {
+  return Pose(Eigen::Translation3d(0, 0, length));
+}
 
-// The wrist in the vertical plane of the arm: how far in front of joint 1's axis, how high above the shoulder.
+// The wrist in the vertical plane of the arm: how far in front of joint 1's axis, how high above the
+// shoulder.
 struct InPlane {
   double front;
   double height;
@@ -42,7 +45,8 @@ bool elbow_above(double q2, InPlane wrist, bool righty) {
 std::optional<double> within(const JointLimits& limits, double angle, double reference) {
   constexpr double slack = 1e-12;
   std::optional<double> best;
-  for (double candidate = std::remainder(angle, turn) - turn; candidate <= limits.upper + slack; candidate += turn) {
+  for (double candidate = std::remainder(angle, turn) - turn; candidate <= limits.upper + slack;
+       candidate += turn) {
     if (candidate < limits.lower - slack) continue;
     if (!best || std::abs(candidate - reference) < std::abs(*best - reference)) best = candidate;
   }
@@ -52,8 +56,8 @@ std::optional<double> within(const JointLimits& limits, double angle, double ref
 }  // namespace
 
 std::string to_string(Configuration configuration) {
-  return std::string(configuration.righty ? "righty" : "lefty") + (configuration.above ? " above" : " below") +
-         (configuration.flip ? " flip" : " noflip");
+  return std::string(configuration.righty ? "righty" : "lefty") +
+         (configuration.above ? " above" : " below") + (configuration.flip ? " flip" : " noflip");
 }
 
 std::optional<Configuration> parse_configuration(std::string_view text) {
@@ -82,7 +86,9 @@ Pose wrist_pose(const Joints& q) {
   return pose;
 }
 
-Pose tool_pose(const Joints& q) { return wrist_pose(q) * along_z(wrist_to_flange + flange_to_tip); }
+Pose tool_pose(const Joints& q) {
+  return wrist_pose(q) * along_z(wrist_to_flange + flange_to_tip);
+}
 
 Configuration configuration_of(const Joints& q) {
   const InPlane wrist = in_plane(q[1], q[2]);

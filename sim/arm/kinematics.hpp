@@ -27,7 +27,8 @@ struct Configuration {
 /// "righty above flip".
 std::string to_string(Configuration configuration);
 
-/// Reads what to_string writes: three words in any order. Nothing if a word is unknown, missing or given twice.
+/// Reads what to_string writes: three words in any order. Nothing if a word is unknown, missing or given
+/// twice.
 std::optional<Configuration> parse_configuration(std::string_view text);
 
 /// Frame 6 (the wrist's centre) in frame 0 (the shoulder), by the Denavit-Hartenberg formula.
@@ -52,8 +53,9 @@ struct InverseSolution {
   std::size_t joint = 0;  // the first joint over its limit, if problem is over_limit
 };
 
-/// The joint angles that bring the wrist's centre to `wrist` in `configuration`. Full turns are chosen so that each
-/// joint is within its limits and then as near as can be to `reference`. Where joints 4 and 6 are in line
+/// The joint angles that bring the wrist's centre to `wrist` in `configuration`. Full turns are chosen so
+/// that each joint is within its limits and then as near as can be to `reference`. Where joints 4 and 6 are
+/// in line
 /// (|sin q5| < 1e-9) joint 4 stays at its reference. `q` is also given when the problem is over_limit.
 InverseSolution inverse_wrist(const Pose& wrist, Configuration configuration, const Joints& reference);
 

@@ -20,7 +20,8 @@ enum class CorrectionFrame {
   world,         // frame 0, about the tool's tip
 };
 
-/// The pose that `correction` makes of `pose`. `opened` is the pose at which ALTER was opened (for tool_at_open).
+/// The pose that `correction` makes of `pose`. `opened` is the pose at which ALTER was opened (for
+/// tool_at_open).
 Pose corrected(const Pose& pose, const Correction& correction, CorrectionFrame frame, const Pose& opened);
 
 }  // namespace pal::sim

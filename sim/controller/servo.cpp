@@ -11,9 +11,9 @@ constexpr double natural = 200;         // rad/s, of the closed loop: the positi
 constexpr double integral_rate = 15.0;  // 1/s
 
 struct Drive {
-  double inertia;   // kg*m^2 at the joint, arm stretched half way: what the gains are made for
-  double coulomb;   // N*m
-  double viscous;   // N*m*s/rad
+  double inertia;  // kg*m^2 at the joint, arm stretched half way: what the gains are made for
+  double coulomb;  // N*m
+  double viscous;  // N*m*s/rad
 };
 
 // Friction as in sim/scenes/puma560.xml.
@@ -24,12 +24,14 @@ constexpr std::array<Drive, joint_count> drives{{{3.5, 26.0, 5.80},
                                                  {0.18, 0.85, 0.427},
                                                  {0.195, 0.55, 0.216}}};
 
-// Full friction from this speed on; below it the sign of a set-point that hardly moves must not shake the joint.
+// Full friction from this speed on; below it the sign of a set-point that hardly moves must not shake the
+// joint.
 constexpr double friction_speed = 1e-3;  // rad/s
 
 }  // namespace
 
-Joints JointServos::torques(const SetPoint& wanted, const Joints& position, const Joints& speed, const Joints& bias) {
+Joints JointServos::torques(const SetPoint& wanted, const Joints& position, const Joints& speed,
+                            const Joints& bias) {
   Joints result;
   for (std::size_t i = 0; i < joint_count; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
@@ -40,8 +42,8 @@ Joints JointServos::torques(const SetPoint& wanted, const Joints& position, cons
     const double error = wanted.position[row] - position[row];
     const double friction = drive.coulomb * std::clamp(wanted.speed[row] / friction_speed, -1.0, 1.0) +
                             drive.viscous * wanted.speed[row];
-    const double torque = bias[row] + friction + stiffness * error + damping * (wanted.speed[row] - speed[row]) +
-                          integral_[row];
+    const double torque = bias[row] + friction + stiffness * error +
+                          damping * (wanted.speed[row] - speed[row]) + integral_[row];
     // The integral stands while the drive gives all it has.
     if (std::abs(torque) < limit) integral_[row] += stiffness * integral_rate * error * period;
     result[row] = std::clamp(torque, -limit, limit);
@@ -49,6 +51,8 @@ Joints JointServos::torques(const SetPoint& wanted, const Joints& position, cons
   return result;
 }
 
-void JointServos::reset() { integral_.setZero(); }
+void JointServos::reset() {
+  integral_.setZero();
+}
 
 }  // namespace pal::sim

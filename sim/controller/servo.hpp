@@ -11,8 +11,8 @@ struct SetPoint {
   Joints speed = Joints::Zero();
 };
 
-/// Proportional, differential and integral action per joint on top of the computed load; friction is fed forward where the
-/// set-point moves. Torques are limited to what the drives can give.
+/// Proportional, differential and integral action per joint on top of the computed load; friction is fed
+/// forward where the set-point moves. Torques are limited to what the drives can give.
 class JointServos {
  public:
   /// `bias`: the torques that hold the arm against gravity and Coriolis forces. Called once each millisecond.

@@ -7,9 +7,13 @@
 namespace pal::sim {
 namespace {
 
-double seconds(runtime::Time time) { return std::chrono::duration<double>(time).count(); }
+double seconds(runtime::Time time) {
+  return std::chrono::duration<double>(time).count();
+}
 
-std::string joint_text(std::size_t joint) { return "joint " + std::to_string(joint + 1); }
+std::string joint_text(std::size_t joint) {
+  return "joint " + std::to_string(joint + 1);
+}
 
 std::string figure(double value) {
   std::array<char, 32> text{};
@@ -25,8 +29,8 @@ std::string describe(const InverseSolution& solution) {
       return "the tool would be too near to the arm's own axis";
     case InverseProblem::over_limit: {
       const JointLimits& limits = puma_limits[solution.joint];
-      return joint_text(solution.joint) + " would leave its range of " + figure(degrees(limits.lower)) + " to " +
-             figure(degrees(limits.upper)) + " degrees";
+      return joint_text(solution.joint) + " would leave its range of " + figure(degrees(limits.lower)) +
+             " to " + figure(degrees(limits.upper)) + " degrees";
     }
     case InverseProblem::none:
       break;
@@ -44,7 +48,8 @@ Trajectory::Trajectory(const Joints& start, runtime::Time period)
       goal_joints_(start),
       resting_(start) {}
 
-std::optional<std::string> Trajectory::add(const Correction& correction, CorrectionFrame frame, runtime::Time begin) {
+std::optional<std::string> Trajectory::add(const Correction& correction, CorrectionFrame frame,
+                                           runtime::Time begin) {
   const Pose goal = corrected(goal_, correction, frame, opened_);
   const double distance = (goal.translation() - goal_.translation()).norm();
   if (distance > straight_line_speed * seconds(period_))
@@ -70,7 +75,8 @@ std::optional<std::string> Trajectory::add(const Correction& correction, Correct
 SetPoint Trajectory::at(runtime::Time when) {
   while (count_ > 0 && when >= segments_[0].begin + period_) {
     resting_ = segments_[0].to;
-    std::move(segments_.begin() + 1, segments_.begin() + static_cast<std::ptrdiff_t>(count_), segments_.begin());
+    std::move(segments_.begin() + 1, segments_.begin() + static_cast<std::ptrdiff_t>(count_),
+              segments_.begin());
     --count_;
   }
   if (count_ == 0 || when < segments_[0].begin) return {resting_, Joints::Zero()};

@@ -17,8 +17,9 @@ class Trajectory {
   /// The arm stands still at `start`. `period`: how long each correction takes.
   Trajectory(const Joints& start, runtime::Time period);
 
-  /// Adds a relative motion, to be made from `begin` on or after those before it, whichever is later. Refused, with
-  /// the reason, when the pose is out of reach, a joint would leave its range, or the motion is faster than the arm.
+  /// Adds a relative motion, to be made from `begin` on or after those before it, whichever is later.
+  /// Refused, with the reason, when the pose is out of reach, a joint would leave its range, or the motion is
+  /// faster than the arm.
   std::optional<std::string> add(const Correction& correction, CorrectionFrame frame, runtime::Time begin);
 
   /// The set-point at `when`; instants must not run backwards.
@@ -38,7 +39,8 @@ class Trajectory {
     Joints from = Joints::Zero();
     Joints to = Joints::Zero();
   };
-  // One in motion, one accepted meanwhile, one for a driver that is early: a fixed few, so that nothing allocates.
+  // One in motion, one accepted meanwhile, one for a driver that is early: a fixed few, so that nothing
+  // allocates.
   static constexpr std::size_t capacity = 4;
 
   runtime::Time period_;

@@ -26,7 +26,9 @@ AlterPort::AlterPort(Workcell& workcell, AlterOptions options)
   phase_ = options_.phase.value_or(random.between(runtime::Time::zero(), alter_period));
 }
 
-void AlterPort::attach(runtime::DeviceHost& host) { host_ = &host; }
+void AlterPort::attach(runtime::DeviceHost& host) {
+  host_ = &host;
+}
 
 void AlterPort::open() {
   open_ = true;
@@ -64,6 +66,8 @@ void AlterPort::fail(std::string reason) {
   host_->fault(std::move(reason));
 }
 
-void AlterPort::close() { open_ = false; }
+void AlterPort::close() {
+  open_ = false;
+}
 
 }  // namespace pal::sim

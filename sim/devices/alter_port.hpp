@@ -21,10 +21,11 @@ struct AlterOptions {
 
 /// Ports: `tick` from the device; `correction` to it (dx, dy, dz in mm, rx, ry, rz in deg).
 ///
-/// A correction that answers the event of one cycle is moved evenly in the next: between its answer and the next event
-/// the controller computes the joint set-points. close() takes no further corrections; those accepted before are
-/// still moved, at most until the end of the next cycle, then the arm stands still. A fault (no answer in time, an answer
-/// that nobody asked for, a motion that the arm cannot make) stops the arm at once.
+/// A correction that answers the event of one cycle is moved evenly in the next: between its answer and the
+/// next event the controller computes the joint set-points. close() takes no further corrections; those
+/// accepted before are still moved, at most until the end of the next cycle, then the arm stands still. A
+/// fault (no answer in time, an answer that nobody asked for, a motion that the arm cannot make) stops the
+/// arm at once.
 class AlterPort final : public runtime::Device {
  public:
   /// The workcell must outlive the port.

@@ -46,7 +46,9 @@ ForceTorqueSensor::ForceTorqueSensor(const Workcell& workcell, ForceTorqueOption
       timing_(options_.seed, 2),
       noise_(options_.seed, 3) {}
 
-void ForceTorqueSensor::attach(runtime::DeviceHost& host) { host_ = &host; }
+void ForceTorqueSensor::attach(runtime::DeviceHost& host) {
+  host_ = &host;
+}
 
 void ForceTorqueSensor::open() {
   zero_ = workcell_.wrench();
@@ -65,7 +67,8 @@ void ForceTorqueSensor::begin() {
   busy_ = true;
   host_->mark_busy(true);
   const std::uint32_t serial = ++serial_;
-  host_->at(host_->now() + timing_.between(options_.shortest, options_.longest), [this, serial] { finish(serial); });
+  host_->at(host_->now() + timing_.between(options_.shortest, options_.longest),
+            [this, serial] { finish(serial); });
 }
 
 void ForceTorqueSensor::finish(std::uint32_t serial) {

@@ -16,17 +16,18 @@ struct ForceTorqueOptions {
   runtime::Time shortest = std::chrono::microseconds(5700);
   runtime::Time longest = std::chrono::milliseconds(6);
   std::uint64_t seed = 1;
-  /// Standard deviations of the noise: the resolution that the thesis gives for the sensor along x and y, and for torques.
+  /// Standard deviations of the noise: the resolution that the thesis gives for the sensor along x and y, and
+  /// for torques.
   double force_noise = 0.05;    // N
   double torque_noise = 0.003;  // N*m
 };
 
-/// Ports: `request wrench` to the device; `wrench` from it (fx, fy, fz in N, tx, ty, tz in N*m, in the sensor's frame,
-/// z out of the tool: pressing gives a negative fz).
+/// Ports: `request wrench` to the device; `wrench` from it (fx, fy, fz in N, tx, ty, tz in N*m, in the
+/// sensor's frame, z out of the tool: pressing gives a negative fz).
 ///
-/// open() makes the load of this moment (the tool's weight) the zero. A reading is the force at the instant at which its
-/// answer leaves, with noise, rounded to whole counts (20 a newton, 333.33 a newton-metre). More than 65 N or 5 N*m
-/// is an overload, which is a fault. A request that comes while another is served waits.
+/// open() makes the load of this moment (the tool's weight) the zero. A reading is the force at the instant
+/// at which its answer leaves, with noise, rounded to whole counts (20 a newton, 333.33 a newton-metre). More
+/// than 65 N or 5 N*m is an overload, which is a fault. A request that comes while another is served waits.
 class ForceTorqueSensor final : public runtime::Device {
  public:
   /// The workcell must outlive the sensor.

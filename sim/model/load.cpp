@@ -2,13 +2,15 @@
 
 #include <array>
 #include <fstream>
+#include <memory>
 #include <regex>
 
 namespace pal::sim {
 namespace {
 
-// MuJoCo reports through global hooks, writes a log into the working directory and ends the program on errors that it
-// cannot return. These hooks make exceptions of errors; warnings are read from the state's counters instead.
+// MuJoCo reports through global hooks, writes a log into the working directory and ends the program on errors
+// that it cannot return. These hooks make exceptions of errors; warnings are read from the state's counters
+// instead.
 void install_hooks() {
   mju_user_error = [](const char* text) { throw std::runtime_error(std::string("MuJoCo: ") + text); };
   mju_user_warning = [](const char*) {};
@@ -25,7 +27,8 @@ std::string one_line(const std::string& text) {
   return line;
 }
 
-// MuJoCo says where in several ways: "Element 'gem', line 3", "line = 2, column = -1", "Line number=2: …"; 0 is no place.
+// MuJoCo says where in several ways: "Element 'gem', line 3", "line = 2, column = -1", "Line number=2: …"; 0
+// is no place.
 SceneError load_error(const Scene& scene, const std::string& text) {
   static const std::regex where(R"([,\s(]*[Ll]ine(?: number)? ?=? ?(\d+)(?:, column = -?\d+)?\)?)");
   const std::string whole = one_line(text);
@@ -58,12 +61,14 @@ mjModel* load_model(const Scene& scene) {
 }
 
 Start read_start(const mjModel& model, const Scene& scene) {
-  const std::string hint = "add <numeric name=\"start\" data=\"x y z turn\"/> to <custom>: metres from the shoulder, degrees";
+  const std::string hint =
+      "add <numeric name=\"start\" data=\"x y z turn\"/> to <custom>: metres from the shoulder, degrees";
   const int number = mj_name2id(&model, mjOBJ_NUMERIC, "start");
   if (number < 0) throw SceneError(scene.file.string(), "the scene does not say where the tool starts", hint);
   if (model.numeric_size[number] != 4)
-    throw SceneError(scene.file.string(),
-                     "the tool's start has " + std::to_string(model.numeric_size[number]) + " figures instead of 4", hint);
+    throw SceneError(
+        scene.file.string(),
+        "the tool's start has " + std::to_string(model.numeric_size[number]) + " figures instead of 4", hint);
   const mjtNum* figures = model.numeric_data + model.numeric_adr[number];
 
   Start start;
@@ -81,9 +86,10 @@ Start read_start(const mjModel& model, const Scene& scene) {
   return start;
 }
 
-std::string read_description(const mjModel& model) {
-  const int text = mj_name2id(&model, mjOBJ_TEXT, "description");
-  return text < 0 ? std::string() : std::string(model.text_data + model.text_adr[text]);
+std::string describe_scene(const Scene& scene) {
+  const std::unique_ptr<mjModel, void (*)(mjModel*)> model(load_model(scene), mj_deleteModel);
+  const int text = mj_name2id(model.get(), mjOBJ_TEXT, "description");
+  return text < 0 ? std::string() : std::string(model->text_data + model->text_adr[text]);
 }
 
 }  // namespace pal::sim

@@ -7,7 +7,8 @@
 namespace pal::sim {
 namespace {
 
-constexpr std::array<const char*, joint_count> joint_names{"joint1", "joint2", "joint3", "joint4", "joint5", "joint6"};
+constexpr std::array<const char*, joint_count> joint_names{"joint1", "joint2", "joint3",
+                                                           "joint4", "joint5", "joint6"};
 
 int require(const mjModel& model, const Scene& scene, mjtObj kind, const char* kind_name, const char* name) {
   const int id = mj_name2id(&model, kind, name);
@@ -44,40 +45,48 @@ Physics::Physics(const Scene& scene) : model_(load_model(scene)) {
     throw SceneError(scene.file.string(), "the scene changes the time step, which is 1 ms",
                      "take the timestep out of the scene's <option>");
   data_.reset(mj_makeData(model_.get()));
-  if (!data_) throw SceneError(scene.file.string(), "there is no memory for the scene's state", "make the scene smaller");
+  if (!data_)
+    throw SceneError(scene.file.string(), "there is no memory for the scene's state",
+                     "make the scene smaller");
   mj_forward(model_.get(), data_.get());
 }
 
 Joints Physics::joints() const {
   Joints q;
-  for (std::size_t i = 0; i < joint_count; ++i) q[static_cast<Eigen::Index>(i)] = data_->qpos[index_.position[i]];
+  for (std::size_t i = 0; i < joint_count; ++i)
+    q[static_cast<Eigen::Index>(i)] = data_->qpos[index_.position[i]];
   return q;
 }
 
 Joints Physics::joint_speeds() const {
   Joints v;
-  for (std::size_t i = 0; i < joint_count; ++i) v[static_cast<Eigen::Index>(i)] = data_->qvel[index_.speed[i]];
+  for (std::size_t i = 0; i < joint_count; ++i)
+    v[static_cast<Eigen::Index>(i)] = data_->qvel[index_.speed[i]];
   return v;
 }
 
 Joints Physics::bias() const {
   Joints b;
-  for (std::size_t i = 0; i < joint_count; ++i) b[static_cast<Eigen::Index>(i)] = data_->qfrc_bias[index_.speed[i]];
+  for (std::size_t i = 0; i < joint_count; ++i)
+    b[static_cast<Eigen::Index>(i)] = data_->qfrc_bias[index_.speed[i]];
   return b;
 }
 
 void Physics::place(const Joints& q) {
   mj_resetData(model_.get(), data_.get());
-  for (std::size_t i = 0; i < joint_count; ++i) data_->qpos[index_.position[i]] = q[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < joint_count; ++i)
+    data_->qpos[index_.position[i]] = q[static_cast<Eigen::Index>(i)];
   mj_forward(model_.get(), data_.get());
 }
 
 void Physics::step(const Joints& torques) {
-  for (std::size_t i = 0; i < joint_count; ++i) data_->ctrl[index_.drive[i]] = torques[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < joint_count; ++i)
+    data_->ctrl[index_.drive[i]] = torques[static_cast<Eigen::Index>(i)];
   mj_step(model_.get(), data_.get());
   for (const mjtWarning warning : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC})
     if (data_->warning[warning].number > 0)
-      throw std::runtime_error("the physics diverged: a position, speed or acceleration is out of all bounds");
+      throw std::runtime_error(
+          "the physics diverged: a position, speed or acceleration is out of all bounds");
 }
 
 Pose Physics::site_pose(int site) const {

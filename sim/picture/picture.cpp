@@ -78,8 +78,9 @@ Picture take_picture(Workcell& workcell, const PictureOptions& options) {
     Renderer renderer;
     std::function<std::unique_ptr<Offscreen>()> open;
   };
-  const Way ways[] = {{"EGL", Renderer::egl, [] { return open_egl(); }},
-                      {"OSMesa", Renderer::osmesa, [&] { return open_osmesa(options.width, options.height); }}};
+  const Way ways[] = {
+      {"EGL", Renderer::egl, [] { return open_egl(); }},
+      {"OSMesa", Renderer::osmesa, [&] { return open_osmesa(options.width, options.height); }}};
   Picture picture;
   for (const Way& way : ways) {
     if (options.renderer != Renderer::automatic && options.renderer != way.renderer) continue;
@@ -90,7 +91,8 @@ Picture take_picture(Workcell& workcell, const PictureOptions& options) {
       picture.problem.clear();
       return picture;
     } catch (const std::runtime_error& problem) {
-      picture.problem += (picture.problem.empty() ? "" : "; ") + std::string(way.name) + ": " + problem.what();
+      picture.problem +=
+          (picture.problem.empty() ? "" : "; ") + std::string(way.name) + ": " + problem.what();
     }
   }
   return picture;

@@ -1,7 +1,6 @@
 // Pictures of the workcell without a screen.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,14 +33,14 @@ struct PictureOptions {
 /// Either an image or the reason why there is none: pictures are never worth a crash.
 struct Picture {
   std::optional<Image> image;
-  std::string problem;    // what was tried and why it failed; empty with an image
+  std::string problem;   // what was tried and why it failed; empty with an image
   std::string renderer;  // who drew it: "EGL" or "OSMesa"
 };
 
 /// Draws the workcell as it stands. Takes 10 to 1000 ms, so not while a run is going on.
 Picture take_picture(Workcell& workcell, const PictureOptions& options = {});
 
-/// Writes a PNG file: a temporary beside it first, renamed when whole. The answer is what went wrong, if anything did.
-std::optional<std::string> write_png(const Image& image, const std::filesystem::path& file);
+/// The image as the bytes of a PNG file. Throws std::runtime_error if libpng cannot.
+std::string encode_png(const Image& image);
 
 }  // namespace pal::sim

@@ -19,7 +19,4 @@ struct Start {
 /// Reads the scene's custom elements "start" and "configuration". Throws SceneError.
 Start read_start(const mjModel& model, const Scene& scene);
 
-/// The scene's custom text "description"; empty if it has none.
-std::string read_description(const mjModel& model);
-
 }  // namespace pal::sim

@@ -19,7 +19,8 @@ class Offscreen {
   virtual ~Offscreen() = default;
 };
 
-/// Both load their library when called, so that a machine without it can still run everything else. Throw NoOffscreen.
+/// Both load their library when called, so that a machine without it can still run everything else. Throw
+/// NoOffscreen.
 std::unique_ptr<Offscreen> open_egl();
 std::unique_ptr<Offscreen> open_osmesa(int width, int height);
 

@@ -13,12 +13,16 @@ constexpr std::size_t tick_port = 0;
 constexpr std::size_t correction_port = 1;
 
 struct Cell {
-  explicit Cell(AlterOptions options = {.phase = 5ms}) : port(workcell, std::move(options)) { port.attach(host); }
+  explicit Cell(AlterOptions options = {.phase = 5ms}) : port(workcell, std::move(options)) {
+    port.attach(host);
+  }
 
   // Answers each event after `delay` with `dz` mm.
   void answer(pal::runtime::Time delay, double dz) {
     host.on_delivery = [this, delay, dz](const Host::Delivery&) {
-      host.at(host.now() + delay, [this, dz] { port.receive(correction_port, std::array<double, 6>{0, 0, dz, 0, 0, 0}); });
+      host.at(host.now() + delay, [this, dz] {
+        port.receive(correction_port, std::array<double, 6>{0, 0, dz, 0, 0, 0});
+      });
     };
   }
   double height() const { return workcell.tool().translation().z() * 1e3; }
@@ -35,9 +39,11 @@ TEST_CASE("alter: ports as the skills declare them") {
   const auto& ports = cell.port.ports();
   REQUIRE(ports.size() == 2);
   CHECK(ports[0] == pal::runtime::PortSpec{"tick", false, {}});
-  CHECK(ports[1] == pal::runtime::PortSpec{"correction",
-                                           true,
-                                           {{"dx", "mm"}, {"dy", "mm"}, {"dz", "mm"}, {"rx", "deg"}, {"ry", "deg"}, {"rz", "deg"}}});
+  CHECK(ports[1] ==
+        pal::runtime::PortSpec{
+            "correction",
+            true,
+            {{"dx", "mm"}, {"dy", "mm"}, {"dz", "mm"}, {"rx", "deg"}, {"ry", "deg"}, {"rz", "deg"}}});
 }
 
 TEST_CASE("alter: an event at the phase after opening, then one every 28 ms") {

@@ -45,7 +45,8 @@ TEST_CASE("stopping drops what was not moved yet, and later corrections start fr
   CHECK((trajectory.at(40ms).position - there).norm() == 0);
   CHECK((trajectory.goal().translation() - tool_pose(there).translation()).norm() < 1e-12);
   REQUIRE_FALSE(trajectory.add({0, 0, -0.5, 0, 0, 0}, tool_frame, 56ms));
-  CHECK((tool_pose(trajectory.at(84ms).position).translation() - tool_pose(ready()).translation()).norm() < 1e-5);
+  CHECK((tool_pose(trajectory.at(84ms).position).translation() - tool_pose(ready()).translation()).norm() <
+        1e-5);
 }
 
 TEST_CASE("motions that the arm cannot make are refused, with the reason") {
@@ -73,19 +74,24 @@ TEST_CASE("the frames of corrections") {
   const Pose opened = pose;
 
   // Down, in the tool's frame and in the world's.
-  CHECK(corrected(pose, {0, 0, 5, 0, 0, 0}, CorrectionFrame::tool, opened).translation().z() == Approx(-0.005));
-  CHECK(corrected(pose, {0, 0, 5, 0, 0, 0}, CorrectionFrame::world, opened).translation().z() == Approx(0.005));
+  CHECK(corrected(pose, {0, 0, 5, 0, 0, 0}, CorrectionFrame::tool, opened).translation().z() ==
+        Approx(-0.005));
+  CHECK(corrected(pose, {0, 0, 5, 0, 0, 0}, CorrectionFrame::world, opened).translation().z() ==
+        Approx(0.005));
 
   // Once the tool has turned, its own frame and that of the beginning differ.
   const Pose turned = corrected(pose, {0, 0, 0, 0, 0, 90}, CorrectionFrame::tool, opened);
-  const Eigen::Vector3d own = corrected(turned, {1, 0, 0, 0, 0, 0}, CorrectionFrame::tool, opened).translation();
-  const Eigen::Vector3d old = corrected(turned, {1, 0, 0, 0, 0, 0}, CorrectionFrame::tool_at_open, opened).translation();
+  const Eigen::Vector3d own =
+      corrected(turned, {1, 0, 0, 0, 0, 0}, CorrectionFrame::tool, opened).translation();
+  const Eigen::Vector3d old =
+      corrected(turned, {1, 0, 0, 0, 0, 0}, CorrectionFrame::tool_at_open, opened).translation();
   CHECK((own - Eigen::Vector3d(0, -1e-3, 0)).norm() < 1e-12);
   CHECK((old - Eigen::Vector3d(1e-3, 0, 0)).norm() < 1e-12);
 
   // Ten thousand small turns leave a rotation a rotation.
   Pose many = Pose::Identity();
-  for (int i = 0; i < 10000; ++i) many = corrected(many, {0, 0, 0, 0.1, 0.07, 0.05}, CorrectionFrame::tool, opened);
+  for (int i = 0; i < 10000; ++i)
+    many = corrected(many, {0, 0, 0, 0.1, 0.07, 0.05}, CorrectionFrame::tool, opened);
   CHECK((many.linear().transpose() * many.linear() - Eigen::Matrix3d::Identity()).norm() < 1e-12);
 }
 

@@ -47,9 +47,11 @@ TEST_CASE("force-torque: ports as the skills declare them") {
   const auto& ports = cell.sensor.ports();
   REQUIRE(ports.size() == 2);
   CHECK(ports[0] == pal::runtime::PortSpec{"request wrench", true, {}});
-  CHECK(ports[1] == pal::runtime::PortSpec{"wrench",
-                                           false,
-                                           {{"fx", "N"}, {"fy", "N"}, {"fz", "N"}, {"tx", "N*m"}, {"ty", "N*m"}, {"tz", "N*m"}}});
+  CHECK(ports[1] ==
+        pal::runtime::PortSpec{
+            "wrench",
+            false,
+            {{"fx", "N"}, {"fy", "N"}, {"fz", "N"}, {"tx", "N*m"}, {"ty", "N*m"}, {"tz", "N*m"}}});
 }
 
 TEST_CASE("force-torque: an answer takes between 5.7 and 6 ms, drawn by the seed") {
@@ -94,7 +96,8 @@ TEST_CASE("force-torque: free of contact it reads zero, but for its noise of the
     CHECK(std::abs(fz * 20 - std::round(fz * 20)) < 1e-9);  // whole counts
   }
   const double mean = sum / count;
-  // Noise of 0.05 N and rounding to 0.05 N (deviation 0.05/sqrt(12)): 0.052 N; the mean of 400 within 5 of its sigmas.
+  // Noise of 0.05 N and rounding to 0.05 N (deviation 0.05/sqrt(12)): 0.052 N; the mean of 400 within 5 of
+  // its sigmas.
   CHECK(std::abs(mean) < 0.013);
   CHECK(std::sqrt(squares / count) == Approx(0.052).epsilon(0.2));
 }

@@ -16,11 +16,14 @@ namespace {
 Joints random_joints(Random& random) {
   Joints q;
   for (std::size_t i = 0; i < joint_count; ++i)
-    q[static_cast<Eigen::Index>(i)] = puma_limits[i].lower + (puma_limits[i].upper - puma_limits[i].lower) * random.unit();
+    q[static_cast<Eigen::Index>(i)] =
+        puma_limits[i].lower + (puma_limits[i].upper - puma_limits[i].lower) * random.unit();
   return q;
 }
 
-double difference(const Pose& a, const Pose& b) { return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff(); }
+double difference(const Pose& a, const Pose& b) {
+  return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
+}
 
 constexpr std::uint64_t seed = 20240601;
 

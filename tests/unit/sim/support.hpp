@@ -13,7 +13,9 @@ namespace pal::sim::test {
 
 using namespace std::chrono_literals;
 
-inline Scene scene(const std::string& name) { return find_scene(name, {PAL_SCENE_DIR}); }
+inline Scene scene(const std::string& name) {
+  return find_scene(name, {PAL_SCENE_DIR});
+}
 
 /// Takes the place of the runtime: a queue of appointments, and a record of what the device did.
 class Host final : public runtime::DeviceHost {
@@ -27,7 +29,9 @@ class Host final : public runtime::DeviceHost {
   explicit Host(runtime::World& world) : world_(world) {}
 
   runtime::Time now() const override { return now_; }
-  void at(runtime::Time when, std::function<void()> action) override { queue_.emplace(when, std::move(action)); }
+  void at(runtime::Time when, std::function<void()> action) override {
+    queue_.emplace(when, std::move(action));
+  }
   bool deliver(std::size_t port, std::span<const double> fields) override {
     deliveries.push_back({now_, port, {fields.begin(), fields.end()}});
     if (on_delivery) on_delivery(deliveries.back());

@@ -1,0 +1,387 @@
+#include "pal/check/condition_runs.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <set>
+#include <utility>
+
+#include "pal/pan/dump.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+constexpr std::size_t most_states = 50'000;
+
+struct Place {
+  pan::ModuleId module;
+  pan::NodeId node;
+  friend auto operator<=>(const Place&, const Place&) = default;
+};
+
+/// A thread: where it is, inside which Executes, and what it has latched. It is also the parent of the blocks
+/// that have its number.
+struct Thread {
+  std::int32_t number = 0;
+  std::int32_t parent = -1;
+  bool waits_for_blocks = false;
+  bool can_end = true;  // of a block
+  bool ended = false;
+  pan::ModuleId module;      // whose thread it is,
+  std::size_t name = 0;      // and which: index in Module::threads
+  std::vector<Place> calls;  // the Executes it is in
+  Place at;
+  std::map<pan::ConditionId, bool> latched;
+
+  friend auto operator<=>(const Thread&, const Thread&) = default;
+};
+
+struct State {
+  std::vector<Thread> threads;  // by number
+  std::map<pan::ConditionId, bool> values;
+  friend auto operator<=>(const State&, const State&) = default;
+};
+
+struct Origin {
+  const State* from = nullptr;
+  std::optional<RunStep> step;
+};
+
+using Values = std::map<pan::ConditionId, bool>;
+
+bool holds(const pan::Guard& guard, const Values& values) {
+  const auto inner = [&](const pan::Guard& term) { return holds(term, values); };
+  switch (guard.kind) {
+    case pan::Guard::Kind::equals:
+      return values.at(guard.condition) == guard.value;
+    case pan::Guard::Kind::all_of:
+      return std::all_of(guard.terms.begin(), guard.terms.end(), inner);
+    case pan::Guard::Kind::any_of:
+      return std::any_of(guard.terms.begin(), guard.terms.end(), inner);
+    case pan::Guard::Kind::negation:
+      return !holds(guard.terms.front(), values);
+  }
+  return false;
+}
+
+void conditions_of(const pan::Guard& guard, std::set<pan::ConditionId>& result) {
+  if (guard.kind == pan::Guard::Kind::equals) result.insert(guard.condition);
+  for (const auto& term : guard.terms) conditions_of(term, result);
+}
+
+std::string truth(bool value) {
+  return value ? "TRUE" : "FALSE";
+}
+
+class Explorer {
+ public:
+  Explorer(const pan::Network& network, const Flow& flow, pan::ModuleId root)
+      : network_(network), flow_(flow) {
+    find_conditions(root);
+    State first;
+    Thread main;
+    main.module = root;
+    main.at = {root, pan::NodeId(0)};
+    first.threads.push_back(main);
+    for (const auto c : own_) first.values[c] = false;
+    reach(std::move(first), nullptr, std::nullopt);
+  }
+
+  ConditionRuns run() {
+    while (!open_.empty()) {
+      if (seen_.size() > most_states) {
+        result_.complete = false;
+        break;
+      }
+      const State& state = *open_.front();
+      open_.pop_front();
+      for (const auto& thread : state.threads) {
+        if (!thread.ended && !thread.waits_for_blocks) step(state, thread);
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  const pan::Node& node(const Place& place) const {
+    return network_.modules[place.module.index()].body[place.node];
+  }
+
+  /// own_: conditions that this thread and its blocks set. tested_: those that a guard reads.
+  void find_conditions(pan::ModuleId root) {
+    std::set<pan::ModuleId> entered{root};
+    std::vector<pan::ModuleId> open{root};
+    while (!open.empty()) {
+      const auto module = open.back();
+      open.pop_back();
+      for (const auto& n : network_.modules[module.index()].body.nodes) {
+        if (const auto* set = std::get_if<pan::Set>(&n.content)) own_.insert(set->condition);
+        if (const auto* choose = std::get_if<pan::Choose>(&n.content)) {
+          for (const auto& guard : choose->guards) conditions_of(guard, tested_);
+        }
+        if (const auto* until = std::get_if<pan::Until>(&n.content); until != nullptr && until->guard) {
+          conditions_of(*until->guard, tested_);
+        }
+        if (const auto* execute = std::get_if<pan::Execute>(&n.content)) {
+          if (entered.insert(execute->module).second) open.push_back(execute->module);
+        }
+      }
+    }
+    // What no guard reads changes nothing.
+    for (auto it = own_.begin(); it != own_.end();)
+      it = tested_.contains(*it) ? std::next(it) : own_.erase(it);
+  }
+
+  void reach(State state, const State* from, std::optional<RunStep> step) {
+    const auto [entry, fresh] = seen_.emplace(std::move(state), Origin{from, std::move(step)});
+    if (fresh) open_.push_back(&entry->first);
+  }
+
+  /// `thread` of a copy of the state.
+  static Thread& at(State& state, const Thread& thread) {
+    return state.threads[static_cast<std::size_t>(thread.number)];
+  }
+
+  void go(const State& from, State state, const Thread& thread, pan::NodeId to, std::optional<RunStep> step) {
+    if (!to.valid()) return;
+    at(state, thread).at.node = to;
+    reach(std::move(state), &from, std::move(step));
+  }
+
+  void step(const State& state, const Thread& thread) {
+    const auto& content = node(thread.at).content;
+    if (std::holds_alternative<pan::Complete>(content)) return;
+    if (std::holds_alternative<pan::End>(content)) return end(state, thread);
+    if (const auto* fork = std::get_if<pan::Fork>(&content)) return begin_blocks(state, thread, *fork);
+    if (const auto* set = std::get_if<pan::Set>(&content)) return this->set(state, thread, *set);
+    if (const auto* read = std::get_if<pan::Read>(&content)) return this->read(state, thread, *read);
+    if (const auto* choose = std::get_if<pan::Choose>(&content)) return this->choose(state, thread, *choose);
+    if (const auto* until = std::get_if<pan::Until>(&content)) return this->until(state, thread, *until);
+    if (const auto* execute = std::get_if<pan::Execute>(&content)) {
+      if (!network_.modules[execute->module.index()].body.empty()) {
+        State next = state;
+        auto& caller = at(next, thread);
+        caller.calls.push_back(thread.at);
+        caller.at = {execute->module, pan::NodeId(0)};
+        return reach(std::move(next), &state, std::nullopt);
+      }
+    }
+    for (const auto to : node(thread.at).out) go(state, state, thread, to, std::nullopt);
+  }
+
+  RunStep told(const Thread& thread, std::string what) const {
+    return {network_.modules[thread.module.index()].threads[thread.name], thread.at.module, thread.at.node,
+            std::move(what)};
+  }
+
+  void set(const State& state, const Thread& thread, const pan::Set& set) {
+    const auto to = node(thread.at).out.front();
+    if (!own_.contains(set.condition)) return go(state, state, thread, to, std::nullopt);
+    for (const bool value : {true, false}) {
+      if (set.value && *set.value != value) continue;
+      State next = state;
+      next.values[set.condition] = value;
+      go(state, std::move(next), thread, to, told(thread, set_text(set, value)));
+    }
+  }
+
+  std::string set_text(const pan::Set& set, bool value) const {
+    return "sets " + network_.conditions[set.condition.index()].name + " to " + truth(value);
+  }
+
+  /// The values that a condition can have when it is read now.
+  std::vector<bool> values_of(const State& state, pan::ConditionId condition) const {
+    if (const auto own = state.values.find(condition); own != state.values.end()) return {own->second};
+    if (!network_.conditions[condition.index()].writer.valid()) return {false};
+    return {false, true};  // another thread sets it
+  }
+
+  void read(const State& state, const Thread& thread, const pan::Read& read) {
+    const auto to = node(thread.at).out.front();
+    if (!tested_.contains(read.condition)) return go(state, state, thread, to, std::nullopt);
+    for (const bool value : values_of(state, read.condition)) {
+      State next = state;
+      at(next, thread).latched[read.condition] = value;
+      const auto& name = network_.conditions[read.condition.index()].name;
+      go(state, std::move(next), thread, to, told(thread, "reads " + name + " as " + truth(value)));
+    }
+  }
+
+  /// Every way in which the conditions of a test can be read at one instant.
+  std::vector<Values> readings(const State& state, const Thread& thread,
+                               const std::set<pan::ConditionId>& conditions) const {
+    std::vector<Values> result{{}};
+    for (const auto condition : conditions) {
+      const auto latched = thread.latched.find(condition);
+      const auto values =
+          latched != thread.latched.end() ? std::vector<bool>{latched->second} : values_of(state, condition);
+      std::vector<Values> more;
+      for (const auto& reading : result) {
+        for (const bool value : values) {
+          more.push_back(reading);
+          more.back()[condition] = value;
+        }
+      }
+      result = std::move(more);
+      constexpr std::size_t most_readings = 4096;
+      if (result.size() > most_readings) result.resize(most_readings);
+    }
+    return result;
+  }
+
+  std::string reading_text(const Values& reading) const {
+    std::string result;
+    for (const auto& [condition, value] : reading) {
+      result +=
+          (result.empty() ? "" : ", ") + network_.conditions[condition.index()].name + " = " + truth(value);
+    }
+    return result;
+  }
+
+  void choose(const State& state, const Thread& thread, const pan::Choose& choose) {
+    auto& outcome = result_.cases[std::pair(thread.at.module, thread.at.node)];
+    outcome.taken.resize(choose.guards.size());
+    std::set<pan::ConditionId> conditions;
+    for (const auto& guard : choose.guards) conditions_of(guard, conditions);
+    for (const auto& reading : readings(state, thread, conditions)) {
+      const auto arm = std::find_if(choose.guards.begin(), choose.guards.end(),
+                                    [&](const pan::Guard& guard) { return holds(guard, reading); });
+      if (arm == choose.guards.end()) {
+        // The search goes breadth first, so the first run found is a shortest one.
+        if (outcome.no_arm_holds) continue;
+        outcome.no_arm_holds = run_to(state);
+        outcome.no_arm_holds->push_back(told(thread, "finds " + reading_text(reading)));
+        continue;
+      }
+      const auto index = static_cast<std::size_t>(arm - choose.guards.begin());
+      outcome.taken[index] = true;
+      State next = state;
+      at(next, thread).latched.clear();
+      go(state, std::move(next), thread, node(thread.at).out[index],
+         told(thread, "finds " + reading_text(reading)));
+    }
+  }
+
+  void until(const State& state, const Thread& thread, const pan::Until& until) {
+    const auto& here = node(thread.at);
+    if (!until.guard) return go(state, state, thread, here.mate, std::nullopt);
+    std::set<pan::ConditionId> conditions;
+    conditions_of(*until.guard, conditions);
+    for (const auto& reading : readings(state, thread, conditions)) {
+      const auto to = holds(*until.guard, reading) ? here.out.front() : here.mate;
+      State next = state;
+      at(next, thread).latched.clear();
+      go(state, std::move(next), thread, to, told(thread, "finds " + reading_text(reading)));
+    }
+  }
+
+  void begin_blocks(const State& state, const Thread& thread, const pan::Fork& fork) {
+    State next = state;
+    const auto& here = node(thread.at);
+    at(next, thread).waits_for_blocks = true;
+    for (std::size_t i = 0; i < fork.threads.size(); ++i) {
+      Thread block;
+      block.number = static_cast<std::int32_t>(next.threads.size());
+      block.parent = thread.number;
+      block.module = thread.at.module;
+      block.name = fork.threads[i];
+      block.can_end = flow_.block_can_end(thread.at.module, here.out[i]);
+      block.at = {thread.at.module, here.out[i]};
+      block.latched = thread.latched;
+      next.threads.push_back(std::move(block));
+    }
+    reach(std::move(next), &state, std::nullopt);
+  }
+
+  void end(const State& state, const Thread& thread) {
+    if (!thread.calls.empty()) {
+      State next = state;
+      auto& caller = at(next, thread);
+      caller.at = caller.calls.back();
+      caller.calls.pop_back();
+      return go(state, next, caller, node(caller.at).out.front(), std::nullopt);
+    }
+    if (thread.parent < 0) return;
+    State next = state;
+    at(next, thread).ended = true;
+    const auto open = [&](const Thread& t) { return t.parent == thread.parent && t.can_end && !t.ended; };
+    if (std::any_of(next.threads.begin(), next.threads.end(), open)) {
+      return reach(std::move(next), &state, std::nullopt);
+    }
+    end_concurrent(state, std::move(next), thread.parent);
+  }
+
+  /// All blocks that can end have ended. Of the others, each has stopped or finishes the SPC that it is at.
+  void end_concurrent(const State& from, State state, std::int32_t parent) {
+    const auto below = [&](const Thread& thread) {
+      auto number = thread.parent;
+      while (number >= 0 && number != parent) number = state.threads[static_cast<std::size_t>(number)].parent;
+      return number == parent;
+    };
+    struct Ending {
+      Values values;
+      std::optional<RunStep> step;
+    };
+    std::vector<Ending> endings{{state.values, std::nullopt}};
+    for (const auto& thread : state.threads) {
+      if (!below(thread) || thread.ended || thread.waits_for_blocks) continue;
+      const auto* set = std::get_if<pan::Set>(&node(thread.at).content);
+      if (set == nullptr || !own_.contains(set->condition)) continue;
+      const auto stopped = endings;
+      for (const bool value : {true, false}) {
+        if (set->value && *set->value != value) continue;
+        for (auto ending : stopped) {
+          ending.values[set->condition] = value;
+          ending.step = told(thread, set_text(*set, value) + " before it is cancelled");
+          endings.push_back(std::move(ending));
+        }
+      }
+    }
+    std::erase_if(state.threads,
+                  [&](const Thread& thread) { return thread.number > parent && below(thread); });
+    // Blocks of other threads keep their order; numbers are places in the list.
+    std::map<std::int32_t, std::int32_t> renumbered;
+    for (std::size_t i = 0; i < state.threads.size(); ++i) {
+      renumbered[state.threads[i].number] = static_cast<std::int32_t>(i);
+    }
+    for (auto& thread : state.threads) {
+      thread.number = renumbered.at(thread.number);
+      if (thread.parent >= 0) thread.parent = renumbered.at(thread.parent);
+    }
+    auto& owner = state.threads[static_cast<std::size_t>(renumbered.at(parent))];
+    owner.waits_for_blocks = false;
+    owner.at.node = node(owner.at).mate;
+    for (auto& ending : endings) {
+      State next = state;
+      next.values = std::move(ending.values);
+      reach(std::move(next), &from, std::move(ending.step));
+    }
+  }
+
+  std::vector<RunStep> run_to(const State& state) const {
+    std::vector<RunStep> steps;
+    for (const State* at = &state; at != nullptr;) {
+      const auto& origin = seen_.at(*at);
+      if (origin.step) steps.push_back(*origin.step);
+      at = origin.from;
+    }
+    std::reverse(steps.begin(), steps.end());
+    return steps;
+  }
+
+  const pan::Network& network_;
+  const Flow& flow_;
+  std::set<pan::ConditionId> own_;
+  std::set<pan::ConditionId> tested_;
+  std::map<State, Origin> seen_;
+  std::deque<const State*> open_;
+  ConditionRuns result_;
+};
+
+}  // namespace
+
+ConditionRuns explore_conditions(const pan::Network& network, const Flow& flow, pan::ModuleId root) {
+  return Explorer(network, flow, root).run();
+}
+
+}  // namespace pal::frontend

@@ -1,0 +1,25 @@
+// The families of checks on a network, one file each.
+#pragma once
+
+#include "pal/check/flow.hpp"
+#include "pal/pan/network.hpp"
+#include "pal/support/diagnostic.hpp"
+
+namespace pal::frontend {
+
+/// Who may talk to whom (thesis, figure 3.3).
+void check_layers(const pan::Network& network, Diagnostics& diagnostics);
+/// Messages that nobody sends or takes, requests that nobody answers, modules that nobody talks to.
+void check_channels(const pan::Network& network, Diagnostics& diagnostics);
+/// Conditions with two writers, in two modules or in two blocks at once.
+void check_writers(const pan::Network& network, Diagnostics& diagnostics);
+/// Conditions that are read before they are set.
+void check_reads(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
+/// CASE with no arm that holds, and arms that never do.
+void check_cases(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
+/// Statements that are never reached, loops that spin.
+void check_flow(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
+/// The start of the skill and its completions; contingency methods that nothing executes.
+void check_protocol(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
+
+}  // namespace pal::frontend

@@ -1,0 +1,47 @@
+// Where the flow of a module can go: the ground for all checks of bodies.
+#pragma once
+
+#include <vector>
+
+#include "pal/pan/network.hpp"
+
+namespace pal::frontend {
+
+/// The flow of every module of a network. Nothing is assumed of conditions: a guard may hold or not.
+class Flow {
+ public:
+  explicit Flow(const pan::Network& network);
+
+  /// Nodes that can come next. After a completion there are none; after Execute of a module that cannot end
+  /// there are none; after CONCURRENT there are the blocks and, if one of them can end, END CONCURRENT.
+  std::vector<pan::NodeId> next(pan::ModuleId module, pan::NodeId node) const;
+
+  /// From the module's start.
+  bool reached(pan::ModuleId module, pan::NodeId node) const {
+    return reached_[module.index()][node.index()];
+  }
+
+  /// True if the flow from the module's start can reach its end.
+  bool can_end(pan::ModuleId module) const { return can_end_[module.index()]; }
+
+  /// True if a block of the CONCURRENT at `fork` can end, so that its END CONCURRENT can be reached.
+  bool fork_can_end(pan::ModuleId module, pan::NodeId fork) const {
+    return fork_can_end_[module.index()][fork.index()];
+  }
+  /// True if the flow from `first`, the first node of a block, can reach the end of that block.
+  bool block_can_end(pan::ModuleId module, pan::NodeId first) const;
+
+ private:
+  void visit_forks(pan::ModuleId module);
+  std::vector<bool> reach(pan::ModuleId module, pan::NodeId from) const;
+
+  const pan::Network& network_;
+  std::vector<bool> can_end_;                    // by module
+  std::vector<std::vector<bool>> fork_can_end_;  // by module and node
+  std::vector<std::vector<bool>> reached_;
+};
+
+/// A statement that a person wrote: no start, end, or place where branches come together.
+bool is_statement(const pan::Content& content);
+
+}  // namespace pal::frontend

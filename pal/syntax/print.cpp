@@ -1,0 +1,315 @@
+#include "pal/syntax/print.hpp"
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <ostream>
+#include <string>
+
+#include "pal/pan/dump.hpp"
+#include "pal/support/duration_text.hpp"
+
+namespace pal::syntax {
+
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + '"';
+}
+
+std::string number(double value) {
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  return {digits.data(), end};
+}
+
+std::string type(pan::ScalarType type, const std::string& unit) {
+  const char* word = type == pan::ScalarType::real      ? "REAL"
+                     : type == pan::ScalarType::integer ? "INTEGER"
+                                                        : "BOOLEAN";
+  return unit.empty() ? word : word + (" " + unit);
+}
+
+std::string list(const std::vector<Name>& names) {
+  std::string result;
+  for (const auto& name : names) result += (result.empty() ? "" : ", ") + name.text;
+  return result;
+}
+
+std::string with_text(const std::string& text) {
+  return text.empty() ? std::string() : " " + quoted(text);
+}
+
+class Printer {
+ public:
+  explicit Printer(std::ostream& out) : out_(out) {}
+
+  void operator()(const Uses& uses) { line("USES " + quoted(uses.path)); }
+
+  void operator()(const MessageUnit& message) {
+    line("MESSAGE " + message.name.text + " : " + payload(message));
+  }
+
+  void operator()(const ConditionUnit& condition) {
+    const auto from = condition.from.empty() ? std::string() : " FROM " + list(condition.from);
+    line("CONDITION " + condition.name.text + from + with_text(condition.description));
+  }
+
+  void operator()(const DeviceUnit& device) {
+    line("DEVICE " + device.name.text + with_text(device.description));
+  }
+
+  void operator()(const ModuleUnit& module) {
+    line(title(module.kind) + ": " + module.name.text);
+    ++depth_;
+    for (const auto& text : module.descriptions) line("DESCRIPTION " + quoted(text));
+    for (const auto& activity : module.activities) {
+      line("ACTIVITY " + activity.name.text +
+           (activity.reads.empty() ? "" : " READS " + list(activity.reads)) +
+           (activity.writes.empty() ? "" : " WRITES " + list(activity.writes)));
+    }
+    --depth_;
+    if (!module.has_body) return;
+    line("BEGIN");
+    statements(module.body);
+    line("END");
+  }
+
+  void operator()(const SkillUnit& skill) {
+    line("SKILL " + skill.name.text);
+    ++depth_;
+    texts("DESCRIPTION", skill.descriptions);
+    texts("PRECONDITION", skill.preconditions);
+    texts("POSTCONDITION", skill.postconditions);
+    names("SENSOR DRIVER", skill.sensor_drivers);
+    names("MACHINE CONTROLLER", skill.machine_controllers);
+    names("LOGICAL SENSOR", skill.logical_sensors);
+    texts("MODEL DATA", skill.model_data);
+    names("SKILL METHOD", skill.skill_methods);
+    for (const auto& c : skill.contingencies) {
+      line("CONTINGENCY " + std::to_string(c.number) + " " + quoted(c.description) +
+           (c.method ? " METHOD " + c.method->text : ""));
+    }
+    for (const auto& p : skill.parameters) parameter(p);
+    for (const auto& c : skill.completions) {
+      const auto kind = c.kind == pan::Completion::Kind::normal ? std::string(" NORMAL")
+                        : c.kind == pan::Completion::Kind::error
+                            ? std::string(" ERROR")
+                            : " CONTINGENCY " + std::to_string(c.contingency);
+      line("COMPLETION " + std::to_string(c.code) + kind + with_text(c.description));
+    }
+    for (const auto& r : skill.requirements) requirement(r);
+    --depth_;
+    line("END SKILL");
+  }
+
+  void operator()(const EnvironmentUnit& environment) {
+    line("ENVIRONMENT " + environment.name.text);
+    ++depth_;
+    texts("DESCRIPTION", environment.descriptions);
+    for (const auto& p : environment.processors)
+      line("PROCESSOR " + p.name + (p.preemptive ? "" : " NONPREEMPTIVE"));
+    for (const auto& d : environment.devices) {
+      line("DEVICE " + d.device + " " + std::visit([](const auto& b) { return behaviour(b); }, d.behaviour));
+    }
+    for (const auto& p : environment.placements) {
+      line("PLACE " + p.thread + " ON " + p.processor + " PRIORITY " + std::to_string(p.priority));
+    }
+    for (const auto& t : environment.activities) {
+      line("TIME " + t.activity + (t.module.empty() ? "" : " OF " + t.module) + " : " + to_text(t.time));
+    }
+    for (const auto& c : environment.costs) line(cost(c.kind) + " " + to_text(c.time));
+    --depth_;
+    line("END ENVIRONMENT");
+  }
+
+ private:
+  void line(const std::string& text) { out_ << std::string(2 * depth_, ' ') << text << '\n'; }
+
+  void texts(const char* slot, const std::vector<std::string>& all) {
+    for (const auto& text : all) line(slot + (" " + quoted(text)));
+  }
+
+  void names(const char* slot, const std::vector<Name>& all) {
+    if (!all.empty()) line(slot + (" " + list(all)));
+  }
+
+  static std::string payload(const MessageUnit& message) {
+    if (message.fields.empty()) return "SIGNAL";
+    if (message.field_names.empty()) return type(message.fields.front().type, message.fields.front().unit);
+    std::string result;
+    for (std::size_t i = 0; i < message.fields.size(); ++i) {
+      const auto& field = message.fields[i];
+      const bool last = i + 1 == message.fields.size() || message.fields[i + 1].type != field.type ||
+                        message.fields[i + 1].unit != field.unit;
+      result += field.name + (!last ? ", " : " : " + type(field.type, field.unit));
+      if (last && i + 1 != message.fields.size()) result += "; ";
+    }
+    return result;
+  }
+
+  void parameter(const Parameter& p) {
+    const auto literal = [&](double value) {
+      return p.type == pan::ScalarType::boolean ? std::string(value != 0 ? "TRUE" : "FALSE") : number(value);
+    };
+    auto text = "PARAMETER " + p.name.text + " : " + type(p.type, p.unit);
+    if (p.default_value) text += " DEFAULT " + literal(*p.default_value);
+    if (p.low && p.high) text += " RANGE " + literal(*p.low) + " TO " + literal(*p.high);
+    line(text + with_text(p.description));
+  }
+
+  static std::string step(const Step& step) {
+    std::string text;
+    switch (step.kind) {
+      case Step::Kind::wait:
+        text = "WTM( " + spelling(step.message) + " from " + spelling(step.party) + " )";
+        break;
+      case Step::Kind::send:
+        text = "TXM( " + spelling(step.message) + (step.message.request ? " from " : " to ") +
+               spelling(step.party) + " )";
+        break;
+      case Step::Kind::set:
+        text = "SPC( " + step.name.text + " )";
+        break;
+      case Step::Kind::read:
+        text = "RPC( " + step.name.text + " )";
+        break;
+      case Step::Kind::perform:
+        text = step.name.text;
+        break;
+    }
+    return step.in ? text + " IN " + spelling(*step.in) : text;
+  }
+
+  void requirement(const Requirement& r) {
+    auto text = "REQUIREMENT " + r.name.text + " : ";
+    if (const auto* response = std::get_if<Requirement::Response>(&r.measure)) {
+      text += "RESPONSE FROM " + spelling(response->event) + " OF " + spelling(response->of) + " TO " +
+              step(response->to);
+      text += " AT MOST " + to_text(r.limit);
+    } else if (const auto* age = std::get_if<Requirement::Age>(&r.measure)) {
+      text += "AGE OF " + age->condition.text + " AT " + step(age->at) + " AT MOST " + to_text(r.limit);
+    } else {
+      const auto& load = std::get<Requirement::Load>(r.measure);
+      constexpr double nanoseconds_per_percent = 1e7;
+      text += "LOAD OF " + (load.processor ? load.processor->text : "EACH PROCESSOR") + " AT MOST " +
+              number(static_cast<double>(r.limit.count()) / nanoseconds_per_percent) + " %";
+    }
+    line(text);
+  }
+
+  static std::string behaviour(const pan::EventDevice& d) {
+    std::string text = "EVENT " + d.message + (d.sporadic ? " SPORADIC " : " EVERY ") + to_text(d.period);
+    if (d.jitter != Duration{}) text += " JITTER " + to_text(d.jitter);
+    if (d.phase) text += " PHASE " + to_text(*d.phase);
+    if (d.answer_within) text += " ANSWER " + d.answer + " WITHIN " + to_text(*d.answer_within);
+    return text;
+  }
+  static std::string behaviour(const pan::RequestDevice& d) { return "ON REQUEST " + to_text(d.answer); }
+  static std::string behaviour(const pan::FrameDevice& d) {
+    std::string text = "FRAMES EVERY " + to_text(d.period) + " COLLECTING " + to_text(d.collecting);
+    return d.phase ? text + " PHASE " + to_text(*d.phase) : text;
+  }
+
+  static std::string cost(CostItem::Kind kind) {
+    switch (kind) {
+      case CostItem::Kind::send:
+        return "COST SEND";
+      case CostItem::Kind::receive:
+        return "COST RECEIVE";
+      case CostItem::Kind::set:
+        return "COST SET";
+      case CostItem::Kind::read:
+        return "COST READ";
+      case CostItem::Kind::test:
+        return "COST TEST";
+      case CostItem::Kind::latency_within:
+        return "LATENCY WITHIN PROCESSOR";
+      case CostItem::Kind::latency_between:
+        return "LATENCY BETWEEN PROCESSORS";
+    }
+    return {};
+  }
+
+  void statements(const Statements& list) {
+    ++depth_;
+    for (const auto& statement : list) {
+      line(head(statement));
+      std::visit([&](const auto& content) { rest(content); }, statement.content);
+    }
+    --depth_;
+  }
+
+  // What follows the head of a compound statement; nothing for the others.
+  template <class Simple>
+  void rest(const Simple&) {}
+
+  void rest(const WaitBranches& wait) {
+    if (wait.first) {
+      for (const auto& arm : wait.arms) {
+        ++depth_;
+        line("( " + spelling(arm.source.message) + " from " + spelling(arm.source.from) + " ):");
+        statements(arm.body);
+        --depth_;
+      }
+    } else if (!wait.arms.empty()) {
+      statements(wait.arms.front().body);
+    }
+    if (wait.within) {
+      line("ELSE");
+      statements(wait.otherwise);
+    }
+    line("END WTM");
+  }
+
+  void rest(const Choose& choose) {
+    ++depth_;
+    for (const auto& arm : choose.arms) {
+      line("( " + spelling(arm.guard) + " ):");
+      statements(arm.body);
+    }
+    --depth_;
+    line("END CASE");
+  }
+
+  void rest(const Repeat& repeat) {
+    statements(repeat.body);
+    line(repeat.until ? "UNTIL( " + spelling(*repeat.until) + " )" : "UNTIL( forever )");
+  }
+
+  void rest(const Concurrent& concurrent) {
+    for (const auto& block : concurrent.blocks) {
+      line("BEGIN");
+      statements(block.body);
+      line("END");
+    }
+    line("END CONCURRENT");
+  }
+
+  std::ostream& out_;
+  std::size_t depth_ = 0;
+};
+
+bool stands_apart(const Unit& unit) {
+  return std::holds_alternative<ModuleUnit>(unit) || std::holds_alternative<SkillUnit>(unit) ||
+         std::holds_alternative<EnvironmentUnit>(unit);
+}
+
+}  // namespace
+
+void print(const Tree& tree, std::ostream& out) {
+  Printer printer(out);
+  for (std::size_t i = 0; i < tree.units.size(); ++i) {
+    const bool apart =
+        i > 0 && (stands_apart(tree.units[i]) || tree.units[i].index() != tree.units[i - 1].index());
+    if (apart) out << '\n';
+    std::visit(printer, tree.units[i]);
+  }
+}
+
+}  // namespace pal::syntax

@@ -1,0 +1,118 @@
+// Runs one golden test, or looks for codes that have none. tests/golden/CMakeLists.txt says how.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "pal/check/check.hpp"
+#include "pal/check/load.hpp"
+#include "pal/pan/dump.hpp"
+#include "pal/support/render.hpp"
+#include "pal/syntax/print.hpp"
+
+namespace {
+
+struct Outcome {
+  std::string text;
+  bool errors = false;
+};
+
+Outcome run(const std::string& stage, const std::string& file) {
+  const pal::DiskFileSystem files;
+  pal::SourceManager sources;
+  pal::Diagnostics diagnostics;
+  std::ostringstream out;
+  const auto trees = pal::load(files, sources, {file}, diagnostics);
+  if (stage == "tree") {
+    for (const auto& tree : trees) pal::syntax::dump(tree, sources, out);
+  } else if (stage == "format") {
+    if (!trees.empty() && trees.front().complete) pal::syntax::print(trees.front(), out);
+  } else {
+    const auto specification = pal::check(trees, diagnostics);
+    if (stage == "pan") {
+      for (const auto& network : specification.skills) pal::pan::dump(network, out);
+      for (const auto& network : specification.sketches) pal::pan::dump(network, out);
+      for (const auto& environment : specification.environments) pal::pan::dump(environment, out);
+    }
+  }
+  // What a stage says of a text that is right belongs to the tests of `check`.
+  if (stage == "check" || diagnostics.has_errors()) pal::render_text(diagnostics.sorted(), sources, out);
+  return {out.str(), diagnostics.has_errors()};
+}
+
+std::string read(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+void show_difference(const std::string& expected, const std::string& found) {
+  std::istringstream left(expected);
+  std::istringstream right(found);
+  std::string a;
+  std::string b;
+  for (int line = 1;; ++line) {
+    const bool more_left = static_cast<bool>(std::getline(left, a));
+    const bool more_right = static_cast<bool>(std::getline(right, b));
+    if (!more_left && !more_right) return;
+    if (more_left && more_right && a == b) continue;
+    std::cout << "first difference in line " << line << "\n  expected: " << (more_left ? a : "(the end)")
+              << "\n  found:    " << (more_right ? b : "(the end)") << "\n\nall that was found:\n"
+              << found;
+    return;
+  }
+}
+
+int compare(const std::string& stage, const std::string& file) {
+  const auto outcome = run(stage, file);
+  const bool named_fail = file.starts_with("fail_");
+  if (named_fail != outcome.errors) {
+    std::cout << file
+              << (outcome.errors ? " has errors, so its name must begin with fail_\n"
+                                 : " has no errors, so its name must not begin with fail_\n")
+              << outcome.text;
+    return 1;
+  }
+  const auto expectation = std::filesystem::path(file).replace_extension(".expected");
+  if (const char* rewrite = std::getenv("PAL_GOLDEN_REWRITE"); rewrite != nullptr && *rewrite == '1') {
+    std::ofstream(expectation, std::ios::binary) << outcome.text;
+    return 0;
+  }
+  const auto expected = read(expectation);
+  if (std::filesystem::exists(expectation) && expected == outcome.text) return 0;
+  show_difference(expected, outcome.text);
+  return 1;
+}
+
+int look_for_codes() {
+  std::string all;
+  for (const auto& entry : std::filesystem::directory_iterator(".")) {
+    if (entry.path().extension() == ".expected") all += read(entry.path());
+  }
+  int missing = 0;
+  for (std::size_t i = 0; i < pal::code_count(); ++i) {
+    const auto code = static_cast<pal::Code>(i);
+    // Codes of later stages have their goldens there.
+    if (!pal::name(code).starts_with("PAL09") &&
+        all.find("[" + std::string(pal::name(code)) + "]") == std::string::npos) {
+      std::cout << pal::name(code) << " (" << pal::title(code) << ") has no golden test\n";
+      ++missing;
+    }
+  }
+  return missing == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (arguments.size() == 1 && arguments[0] == "codes") return look_for_codes();
+  if (arguments.size() == 2) return compare(arguments[0], arguments[1]);
+  std::cerr << "usage: golden_runner STAGE FILE | golden_runner codes\n";
+  return 2;
+}
