@@ -9,7 +9,7 @@ namespace pal::chart {
 
 namespace {
 
-constexpr Length page_width = 11200;
+constexpr Length page_width = 9400;
 
 std::string document(const std::string& body, Length height, const std::vector<std::string>& caption) {
   const std::string width = std::to_string(page_width / 10);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Length name_x = 430;
 constexpr Length group_x = 40;
-constexpr Length deadline_row = 150;
+constexpr Length deadline_row = 240;
 constexpr Length dimension_row = 190;
 
 bool same_group(const Lane& a, const Lane& b) {
@@ -117,7 +117,7 @@ void Panel::draw_names() {
   }
   const std::vector<Waveform>& waves = layers_.front().timeline->waveforms;
   for (std::size_t i = 0; i < waves.size(); ++i) {
-    out_.text({group_x, (waves_[i].bar_top + waves_[i].bar_bottom) / 2 + 38}, Anchor::start, "name condition",
+    out_.text({group_x, waves_[i].bar_bottom + 25}, Anchor::start, "name condition",
               fitted(waves[i].name, 110, panel_left - group_x - 380), "condition " + waves[i].name);
   }
 }
@@ -180,7 +180,7 @@ void Panel::draw_folds() {
     // To a hundredth of a millisecond; the title is exact.
     const std::int64_t length = piece.time.to_ns - piece.time.from_ns;
     const std::string figure = duration_text(length < 10'000 ? length : (length + 5'000) / 10'000 * 10'000);
-    const Length half = text_width(figure, 80) / 2 + 15;
+    const Length half = text_width(figure, 85) / 2 + 15;
     const Length middle = (piece.x0 + piece.x1) / 2;
     if (labels_.claim({middle - half, bottom_ + 210, middle + half, bottom_ + 310})) {
       out_.text({middle, bottom_ + 290}, Anchor::middle, "small", figure, title);

@@ -9,7 +9,7 @@ namespace {
 
 // What is shorter than this on the page is drawn as wide; its title has the true time.
 constexpr Length least_bar = 14;
-constexpr Length small_font = 80;
+constexpr Length small_font = 85;
 
 std::string style_of(const Bar& bar, Role role) {
   std::string style = "bar ";
@@ -114,7 +114,7 @@ void Panel::label_cluster(const Cluster& cluster, const Row& row) {
                          Point{cluster.x0 - 30 - width, above}, Point{cluster.x1 + 30, beside},
                          Point{cluster.x0 - 30 - width, beside}}) {
     if (at.x < scale_.x0() || at.x + width > scale_.x1()) continue;
-    if (!labels_.claim({at.x - 10, at.y - 70, at.x + width + 10, at.y + 15})) continue;
+    if (!labels_.claim({at.x - 10, at.y - 75, at.x + width + 10, at.y + 20})) continue;
     out_.text(at, Anchor::start, "number halo", text);
     return;
   }
@@ -160,7 +160,7 @@ void Panel::label_backdrop(int number, const Box& box) {
   if (2 * half + 10 > room.x1 - room.x0) return;
   const Length middle = (room.x0 + room.x1) / 2;
   const Length baseline = box.y0 + (box.y1 - box.y0) / 4 + 30;
-  if (!labels_.claim({middle - half, baseline - 70, middle + half, baseline + 5})) return;
+  if (!labels_.claim({middle - half, baseline - 75, middle + half, baseline + 20})) return;
   out_.text({middle, baseline}, Anchor::middle, "number faded", text);
 }
 
@@ -202,9 +202,13 @@ void Panel::label_gaps(const Layer& layer) {
         const Length left = std::max(piece.x0, x(layer, gap.from_ns));
         const Length right = std::min(piece.x1, x(layer, gap.to_ns));
         if (right - left < width + 60) continue;
-        const Length base = row.bar_top + style_.bar_height() / 2 - 20;
-        if (!labels_.claim({left + 30, base - 70, left + 30 + width, base + 15})) continue;
-        out_.text({left + 30, base}, Anchor::start, "quiet", text);
+        // Above a wait's line; into a ready bar, which is hatched, on paper.
+        const bool ready = gap.kind == GapKind::ready;
+        const Length base = row.bar_top + style_.bar_height() / 2 + (ready ? 30 : -20);
+        const Box box{left + 30, base - 75, left + 30 + width, base + 20};
+        if (!labels_.claim(box)) continue;
+        if (ready) out_.rect({box.x0 - 15, box.y0 - 10, box.x1 + 15, box.y1 + 10}, "paper");
+        out_.text({box.x0, base}, Anchor::start, "quiet", text);
         break;
       }
     }
