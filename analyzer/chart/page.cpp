@@ -26,6 +26,11 @@ std::string document(const std::string& body, Length height, const std::vector<s
   return text + body + "</svg>\n";
 }
 
+/// Whether the window leaves something of the run out.
+bool is_cut(const Layer& layer, const Window& window) {
+  return window.from_ns > layer.shift_ns || window.to_ns < layer.timeline->end_ns + layer.shift_ns;
+}
+
 }  // namespace
 
 std::string page(const std::vector<Layer>& layers) {
@@ -51,7 +56,7 @@ std::string page(const std::vector<Layer>& layers) {
   }
   y = draw_explanation(layers.front(), y, out);
   y = draw_statement_key(numbering, y, out);
-  y = draw_sign_key(layers, true, y, out);
+  y = draw_sign_key(layers, !details.empty() || is_cut(layers.front(), window), y, out);
   return document(out.str(), (y + 9) / 10 * 10, caption_lines(layers));
 }
 

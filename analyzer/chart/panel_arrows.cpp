@@ -104,7 +104,7 @@ void Panel::label_arrows(const Layer& layer) {
 // Above the lanes, in one of two rows, to the right or left of its line.
 void Panel::label_mark(const std::string& text, Length place) {
   const Length width = text_width(text, small_font);
-  for (const Length base : {lanes_top_ - 20, lanes_top_ - 125}) {
+  for (const Length base : {lanes_top_ - 20, lanes_top_ - 140}) {
     for (const Length left : {place + 30, place - 30 - width}) {
       if (left < scale_.x0() || left + width > scale_.x1()) continue;
       if (!labels_.claim({left, base - 75, left + width, base + 20})) continue;

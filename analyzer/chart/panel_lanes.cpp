@@ -99,7 +99,7 @@ void Panel::draw_bars(const Layer& layer) {
       if (!touches(layer, bar.from_ns, bar.to_ns)) continue;
       const Box box = bar_box(layer, i, bar.from_ns, bar.to_ns);
       out_.rect(box, style_of(bar, layer.role), bar_title(layer, lane, bar));
-      labels_.take(box);
+      if (layer.role != Role::backdrop) labels_.take(box);
     }
   }
 }
