@@ -47,6 +47,8 @@ class Grid {
   const std::vector<GridEdge>& edges() const { return edges_; }
   /// Where each start came from: its class. By node; -1: no start.
   const std::vector<int>& origins() const { return origins_; }
+  /// `state` as the grid sees it: what is left out is still.
+  State masked(State state) const;
   /// Preempted actions got back times that are not fixed: then multiples of the unit do not suffice.
   bool relaxed() const { return relaxed_; }
 
@@ -61,7 +63,6 @@ class Grid {
     std::size_t operator()(const std::vector<Nanoseconds>& key) const;
   };
 
-  State masked(State state) const;
   int place_of(State state, std::vector<int> timers, std::vector<bool> frozen);
   int node_of(int place, std::vector<Nanoseconds> left);
   void points(int place, const Dbm& zone, const std::vector<std::size_t>& variables, std::vector<Nanoseconds>& left,

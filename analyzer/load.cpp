@@ -5,6 +5,7 @@
 
 #include "analyzer/cycle_ratio.hpp"
 #include "analyzer/grid.hpp"
+#include "analyzer/unending.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -31,7 +32,7 @@ class Loads {
       const Explored* explored = explore(r, processor);
       if (explored == nullptr) continue;
       if (!explored->complete) return {};
-      consider(*explored, processor, bound);
+      consider(*explored, recurrences_[r], processor, bound);
     }
     return bound;
   }
@@ -56,7 +57,7 @@ class Loads {
     return known.get();
   }
 
-  void consider(const Explored& explored, int processor, LoadBound& bound) {
+  void consider(const Explored& explored, const Recurrence& recurrence, int processor, LoadBound& bound) {
     const Grid& grid = *explored.grid;
     bound.states += grid.nodes().size();
     std::vector<WeightedEdge> edges;
@@ -70,8 +71,11 @@ class Loads {
     const auto ratio = greatest_cycle_ratio(static_cast<int>(grid.nodes().size()), edges);
     if (!ratio) return;
     const Fraction most{ratio->work, ratio->time};
-    if (!greater(most, bound.most)) return;
+    // Of two recurrences with the same load one may be shown by a run and the other not.
+    if (greater(bound.most, most) || (!greater(most, bound.most) && bound.exact)) return;
     bound.most = most;
+    bound.witness = unending_run(machine_, graph_, recurrence, explored.slice, grid, ratio->edges);
+    bound.exact = bound.witness.has_value();
   }
 
   const Machine& machine_;

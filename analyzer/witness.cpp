@@ -69,6 +69,17 @@ class Schedule {
     return times;
   }
 
+  /// At the end `timer` has `left` to go.
+  void leave(int timer, Nanoseconds left) {
+    const Life& life = lives_[static_cast<std::size_t>(timer)];
+    if (!life.active || life.frozen) {
+      feasible_ = false;
+      return;
+    }
+    const Nanoseconds most = life.range.worst >= none ? none : life.range.worst + life.owed - left;
+    between(life.started, count_ - 1, life.range.best + life.owed - left, most);
+  }
+
  private:
   struct Life {
     bool active = false;
@@ -178,6 +189,23 @@ std::vector<ScriptedFiring> path_to(const ZoneGraph& graph, const Peak& peak) {
 }
 
 }  // namespace
+
+std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, const ZoneGraph& graph, int target,
+                                                     const std::vector<std::pair<int, Nanoseconds>>& left) {
+  const ZoneClass& of = graph.classes()[static_cast<std::size_t>(target)];
+  Peak last;
+  last.parent = of.parent;
+  last.timer = of.timer;
+  last.choices = of.choices;
+  std::vector<ScriptedFiring> path = path_to(graph, last);
+  Schedule schedule(machine, path, Schedule::Pin::worst);
+  for (const auto& [timer, time] : left) schedule.leave(timer, time);
+  if (!schedule.feasible()) return std::nullopt;
+  const auto times = schedule.solve(false);
+  if (!times) return std::nullopt;
+  for (std::size_t k = 0; k < path.size(); ++k) path[k].at = (*times)[k];
+  return path;
+}
 
 std::optional<Witness> replay(const Machine& machine, const std::vector<ScriptedFiring>& script) {
   Clockwork clockwork(machine);

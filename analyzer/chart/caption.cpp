@@ -27,6 +27,7 @@ std::string figures(const Caption& caption) {
         (caption.exact ? "worst case " : "at most ") + duration_text(caption.bound_ns) +
         (caption.exact ? " (exact: the run below attains it)" : " (a bound; no run is known to attain it)");
   }
+  if (caption.bound_ns < 0 && !caption.verdict.empty()) text = "no bound is known";
   if (caption.limit_ns >= 0) {
     if (!text.empty()) text += ", ";
     text += "limit " + duration_text(caption.limit_ns);

@@ -10,7 +10,7 @@
 
 namespace pal::chart {
 
-/// A picture of one run, as wide as an A4 page across (1120 units). Names in `options` that the timeline does
+/// A picture of one run, 940 pixels wide: legible on a page of A4. Names in `options` that the timeline does
 /// not have are drawn as text only.
 std::string svg(const Timeline& timeline, const ChartOptions& options);
 

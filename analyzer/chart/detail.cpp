@@ -8,7 +8,7 @@ namespace pal::chart {
 namespace {
 
 // A bar of this width holds its number.
-constexpr Length wanted_bar = 115;
+constexpr Length wanted_bar = 122;
 // Below this, a second drawing would show nothing that the first does not.
 constexpr Length legible_bar = 100;
 
@@ -100,8 +100,10 @@ Window overview_window(const std::vector<Layer>& layers) {
     if (limit - focus->from_ns <= 2 * (focus->to_ns - focus->from_ns)) to = std::max(to, limit);
   }
   const std::int64_t context = std::max<std::int64_t>((to - focus->from_ns) / 8, 1000);
-  const Window window{std::max(run_from, focus->from_ns - context),
-                      std::min(std::max(run_to, to), to + context)};
+  Window window{std::max(run_from, focus->from_ns - context), std::min(std::max(run_to, to), to + context)};
+  // Not worth a tear.
+  if (window.from_ns - run_from <= context / 2) window.from_ns = run_from;
+  if (run_to - window.to_ns <= context / 2) window.to_ns = std::max(window.to_ns, run_to);
   return window.to_ns > window.from_ns ? window : Window{window.from_ns, window.from_ns + 1};
 }
 

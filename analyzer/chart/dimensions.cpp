@@ -19,7 +19,8 @@ const char* verdict_style(const Highlight& highlight) {
 }
 
 std::string dimension_style(const Layer& layer, const Highlight& highlight) {
-  return std::string("dimension ") + verdict_style(highlight) + (layer.role == Role::backdrop ? " backdrop" : "");
+  return std::string("dimension ") + verdict_style(highlight) +
+         (layer.role == Role::backdrop ? " backdrop" : "");
 }
 
 }  // namespace

@@ -79,7 +79,8 @@ Length draw_explanation(const Layer& layer, Length top, SvgWriter& out) {
     const Length y = top + static_cast<Length>(i % rows + 1) * row_height;
     out.text({x, y}, Anchor::start, "key strong", segment_letter(i));
     out.text({x + 720, y}, Anchor::end, "key", figure(layer, segment.to_ns - segment.from_ns));
-    const std::string text = segment.actor.empty() ? segment.text : segment.actor + ": " + segment.text;
+    std::string text = segment.actor.empty() ? segment.text : segment.actor + ": " + segment.text;
+    if (!segment.place.empty()) text += " (" + segment.place + ")";
     const Length room = (rows < segments.size() ? full_width / 2 : full_width) - 830;
     out.text({x + 800, y}, Anchor::start, "key", fitted(text, font, room), text);
   }
@@ -151,7 +152,9 @@ Length draw_sign_key(const std::vector<Layer>& layers, bool folded, Length top, 
   }
   const bool overlay = layers.size() > 1;
   sign(overlay, "proved run", bar("bar computation backdrop"));
-  sign(overlay, "measured run", bar("bar computation"));
+  sign(overlay, "measured run", [&out](Length x, Length y) {
+    out.rect({x, y, x + 300, y + 50}, "bar computation");
+  });
   sign(any_bar(layers, BarKind::computation), "activity", bar("bar computation"));
   sign(any_bar(layers, BarKind::message), "send, receive", bar("bar message"));
   sign(any_bar(layers, BarKind::condition), "set, read or test of conditions", bar("bar conditional"));

@@ -19,7 +19,9 @@ Numbering::Numbering(const std::vector<Layer>& layers, const TimeScale& scale) {
       if (wanted.find(lane.name) == wanted.end()) order.push_back(lane.name);
       std::set<Key>& keys = wanted[lane.name];
       for (const Bar& bar : lane.bars) {
-        const bool shown = scale.touches(bar.from_ns + layer.shift_ns, bar.to_ns + layer.shift_ns);
+        const std::int64_t edge = bar.to_ns - bar.from_ns >= 2 ? 1 : 0;
+        const bool shown =
+            scale.touches(bar.from_ns + layer.shift_ns + edge, bar.to_ns + layer.shift_ns - edge);
         if (shown && !text_fits(bar, layer.shift_ns, scale))
           keys.insert({lane.name, bar.file, bar.line, bar.text});
       }

@@ -33,6 +33,7 @@ struct Segment {
   std::int64_t to_ns = 0;
   std::string text;
   std::string actor;
+  std::string place;  // of the statement: "touch.pal:34"; empty: none
 };
 
 /// A further instant by which something has to have happened.

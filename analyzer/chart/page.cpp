@@ -9,7 +9,7 @@ namespace pal::chart {
 
 namespace {
 
-constexpr Length page_width = 11200;
+constexpr Length page_width = 9400;
 
 std::string document(const std::string& body, Length height, const std::vector<std::string>& caption) {
   const std::string width = std::to_string(page_width / 10);
@@ -24,6 +24,11 @@ std::string document(const std::string& body, Length height, const std::vector<s
   text += "<rect width=\"" + std::to_string(page_width) + "\" height=\"" + std::to_string(height) +
           "\" class=\"paper\"/>\n";
   return text + body + "</svg>\n";
+}
+
+/// Whether the window leaves something of the run out.
+bool is_cut(const Layer& layer, const Window& window) {
+  return window.from_ns > layer.shift_ns || window.to_ns < layer.timeline->end_ns + layer.shift_ns;
 }
 
 }  // namespace
@@ -51,7 +56,7 @@ std::string page(const std::vector<Layer>& layers) {
   }
   y = draw_explanation(layers.front(), y, out);
   y = draw_statement_key(numbering, y, out);
-  y = draw_sign_key(layers, true, y, out);
+  y = draw_sign_key(layers, !details.empty() || is_cut(layers.front(), window), y, out);
   return document(out.str(), (y + 9) / 10 * 10, caption_lines(layers));
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Length name_x = 430;
 constexpr Length group_x = 40;
-constexpr Length deadline_row = 150;
+constexpr Length deadline_row = 240;
 constexpr Length dimension_row = 190;
 
 bool same_group(const Lane& a, const Lane& b) {
@@ -81,7 +81,7 @@ Length Panel::draw() {
   draw_deadlines();
   for (const Layer& layer : layers_) keep_off_arrows(layer);
   for (const Layer& layer : layers_) draw_marks(layer);
-  for (const Layer& layer : layers_) label_bars(layer);
+  for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) label_bars(*layer);
   if (style_.labelled) {
     for (const Layer& layer : layers_) label_arrows(layer);
     for (const Layer& layer : layers_) label_gaps(layer);
@@ -117,7 +117,7 @@ void Panel::draw_names() {
   }
   const std::vector<Waveform>& waves = layers_.front().timeline->waveforms;
   for (std::size_t i = 0; i < waves.size(); ++i) {
-    out_.text({group_x, (waves_[i].bar_top + waves_[i].bar_bottom) / 2 + 38}, Anchor::start, "name condition",
+    out_.text({group_x, waves_[i].bar_bottom + 25}, Anchor::start, "name condition",
               fitted(waves[i].name, 110, panel_left - group_x - 380), "condition " + waves[i].name);
   }
 }
@@ -177,7 +177,14 @@ void Panel::draw_folds() {
     out_.rect({piece.x0 + 50, lanes_top_ - 20, piece.x1 - 50, bottom_ + 40}, "fold", title);
     tear(piece.x0 + 50, title);
     tear(piece.x1 - 50, title);
-    out_.text({(piece.x0 + piece.x1) / 2, bottom_ + 290}, Anchor::middle, "small", left_out, title);
+    // To a hundredth of a millisecond; the title is exact.
+    const std::int64_t length = piece.time.to_ns - piece.time.from_ns;
+    const std::string figure = duration_text(length < 10'000 ? length : (length + 5'000) / 10'000 * 10'000);
+    const Length half = text_width(figure, 85) / 2 + 15;
+    const Length middle = (piece.x0 + piece.x1) / 2;
+    if (labels_.claim({middle - half, bottom_ + 210, middle + half, bottom_ + 310})) {
+      out_.text({middle, bottom_ + 290}, Anchor::middle, "small", figure, title);
+    }
   }
   const Layer& first = layers_.front();
   const std::int64_t run_from = first.shift_ns;

@@ -14,7 +14,7 @@ namespace pal::chart {
 
 /// Left edge of time; to the left of it stand the names.
 constexpr Length panel_left = 1250;
-constexpr Length panel_right = 11050;
+constexpr Length panel_right = 9250;
 constexpr Length fold_width = 260;
 
 /// `labelled`: rows with room for labels above the bars; otherwise rows are low and only what fits into a bar
@@ -24,7 +24,7 @@ struct PanelStyle {
   bool overlay = false;  // two runs share a lane
   Length lane_height() const { return bar_height() + (labelled ? 150 : 60); }
   Length bar_height() const { return labelled ? (overlay ? 220 : 150) : (overlay ? 140 : 110); }
-  Length wave_height() const { return labelled ? 230 : 150; }
+  Length wave_height() const { return labelled ? 200 : 150; }
   Length text_row() const { return labelled ? 120 : 30; }
 };
 
@@ -65,8 +65,9 @@ class Panel {
   void draw_bars(const Layer& layer);
   void draw_waves(const Layer& layer);
   void label_bars(const Layer& layer);
-  void label_wide_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box,
-                      const std::string& ink);
+  void label_wide_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box);
+  bool label_narrow_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box, int number);
+  void label_backdrop(int number, const Box& box);
   void label_cluster(const Cluster& cluster, const Row& row);
   void label_gaps(const Layer& layer);
   Box bar_box(const Layer& layer, std::size_t lane, std::int64_t from_ns, std::int64_t to_ns) const;
@@ -76,6 +77,7 @@ class Panel {
   void draw_arrows(const Layer& layer);
   void label_arrows(const Layer& layer);
   void draw_marks(const Layer& layer);
+  void label_mark(const std::string& text, Length place);
   void keep_off_arrows(const Layer& layer);
   bool arrow_ends(const Layer& layer, const Arrow& arrow, Point& from, Point& to) const;
 
@@ -91,7 +93,9 @@ class Panel {
   std::string at(std::int64_t ns) const;
   Length x(const Layer& layer, std::int64_t ns) const { return scale_.x(ns + layer.shift_ns); }
   bool touches(const Layer& layer, std::int64_t from_ns, std::int64_t to_ns) const {
-    return scale_.touches(from_ns + layer.shift_ns, to_ns + layer.shift_ns);
+    // What only touches a window at its edge is not seen in it.
+    const std::int64_t edge = to_ns - from_ns >= 2 ? 1 : 0;
+    return scale_.touches(from_ns + layer.shift_ns + edge, to_ns + layer.shift_ns - edge);
   }
 
   const std::vector<Layer>& layers_;

@@ -9,7 +9,7 @@ namespace pal::chart {
 
 namespace {
 
-constexpr Length small_font = 80;
+constexpr Length small_font = 85;
 
 std::string arrow_style(const Arrow& arrow, Role role) {
   std::string style = "arrow";
@@ -94,9 +94,22 @@ void Panel::label_arrows(const Layer& layer) {
         const Point on{from.x + (to.x - from.x) * percent / 100, from.y + (to.y - from.y) * percent / 100};
         const Length left = right ? on.x + aside : on.x - aside - width;
         if (placed || left < scale_.x0() || left + width > scale_.x1()) continue;
-        placed = labels_.claim({left - 5, on.y - 45, left + width + 5, on.y + 35});
+        placed = labels_.claim({left - 5, on.y - 45, left + width + 5, on.y + 50});
         if (placed) out_.text({left, on.y + 28}, Anchor::start, "message-name", arrow.message);
       }
+    }
+  }
+}
+
+// Above the lanes, in one of two rows, to the right or left of its line.
+void Panel::label_mark(const std::string& text, Length place) {
+  const Length width = text_width(text, small_font);
+  for (const Length base : {lanes_top_ - 20, lanes_top_ - 140}) {
+    for (const Length left : {place + 30, place - 30 - width}) {
+      if (left < scale_.x0() || left + width > scale_.x1()) continue;
+      if (!labels_.claim({left, base - 75, left + width, base + 20})) continue;
+      out_.text({left, base}, Anchor::start, "small", text);
+      return;
     }
   }
 }
@@ -109,11 +122,7 @@ void Panel::draw_marks(const Layer& layer) {
     if (mark.lane < 0 || mark.kind == MarkKind::completion || mark.kind == MarkKind::fault) {
       const std::string style = mark.kind == MarkKind::fault ? "ending fault" : "ending";
       out_.line({place, lanes_top_}, {place, lanes_bottom_}, style, mark.text + "\n" + when);
-      const Length width = text_width(mark.text, small_font);
-      const Length left = place + 30 + width > scale_.x1() ? place - 30 - width : place + 30;
-      if (labels_.claim({left, lanes_top_ - 100, left + width, lanes_top_})) {
-        out_.text({left, lanes_top_ - 20}, Anchor::start, "small", mark.text);
-      }
+      label_mark(mark.text, place);
       continue;
     }
     const auto lane = static_cast<std::size_t>(mark.lane);
@@ -127,9 +136,11 @@ void Panel::draw_marks(const Layer& layer) {
           move_to({place - 45, box.y0}) + line_to({place + 45, box.y0}) + line_to({place, box.y1}) + "Z",
           "event" + faded, title);
       const Length width = text_width(mark.text, bar_font);
-      if (layer.role != Role::backdrop &&
-          labels_.claim({place + 60, middle - 50, place + 60 + width, middle + 50})) {
-        out_.text({place + 60, middle + 30}, Anchor::start, "on-light", mark.text, title);
+      for (const Length left : {place + 60, place - 60 - width}) {
+        if (layer.role == Role::backdrop || left < scale_.x0() || left + width > scale_.x1()) continue;
+        if (!labels_.claim({left, middle - 50, left + width, middle + 50})) continue;
+        out_.text({left, middle + 30}, Anchor::start, "on-light", mark.text, title);
+        break;
       }
     } else if (mark.kind == MarkKind::overrun) {
       out_.path(cross({place, middle}, 45), "overrun" + faded, title);

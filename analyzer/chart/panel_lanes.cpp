@@ -9,7 +9,7 @@ namespace {
 
 // What is shorter than this on the page is drawn as wide; its title has the true time.
 constexpr Length least_bar = 14;
-constexpr Length small_font = 80;
+constexpr Length small_font = 85;
 
 std::string style_of(const Bar& bar, Role role) {
   std::string style = "bar ";
@@ -99,7 +99,7 @@ void Panel::draw_bars(const Layer& layer) {
       if (!touches(layer, bar.from_ns, bar.to_ns)) continue;
       const Box box = bar_box(layer, i, bar.from_ns, bar.to_ns);
       out_.rect(box, style_of(bar, layer.role), bar_title(layer, lane, bar));
-      labels_.take(box);
+      if (layer.role != Role::backdrop) labels_.take(box);
     }
   }
 }
@@ -114,7 +114,7 @@ void Panel::label_cluster(const Cluster& cluster, const Row& row) {
                          Point{cluster.x0 - 30 - width, above}, Point{cluster.x1 + 30, beside},
                          Point{cluster.x0 - 30 - width, beside}}) {
     if (at.x < scale_.x0() || at.x + width > scale_.x1()) continue;
-    if (!labels_.claim({at.x - 10, at.y - 70, at.x + width + 10, at.y + 15})) continue;
+    if (!labels_.claim({at.x - 10, at.y - 75, at.x + width + 10, at.y + 20})) continue;
     out_.text(at, Anchor::start, "number halo", text);
     return;
   }
@@ -123,7 +123,6 @@ void Panel::label_cluster(const Cluster& cluster, const Row& row) {
 // A text that fits is written into its bar; else its number is; else the numbers of neighbours are written
 // together above them.
 void Panel::label_bars(const Layer& layer) {
-  if (layer.role == Role::backdrop) return;
   for (std::size_t i = 0; i < layer.timeline->lanes.size(); ++i) {
     if (layer.rows[i] < 0) continue;
     const Lane& lane = layer.timeline->lanes[i];
@@ -136,33 +135,47 @@ void Panel::label_bars(const Layer& layer) {
     for (const Bar& bar : lane.bars) {
       if (!touches(layer, bar.from_ns, bar.to_ns)) continue;
       const Box box = bar_box(layer, i, bar.from_ns, bar.to_ns);
-      const Length middle = (box.x0 + box.x1) / 2;
-      const Length baseline = (box.y0 + box.y1) / 2 + 30;
-      const std::string ink = bar.kind == BarKind::computation ? "on-dark" : "on-light";
-      if (text_fits(bar, layer.shift_ns, scale_) && box.y1 - box.y0 >= 100) {
-        flush();
-        label_wide_bar(layer, lane, bar, box, ink);
-        continue;
-      }
       const int number = style_.labelled && !bar.resumed ? numbering_.number(lane, bar) : 0;
-      if (number == 0) continue;
-      const std::string text = std::to_string(number);
-      if (text_width(text, small_font) + 10 <= box.x1 - box.x0 && box.y1 - box.y0 >= 70) {
+      if (layer.role == Role::backdrop) {
+        if (number != 0) label_backdrop(number, box);
+      } else if (text_fits(bar, layer.shift_ns, scale_) && box.y1 - box.y0 >= 100) {
         flush();
-        out_.text({middle, baseline}, Anchor::middle, "number " + ink, text, bar_title(layer, lane, bar));
-        continue;
+        label_wide_bar(layer, lane, bar, box);
+      } else if (number != 0 && !label_narrow_bar(layer, lane, bar, box, number)) {
+        if (!cluster.numbers.empty() && box.x0 - cluster.x1 > 30) flush();
+        if (cluster.numbers.empty()) cluster.x0 = box.x0;
+        cluster.x1 = box.x1;
+        cluster.numbers.push_back(number);
       }
-      if (!cluster.numbers.empty() && box.x0 - cluster.x1 > 30) flush();
-      if (cluster.numbers.empty()) cluster.x0 = box.x0;
-      cluster.x1 = box.x1;
-      cluster.numbers.push_back(number);
     }
     flush();
   }
 }
 
-void Panel::label_wide_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box,
-                           const std::string& ink) {
+// The number of a proved action, in the upper half, where the measured run does not cover it.
+void Panel::label_backdrop(int number, const Box& box) {
+  const std::string text = std::to_string(number);
+  const TimeScale::Stretch room = scale_.widest(box.x0, box.x1);
+  const Length half = text_width(text, small_font) / 2;
+  if (2 * half + 10 > room.x1 - room.x0) return;
+  const Length middle = (room.x0 + room.x1) / 2;
+  const Length baseline = box.y0 + (box.y1 - box.y0) / 4 + 30;
+  if (!labels_.claim({middle - half, baseline - 75, middle + half, baseline + 20})) return;
+  out_.text({middle, baseline}, Anchor::middle, "number faded", text);
+}
+
+bool Panel::label_narrow_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box,
+                             int number) {
+  const std::string text = std::to_string(number);
+  const TimeScale::Stretch room = scale_.widest(box.x0, box.x1);
+  if (text_width(text, small_font) + 10 > room.x1 - room.x0 || box.y1 - box.y0 < 70) return false;
+  const std::string ink = bar.kind == BarKind::computation ? "on-dark" : "on-light";
+  out_.text({(room.x0 + room.x1) / 2, (box.y0 + box.y1) / 2 + 30}, Anchor::middle, "number " + ink, text,
+            bar_title(layer, lane, bar));
+  return true;
+}
+
+void Panel::label_wide_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box) {
   const TimeScale::Stretch room = scale_.widest(box.x0, box.x1);
   const Length width = text_width(bar.text, bar_font);
   if (width + 40 > room.x1 - room.x0) return;
@@ -170,6 +183,7 @@ void Panel::label_wide_bar(const Layer& layer, const Lane& lane, const Bar& bar,
   if (bar.kind == BarKind::serving) {
     out_.rect({middle - width / 2 - 20, box.y0 + 20, middle + width / 2 + 20, box.y1 - 20}, "paper");
   }
+  const char* ink = bar.kind == BarKind::computation ? "on-dark" : "on-light";
   out_.text({middle, (box.y0 + box.y1) / 2 + 30}, Anchor::middle, ink, bar.text, bar_title(layer, lane, bar));
 }
 
@@ -188,9 +202,13 @@ void Panel::label_gaps(const Layer& layer) {
         const Length left = std::max(piece.x0, x(layer, gap.from_ns));
         const Length right = std::min(piece.x1, x(layer, gap.to_ns));
         if (right - left < width + 60) continue;
-        const Length base = row.bar_top + style_.bar_height() / 2 - 20;
-        if (!labels_.claim({left + 30, base - 70, left + 30 + width, base + 15})) continue;
-        out_.text({left + 30, base}, Anchor::start, "quiet", text);
+        // Above a wait's line; into a ready bar, which is hatched, on paper.
+        const bool ready = gap.kind == GapKind::ready;
+        const Length base = row.bar_top + style_.bar_height() / 2 + (ready ? 30 : -20);
+        const Box box{left + 30, base - 75, left + 30 + width, base + 20};
+        if (!labels_.claim(box)) continue;
+        if (ready) out_.rect({box.x0 - 15, box.y0 - 10, box.x1 + 15, box.y1 + 10}, "paper");
+        out_.text({box.x0, base}, Anchor::start, "quiet", text);
         break;
       }
     }

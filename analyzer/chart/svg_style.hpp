@@ -12,11 +12,12 @@ text { font-family: "DejaVu Sans", Verdana, sans-serif; font-size: 90px; fill: #
 .subtitle { font-size: 115px } .strong { font-weight: bold }
 .heading { font-size: 110px; font-weight: bold }
 .name { font-size: 110px } .device { font-style: italic } .processor { font-size: 110px; font-weight: bold }
-.tick { font-size: 100px } .small, .number { font-size: 80px } .key { font-size: 90px } .key.number { font-weight: bold }
+.tick { font-size: 100px } .small, .number { font-size: 85px } .key { font-size: 90px } .key.number { font-weight: bold }
 .on-dark { font-size: 85px; fill: #fff } .on-light { font-size: 85px }
-.number.on-dark, .number.on-light { font-size: 80px }
-.quiet { font-size: 80px; fill: #444; font-style: italic }
-.message-name, .halo { font-size: 80px; fill: #222; paint-order: stroke; stroke: #fff; stroke-width: 20px }
+.number.on-dark, .number.on-light { font-size: 85px }
+.faded { fill: #666 }
+.quiet { font-size: 85px; fill: #444; font-style: italic }
+.message-name, .halo { font-size: 85px; fill: #222; paint-order: stroke; stroke: #fff; stroke-width: 20px }
 .figure { font-size: 105px; font-weight: bold } .figure.fails { fill: #a63c00 } .figure.holds { fill: #00563f }
 .bar { stroke: #000; stroke-width: 5px }
 .bar.computation { fill: #0072b2 } .bar.message { fill: #56b4e9 } .bar.conditional { fill: #f0e442 }

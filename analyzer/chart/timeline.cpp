@@ -48,6 +48,9 @@ class Builder {
       timeline_.arrows.push_back(arrow);
     }
     name_what_devices_serve();
+    // A condition that the run has nothing to do with has no waveform.
+    std::erase_if(timeline_.waveforms,
+                  [](const Waveform& wave) { return wave.sets.empty() && wave.reads.empty(); });
     put_in_order();
     return std::move(timeline_);
   }

@@ -76,7 +76,7 @@ struct Sample {
   std::int64_t lane = -1;  // who set or read it
 };
 
-/// A condition over the whole run: FALSE until its first set.
+/// A condition that is set or read in the run: FALSE until its first set.
 struct Waveform {
   std::string name;
   std::vector<Sample> sets;

@@ -76,6 +76,7 @@ void add_generate(CLI::App& app, GenerateOptions& options) {
   add_selection(*command, options.selection);
   command->add_option("-o,--output", options.output, "folder for the files")->type_name("FOLDER")->capture_default_str();
   command->add_option("--depfile", options.depfile, "also write a make rule with every file that was read")->type_name("FILE");
+  command->add_option("--depfile-target", options.depfile_target, "target of that rule, if not the files written")->type_name("FILE");
   command->footer(statuses);
 }
 

@@ -47,7 +47,8 @@ ExitStatus draw_atc(const AtcOptions& options, const Console& console);
 struct GenerateOptions {
   Selection selection;
   std::string output = ".";
-  std::string depfile;
+  std::string depfile;         // a make rule with every text that was read
+  std::string depfile_target;  // its target; empty: the files written
 };
 ExitStatus generate(const GenerateOptions& options, const Console& console);
 

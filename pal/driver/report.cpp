@@ -17,7 +17,10 @@ std::string margin_text(const analyzer::Verdict& verdict) {
   if (!verdict.bound) return "";
   const Duration margin = verdict.limit - *verdict.bound;
   const bool over = margin < Duration::zero();
-  return figure_text(verdict.measure, over ? -margin : margin) + (over ? " too much" : " to spare");
+  const bool load = verdict.measure == analyzer::Requirement::Measure::load;
+  // What is to spare of a load is rounded down, as its bound is rounded up.
+  const Duration rounding(load && !over ? margin.count() % 100'000 : 0);
+  return figure_text(verdict.measure, over ? -margin : margin - rounding) + (over ? " too much" : " to spare");
 }
 
 std::string bound_text(const analyzer::Verdict& verdict) {
