@@ -1,0 +1,195 @@
+#include "analyzer/exact.hpp"
+
+#include <algorithm>
+
+#include "analyzer/explain.hpp"
+#include "analyzer/load.hpp"
+
+namespace pal::analyzer {
+namespace {
+
+using Is = Verdict::State;
+
+/// More than any value that is not growing without end is likely to be: a few times all that the problem says of time.
+Nanoseconds first_cap(const Problem& problem, Nanoseconds limit) {
+  Nanoseconds sum = limit;
+  for (const Device& device : problem.devices) {
+    if (const auto* event = std::get_if<pan::EventDevice>(&device.behaviour)) {
+      sum += event->period.count() + event->jitter.count();
+    } else if (const auto* request = std::get_if<pan::RequestDevice>(&device.behaviour)) {
+      sum += request->answer.worst.count();
+    } else if (const auto* frames = std::get_if<pan::FrameDevice>(&device.behaviour)) {
+      sum += frames->period.count() + frames->collecting.count();
+    }
+  }
+  for (const Step& step : problem.steps) sum += step.cost.worst + step.within.value_or(0);
+  return 4 * sum;
+}
+
+class Analyzer {
+ public:
+  Analyzer(const Problem& problem, const Options& options) : problem_(problem), options_(options) {}
+
+  Analysis run() {
+    const double begun = options_.clock ? options_.clock() : 0;
+    for (const Requirement& requirement : problem_.requirements) {
+      Verdict verdict;
+      verdict.requirement = requirement.name;
+      verdict.measure = requirement.measure;
+      verdict.limit = Duration(requirement.limit);
+      verdict.where = requirement.where;
+      if (requirement.measure == Requirement::Measure::load) {
+        load(requirement, verdict);
+      } else {
+        timed(requirement, verdict);
+      }
+      analysis_.verdicts.push_back(std::move(verdict));
+    }
+    if (options_.clock) analysis_.statistics.seconds = options_.clock() - begun;
+    return std::move(analysis_);
+  }
+
+ private:
+  Limits limits() const { return {options_.max_states, options_.stop}; }
+
+  void timed(const Requirement& requirement, Verdict& verdict) {
+    const Watch watch = watch_of(problem_, requirement);
+    const Machine machine(problem_, watch);
+    Nanoseconds cap = first_cap(problem_, requirement.limit);
+    for (int attempt = 0;; ++attempt, cap *= 8) {
+      ZoneGraph graph(machine, cap, false);
+      const bool complete = graph.explore(limits());
+      analysis_.statistics.states += graph.classes().size();
+      const bool beyond = graph.over_cap() || graph.never_answered();
+      if (complete && beyond && !graph.failure() && attempt < 2) continue;
+      judge(requirement, machine, graph, complete, cap, verdict);
+      return;
+    }
+  }
+
+  void judge(const Requirement& requirement, const Machine& machine, const ZoneGraph& graph, bool complete,
+             Nanoseconds cap, Verdict& verdict) {
+    if (graph.failure()) {
+      verdict.witness = witness_of(machine, graph, unmeasured(*graph.failure()));
+      if (verdict.witness && verdict.witness->failed) {
+        verdict.state = Is::fails;
+        verdict.exact = true;
+        verdict.explanation = explanation(problem_, requirement, verdict);
+        return;
+      }
+      verdict.witness.reset();
+      verdict.explanation = "an event may stay without a response, but no run was found that shows it";
+      return;
+    }
+    if (graph.peak().value >= 0) verdict.witness = witness_of(machine, graph, graph.peak());
+    if (verdict.witness) verdict.reasons = reasons(problem_, requirement, *verdict.witness);
+    const Nanoseconds attained = verdict.witness ? verdict.witness->measured.value : -1;
+    if (!complete) {
+      verdict.state = attained > requirement.limit ? Is::fails : Is::undecided;
+      if (attained >= 0) verdict.explanation = explanation(problem_, requirement, verdict) + " ";
+      verdict.explanation += "The exploration ended before all runs had been seen.";
+      return;
+    }
+    if (graph.over_cap() || graph.never_answered()) {
+      verdict.state = attained > requirement.limit ? Is::fails : Is::undecided;
+      if (attained >= 0) verdict.explanation = explanation(problem_, requirement, verdict) + " ";
+      verdict.explanation += "There are longer ones: no bound was found up to " + milliseconds(cap) + ".";
+      return;
+    }
+    const Nanoseconds bound = std::max<Nanoseconds>(graph.peak().value, 0);
+    verdict.bound = Duration(bound);
+    verdict.exact = attained == bound || graph.peak().value < 0;
+    if (bound <= requirement.limit) {
+      verdict.state = Is::holds;
+    } else {
+      verdict.state = attained > requirement.limit ? Is::fails : Is::undecided;
+    }
+    verdict.explanation = explanation(problem_, requirement, verdict);
+  }
+
+  static Peak unmeasured(Peak peak) {
+    peak.value = -1;
+    return peak;
+  }
+
+  void load(const Requirement& requirement, Verdict& verdict) {
+    const Watch nothing;
+    const Machine machine(problem_, nothing);
+    ZoneGraph graph(machine, 0, true);
+    const bool complete = graph.explore(limits());
+    analysis_.statistics.states += graph.classes().size();
+    if (!complete) {
+      verdict.bound = Duration(1'000'000'000);
+      verdict.state = requirement.limit >= 1'000'000'000 ? Is::holds : Is::undecided;
+      verdict.explanation = "The exploration ended before all runs had been seen.";
+      return;
+    }
+    LoadBound worst;
+    int busiest = -1;
+    std::string others;
+    std::vector<LoadBound> bounds = load_bounds(machine, graph, requirement.processors, limits());
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+      LoadBound& bound = bounds[i];
+      const int processor = requirement.processors[i];
+      analysis_.statistics.states += bound.states;
+      const bool more = busiest < 0 || greater(bound.most, worst.most);
+      if (!others.empty()) others += ", ";
+      others += problem_.processors[static_cast<std::size_t>(processor)].name + " " + percent(bound);
+      if (more) {
+        worst = std::move(bound);
+        busiest = processor;
+      }
+    }
+    const Nanoseconds bound = per_second(worst.most);
+    verdict.bound = Duration(bound);
+    verdict.exact = worst.exact;
+    verdict.witness = std::move(worst.witness);
+    verdict.state = bound <= requirement.limit ? Is::holds : worst.exact ? Is::fails : Is::undecided;
+    const std::string& name = problem_.processors[static_cast<std::size_t>(busiest)].name;
+    verdict.explanation = "processor " + name + " is busy for at most " + milliseconds(worst.most.work) + " in every " +
+                          milliseconds(worst.most.time) + " in the long run (" + others + ")";
+    if (!worst.proved) verdict.explanation = "no bound below full load was proved for processor " + name + " (" + others + ")";
+  }
+
+  static std::string percent(const LoadBound& bound) {
+    const Nanoseconds parts = per_second(bound.most);  // of 10^9
+    const Nanoseconds hundredths = (parts + 99'999) / 100'000;
+    std::string digits = std::to_string(hundredths % 100);
+    if (digits.size() < 2) digits = "0" + digits;
+    return std::to_string(hundredths / 100) + "." + digits + " %" + (bound.exact ? "" : bound.proved ? " at most" : " not proved");
+  }
+
+  const Problem& problem_;
+  const Options& options_;
+  Analysis analysis_;
+};
+
+}  // namespace
+
+const char* name(Verdict::State state) {
+  switch (state) {
+    case Is::holds:
+      return "holds";
+    case Is::fails:
+      return "fails";
+    case Is::undecided:
+      return "undecided";
+  }
+  return "";
+}
+
+const char* name(Requirement::Measure measure) {
+  switch (measure) {
+    case Requirement::Measure::age:
+      return "age";
+    case Requirement::Measure::response:
+      return "response";
+    case Requirement::Measure::load:
+      return "load";
+  }
+  return "";
+}
+
+Analysis analyze(const Problem& problem, const Options& options) { return Analyzer(problem, options).run(); }
+
+}  // namespace pal::analyzer

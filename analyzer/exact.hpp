@@ -1,0 +1,33 @@
+// Exact analysis: every requirement against every run.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "analyzer/verdict.hpp"
+
+namespace pal::analyzer {
+
+struct Options {
+  /// Classes (age, response) or states (load) that one requirement may take; beyond that it is undecided.
+  std::size_t max_states = 1'000'000;
+  /// Asked now and then; once it says true, what is not decided stays undecided.
+  std::function<bool()> stop;
+  /// For the statistics: seconds from some beginning. Without it they say 0.
+  std::function<double()> clock;
+};
+
+struct Statistics {
+  std::size_t states = 0;
+  double seconds = 0;
+};
+
+struct Analysis {
+  std::vector<Verdict> verdicts;  // in the order of Problem::requirements
+  Statistics statistics;
+};
+
+Analysis analyze(const Problem& problem, const Options& options = {});
+
+}  // namespace pal::analyzer

@@ -1,0 +1,102 @@
+// One event of the machine, from the timer that fires to the threads that run afterwards.
+#pragma once
+
+#include "analyzer/machine.hpp"
+
+namespace pal::analyzer {
+
+class Firing {
+ public:
+  /// Works on `outcome.state`, which is the state before.
+  Firing(const Machine& machine, Choices& choices, bool record, Outcome& outcome);
+
+  void begin();
+  void fire(int timer);
+
+ private:
+  using Kind = trace::Kind;
+
+  // Threads and processors (firing_threads.cpp).
+  void reach(int thread, int step);
+  void reach_wait(int thread);
+  void fork(int thread);
+  void need_processor(int thread);
+  void leave_processor(int thread);
+  void end(int thread);
+  void child_ended(int parent);
+  void cancel(int thread);
+  void stop(int thread);
+  void dispatch();
+  void dispatch(int processor);
+  void enqueue(int thread, bool front);
+  void dequeue(int thread);
+
+  // Statements (firing.cpp).
+  void effect(int thread);
+  void effect_wait(int thread);
+  void effect_send(int thread);
+  void effect_set(int thread);
+  void effect_test(int thread);
+  void sent(int thread, bool put_it);
+  void finish(int thread, int next);
+  bool read(int thread, int condition);
+  std::uint64_t values_for_test(int thread, const Step& step);
+  void complete(int thread, int code);
+
+  // Messages and devices (firing_mail.cpp).
+  bool put(int channel, int thread, int device, std::uint8_t carries);
+  bool available(int channel, int thread) const;
+  void message_available(int channel);
+  void fill(int channel, int processor);
+  void take(int channel, int thread, int device);
+  void empty(int channel);
+  void drop(int channel);
+  void withdraw(int request);
+  void abandon(int thread);
+  void open_device(int device);
+  void arrives_at_device(int channel);
+  void take_pending(int device);
+  void device_next(int device);
+  void device_service(int device);
+  void event_occurs(int device);
+
+  // Measuring (firing_measure.cpp).
+  void measure(int thread);
+  void has_read(int thread, int condition);
+  void has_set(int condition);
+  void has_taken(int thread, std::uint8_t carries);
+  std::uint8_t new_event(int channel);
+  void answered(std::uint8_t event);
+  void start_tracking();
+  void settle();
+  void settle_age();
+  void settle_response();
+
+  ThreadState& state_of(int thread) { return state_.threads[static_cast<std::size_t>(thread)]; }
+  const ThreadState& state_of(int thread) const { return state_.threads[static_cast<std::size_t>(thread)]; }
+  const Thread& thread_of(int thread) const { return problem_.threads[static_cast<std::size_t>(thread)]; }
+  const Step& step_of(int thread) const {
+    return problem_.steps[static_cast<std::size_t>(state_of(thread).step)];
+  }
+  SlotState& slot(int channel) { return state_.slots[static_cast<std::size_t>(channel)]; }
+  const Channel& channel_of(int channel) const { return problem_.channels[static_cast<std::size_t>(channel)]; }
+  std::int8_t& running(int processor) { return state_.running[static_cast<std::size_t>(processor)]; }
+
+  void start_timer(int timer, Range range);
+  void stop_timer(int timer);
+  void emit(Kind kind, int thread, int subject = -1, int value = 0);
+  void emit_device(Kind kind, int device, int subject = -1, int value = 0);
+
+  const Machine& machine_;
+  const Problem& problem_;
+  const Watch& watch_;
+  Choices& choices_;
+  bool record_;
+  Outcome& outcome_;
+  State& state_;
+  std::vector<int> pending_origin_;
+  int old_observers_ = 0;
+  std::vector<int> queued_;  // threads that became ready
+};
+
+}  // namespace pal::analyzer

@@ -1,0 +1,240 @@
+// Threads and processors: who runs, who waits its turn, who begins and ends.
+#include <algorithm>
+
+#include "analyzer/firing.hpp"
+
+namespace pal::analyzer {
+
+/// At time 0 every module becomes ready; those that share a queue may come in any order.
+void Firing::begin() {
+  for (std::size_t d = 0; d < problem_.devices.size(); ++d) {
+    const auto* frames = std::get_if<pan::FrameDevice>(&problem_.devices[d].behaviour);
+    if (frames == nullptr) continue;
+    state_.devices[d].open = true;
+    const Range first = frames->phase ? Range{frames->phase->count(), frames->phase->count()}
+                                      : Range{0, frames->period.count()};
+    start_timer(machine_.next_timer(static_cast<int>(d)), first);
+  }
+  std::vector<int> modules;
+  for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
+    if (problem_.threads[t].parent < 0) modules.push_back(static_cast<int>(t));
+  }
+  while (!modules.empty()) {
+    const Thread& first = thread_of(modules.front());
+    std::vector<std::size_t> rivals;
+    for (std::size_t i = 0; i < modules.size(); ++i) {
+      const Thread& other = thread_of(modules[i]);
+      const Step::Kind kind = problem_.steps[static_cast<std::size_t>(other.entry)].kind;
+      const bool queues = kind != Step::Kind::wait || i == 0;
+      if (queues && other.processor == first.processor && other.priority == first.priority) rivals.push_back(i);
+    }
+    const Step::Kind kind = problem_.steps[static_cast<std::size_t>(first.entry)].kind;
+    const std::size_t chosen =
+        kind == Step::Kind::wait ? 0 : rivals[static_cast<std::size_t>(choices_.pick(static_cast<int>(rivals.size())))];
+    const int thread = modules[chosen];
+    modules.erase(modules.begin() + static_cast<std::ptrdiff_t>(chosen));
+    state_of(thread).status = Status::ready;
+    reach(thread, thread_of(thread).entry);
+  }
+  dispatch();
+  settle();
+}
+
+/// The thread comes to a statement. That needs no processor and is one with what led to it.
+void Firing::reach(int thread, int step) {
+  state_of(thread).step = static_cast<std::int16_t>(step);
+  state_of(thread).begun = false;
+  state_of(thread).choice = ThreadState::no_choice;
+  switch (step_of(thread).kind) {
+    case Step::Kind::end:
+      end(thread);
+      return;
+    case Step::Kind::fork:
+      fork(thread);
+      return;
+    case Step::Kind::wait:
+      reach_wait(thread);
+      return;
+    default:
+      need_processor(thread);
+  }
+}
+
+void Firing::reach_wait(int thread) {
+  const Step& step = step_of(thread);
+  for (int channel : step.channels) {
+    if (channel_of(channel).sender_device >= 0) open_device(channel_of(channel).sender_device);
+  }
+  for (std::size_t i = 0; i < step.channels.size(); ++i) {
+    if (!available(step.channels[i], thread)) continue;
+    slot(step.channels[i]).fill = SlotState::Fill::claimed;
+    state_of(thread).choice = static_cast<std::int8_t>(i);
+    need_processor(thread);
+    return;
+  }
+  if (step.within && *step.within == 0) {
+    state_of(thread).choice = ThreadState::gives_up;
+    emit(Kind::give_up, thread, step.channels.front());
+    need_processor(thread);
+    return;
+  }
+  leave_processor(thread);
+  state_of(thread).status = Status::waiting;
+  emit(Kind::block, thread, step.channels.front());
+  if (step.within) start_timer(machine_.thread_timer(thread), {*step.within, *step.within});
+}
+
+void Firing::fork(int thread) {
+  leave_processor(thread);
+  state_of(thread).status = Status::joining;
+  emit(Kind::block, thread);
+  const std::vector<int>& blocks = step_of(thread).threads;
+  for (int block : blocks) {
+    ThreadState fresh;
+    fresh.status = Status::ready;
+    fresh.carries = state_of(thread).carries;
+    state_of(block) = fresh;
+  }
+  for (int block : blocks) {
+    if (state_of(block).status != Status::off && !state_.ended) reach(block, thread_of(block).entry);
+  }
+}
+
+/// With a new statement: keeps the processor, or queues for it.
+void Firing::need_processor(int thread) {
+  ThreadState& state = state_of(thread);
+  state.begun = false;
+  if (state.status == Status::running) return;
+  state.status = Status::ready;
+  enqueue(thread, false);
+  queued_.push_back(thread);
+}
+
+void Firing::leave_processor(int thread) {
+  if (state_of(thread).status == Status::running) running(thread_of(thread).processor) = -1;
+  dequeue(thread);
+}
+
+void Firing::dequeue(int thread) { std::erase(state_.queue, static_cast<std::int8_t>(thread)); }
+
+void Firing::enqueue(int thread, bool front) {
+  const Thread& of = thread_of(thread);
+  const auto behind = [&](std::int8_t other) {  // whether `other` stands behind the new one
+    const Thread& o = thread_of(other);
+    if (o.processor != of.processor) return o.processor > of.processor;
+    if (o.priority != of.priority) return o.priority < of.priority;
+    return front;
+  };
+  const auto place = std::find_if(state_.queue.begin(), state_.queue.end(), behind);
+  state_.queue.insert(place, static_cast<std::int8_t>(thread));
+}
+
+void Firing::end(int thread) {
+  leave_processor(thread);
+  ThreadState off;
+  state_of(thread) = off;
+  if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent);
+}
+
+/// A block has ended or stopped. When all that can end have, the others are cancelled.
+void Firing::child_ended(int parent) {
+  ThreadState& state = state_of(parent);
+  if (state.status != Status::joining) return;
+  const std::vector<int> blocks = step_of(parent).threads;
+  bool alive = false;
+  bool goes_on = false;
+  bool can_end = false;
+  for (int block : blocks) {
+    const bool here = state_of(block).status != Status::off;
+    alive = alive || here;
+    goes_on = goes_on || (here && thread_of(block).can_end);
+    can_end = can_end || thread_of(block).can_end;
+  }
+  if (alive && !state.cancelled && (goes_on || !can_end)) return;
+  for (int block : blocks) {
+    // Stopping the last block lets the parent go on, and perhaps come back here.
+    if (state.status != Status::joining) return;
+    if (state_of(block).status != Status::off && !state_of(block).cancelled) cancel(block);
+  }
+  if (state.status != Status::joining) return;
+  for (int block : blocks) {
+    if (state_of(block).status != Status::off) return;
+  }
+  state.status = Status::ready;
+  if (state.cancelled) {
+    stop(parent);
+  } else {
+    reach(parent, step_of(parent).next.front());
+  }
+}
+
+void Firing::cancel(int thread) {
+  ThreadState& state = state_of(thread);
+  state.cancelled = true;
+  if (state.status == Status::joining) {
+    child_ended(thread);
+    return;
+  }
+  const bool busy = state.begun && (state.status == Status::running || state.status == Status::ready);
+  if (!busy) stop(thread);
+}
+
+void Firing::stop(int thread) {
+  emit(Kind::cancel, thread);
+  const ThreadState before = state_of(thread);
+  const bool limited = before.status == Status::waiting && step_of(thread).within.has_value();
+  if (limited) stop_timer(machine_.thread_timer(thread));
+  leave_processor(thread);
+  state_of(thread).status = Status::off;
+  abandon(thread);
+  state_of(thread) = {};
+  if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent);
+}
+
+void Firing::dispatch() {
+  for (std::size_t p = 0; p < problem_.processors.size(); ++p) dispatch(static_cast<int>(p));
+  for (int thread : queued_) {
+    if (state_of(thread).status == Status::ready && !state_of(thread).begun) emit(Kind::ready, thread);
+  }
+}
+
+void Firing::dispatch(int processor) {
+  int first = -1;
+  for (std::int8_t queued : state_.queue) {
+    if (thread_of(queued).processor == processor) {
+      first = queued;
+      break;
+    }
+  }
+  int current = running(processor);
+  if (current >= 0 && first >= 0 && problem_.processors[static_cast<std::size_t>(processor)].preemptive &&
+      thread_of(first).priority > thread_of(current).priority) {
+    if (state_of(current).begun) {
+      outcome_.changes.push_back({TimerChange::Kind::freeze, machine_.thread_timer(current), {}});
+      emit(Kind::stop, current);
+    } else {
+      queued_.push_back(current);
+    }
+    state_of(current).status = Status::ready;
+    enqueue(current, true);
+    current = -1;
+  }
+  if (current < 0 && first >= 0) {
+    dequeue(first);
+    current = first;
+    state_of(current).status = Status::running;
+    running(processor) = static_cast<std::int8_t>(current);
+    if (state_of(current).begun) {
+      outcome_.changes.push_back({TimerChange::Kind::resume, machine_.thread_timer(current), {}});
+      emit(Kind::start, current);
+      return;
+    }
+  }
+  if (current >= 0 && !state_of(current).begun) {
+    state_of(current).begun = true;
+    start_timer(machine_.thread_timer(current), machine_.cost(state_, current));
+    emit(Kind::start, current);
+  }
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,106 @@
+#include "analyzer/machine.hpp"
+
+#include "analyzer/firing.hpp"
+
+namespace pal::analyzer {
+
+int AllChoices::pick(int n) {
+  if (at_ == taken_.size()) {
+    taken_.push_back(0);
+    of_.push_back(static_cast<std::uint8_t>(n));
+  }
+  return taken_[at_++];
+}
+
+bool AllChoices::next() {
+  while (!taken_.empty()) {
+    if (taken_.back() + 1 < of_.back()) {
+      ++taken_.back();
+      at_ = 0;
+      return true;
+    }
+    taken_.pop_back();
+    of_.pop_back();
+  }
+  return false;
+}
+
+int ScriptedChoices::pick(int n) {
+  if (at_ == script_.size()) return 0;
+  const int choice = script_[at_++];
+  return choice < n ? choice : 0;
+}
+
+int Machine::timer_count() const { return next_timer(static_cast<int>(problem_.devices.size())); }
+
+int Machine::processor_of(const State& state, int timer) const {
+  if (timer >= static_cast<int>(problem_.threads.size())) return -1;
+  const auto thread = static_cast<std::size_t>(timer);
+  return state.threads[thread].status == Status::running ? problem_.threads[thread].processor : -1;
+}
+
+Range Machine::cost(const State& state, int timer) const {
+  const ThreadState& thread = state.threads[static_cast<std::size_t>(timer)];
+  const Step& step = problem_.steps[static_cast<std::size_t>(thread.step)];
+  const bool gives_up = step.kind == Step::Kind::wait && thread.choice == ThreadState::gives_up;
+  return gives_up ? step.give_up_cost : step.cost;
+}
+
+std::string Machine::timer_name(int timer) const {
+  if (timer < flight_timer(0)) return problem_.threads[static_cast<std::size_t>(timer)].name;
+  if (timer < next_timer(0)) return problem_.channels[static_cast<std::size_t>((timer - flight_timer(0)) / 2)].message;
+  return problem_.devices[static_cast<std::size_t>((timer - next_timer(0)) / 2)].name;
+}
+
+Outcome Machine::initial(Choices& choices, bool record) const {
+  Outcome outcome;
+  State& state = outcome.state;
+  state.threads.resize(problem_.threads.size());
+  state.running.assign(problem_.processors.size(), -1);
+  state.slots.resize(problem_.channels.size());
+  state.devices.resize(problem_.devices.size());
+  Firing(*this, choices, record, outcome).begin();
+  return outcome;
+}
+
+bool Machine::fire(const State& state, int timer, Choices& choices, bool record, Outcome& outcome) const {
+  if (timer >= next_timer(0)) {
+    const int device = (timer - next_timer(0)) / 2;
+    const DeviceState& of = state.devices[static_cast<std::size_t>(device)];
+    if (timer == next_timer(device) && of.serving != 0 &&
+        std::holds_alternative<pan::FrameDevice>(problem_.devices[static_cast<std::size_t>(device)].behaviour)) {
+      return false;
+    }
+  }
+  outcome = {};
+  outcome.state = state;
+  Firing(*this, choices, record, outcome).fire(timer);
+  return true;
+}
+
+void pass_cap(State& state, const Watch& watch, int number) {
+  --state.observers;
+  if (watch.kind == Watch::Kind::response) {
+    int at = 0;
+    for (Pending& pending : state.pending) {
+      if (pending != Pending::observed) continue;
+      if (at++ == number) {
+        pending = Pending::over;
+        return;
+      }
+    }
+    return;
+  }
+  const auto pass = [number](std::uint8_t& carries) {
+    if (carries >= tag::over) return;
+    if (carries == number) {
+      carries = tag::over;
+    } else if (carries > number) {
+      --carries;
+    }
+  };
+  pass(state.condition_carries);
+  for (ThreadState& thread : state.threads) pass(thread.carries);
+}
+
+}  // namespace pal::analyzer

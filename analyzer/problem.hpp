@@ -1,0 +1,127 @@
+// A skill in its environment as one flat, validated model: what every analysis starts from (docs/execution-model.md).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "pal/pan/environment.hpp"
+#include "pal/pan/network.hpp"
+#include "pal/support/diagnostic.hpp"
+#include "pal/support/source.hpp"
+#include "pal/support/time.hpp"
+
+namespace pal::analyzer {
+
+/// Nanoseconds; analyses count in plain integers.
+using Nanoseconds = std::int64_t;
+
+/// Closed range of nanoseconds. `worst` may be unbounded (a sporadic event); nothing else ever is.
+struct Range {
+  static constexpr Nanoseconds unbounded = INT64_MAX / 4;
+  Nanoseconds best = 0;
+  Nanoseconds worst = 0;
+
+  friend bool operator==(const Range&, const Range&) = default;
+};
+
+/// One statement of a thread, or a place where the flow of threads splits or ends. REPEAT, END CASE and what else takes
+/// no time is gone: `next` leads past it. The body of an Execute stands in its place.
+struct Step {
+  enum class Kind { wait, send, set, read, test, activity, complete, fork, end };
+  Kind kind = Kind::end;
+  int statement = -1;  // in Problem::statements; -1: none
+  Range cost;          // of a wait: of its receive
+  Range give_up_cost;  // wait with a limit: of the test that gives up
+
+  std::vector<int> channels;          // wait: in the order of preference; send: the one
+  std::optional<Nanoseconds> within;  // wait
+  int condition = -1;                 // set, read
+  std::optional<bool> value;          // set
+  int code = 0;                       // complete
+  std::vector<pan::Guard> guards;     // test: without a guard that holds, next[guards.size()], if there is one
+  std::vector<int> threads;           // fork: the blocks
+  /// Steps that follow. wait: one a channel, then ELSE. test: one a guard, then where none holds (absent: the skill
+  /// ends with its error completion). fork: after END CONCURRENT. complete, end: none.
+  std::vector<int> next;
+};
+
+struct Thread {
+  std::string name;
+  int module = -1;  // whose channels it uses
+  int processor = -1;
+  int priority = 0;
+  int parent = -1;      // of a block: the thread of its CONCURRENT
+  bool can_end = true;  // its flow can reach its end
+  int entry = -1;       // first step
+};
+
+struct Channel {
+  int sender_device = -1;    // -1: a module sends
+  int receiver_device = -1;  // -1: a module receives
+  int sender_module = -1;
+  int receiver_module = -1;
+  int answer = -1;      // of a request: channel of its answer
+  int answers = -1;     // of an answer: channel of the request
+  bool served = false;  // a request that its device answers
+  std::vector<int> receiver_processors;  // of the threads that wait for it
+  std::string message;
+};
+
+struct Device {
+  std::string name;
+  std::variant<std::monostate, pan::EventDevice, pan::RequestDevice, pan::FrameDevice> behaviour;
+  int event = -1;                 // event device: the channel of its event; -1: nobody waits for it
+  std::vector<int> requests;      // on request, frames: channels of what it serves
+};
+
+struct Statement {
+  std::string module;
+  std::string text;  // canonical PAL
+  std::string file;
+  int line = 0;
+  SourceSpan where;
+  int source_module = -1;  // in the network
+  int source_node = -1;
+};
+
+/// A requirement, its statements as a set of steps.
+struct Requirement {
+  enum class Measure { age, response, load };
+  std::string name;
+  Measure measure = Measure::age;
+  int condition = -1;             // age
+  int event = -1;                 // response: channel
+  int device = -1;                // response: device that sends the event
+  std::vector<bool> at;           // age, response: by step
+  std::vector<int> processors;    // load
+  Nanoseconds limit = 0;
+  SourceSpan where;
+};
+
+struct Problem {
+  std::string skill;
+  std::string environment;
+  std::vector<pan::Processor> processors;
+  std::vector<Thread> threads;  // a block stands behind its parent
+  std::vector<Step> steps;
+  std::vector<Channel> channels;
+  std::vector<Device> devices;
+  std::vector<std::string> conditions;
+  std::vector<Statement> statements;
+  std::vector<Requirement> requirements;
+  Range within_processor;      // latency of a message to a thread on the sender's processor
+  Range between_processors;    // and to one on another
+  std::vector<std::string> module_names;
+  int error_code = 2;  // of the error completion
+};
+
+/// Builds the model of `network` in `environment`. Reports everything in the environment that is missing, unknown or
+/// impossible (PAL072x) and requirements that cannot be meant (PAL081x); no model if there was such an error.
+/// `sources` gives statements their file and line; without it they have none.
+std::optional<Problem> make_problem(const pan::Network& network, const pan::Environment& environment,
+                                    Diagnostics& diagnostics, const SourceManager* sources = nullptr);
+
+}  // namespace pal::analyzer

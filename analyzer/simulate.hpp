@@ -1,0 +1,33 @@
+// One run of a skill, with times and outcomes drawn by seed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "analyzer/clockwork.hpp"
+
+namespace pal::analyzer {
+
+struct SimulationOptions {
+  /// extremes: each time is its best or its worst, by chance. What the skill leaves open (outcomes of conditions,
+  /// orders at one instant) is drawn by seed in any case.
+  enum class Times { worst, best, random, extremes };
+  Times times = Times::worst;
+  std::uint64_t seed = 1;
+  Nanoseconds until = 1'000'000'000;
+  std::size_t max_events = 1'000'000;
+  bool record = true;
+};
+
+struct Simulation {
+  trace::Trace trace;
+  std::vector<Measurement> measured;
+  bool ended = false;   // the skill did
+  bool failed = false;  // an event of what is watched can have no response
+};
+
+/// The same options give the same run.
+Simulation simulate(const Machine& machine, const SimulationOptions& options);
+
+}  // namespace pal::analyzer

@@ -1,0 +1,114 @@
+// Everything about a running skill that is not a length of time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace pal::analyzer {
+
+/// What a thread, message or condition carries of the thing that is being measured: the number of an observer (age) or
+/// of an event (response), or one of these.
+namespace tag {
+constexpr std::uint8_t none = 255;
+constexpr std::uint8_t over = 254;  // age: older than the cap
+constexpr std::uint8_t most = 200;
+}  // namespace tag
+
+enum class Status : std::uint8_t { off, ready, running, waiting, sending, joining };
+
+struct ThreadState {
+  std::int16_t step = -1;
+  Status status = Status::off;
+  std::int8_t choice = no_choice;  // a wait that is over: which of its channels; or one of these
+  bool begun = false;              // the statement has had the processor
+  bool cancelled = false;
+  std::uint8_t carries = tag::none;
+  std::uint64_t latched = 0;         // conditions that an RPC latched, by bit
+  std::uint64_t latched_values = 0;  // TRUE ones of them
+
+  static constexpr std::int8_t no_choice = -1;
+  static constexpr std::int8_t gives_up = -2;
+  static constexpr std::int8_t withdrawn = -3;  // what it was receiving is gone
+
+  friend bool operator==(const ThreadState&, const ThreadState&) = default;
+};
+
+struct SlotState {
+  enum class Fill : std::uint8_t { empty, full, claimed };
+  enum class Way : std::uint8_t { none, flying, there };
+  Fill fill = Fill::empty;
+  Way near = Way::none;       // to threads on the sender's processor
+  Way far = Way::none;        // to those on others
+  std::int8_t from = -1;      // the sender's processor; -1: a device, or nobody
+  std::uint8_t carries = tag::none;
+  std::uint8_t open = 0;      // requests: sent and not answered, the answer taken
+  std::uint8_t unwanted = 0;  // answers: how many to discard instead of putting them
+  std::int8_t owner = -1;     // requests: thread that sent the last
+  std::uint8_t serving_carries = tag::none;  // requests to a device: of the one that it is serving
+
+  friend bool operator==(const SlotState&, const SlotState&) = default;
+};
+
+struct DeviceState {
+  bool open = false;
+  bool late = false;           // event: due, but not there yet
+  std::uint32_t serving = 0;   // by index into Device::requests
+
+  friend bool operator==(const DeviceState&, const DeviceState&) = default;
+};
+
+/// An event without a response, in the order of birth.
+enum class Pending : std::uint8_t { observed, over, lost };
+
+struct State {
+  std::vector<ThreadState> threads;
+  std::vector<std::int8_t> running;  // by processor; -1: idle
+  std::vector<std::int8_t> queue;    // ready threads, by processor, priority, place in the queue
+  std::vector<SlotState> slots;
+  std::vector<DeviceState> devices;
+  std::uint64_t conditions = 0;
+  std::uint8_t condition_carries = tag::none;
+  std::uint8_t observers = 0;
+  std::vector<Pending> pending;
+  bool ended = false;
+  bool failed = false;  // an event of the requirement can have no response any more
+
+  friend bool operator==(const State&, const State&) = default;
+};
+
+struct StateHash {
+  std::size_t operator()(const State& state) const {
+    std::uint64_t hash = 0x9e3779b97f4a7c15U;
+    const auto mix = [&hash](std::uint64_t value) {
+      hash ^= value + 0x9e3779b97f4a7c15U + (hash << 6U) + (hash >> 2U);
+      hash *= 0xff51afd7ed558ccdU;
+    };
+    for (const ThreadState& t : state.threads) {
+      mix(static_cast<std::uint64_t>(t.step + 1) << 32U | static_cast<std::uint64_t>(t.status) << 24U |
+          static_cast<std::uint64_t>(t.choice + 8) << 16U | static_cast<std::uint64_t>(t.carries) << 8U |
+          static_cast<std::uint64_t>(t.begun ? 2 : 0) | static_cast<std::uint64_t>(t.cancelled ? 1 : 0));
+      mix(t.latched * 3 + t.latched_values);
+    }
+    for (std::int8_t r : state.running) mix(static_cast<std::uint64_t>(r + 1));
+    for (std::int8_t q : state.queue) mix(static_cast<std::uint64_t>(q + 1000));
+    for (const SlotState& s : state.slots) {
+      mix(static_cast<std::uint64_t>(s.fill) << 56U | static_cast<std::uint64_t>(s.near) << 54U |
+          static_cast<std::uint64_t>(s.far) << 52U | static_cast<std::uint64_t>(s.from + 1) << 40U | static_cast<std::uint64_t>(s.carries) << 32U |
+          static_cast<std::uint64_t>(s.open) << 24U | static_cast<std::uint64_t>(s.unwanted) << 16U |
+          static_cast<std::uint64_t>(s.owner + 1) << 8U | s.serving_carries);
+    }
+    for (const DeviceState& d : state.devices) {
+      mix(static_cast<std::uint64_t>(d.serving) << 2U | static_cast<std::uint64_t>(d.open ? 2 : 0) |
+          static_cast<std::uint64_t>(d.late ? 1 : 0));
+    }
+    mix(state.conditions);
+    mix(static_cast<std::uint64_t>(state.condition_carries) << 16U | static_cast<std::uint64_t>(state.observers) << 8U |
+        static_cast<std::uint64_t>(state.ended ? 2 : 0) | static_cast<std::uint64_t>(state.failed ? 1 : 0));
+    for (Pending p : state.pending) mix(static_cast<std::uint64_t>(p) + 77);
+    return static_cast<std::size_t>(hash);
+  }
+};
+
+}  // namespace pal::analyzer

@@ -1,0 +1,52 @@
+// What an analysis says of a requirement.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analyzer/problem.hpp"
+#include "analyzer/witness.hpp"
+#include "pal/support/source.hpp"
+#include "pal/support/time.hpp"
+
+namespace pal::analyzer {
+
+enum class VerdictState { holds, fails, undecided };
+
+/// A piece of the time that a bound is made of.
+struct Reason {
+  Nanoseconds from = 0;
+  Nanoseconds to = 0;
+  std::string actor;  // thread or device
+  std::string what;   // "waits at WTM( motion request from MC1 )"
+  std::string file;
+  int line = 0;       // 0: no place in a text
+};
+
+struct Verdict {
+  using State = VerdictState;
+  std::string requirement;
+  Requirement::Measure measure = Requirement::Measure::age;
+  State state = State::undecided;
+  Duration limit{};
+  /// Least value that no run exceeds, as far as is known; load: nanoseconds of work in a second, rounded up. Nothing:
+  /// unbounded, or not known to be bounded.
+  std::optional<Duration> bound;
+  /// A run that was replayed attains the bound (load: comes as near to it as one likes).
+  bool exact = false;
+  /// The run in which the requirement comes nearest to failing, or fails first.
+  std::optional<Witness> witness;
+  /// For people: one paragraph.
+  std::string explanation;
+  /// Without gaps from the birth of what is measured to its use; the lengths add up to the witness's value.
+  std::vector<Reason> reasons;
+  SourceSpan where;
+};
+
+/// "holds", "fails", "undecided".
+const char* name(Verdict::State state);
+/// "age", "response", "load".
+const char* name(Requirement::Measure measure);
+
+}  // namespace pal::analyzer

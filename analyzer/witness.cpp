@@ -1,0 +1,258 @@
+#include "analyzer/witness.hpp"
+
+#include <algorithm>
+
+namespace pal::analyzer {
+namespace {
+
+/// t[to] - t[from] <= bound.
+struct Constraint {
+  std::size_t from;
+  std::size_t to;
+  Nanoseconds bound;
+};
+
+constexpr Nanoseconds none = Range::unbounded;
+
+/// Shortest distances from `source`; nothing if the constraints contradict one another.
+std::optional<std::vector<Nanoseconds>> distances(const std::vector<Constraint>& constraints, std::size_t count,
+                                                  std::size_t source) {
+  std::vector<Nanoseconds> distance(count, none);
+  distance[source] = 0;
+  for (std::size_t round = 0; round <= count; ++round) {
+    bool changed = false;
+    for (const Constraint& c : constraints) {
+      if (distance[c.from] >= none || c.bound >= none) continue;
+      if (distance[c.from] + c.bound < distance[c.to]) {
+        distance[c.to] = distance[c.from] + c.bound;
+        changed = true;
+      }
+    }
+    if (!changed) return distance;
+  }
+  return std::nullopt;
+}
+
+/// The path as constraints on the times of its events.
+class Schedule {
+ public:
+  /// How long an action takes that preempts others and whose time is not fixed.
+  enum class Pin { worst, best };
+
+  Schedule(const Machine& machine, const std::vector<ScriptedFiring>& path, Pin pin)
+      : machine_(machine), clockwork_(machine, false), lives_(static_cast<std::size_t>(machine.timer_count())), pin_(pin) {
+    feasible_ = build(path);
+  }
+
+  bool feasible() const { return feasible_; }
+
+  /// Times of all events such that what was measured at the last is as great as it can be; nothing if impossible.
+  std::optional<std::vector<Nanoseconds>> solve(bool greatest) {
+    std::vector<Constraint> constraints = constraints_;
+    if (greatest) {
+      if (births_at_end_.empty()) return std::nullopt;
+      std::optional<Constraint> best;
+      for (std::size_t born : births_at_end_) {
+        const auto distance = distances(constraints, count_, born);
+        if (!distance || (*distance)[count_ - 1] >= none) return std::nullopt;
+        if (!best || (*distance)[count_ - 1] > -best->bound) best = Constraint{count_ - 1, born, -(*distance)[count_ - 1]};
+      }
+      constraints.push_back(*best);
+    }
+    // As early as can be: longest paths from the start, which are shortest ones backwards.
+    std::vector<Constraint> reversed;
+    for (const Constraint& c : constraints) reversed.push_back({c.to, c.from, c.bound});
+    const auto distance = distances(reversed, count_, 0);
+    if (!distance) return std::nullopt;
+    std::vector<Nanoseconds> times;
+    for (Nanoseconds d : *distance) times.push_back(-d);
+    return times;
+  }
+
+  /// At the end `timer` has `left` to go.
+  void leave(int timer, Nanoseconds left) {
+    const Life& life = lives_[static_cast<std::size_t>(timer)];
+    if (!life.active || life.frozen) {
+      feasible_ = false;
+      return;
+    }
+    const Nanoseconds most = life.range.worst >= none ? none : life.range.worst + life.owed - left;
+    between(life.started, count_ - 1, life.range.best + life.owed - left, most);
+  }
+
+ private:
+  struct Life {
+    bool active = false;
+    std::size_t started = 0;
+    Range range;
+    Nanoseconds owed = 0;  // processor time that others had while this one was frozen
+    bool frozen = false;
+    std::size_t froze = 0;
+  };
+
+  void between(std::size_t from, std::size_t to, Nanoseconds least, Nanoseconds most) {
+    constraints_.push_back({to, from, -least});
+    if (most < none) constraints_.push_back({from, to, most});
+  }
+
+  bool build(const std::vector<ScriptedFiring>& path) {
+    std::vector<std::size_t> births;
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      ScriptedChoices choices(path[k].choices);
+      const int timer = path[k].timer;
+      if (k == 0) {
+        clockwork_.begin(choices);
+      } else {
+        between(k - 1, k, 0, none);
+        const State before = clockwork_.state();
+        Life& life = lives_[static_cast<std::size_t>(timer)];
+        if (!life.active || life.frozen) return false;
+        Range range{life.range.best, life.range.worst};
+        const int processor = machine_.processor_of(before, timer);
+        if (processor >= 0) pay(processor, timer, range);
+        between(life.started, k, range.best + life.owed, range.worst >= none ? none : range.worst + life.owed);
+        life = {};
+        if (!clockwork_.fire(timer, 0, choices)) return false;
+      }
+      apply_changes(k);
+      const Outcome& outcome = clockwork_.outcome();
+      if (k + 1 == path.size()) {
+        for (int origin : outcome.measured) births_at_end_.push_back(origin < 0 ? k : births[static_cast<std::size_t>(origin)]);
+      }
+      std::vector<std::size_t> next;
+      for (int origin : outcome.origin) next.push_back(origin < 0 ? k : births[static_cast<std::size_t>(origin)]);
+      births = std::move(next);
+    }
+    count_ = path.size();
+    for (const Life& life : lives_) {
+      if (life.active) still_open(life, life.frozen ? life.froze : count_ - 1);
+    }
+    return true;
+  }
+
+  void still_open(const Life& life, std::size_t until) {
+    if (life.range.worst < none) constraints_.push_back({life.started, until, life.range.worst + life.owed});
+  }
+
+  /// An action ends: the ones that it preempted are owed its time, which is fixed for that purpose.
+  void pay(int processor, int timer, Range& range) {
+    for (std::size_t t = 0; t < machine_.problem().threads.size(); ++t) {
+      if (static_cast<int>(t) == timer || !lives_[t].active || !lives_[t].frozen) continue;
+      if (machine_.problem().threads[t].processor != processor) continue;
+      if (range.best != range.worst) range.best = range.worst = pin_ == Pin::worst ? range.worst : range.best;
+      lives_[t].owed += range.best;
+    }
+  }
+
+  void apply_changes(std::size_t k) {
+    for (const TimerChange& change : clockwork_.outcome().changes) {
+      Life& life = lives_[static_cast<std::size_t>(change.timer)];
+      switch (change.kind) {
+        case TimerChange::Kind::start:
+          life = {true, k, change.range, 0, false, 0};
+          break;
+        case TimerChange::Kind::stop:
+          still_open(life, k);
+          life = {};
+          break;
+        case TimerChange::Kind::freeze:
+          still_open(life, k);
+          life.frozen = true;
+          life.froze = k;
+          break;
+        case TimerChange::Kind::resume:
+          life.frozen = false;
+          break;
+      }
+    }
+  }
+
+  const Machine& machine_;
+  Clockwork clockwork_;
+  std::vector<Life> lives_;
+  Pin pin_;
+  std::vector<Constraint> constraints_;
+  std::vector<std::size_t> births_at_end_;
+  std::size_t count_ = 0;
+  bool feasible_ = false;
+};
+
+std::vector<ScriptedFiring> path_to(const ZoneGraph& graph, const Peak& peak) {
+  std::vector<ScriptedFiring> path{{peak.timer, peak.choices, 0}};
+  for (int at = peak.parent; at >= 0;) {
+    const ZoneClass& of = graph.classes()[static_cast<std::size_t>(at)];
+    path.push_back({of.timer, of.choices, 0});
+    at = of.parent;
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+}  // namespace
+
+std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, const ZoneGraph& graph, int target,
+                                                     const std::vector<std::pair<int, Nanoseconds>>& left) {
+  const ZoneClass& of = graph.classes()[static_cast<std::size_t>(target)];
+  Peak last;
+  last.parent = of.parent;
+  last.timer = of.timer;
+  last.choices = of.choices;
+  std::vector<ScriptedFiring> path = path_to(graph, last);
+  Schedule schedule(machine, path, Schedule::Pin::worst);
+  for (const auto& [timer, time] : left) schedule.leave(timer, time);
+  if (!schedule.feasible()) return std::nullopt;
+  const auto times = schedule.solve(false);
+  if (!times) return std::nullopt;
+  for (std::size_t k = 0; k < path.size(); ++k) path[k].at = (*times)[k];
+  return path;
+}
+
+std::optional<Witness> replay(const Machine& machine, const std::vector<ScriptedFiring>& script) {
+  Clockwork clockwork(machine);
+  for (std::size_t k = 0; k < script.size(); ++k) {
+    ScriptedChoices choices(script[k].choices);
+    if (k == 0) {
+      clockwork.begin(choices);
+      continue;
+    }
+    const Nanoseconds at = script[k].at;
+    if (at < clockwork.now()) return std::nullopt;
+    const auto& timers = clockwork.timers();
+    for (std::size_t t = 0; t < timers.size(); ++t) {
+      if (!timers[t].active || timers[t].frozen) continue;
+      if (clockwork.worked(static_cast<int>(t), at) > timers[t].range.worst) return std::nullopt;
+    }
+    const auto& fired = timers[static_cast<std::size_t>(script[k].timer)];
+    if (!fired.active || fired.frozen || clockwork.worked(script[k].timer, at) < fired.range.best) return std::nullopt;
+    if (!clockwork.fire(script[k].timer, at, choices)) return std::nullopt;
+  }
+  Witness witness;
+  witness.script = script;
+  witness.trace = clockwork.trace();
+  witness.failed = clockwork.state().failed;
+  if (!clockwork.measured().empty() && clockwork.measured().back().at == clockwork.now()) {
+    for (const Measurement& made : clockwork.measured()) {
+      if (made.at == clockwork.now() && made.value >= witness.measured.value) witness.measured = made;
+    }
+  }
+  return witness;
+}
+
+std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak) {
+  std::vector<ScriptedFiring> path = path_to(graph, peak);
+  std::optional<Witness> best;
+  for (const Schedule::Pin pin : {Schedule::Pin::worst, Schedule::Pin::best}) {
+    Schedule schedule(machine, path, pin);
+    if (!schedule.feasible()) continue;
+    const auto times = schedule.solve(peak.value >= 0);
+    if (!times) continue;
+    for (std::size_t k = 0; k < path.size(); ++k) path[k].at = (*times)[k];
+    std::optional<Witness> made = replay(machine, path);
+    if (!made) continue;
+    if (!best || made->measured.value > best->measured.value) best = std::move(made);
+    if (!peak.relaxed) break;
+  }
+  return best;
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,19 @@
+// Files are written whole or not at all.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pal {
+
+struct OutputFile {
+  std::string path;
+  std::string content;
+};
+
+/// Writes every file, making folders that are missing; each is written beside its place and then renamed, and nothing is renamed
+/// before all are written. Returns what went wrong, with the path, or nothing.
+std::optional<std::string> write_files(const std::vector<OutputFile>& files);
+
+}  // namespace pal

@@ -1,0 +1,74 @@
+"""Checks that each library includes only what stands left of it, and that no public header shows a third party's types.
+
+Usage: check_layers.py SOURCE_DIR | --self-test. Exit status 1 and one line a break.
+"""
+import pathlib
+import re
+import sys
+
+# Longest matching prefix names the layer of a file; `uses` is what it may include besides itself.
+LAYERS = {
+    "runtime/trace": [],
+    "pal/support": [],
+    "pal/pan": ["pal/support"],
+    "grammar": [],
+    "pal/syntax": ["pal/support", "grammar"],
+    "pal/check": ["pal/support", "pal/pan", "pal/syntax"],
+    "analyzer/chart": ["runtime/trace"],
+    "analyzer": ["pal/support", "pal/pan", "runtime/trace"],
+    "codegen": ["pal/support", "pal/pan"],
+    "pal/driver": ["pal/support", "pal/pan", "pal/syntax", "pal/check", "analyzer", "analyzer/chart", "codegen",
+                   "runtime/trace"],
+    "runtime": ["runtime/trace"],
+    "runtime/drivers": ["runtime", "runtime/trace"],
+    "skills_pal": ["runtime", "runtime/trace"],
+    "sim": ["runtime", "runtime/trace", "runtime/drivers"],
+    "sim/program": ["sim", "runtime", "runtime/trace", "runtime/drivers", "skills_pal", "pal/support", "pal/pan",
+                    "pal/check", "pal/syntax", "analyzer", "analyzer/chart"],
+}
+# Third-party headers that must stay inside .cpp files.
+PRIVATE = re.compile(r"^(antlr4-runtime|graphviz|mujoco|EGL|GL|nlohmann|CLI)/|^(cgraph|gvc|png)\.h")
+INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]', re.M)
+
+
+def layer(path):
+    fitting = [name for name in LAYERS if path == name or path.startswith(name + "/")]
+    return max(fitting, key=len) if fitting else None
+
+
+def breaks(path, text):
+    """The includes of the file `path` with content `text` that it must not have."""
+    own = layer(path)
+    if own is None:
+        return
+    for include in INCLUDE.findall(text):
+        other = layer(include)
+        if other is not None and other != own and other not in LAYERS[own]:
+            yield f"{path}: {own} must not use {other} (includes {include})"
+        if path.endswith(".hpp") and PRIVATE.search(include) and "/private/" not in path:
+            yield f"{path}: {include} must stay inside a .cpp file"
+
+
+def self_test():
+    assert list(breaks("runtime/task.cpp", '#include "pal/pan/graph.hpp"\n'))
+    assert list(breaks("codegen/plan.cpp", '#include "analyzer/problem.hpp"\n'))
+    assert list(breaks("sim/model.hpp", "#include <mujoco/mujoco.h>\n"))
+    assert not list(breaks("analyzer/exact.cpp", '#include "pal/pan/graph.hpp"\n#include <vector>\n'))
+
+
+def main(argument):
+    if argument == "--self-test":
+        self_test()
+        return 0
+    root = pathlib.Path(argument)
+    found = []
+    for name in sorted({name.split("/")[0] for name in LAYERS}):
+        for file in sorted((root / name).rglob("*")):
+            if file.suffix in {".cpp", ".hpp"}:
+                path = file.relative_to(root).as_posix()
+                found += breaks(path, file.read_text(encoding="utf-8"))
+    print("\n".join(found) or "every include follows the order")
+    return 1 if found else 0
+
+
+sys.exit(main(sys.argv[1]))

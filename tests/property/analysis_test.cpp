@@ -1,0 +1,125 @@
+// What must hold of the analysis of every skill.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <iostream>
+
+#include "analyzer/exact.hpp"
+#include "analyzer/simulate.hpp"
+#include "tests/support/brute_force.hpp"
+#include "tests/support/random_skill.hpp"
+#include "tests/support/skill.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+
+namespace {
+
+constexpr Nanoseconds millisecond = 1'000'000;
+
+/// PAL_SEED and PAL_ROUNDS in the environment make a run longer, or another one.
+std::uint64_t setting(const char* name, std::uint64_t usual) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? usual : std::strtoull(value, nullptr, 10);
+}
+
+/// A skill that the checker accepts.
+std::unique_ptr<test::Skill> accepted(std::uint64_t seed, int longest, std::string& text) {
+  text = test::RandomSkill(seed, longest).text();
+  auto skill = test::skill_from_text(text);
+  if (!skill->problem) skill.reset();
+  return skill;
+}
+
+void check_run(const Requirement& requirement, const Verdict& verdict, const Simulation& run) {
+  if (run.failed) {
+    CHECK(verdict.state != Verdict::State::holds);
+    CHECK_FALSE(verdict.bound);
+  }
+  for (const Measurement& measured : run.measured) {
+    if (verdict.bound) CHECK(measured.value <= verdict.bound->count());
+    if (measured.value > requirement.limit) CHECK(verdict.state != Verdict::State::holds);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("no simulated run exceeds what was proved") {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 60);
+  std::size_t decided = 0;
+  std::size_t exact = 0;
+  std::size_t timed = 0;
+  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
+    std::string text;
+    const auto skill = accepted(seed, 9, text);
+    if (!skill) continue;
+    INFO("seed " << seed << "\n" << text);
+    const Problem& problem = *skill->problem;
+    Options options;
+    options.max_states = 8'000;
+    const Analysis analysis = analyze(problem, options);
+    for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
+      const Requirement& requirement = problem.requirements[r];
+      if (requirement.measure == Requirement::Measure::load) continue;
+      const Verdict& verdict = analysis.verdicts[r];
+      ++timed;
+      decided += verdict.state != Verdict::State::undecided ? 1 : 0;
+      exact += verdict.exact ? 1 : 0;
+      const Watch watch = watch_of(problem, requirement);
+      const Machine machine(problem, watch);
+      for (const auto times : {SimulationOptions::Times::worst, SimulationOptions::Times::best,
+                               SimulationOptions::Times::random, SimulationOptions::Times::extremes}) {
+        for (std::uint64_t run = 0; run < 6; ++run) {
+          SimulationOptions simulation;
+          simulation.times = times;
+          simulation.seed = seed * 100 + run;
+          simulation.until = 400 * millisecond;
+          simulation.max_events = 4'000;
+          simulation.record = false;
+          check_run(requirement, verdict, simulate(machine, simulation));
+        }
+      }
+    }
+  }
+  std::cout << "of " << timed << " requirements " << decided << " decided, " << exact << " exactly\n";
+  CHECK(timed > 0);
+}
+
+TEST_CASE("the bound is what trying every run gives") {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 60);
+  std::size_t compared = 0;
+  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
+    std::string text;
+    const auto skill = accepted(seed, 4, text);
+    if (!skill) continue;
+    INFO("seed " << seed << "\n" << text);
+    const Problem& problem = *skill->problem;
+    if (text.find("SPORADIC") != std::string::npos) continue;
+    Options options;
+    options.max_states = 8'000;
+    const Analysis analysis = analyze(problem, options);
+    for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
+      const Requirement& requirement = problem.requirements[r];
+      if (requirement.measure == Requirement::Measure::load) continue;
+      const Verdict& verdict = analysis.verdicts[r];
+      const Watch watch = watch_of(problem, requirement);
+      const Machine machine(problem, watch);
+      const Nanoseconds cap = 60 * millisecond;
+      const test::BruteForce all = test::brute_force(machine, millisecond, cap, 15'000);
+      INFO(requirement.name << ": " << name(verdict.state) << ", " << verdict.explanation);
+      if (verdict.bound) CHECK(all.greatest <= verdict.bound->count());
+      if (all.failed) CHECK(verdict.state != Verdict::State::holds);
+      if (!all.complete || !verdict.exact || all.greatest >= cap) continue;
+      ++compared;
+      if (verdict.bound) {
+        CHECK_FALSE(all.failed);
+        CHECK(std::max<Nanoseconds>(all.greatest, 0) == verdict.bound->count());
+      } else {
+        CHECK(all.failed);
+      }
+    }
+  }
+  std::cout << compared << " bounds compared with all runs\n";
+  CHECK(compared > 0);
+}

@@ -1,0 +1,162 @@
+// Small skills by chance, for properties that must hold of all of them.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <string>
+
+namespace pal::test {
+
+/// The text of a skill with its environment: a sensor that is asked, a robot that asks, and a skill between them, in many
+/// shapes. All times are whole milliseconds, none above `longest`. The same seed gives the same text.
+class RandomSkill {
+ public:
+  RandomSkill(std::uint64_t seed, int longest) : engine_(seed), longest_(longest) {}
+
+  std::string text() {
+    const bool sensor_module = chance(2);
+    const bool controller_module = chance(3) != 0;
+    const bool concurrent = chance(3) != 0;
+    std::string out = R"(
+MESSAGE force : REAL N
+MESSAGE raw : REAL N
+MESSAGE motion : dz : REAL mm
+MESSAGE correction : dz : REAL mm
+MESSAGE tick : SIGNAL
+CONDITION pc-force FROM force "touching"
+CONDITION pc-stop             "far enough"
+DEVICE sensor "asked for raw forces"
+DEVICE robot "asks for corrections"
+SKILL random
+  SENSOR DRIVER      SD1
+  LOGICAL SENSOR     LS1
+  MACHINE CONTROLLER MC1
+  MODEL DATA         NONE
+  SKILL METHOD       SM1
+  COMPLETION 0 NORMAL "touching"
+  COMPLETION 1 ERROR  "any other error"
+  REQUIREMENT age  : AGE OF pc-force AT TXM( motion to MC1 ) IN SM1 AT MOST )" + std::to_string(2 * longest_) + R"( ms
+  REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 60 %
+)";
+    out += controller_module ? "  REQUIREMENT answer : RESPONSE FROM tick OF robot TO TXM( correction to robot ) AT MOST " +
+                                   std::to_string(2 * longest_) + " ms\n"
+                             : "  REQUIREMENT answer : RESPONSE FROM motion request OF MC1 TO TXM( motion to MC1 ) AT MOST " +
+                                   std::to_string(2 * longest_) + " ms\n";
+    out += "END SKILL\n";
+    out += "Sensor Driver: SD1\n";
+    if (sensor_module) {
+      out += std::string("BEGIN\n  REPEAT\n    WTM( request raw from LS1 )\n    TXM( request raw from sensor )\n") +
+             "    WTM( raw from sensor )\n    TXM( raw to LS1 )\n  UNTIL( forever )\nEND\n";
+    }
+    out += std::string("Logical Sensor: LS1\n  ACTIVITY extract READS raw WRITES force\nBEGIN\n  REPEAT\n") +
+           "    WTM( request force from SM1 )\n    TXM( request raw from SD1 )\n    WTM( raw from SD1 )\n    extract\n" +
+           "    TXM( force to SM1 )\n  UNTIL( forever )\nEND\n";
+    out += "Machine Controller: MC1\n";
+    if (controller_module) out += controller();
+    out += "Skill Module: SM1\n  ACTIVITY think\n  ACTIVITY prepare\nBEGIN\n  WTM( Coordinator )\n";
+    out += sense();
+    if (concurrent) {
+      out += "  CONCURRENT\n  BEGIN\n    REPEAT\n" + sense() + "    UNTIL( forever )\n  END\n  BEGIN\n    REPEAT\n" + act() +
+             "    UNTIL( pc-stop )\n  END\n  END CONCURRENT\n";
+    } else {
+      out += "  REPEAT\n" + (chance(2) != 0 ? sense() + act() : act() + sense()) + "  UNTIL( pc-stop )\n";
+    }
+    out += "  TXM( Completion Protocol 0 )\nEND\n";
+    out += environment(sensor_module, controller_module, concurrent);
+    return out;
+  }
+
+ private:
+  int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
+  int between(int low, int high) { return low + chance(high - low + 1); }
+
+  std::string interval(int low, int high) {
+    const int best = between(low, high);
+    const int worst = chance(2) != 0 ? best : between(best, high);
+    if (best == worst) return std::to_string(best) + " ms";
+    return std::to_string(best) + " TO " + std::to_string(worst) + " ms";
+  }
+
+  std::string sense() {
+    std::string out = "      TXM( request force from LS1 )\n";
+    if (chance(3) == 0) out += "      prepare\n";
+    if (chance(3) == 0) {
+      return out + "      WTM( force from LS1 ) WITHIN " + std::to_string(between(0, longest_)) +
+             " ms\n        SPC( pc-force )\n      ELSE\n        prepare\n      END WTM\n";
+    }
+    return out + "      WTM( force from LS1 )\n      SPC( pc-force )\n";
+  }
+
+  std::string act() {
+    std::string out;
+    const int order = chance(3);
+    if (order == 0) out += "      RPC( pc-force )\n";
+    if (chance(4) == 0) out += "      think\n";
+    out += "      WTM( motion request from MC1 )\n";
+    if (order == 1) out += "      RPC( pc-force )\n";
+    if (chance(2) == 0) {
+      out += std::string("      CASE\n        ( pc-force = TRUE ):\n          TXM( motion to MC1 )\n") +
+             "        ( pc-force = FALSE ):\n          think\n          TXM( motion to MC1 )\n      END CASE\n";
+    } else {
+      if (order == 2) out += "      RPC( pc-force )\n";
+      out += "      think\n      TXM( motion to MC1 )\n";
+    }
+    return out + "      SPC( pc-stop )\n";
+  }
+
+  std::string controller() {
+    std::string out = "  ACTIVITY obey READS motion WRITES correction\n  ACTIVITY hold WRITES correction\nBEGIN\n  REPEAT\n";
+    out += "    WTM( tick from robot )\n    TXM( request motion from SM1 )\n";
+    if (chance(2) == 0) {
+      out += "    WTM( motion from SM1 ) WITHIN " + std::to_string(between(0, longest_)) +
+             " ms\n      obey\n    ELSE\n      hold\n    END WTM\n";
+    } else {
+      out += "    WTM( motion from SM1 )\n    obey\n";
+    }
+    return out + "    TXM( correction to robot )\n  UNTIL( forever )\nEND\n";
+  }
+
+  std::string place(const std::string& thread, int processors) {
+    return "  PLACE " + thread + " ON P" + std::to_string(chance(processors)) + " PRIORITY " + std::to_string(between(1, 3)) +
+           "\n";
+  }
+
+  std::string environment(bool sensor_module, bool controller_module, bool concurrent) {
+    std::string out = "ENVIRONMENT cell\n";
+    const int processors = between(1, 3);
+    for (int p = 0; p < processors; ++p) {
+      out += "  PROCESSOR P" + std::to_string(p) + (chance(4) == 0 ? " NONPREEMPTIVE\n" : "\n");
+    }
+    const std::string sensor = sensor_module ? "sensor" : "SD1";
+    const int frame = between(2, longest_);
+    if (chance(3) == 0) {
+      out += "  DEVICE " + sensor + " FRAMES EVERY " + std::to_string(frame) + " ms COLLECTING " +
+             std::to_string(between(1, frame)) + " ms\n";
+    } else {
+      out += "  DEVICE " + sensor + " ON REQUEST " + interval(0, longest_ / 2) + "\n";
+    }
+    const std::string robot = controller_module ? "robot EVENT tick" : "MC1 EVENT motion request";
+    const int period = between(longest_ / 2 + 1, longest_);
+    out += "  DEVICE " + robot + (chance(6) == 0 ? " SPORADIC " : " EVERY ") + std::to_string(period) + " ms" +
+           (chance(5) == 0 ? " JITTER 1 ms\n" : "\n");
+    out += place("SM1", processors) + place("LS1", processors);
+    if (concurrent && chance(2) == 0) out += place("SM1.1", processors);
+    if (concurrent && chance(2) == 0) out += place("SM1.2", processors);
+    if (sensor_module) out += place("SD1", processors);
+    if (controller_module) out += place("MC1", processors);
+    for (const char* activity : {"extract", "think", "prepare", "obey", "hold"}) {
+      out += std::string("  TIME ") + activity + " : " + interval(0, 2) + "\n";
+    }
+    for (const char* cost : {"SEND", "RECEIVE", "SET", "READ", "TEST"}) {
+      if (chance(4) == 0) out += std::string("  COST ") + cost + " " + interval(0, 1) + "\n";
+    }
+    if (chance(3) == 0) out += "  LATENCY WITHIN PROCESSOR " + interval(0, 1) + "\n";
+    if (chance(2) == 0) out += "  LATENCY BETWEEN PROCESSORS " + interval(0, 1) + "\n";
+    return out + "END ENVIRONMENT\n";
+  }
+
+  std::mt19937_64 engine_;
+  int longest_;
+};
+
+}  // namespace pal::test
