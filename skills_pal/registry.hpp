@@ -12,6 +12,8 @@ namespace pal::skills {
 struct RegisteredSkill {
   std::string_view name;  // as in PAL
   std::unique_ptr<runtime::Skill> (*make)();
+  std::string_view pal_file;  // in this folder, and where it is installed
+  std::string_view environment_file;
 };
 
 /// All of them, in the order of their names.

@@ -10,12 +10,11 @@
 namespace pal::workcell {
 namespace {
 
-// PAL_SCENE_FOLDERS: where the scenes stand in the sources, and where they are installed.
-std::vector<std::string> scene_folders(const std::vector<std::string>& given) {
-  std::vector<std::string> folders = given;
-  std::istringstream known(PAL_SCENE_FOLDERS);
-  for (std::string folder; std::getline(known, folder, ':');) folders.push_back(folder);
-  return folders;
+/// `given`, then those of `known`, which are separated by colons.
+std::vector<std::string> folders_of(std::vector<std::string> given, const char* known) {
+  std::istringstream list(known);
+  for (std::string folder; std::getline(list, folder, ':');) given.push_back(folder);
+  return given;
 }
 
 void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& folders) {
@@ -34,8 +33,9 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
   app.add_option("--time", command.times, "which times of their intervals things take")
       ->check(CLI::IsMember({"worst", "best", "random"}))
       ->capture_default_str();
-  app.add_option("--output", command.output, "a folder for the trace, the log, the figures and the picture");
+  app.add_option("--output", command.output, "a folder for the trace, the log, the figures, the charts and the picture");
   app.add_flag("!--no-picture", command.picture, "draw no picture of the arm");
+  app.add_flag("!--no-proof", command.proof, "do not hold the run against what was proved of the skill");
   const auto* sweep = app.add_option("--sweep", command.sweep,
                                      "runs so often, over the phases of the two clocks, and prints how "
                                      "far the tool pressed past the threshold")
@@ -53,7 +53,7 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
   app.require_subcommand(1);
   app.footer(
       "Exit status: 0 done, 1 a wrong scene, skill or parameter, 2 wrong usage or a file problem,\n"
-      "3 the skill ended with its error completion.");
+      "3 the skill ended with its error completion, or took longer than was proved.");
   std::vector<std::string> folders;
   ListCommand list_command;
   CLI::App* list_app =
@@ -71,7 +71,8 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
     return app.exit(problem, out, error) == 0 ? ExitStatus::done : ExitStatus::usage;
   }
   try {
-    list_command.scene_folders = run_command.scene_folders = scene_folders(folders);
+    list_command.scene_folders = run_command.scene_folders = folders_of(folders, PAL_SCENE_FOLDERS);
+    run_command.skill_folders = folders_of({}, PAL_SKILL_FOLDERS);
     return list_app->parsed() ? list(list_command, skills, out) : run(run_command, skills, out);
   } catch (const Failure& failure) {
     failure.print(error);

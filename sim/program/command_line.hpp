@@ -25,6 +25,8 @@ struct RunCommand {
   std::string times = "random";
   std::string output;  // folder; empty: no files
   bool picture = true;
+  bool proof = true;
+  std::vector<std::string> skill_folders;  // of the skills' PAL
   int sweep = 0;        // runs; 0: one run
   std::string against;  // second skill of a sweep
 };

@@ -33,7 +33,19 @@ const char* name(runtime::CostPolicy policy) {
   return policy == runtime::CostPolicy::best ? "best" : "random";
 }
 
-Json run_json(const runtime::Skill& skill, const Session& session, const SessionResult& result) {
+Json promises_json(const std::vector<Promise>& promises) {
+  Json rows = Json::array();
+  for (const Promise& promise : promises)
+    rows.push_back({{"name", promise.requirement},
+                    {"measure", promise.measure},
+                    {"bound_ns", promise.proved.count()},
+                    {"exact", promise.exact},
+                    {"measured_ns", promise.measured ? Json(promise.measured->count()) : Json()}});
+  return rows;
+}
+
+Json run_json(const runtime::Skill& skill, const Session& session, const SessionResult& result,
+              const std::vector<Promise>& promises) {
   Json parameters = Json::object();
   for (const runtime::ParameterSpec& parameter : skill.description().parameters)
     parameters[std::string(parameter.name)] = {{"value", *parameter_value(skill, session, parameter.name)},
@@ -53,6 +65,7 @@ Json run_json(const runtime::Skill& skill, const Session& session, const Session
   json["overruns"] = result.outcome.overruns;
   json["peak_force_N"] = result.peak_force;
   json["resting_force_N"] = result.resting_force;
+  json["requirements"] = promises_json(promises);
   return json;
 }
 
@@ -72,14 +85,17 @@ Json figures_json(const std::vector<double>& values) {
 }  // namespace
 
 std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skill& skill,
-                                  const Session& session, const SessionResult& result) {
+                                  const Session& session, const SessionResult& result,
+                                  const std::vector<Promise>& promises) {
   std::ostringstream trace, chrome;
   trace::write_json(result.outcome.trace, trace);
   trace::write_chrome(result.outcome.trace, chrome);
   std::vector<OutputFile> files{{in_folder(folder, "trace.json"), trace.str()},
                                 {in_folder(folder, "trace.chrome.json"), chrome.str()},
                                 {in_folder(folder, "log.csv"), log_csv(result.log)},
-                                {in_folder(folder, "run.json"), json_text(run_json(skill, session, result))}};
+                                {in_folder(folder, "run.json"), json_text(run_json(skill, session, result, promises))}};
+  for (const Promise& promise : promises)
+    files.push_back({folder + "/atc." + promise.requirement + ".svg", promise.chart});
   if (result.picture.image)
     files.push_back({in_folder(folder, "arm.png"), sim::encode_png(*result.picture.image)});
   return files;

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <ostream>
 
+#include "pal/support/duration_text.hpp"
 #include "pal/support/nearest.hpp"
 #include "pal/support/output.hpp"
 #include "sim/program/command_line.hpp"
@@ -13,10 +14,10 @@
 namespace pal::workcell {
 namespace {
 
-std::unique_ptr<runtime::Skill> make_skill(const std::string& wanted, const std::vector<KnownSkill>& skills) {
+const KnownSkill& find_skill(const std::string& wanted, const std::vector<KnownSkill>& skills) {
   std::vector<std::string> names;
   for (const KnownSkill& known : skills) {
-    if (known.name == wanted) return known.make();
+    if (known.name == wanted) return known;
     names.push_back(known.name);
   }
   const auto nearest = pal::nearest(wanted, names);
@@ -88,8 +89,20 @@ void write(const std::vector<OutputFile>& files, std::ostream& out) {
   for (const OutputFile& file : files) out << "  wrote " << file.path << '\n';
 }
 
-ExitStatus run_once(const RunCommand& command, runtime::Skill& skill, const Session& session,
-                    std::ostream& out) {
+/// Says what was proved and what the run did; false if the run took longer than that.
+bool print(const std::vector<Promise>& promises, std::ostream& out) {
+  bool kept = true;
+  for (const Promise& promise : promises) {
+    out << fmt::format("  {}: measured {}, proved at most {}{}\n", promise.requirement,
+                       promise.measured ? to_text(*promise.measured) : "none", to_text(promise.proved),
+                       promise.kept() ? "" : " — THE RUN TOOK LONGER THAN WAS PROVED");
+    kept = kept && promise.kept();
+  }
+  return kept;
+}
+
+ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime::Skill& skill,
+                    const Session& session, std::ostream& out) {
   const SessionResult result = run_session(skill, session);
   const runtime::Outcome& outcome = result.outcome;
   out << fmt::format("{} in scene {}: {} {}\n", skill.description().name, session.scene.name,
@@ -107,13 +120,16 @@ ExitStatus run_once(const RunCommand& command, runtime::Skill& skill, const Sess
     out << fmt::format("  overshoot: {:.2f} N past the threshold of {:g} N\n", result.peak_force - *threshold,
                        *threshold);
   if (session.picture && !result.picture.image) out << "  no picture: " << result.picture.problem << '\n';
-  if (!command.output.empty()) write(run_files(command.output, skill, session, result), out);
+  std::vector<Promise> proved;
+  if (command.proof) proved = promises(known, command.skill_folders, outcome.trace);
+  const bool kept = print(proved, out);
+  if (!command.output.empty()) write(run_files(command.output, skill, session, result, proved), out);
 
   const auto is_error = [&](const runtime::CompletionSpec& completion) {
     return completion.code == outcome.code && completion.kind == runtime::CompletionSpec::Kind::error;
   };
   const auto completions = skill.description().completions;
-  return outcome.fault || std::any_of(completions.begin(), completions.end(), is_error)
+  return outcome.fault || !kept || std::any_of(completions.begin(), completions.end(), is_error)
              ? ExitStatus::error_completion
              : ExitStatus::done;
 }
@@ -135,7 +151,7 @@ ExitStatus run_sweep(const RunCommand& command, runtime::Skill& skill, const Ses
   std::vector<std::string> names{command.skill};
   std::vector<std::vector<SweepRun>> sweeps{sweep(skill, session, command.sweep)};
   if (!command.against.empty()) {
-    const auto second = make_skill(command.against, known);
+    const auto second = find_skill(command.against, known).make();
     make_session(command, *second);  // its parameters must take the same settings
     names.push_back(command.against);
     sweeps.push_back(sweep(*second, session, command.sweep));
@@ -159,10 +175,11 @@ ExitStatus run_sweep(const RunCommand& command, runtime::Skill& skill, const Ses
 }  // namespace
 
 ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out) {
-  const auto skill = make_skill(command.skill, skills);
+  const KnownSkill& known = find_skill(command.skill, skills);
+  const auto skill = known.make();
   const Session session = make_session(command, *skill);
   return command.sweep > 0 ? run_sweep(command, *skill, session, skills, out)
-                           : run_once(command, *skill, session, out);
+                           : run_once(command, known, *skill, session, out);
 }
 
 }  // namespace pal::workcell
