@@ -57,15 +57,7 @@ void Clockwork::apply(int fired) {
   for (std::size_t i = 0; i < outcome_.measured.size(); ++i) {
     const int origin = outcome_.measured[i];
     const Nanoseconds born = origin == Outcome::born_now ? now_ : births_[static_cast<std::size_t>(origin)];
-    Measurement made{now_ - born, born, now_, outcome_.measured_steps[i], 0};
-    for (std::size_t e = events_.size(); e-- > 0 && events_[e].time_ns == now_;) {
-      if (events_[e].kind != trace::Kind::done) continue;
-      if (events_[e].statement == machine_.problem().steps[static_cast<std::size_t>(made.step)].statement) {
-        made.event = e;
-        break;
-      }
-    }
-    measured_.push_back(made);
+    measured_.push_back({now_ - born, born, now_, outcome_.measured_steps[i]});
   }
   std::vector<Nanoseconds> births;
   for (int origin : outcome_.origin) {

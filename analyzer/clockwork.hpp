@@ -14,7 +14,6 @@ struct Measurement {
   Nanoseconds born = 0;
   Nanoseconds at = 0;
   int step = -1;
-  std::size_t event = 0;  // in the trace: of the `done` of the statement, or the last before it
 };
 
 /// Keeps what a run is made of. Who runs it (a script, a simulation) says which timer fires when; the clockwork

@@ -55,6 +55,16 @@ struct Story {
     if (at < to) out.push_back(reason(at, to, thread, "waits for its blocks", -1));
   }
 
+  /// The event at which the measured statement had its effect; the number of events if there is none.
+  std::size_t used_at(const Measurement& measured) const {
+    const int of = problem.steps[static_cast<std::size_t>(measured.step)].statement;
+    for (std::size_t e = trace.events.size(); e-- > 0;) {
+      const trace::Event& event = trace.events[e];
+      if (event.kind == Kind::done && event.statement == of && event.time_ns == measured.at && event.actor >= 0) return e;
+    }
+    return trace.events.size();
+  }
+
   int parent(int thread) const { return problem.threads[static_cast<std::size_t>(thread)].parent; }
 
   /// The read whose value counts for `thread` at the event with index `before`: its own last, or its parent's.
@@ -69,8 +79,10 @@ struct Story {
   }
 
   void age(const Requirement& requirement, const Measurement& measured, std::vector<Reason>& out) const {
-    const int thread = trace.events[measured.event].actor;
-    const std::size_t read = last_read(thread, measured.event, requirement.condition);
+    const std::size_t use = used_at(measured);
+    if (use == trace.events.size()) return;
+    const int thread = trace.events[use].actor;
+    const std::size_t read = last_read(thread, use, requirement.condition);
     if (read == trace.events.size()) return;
     const trace::Event& reading = trace.events[read];
     const std::string condition = trace.conditions[static_cast<std::size_t>(requirement.condition)];
@@ -167,8 +179,9 @@ std::vector<Reason> reasons(const Problem& problem, const Requirement& requireme
   const Story story{problem, witness.trace};
   if (requirement.measure == Requirement::Measure::age) story.age(requirement, witness.measured, out);
   if (requirement.measure == Requirement::Measure::response) {
-    const int thread = witness.trace.events[witness.measured.event].actor;
-    story.response(requirement, thread, witness.measured.event, witness.measured, out, 32);
+    const std::size_t use = story.used_at(witness.measured);
+    if (use == witness.trace.events.size()) return out;
+    story.response(requirement, witness.trace.events[use].actor, use, witness.measured, out, 32);
   }
   return out;
 }

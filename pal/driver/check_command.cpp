@@ -12,7 +12,7 @@ namespace {
 ExitStatus emit_tree(const Selection& selection, const Console& console) {
   Session session;
   for (const syntax::Tree& tree : load(console.files, session.sources, selection.files, session.diagnostics)) {
-    syntax::dump(tree, console.out);
+    syntax::dump(tree, session.sources, console.out);
   }
   show_findings(session, console);
   return session.diagnostics.has_errors() ? ExitStatus::wrong_specification : ExitStatus::all_hold;

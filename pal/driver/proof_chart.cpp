@@ -1,5 +1,7 @@
 #include "pal/driver/proof_chart.hpp"
 
+#include <filesystem>
+
 #include "analyzer/chart/chart.hpp"
 #include "analyzer/chart/options.hpp"
 #include "analyzer/chart/timeline.hpp"
@@ -35,6 +37,12 @@ chart::Highlight highlight(const Proof& proof, std::size_t index, std::int64_t f
   return {from, to, label(proof, index), to - from > limit, limit};
 }
 
+/// "touch.pal:57": the folder would only take room.
+std::string place_text(const analyzer::Reason& reason) {
+  if (reason.line == 0) return {};
+  return std::filesystem::path(reason.file).filename().string() + ":" + std::to_string(reason.line);
+}
+
 chart::ChartOptions options_for(const Proof& proof, std::size_t index) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   chart::ChartOptions options;
@@ -43,7 +51,7 @@ chart::ChartOptions options_for(const Proof& proof, std::size_t index) {
     options.highlight = highlight(proof, index, verdict.witness->measured.born, verdict.witness->measured.at);
   }
   for (const analyzer::Reason& reason : verdict.reasons) {
-    options.explanation.push_back({reason.from, reason.to, reason.what, reason.actor});
+    options.explanation.push_back({reason.from, reason.to, reason.what, reason.actor, place_text(reason)});
   }
   return options;
 }

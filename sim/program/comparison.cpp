@@ -63,6 +63,11 @@ std::string describe(const std::string& skill, const std::vector<SweepRun>& runs
   if (overshoots.empty()) return text;
   text += fmt::format("  least {:.1f} N, median {:.1f} N, mean {:.1f} N, greatest {:.1f} N\n", figures.least,
                       figures.median, figures.mean, figures.greatest);
+  runtime::Time greatest{};
+  for (const SweepRun& run : runs)
+    greatest = std::max(greatest, run.greatest_age.value_or(runtime::Time::zero()));
+  text += fmt::format("  greatest age of pc-force at any motion of any run: {:.2f} ms\n",
+                      in_milliseconds(greatest));
   return text + histogram(overshoots, low, high, 12, "N");
 }
 

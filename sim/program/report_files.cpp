@@ -56,6 +56,10 @@ Json run_json(const runtime::Skill& skill, const Session& session, const Session
   return json;
 }
 
+std::string nanoseconds(const std::optional<runtime::Time>& time) {
+  return time ? std::to_string(time->count()) : "";
+}
+
 Json figures_json(const std::vector<double>& values) {
   const Distribution figures = distribution(values);
   return {{"count", figures.count},
@@ -85,14 +89,16 @@ std::vector<OutputFile> sweep_files(const std::string& folder, const std::vector
                                     const std::vector<std::vector<SweepRun>>& sweeps,
                                     const std::optional<Comparison>& comparison) {
   std::string csv =
-      "skill,alter_phase_ns,raise_mm,seed,completion,fault,peak_force_N,resting_force_N,overshoot_N,age_ns\n";
+      "skill,alter_phase_ns,raise_mm,seed,completion,fault,peak_force_N,resting_force_N,overshoot_N,age_ns,"
+      "greatest_age_ns\n";
   Json json = Json::object();
   for (std::size_t k = 0; k < sweeps.size(); ++k) {
     std::vector<double> overshoots;
     for (const SweepRun& run : sweeps[k]) {
-      csv += fmt::format("{},{},{:.6f},{},{},{},{:.6f},{:.6f},{:.6f},{}\n", skills[k], run.phase.count(),
-                         run.raise, run.seed, run.completion, run.fault ? 1 : 0, run.peak_force,
-                         run.resting_force, run.overshoot, run.age ? std::to_string(run.age->count()) : "");
+      csv +=
+          fmt::format("{},{},{:.6f},{},{},{},{:.6f},{:.6f},{:.6f},{},{}\n", skills[k], run.phase.count(),
+                      run.raise, run.seed, run.completion, run.fault ? 1 : 0, run.peak_force,
+                      run.resting_force, run.overshoot, nanoseconds(run.age), nanoseconds(run.greatest_age));
       if (!run.fault && run.completion == 0) overshoots.push_back(run.overshoot);
     }
     json["overshoot_N"][skills[k]] = figures_json(overshoots);

@@ -53,6 +53,8 @@ std::vector<SweepRun> sweep(runtime::Skill& skill, const Session& session, int c
       const auto ages =
           trace::ages(result.outcome.trace, "pc-force", motion_statements(result.outcome.trace));
       if (!ages.empty()) run.age = runtime::Time(ages.back().length_ns());
+      if (const auto* greatest = trace::longest(ages))
+        run.greatest_age = runtime::Time(greatest->length_ns());
     }
     runs.push_back(run);
   }

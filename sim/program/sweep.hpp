@@ -20,6 +20,8 @@ struct SweepRun {
   double overshoot = 0;  // peak less threshold
   /// Age of the condition pc-force when the last motion that was decided on it was sent.
   std::optional<runtime::Time> age;
+  /// The greatest age at any of the run's motions: what the proof bounds.
+  std::optional<runtime::Time> greatest_age;
 };
 
 /// Runs the skill `count` times. Where ALTER's clock stands is spread evenly over its 28 ms. Where in that

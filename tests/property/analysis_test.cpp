@@ -45,7 +45,7 @@ void check_run(const Requirement& requirement, const Verdict& verdict, const Sim
 
 TEST_CASE("no simulated run exceeds what was proved") {
   const std::uint64_t first = setting("PAL_SEED", 1);
-  const std::uint64_t rounds = setting("PAL_ROUNDS", 60);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 25);
   std::size_t decided = 0;
   std::size_t exact = 0;
   std::size_t timed = 0;
@@ -87,7 +87,7 @@ TEST_CASE("no simulated run exceeds what was proved") {
 
 TEST_CASE("the bound is what trying every run gives") {
   const std::uint64_t first = setting("PAL_SEED", 1);
-  const std::uint64_t rounds = setting("PAL_ROUNDS", 60);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 25);
   std::size_t compared = 0;
   for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
     std::string text;

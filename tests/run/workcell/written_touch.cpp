@@ -51,8 +51,7 @@ enum Statement {
   c_retreat,
   c_send,
   c_home,
-  c_until,
-  c_taken,  // CM1
+  c_until,  // CM1
   l_wait,
   l_ask,
   l_take,
@@ -119,9 +118,7 @@ WrittenTouch::WrittenTouch(bool read_first) : read_first_(read_first) {
     fixed("SM1", text);
   fixed("CM1", "WTM( motion request from MC1 )");
   add("CM1", "retreat", 100us, 300us);
-  for (const char* text :
-       {"TXM( motion to MC1 )", "SPC( pc-home )", "UNTIL( pc-home )", "WTM( motion request from MC1 )"})
-    fixed("CM1", text);
+  for (const char* text : {"TXM( motion to MC1 )", "SPC( pc-home )", "UNTIL( pc-home )"}) fixed("CM1", text);
   for (const char* text :
        {"WTM( request Zforce from SM1 )", "TXM( request wrench from SD1 )", "WTM( wrench from SD1 )"})
     fixed("LS1", text);
@@ -191,7 +188,7 @@ Task WrittenTouch::sm1(Thread& thread) {
   co_await thread.take_start(s_start);
   co_await thread.send(s_ask, start_force);
   co_await thread.wait(s_take, runtime::from(zforce, known_));
-  co_await thread.set(s_set, pc_force, [this] { return known_.values[0] > threshold; });
+  co_await thread.set(s_set, pc_force, [this] { return known_.values[0] >= threshold; });
   co_await thread.concurrent(s_concurrent, thread_sense, thread_move);
   co_await thread.test(s_case, pc_reach);
   if (!thread.tested(pc_reach)) {
@@ -207,7 +204,7 @@ Task WrittenTouch::sm1_sense(Thread& thread) {
   for (;;) {
     co_await thread.send(b_ask, start_force);
     co_await thread.wait(b_take, runtime::from(zforce, known_));
-    co_await thread.set(b_set, pc_force, [this] { return known_.values[0] > threshold; });
+    co_await thread.set(b_set, pc_force, [this] { return known_.values[0] >= threshold; });
   }
 }
 
@@ -261,11 +258,10 @@ Task WrittenTouch::cm1(Thread& thread) {
       moved_ += motion_.values[2];
     });
     co_await thread.send(c_send, motion, motion_);
-    co_await thread.set(c_home, pc_home, [this] { return moved_ <= 0; });
+    co_await thread.set(c_home, pc_home, [this] { return motion_.values[2] == 0; });
     co_await thread.test(c_until, pc_home);
-    if (thread.tested(pc_home)) break;
+    if (thread.tested(pc_home)) co_return;
   }
-  co_await thread.wait(c_taken, runtime::from(ask_motion));
 }
 
 Task WrittenTouch::ls1(Thread& thread) {

@@ -78,6 +78,11 @@ TEST_CASE("hostile texts end with a finding, not with the program") {
   std::string nots = "Skill Module: M\nBEGIN\nREPEAT\nUNTIL( ";
   for (int i = 0; i < 50'000; ++i) nots += "NOT ";
   CHECK(findings(nots + "a )\nEND\n") == 0);
+  std::string deep = "Skill Module: M\nBEGIN\n";
+  for (int i = 0; i < syntax::deepest_nesting - 2; ++i) deep += "REPEAT\n";
+  for (int i = 0; i < syntax::deepest_nesting - 2; ++i) deep += "UNTIL( a )\n";
+  CHECK(findings(deep + "END\n") == 0);
+  CHECK(test::check_text(deep + "END\n").diagnostics.errors() == 1);  // nothing sets a
   std::string ends;
   for (int i = 0; i < 20'000; ++i) ends += "END CASE\n";
   CHECK(findings(ends) >= 1);

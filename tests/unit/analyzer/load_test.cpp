@@ -1,0 +1,39 @@
+#include "analyzer/load.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "analyzer/exact.hpp"
+#include "tests/support/skill.hpp"
+#include "tests/unit/analyzer/small_skill.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+using test::small_skill;
+using test::worker;
+
+TEST_CASE("the load of a periodic worker is its work in its period") {
+  const auto skill = test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 40 %", worker,
+                                                   "PROCESSOR P0\nPROCESSOR P1\nDEVICE MC1 EVENT tick EVERY 12 ms\nTIME work : 1 TO 4 ms\nCOST SET 1 ms\nPLACE SM1 ON P1 PRIORITY 1\n"));
+  const Verdict verdict = analyze(*skill->problem).verdicts.front();
+  CHECK(verdict.state == Verdict::State::fails);
+  CHECK(verdict.exact);
+  REQUIRE(verdict.bound);
+  CHECK(verdict.bound->count() == 416'666'667);  // 5 ms in 12 ms, rounded up
+  CHECK(verdict.explanation.find("P1") != std::string::npos);
+  REQUIRE(verdict.witness);
+}
+
+TEST_CASE("a skill that always ends has no load") {
+  const auto skill = test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 0 %", R"(
+Skill Module: SM1
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+  work
+  TXM( Completion Protocol 0 )
+END
+)", "PROCESSOR P0\nTIME work : 1 TO 4 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
+  const Verdict verdict = analyze(*skill->problem).verdicts.front();
+  CHECK(verdict.state == Verdict::State::holds);
+  CHECK(verdict.bound == Duration(0));
+}
