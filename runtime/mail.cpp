@@ -103,7 +103,7 @@ void Mail::finish(WaitOperation& wait) {
     if (thread.control.cancelled) {
       run_.blocks().stop(thread);
     } else {
-      look(wait);
+      reach(wait);
     }
     return;
   }

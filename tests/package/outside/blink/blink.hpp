@@ -1,0 +1,8 @@
+#pragma once
+
+#include <memory>
+
+#include "runtime/skill.hpp"
+
+/// Switches a lamp, on first.
+std::unique_ptr<pal::runtime::Skill> blink();
