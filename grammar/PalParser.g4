@@ -43,7 +43,9 @@ deviceUnit : DEVICE name STRING? ;
 // ---- modules
 
 // Without BEGIN … END the module stands for the device of its name.
-moduleUnit : kind COLON name heading* ( BEGIN statements END )? ;
+moduleUnit : header COLON name heading* ( BEGIN statements END )? ;
+
+header : HEADER ( DRIVER | SENSOR | CONTROLLER | MODULE ) ;
 
 kind
   : SENSOR DRIVER

@@ -1,7 +1,7 @@
 // The world's side of a driver, as the runtime sees it: named ports through which typed messages go.
 //
-// A device knows nothing of the skill; the skill's wiring and the device's ports are matched by name, field by field,
-// units included, before anything runs.
+// A device knows nothing of the skill; the skill's wiring and the device's ports are matched by name, field
+// by field, units included, before anything runs.
 #pragma once
 
 #include <chrono>
@@ -33,21 +33,25 @@ struct PortSpec {
   friend bool operator==(const PortSpec&, const PortSpec&) = default;
 };
 
-/// What a device may ask of the runtime that it is attached to. Valid from attach() until the device is destroyed.
+/// What a device may ask of the runtime that it is attached to. Valid from attach() to the end of the run: a
+/// device that runs again is attached again.
 class DeviceHost {
  public:
   virtual ~DeviceHost() = default;
 
   virtual Time now() const = 0;
 
-  /// Calls `action` at instant `when` (>= now). Actions at one instant run in the order in which they were asked for.
+  /// Calls `action` at instant `when` (>= now). Actions at one instant run in the order in which they were
+  /// asked for.
   virtual void at(Time when, std::function<void()> action) = 0;
 
-  /// Puts a message from the device's port `port` (index into ports()) into the skill's channel. False: the slot was
-  /// full, the message is lost and the run is marked with an overrun.
+  /// Puts a message from the device's port `port` (index into ports()) into the skill's channel. False: the
+  /// slot was full, the message is lost and the run is marked with an overrun.
   virtual bool deliver(std::size_t port, std::span<const double> fields) = 0;
 
-  /// Marks the device busy or idle in the trace.
+  /// Marks the device busy or idle in the trace. Becoming busy takes the oldest request that the device has
+  /// received and not taken yet out of its slot; a device that never marks itself busy takes a request when
+  /// it answers it.
   virtual void mark_busy(bool busy) = 0;
 
   /// Ends the skill with its error completion; `reason` goes into the result and the trace.
@@ -61,7 +65,7 @@ class Device {
   virtual const std::string& name() const = 0;
   virtual const std::vector<PortSpec>& ports() const = 0;
 
-  /// Called once, before the run.
+  /// Called once, before each run.
   virtual void attach(DeviceHost& host) = 0;
 
   /// The skill waits for this device, or sends to it, for the first time in this run.

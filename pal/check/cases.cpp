@@ -25,14 +25,16 @@ void report_no_arm(const pan::Node& node, const std::vector<RunStep>& run, const
   }
 }
 
-void report_dead_arms(const pan::Node& node, const std::vector<bool>& taken, const pan::Network& network,
-                      Diagnostics& diagnostics) {
+void report_dead_arms(const pan::Graph& graph, const pan::Node& node, const std::vector<bool>& taken,
+                      const pan::Network& network, Diagnostics& diagnostics) {
   const auto& guards = std::get<pan::Choose>(node.content).guards;
   for (std::size_t i = 0; i < taken.size(); ++i) {
     if (taken[i]) continue;
-    diagnostics.report(Code::PAL0406, node.where,
-                       "the arm ( " + guard_text(network, guards[i]) + " ) of this CASE is never taken",
-                       "remove it, or correct its condition");
+    auto& finding =
+        diagnostics.report(Code::PAL0406, node.where,
+                           "the arm ( " + guard_text(network, guards[i]) + " ) of this CASE is never taken",
+                           "remove it, or correct its condition");
+    if (node.out[i] != node.mate) finding.notes.push_back({graph[node.out[i]].where, "it begins with this"});
   }
 }
 
@@ -46,7 +48,9 @@ void check_cases(const pan::Network& network, const Flow& flow, Diagnostics& dia
     for (const auto& [place, outcome] : runs.cases) {
       const auto& node = network.modules[place.first.index()].body[place.second];
       if (outcome.no_arm_holds) report_no_arm(node, *outcome.no_arm_holds, network, diagnostics);
-      if (runs.complete) report_dead_arms(node, outcome.taken, network, diagnostics);
+      if (runs.complete)
+        report_dead_arms(network.modules[place.first.index()].body, node, outcome.taken, network,
+                         diagnostics);
     }
   }
 }

@@ -1,5 +1,7 @@
 #include "pal/check/check.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <map>
 #include <set>
 #include <string>
@@ -56,9 +58,9 @@ class Checker {
     used_.insert(scope.trees.begin(), scope.trees.end());
     // What a syntax error hides would be missed everywhere else.
     if (!complete(scope)) return;
-    const auto errors_before = diagnostics_.errors();
+    const auto before = diagnostics_.all().size();
     auto network = frontend::build_network(scope, skill, diagnostics_);
-    check_network(network, diagnostics_.errors() == errors_before);
+    check_network(network, every_name_known(before));
     result_.skills.push_back(std::move(network));
   }
 
@@ -77,6 +79,17 @@ class Checker {
     auto network = frontend::build_sketch(scope, first.name.text, first.where, diagnostics_);
     if (diagnostics_.errors() == errors_before) check_bodies(network, frontend::Flow(network));
     result_.sketches.push_back(std::move(network));
+  }
+
+  /// No finding since `first` says that a name in a body means nothing. (A figure in a template may be
+  /// wrong.)
+  bool every_name_known(std::size_t first) const {
+    const auto& all = diagnostics_.all();
+    return std::none_of(
+        all.begin() + static_cast<std::ptrdiff_t>(first), all.end(), [](const Diagnostic& finding) {
+          return finding.severity == Severity::error &&
+                 (name(finding.code).starts_with("PAL02") || name(finding.code).starts_with("PAL03"));
+        });
   }
 
   /// `sound`: every name meant something. If not, statements are missing, and what is said of talk and flow

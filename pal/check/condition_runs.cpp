@@ -12,6 +12,7 @@ namespace pal::frontend {
 namespace {
 
 constexpr std::size_t most_states = 50'000;
+constexpr std::size_t most_conditions = 10;  // in one test: 2^10 ways to read them
 
 struct Place {
   pan::ModuleId module;
@@ -90,7 +91,7 @@ class Explorer {
   ConditionRuns run() {
     while (!open_.empty()) {
       if (seen_.size() > most_states) {
-        result_.complete = false;
+        give_up();
         break;
       }
       const State& state = *open_.front();
@@ -223,8 +224,6 @@ class Explorer {
         }
       }
       result = std::move(more);
-      constexpr std::size_t most_readings = 4096;
-      if (result.size() > most_readings) result.resize(most_readings);
     }
     return result;
   }
@@ -243,6 +242,7 @@ class Explorer {
     outcome.taken.resize(choose.guards.size());
     std::set<pan::ConditionId> conditions;
     for (const auto& guard : choose.guards) conditions_of(guard, conditions);
+    if (conditions.size() > most_conditions) return give_up();
     for (const auto& reading : readings(state, thread, conditions)) {
       const auto arm = std::find_if(choose.guards.begin(), choose.guards.end(),
                                     [&](const pan::Guard& guard) { return holds(guard, reading); });
@@ -262,11 +262,18 @@ class Explorer {
     }
   }
 
+  /// Ends the search: what was found stands, what was not proves nothing.
+  void give_up() {
+    result_.complete = false;
+    open_.clear();
+  }
+
   void until(const State& state, const Thread& thread, const pan::Until& until) {
     const auto& here = node(thread.at);
     if (!until.guard) return go(state, state, thread, here.mate, std::nullopt);
     std::set<pan::ConditionId> conditions;
     conditions_of(*until.guard, conditions);
+    if (conditions.size() > most_conditions) return give_up();
     for (const auto& reading : readings(state, thread, conditions)) {
       const auto to = holds(*until.guard, reading) ? here.out.front() : here.mate;
       State next = state;

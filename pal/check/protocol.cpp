@@ -16,6 +16,9 @@ bool may_complete(pan::ModuleKind kind) {
 
 void check_start(const pan::Network& network, Diagnostics& diagnostics) {
   if (!network.main.valid()) {
+    const auto is_method = [](const pan::Module& m) { return m.kind == pan::ModuleKind::skill_module; };
+    const bool has_method = std::any_of(network.modules.begin(), network.modules.end(), is_method);
+    if (!has_method) return;  // the template has a finding for that
     diagnostics.report(Code::PAL0507, network.skill.where,
                        "no module of skill " + quoted(network.skill.name) + " waits for the coordinator",
                        "begin the skill method with WTM( Coordinator )");

@@ -33,7 +33,10 @@ Scope scope_of(const std::vector<syntax::Tree>& trees, std::size_t root, Diagnos
   const auto declare = [&](auto& declarations, const auto& unit, const char* what) {
     if (unit.name.text.empty()) return;  // a syntax error, already reported
     if (const auto* first = declarations.add(unit)) {
-      report_twice(diagnostics, what, unit.name, first->name);
+      // Of two files the one that uses the other is to be changed.
+      const bool same_file = first->name.where.file == unit.name.where.file;
+      report_twice(diagnostics, what, same_file ? unit.name : first->name,
+                   same_file ? first->name : unit.name);
     }
   };
   for (const auto index : scope.trees) {

@@ -1,6 +1,7 @@
 // Source texts by number, and places in them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -38,6 +39,9 @@ class SourceManager {
 
   /// The file that was added under this name, if any.
   std::optional<FileId> find(std::string_view name) const;
+
+  /// How many texts there are; their ids are 0 … size() - 1, in the order in which they were added.
+  std::size_t size() const { return files_.size(); }
 
   const std::string& name(FileId file) const;
   std::string_view text(FileId file) const;

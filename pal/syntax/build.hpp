@@ -53,7 +53,7 @@ class Builder {
   SkillUnit skill_unit(Parser::SkillUnitContext* context);
   void add_slot(SkillUnit& skill, Parser::SlotContext* context);
   Parameter parameter(Parser::ParameterSlotContext* context);
-  Completion completion(Parser::CompletionSlotContext* context);
+  std::optional<Completion> completion(Parser::CompletionSlotContext* context);
   std::optional<Requirement> requirement(Parser::RequirementSlotContext* context);
   std::optional<Step> step(Parser::StepContext* context);
 
@@ -73,7 +73,7 @@ class Builder {
   std::vector<Name> names(Parser::NamesContext* context) const;
   std::string text(antlr4::tree::TerminalNode* string);
   std::vector<std::string> texts(Parser::StringsContext* context);
-  int integer(antlr4::tree::TerminalNode* number);
+  std::optional<int> integer(antlr4::tree::TerminalNode* number);
   std::optional<double> real(antlr4::tree::TerminalNode* number);
   std::optional<double> literal(Parser::LiteralContext* context);
   Duration duration(Parser::DurationContext* context);
@@ -81,6 +81,7 @@ class Builder {
   Interval interval(Parser::IntervalContext* context);
   std::string unit(Parser::PhysicalUnitContext* context);
   std::optional<pan::ModuleKind> kind(Parser::KindContext* context) const;
+  std::optional<pan::ModuleKind> kind(Parser::HeaderContext* context) const;
 
   const Tokens& tokens_;
   Diagnostics& diagnostics_;

@@ -46,10 +46,11 @@ void Builder::add_item(EnvironmentUnit& environment, Parser::ItemContext* contex
     auto thread = name(c->name(0)).text;
     auto* priority = c->NUMBER(0);
     if (c->DOT() != nullptr) {
-      thread += "." + std::to_string(integer(c->NUMBER(0)));
+      thread += "." + std::to_string(integer(c->NUMBER(0)).value_or(0));
       priority = c->NUMBER(1);
     }
-    environment.placements.push_back({std::move(thread), name(c->name(1)).text, integer(priority), where});
+    environment.placements.push_back(
+        {std::move(thread), name(c->name(1)).text, integer(priority).value_or(0), where});
     return;
   }
   if (auto* c = dynamic_cast<Parser::ActivityTimeContext*>(context)) {

@@ -59,7 +59,9 @@ void Builder::add_slot(SkillUnit& skill, Parser::SlotContext* context) {
     return;
   }
   if (auto* c = dynamic_cast<Parser::ContingencySlotContext*>(context)) {
-    Contingency contingency{integer(c->NUMBER()), text(c->STRING()), std::nullopt, span(c)};
+    const auto number = integer(c->NUMBER());
+    if (!number) return;
+    Contingency contingency{*number, text(c->STRING()), std::nullopt, span(c)};
     if (c->name() != nullptr) contingency.method = name(c->name());
     skill.contingencies.push_back(std::move(contingency));
     return;
@@ -69,7 +71,7 @@ void Builder::add_slot(SkillUnit& skill, Parser::SlotContext* context) {
     return;
   }
   if (auto* c = dynamic_cast<Parser::CompletionSlotContext*>(context)) {
-    skill.completions.push_back(completion(c));
+    if (auto built = completion(c)) skill.completions.push_back(std::move(*built));
     return;
   }
   if (auto* c = dynamic_cast<Parser::RequirementSlotContext*>(context)) {
@@ -99,13 +101,15 @@ Parameter Builder::parameter(Parser::ParameterSlotContext* context) {
   return result;
 }
 
-Completion Builder::completion(Parser::CompletionSlotContext* context) {
+std::optional<Completion> Builder::completion(Parser::CompletionSlotContext* context) {
   Completion result;
-  result.code = integer(context->NUMBER(0));
+  const auto code = integer(context->NUMBER(0));
+  if (!code) return std::nullopt;
+  result.code = *code;
   result.where = span(context);
   if (context->CONTINGENCY() != nullptr) {
     result.kind = pan::Completion::Kind::contingency;
-    result.contingency = integer(context->NUMBER(1));
+    result.contingency = integer(context->NUMBER(1)).value_or(0);
   } else if (context->ERROR() != nullptr) {
     result.kind = pan::Completion::Kind::error;
   }

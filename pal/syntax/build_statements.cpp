@@ -87,7 +87,7 @@ std::optional<Statement> Builder::wait(Parser::WaitContext* context) {
 std::optional<Statement> Builder::send(Parser::SendContext* context) {
   const auto where = span(context);
   if (auto* c = dynamic_cast<Parser::CompleteContext*>(context)) {
-    return Statement{Complete{integer(c->NUMBER()), span(c->NUMBER())}, where, {}};
+    return Statement{Complete{integer(c->NUMBER()).value_or(0), span(c->NUMBER())}, where, {}};
   }
   if (auto* c = dynamic_cast<Parser::SendToContext*>(context)) {
     return Statement{Send{message(c->message()), party(c->party())}, where, {}};

@@ -75,8 +75,8 @@ DeviceUnit Builder::device_unit(Parser::DeviceUnitContext* context) {
 ModuleUnit Builder::module_unit(Parser::ModuleUnitContext* context) {
   ModuleUnit result;
   result.name = name(context->name());
-  if (const auto word = kind(context->kind())) result.kind = *word;
-  result.where = span(span(context->kind()), result.name.where);
+  if (const auto word = kind(context->header())) result.kind = *word;
+  result.where = span(span(context->header()), result.name.where);
   for (auto* heading : context->heading()) add_heading(result, heading);
   result.has_body = context->BEGIN() != nullptr;
   result.body = statements(context->statements());

@@ -74,8 +74,8 @@ std::vector<std::string> Builder::texts(Parser::StringsContext* context) {
   return result;
 }
 
-int Builder::integer(antlr4::tree::TerminalNode* number) {
-  if (number == nullptr || number->getSymbol()->getTokenIndex() == INVALID_INDEX) return 0;
+std::optional<int> Builder::integer(antlr4::tree::TerminalNode* number) {
+  if (number == nullptr || number->getSymbol()->getTokenIndex() == INVALID_INDEX) return std::nullopt;
   const auto digits = number->getText();
   int value = 0;
   const auto end = digits.data() + digits.size();
@@ -83,7 +83,7 @@ int Builder::integer(antlr4::tree::TerminalNode* number) {
   if (error != std::errc{} || stop != end) {
     diagnostics_.report(Code::PAL0107, span(number),
                         "this must be a whole number between -2147483648 and 2147483647");
-    return 0;
+    return std::nullopt;
   }
   return value;
 }
@@ -95,7 +95,7 @@ std::optional<double> Builder::real(antlr4::tree::TerminalNode* number) {
   const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{}) {
     diagnostics_.report(Code::PAL0107, span(number), "this number is out of the range of numbers");
-    return std::nullopt;
+    return 0;
   }
   return value;
 }
@@ -179,6 +179,17 @@ std::optional<pan::ModuleKind> Builder::kind(Parser::KindContext* context) const
   if (context->SKILL() != nullptr) return pan::ModuleKind::skill_module;
   if (context->CONTINGENCY() != nullptr) return pan::ModuleKind::contingency_module;
   return std::nullopt;
+}
+
+std::optional<pan::ModuleKind> Builder::kind(Parser::HeaderContext* context) const {
+  if (context == nullptr || context->HEADER() == nullptr) return std::nullopt;
+  if (context->DRIVER() != nullptr) return pan::ModuleKind::sensor_driver;
+  if (context->SENSOR() != nullptr) return pan::ModuleKind::logical_sensor;
+  if (context->CONTROLLER() != nullptr) return pan::ModuleKind::machine_controller;
+  // Skill Module or Contingency Module.
+  const bool skill =
+      context->HEADER()->getText().starts_with('s') || context->HEADER()->getText().starts_with('S');
+  return skill ? pan::ModuleKind::skill_module : pan::ModuleKind::contingency_module;
 }
 
 }  // namespace pal::syntax

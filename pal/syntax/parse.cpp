@@ -46,8 +46,9 @@ Tree parse(const SourceManager& sources, FileId file, Diagnostics& diagnostics) 
   parser.removeErrorListeners();  // the strategies report for themselves
   auto* root = tokens.has_errors() ? nullptr : parse_quickly(parser);
   if (root == nullptr) root = parse_carefully(parser, tokens, diagnostics);
+  const bool complete = diagnostics.errors() == errors_before;
   auto tree = Builder(tokens, diagnostics).build(root);
-  tree.complete = diagnostics.errors() == errors_before;
+  tree.complete = complete;
   return tree;
 }
 

@@ -11,7 +11,7 @@ namespace pal::syntax {
 constexpr int deepest_nesting = 200;
 
 /// Parses one file, reporting all its lexical and syntax errors, and figures that are no times or units.
-/// Never throws; after an error the tree holds what could be understood and is not `complete`.
+/// Never throws; after a syntax error the tree holds what could be understood and is not `complete`.
 Tree parse(const SourceManager& sources, FileId file, Diagnostics& diagnostics);
 
 }  // namespace pal::syntax

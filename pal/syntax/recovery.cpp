@@ -65,9 +65,31 @@ bool recovers(std::size_t rule) {
     case Parser::RuleSlot:
     case Parser::RuleEnvironmentUnit:
     case Parser::RuleItem:
+    case Parser::RuleGuard:
+    case Parser::RuleEnding:
+    case Parser::RuleSource:
       return true;
     default:
       return false;
+  }
+}
+
+/// Rules after whose mistakes the next of their kind is read afresh: what it says is not hidden by the
+/// mistake before.
+std::optional<std::size_t> one_of_many(std::size_t rule) {
+  switch (rule) {
+    case Parser::RuleStatement:
+    case Parser::RuleWait:
+    case Parser::RuleChoose:
+    case Parser::RuleRepeat:
+    case Parser::RuleConcurrent:
+      return Parser::RuleStatement;
+    case Parser::RuleUnit:
+    case Parser::RuleSlot:
+    case Parser::RuleItem:
+      return rule;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -148,23 +170,34 @@ void Recovery::reportNoViableAlternative(antlr4::Parser* parser, const antlr4::N
   antlr4::misc::IntervalSet expected;
   if (const auto* configs = e.getDeadEndConfigs()) {
     for (const auto& config : configs->configs) expected.addAll(parser->getATN().nextTokens(config->state));
+  } else {
+    expected = getExpectedTokens(parser);
   }
-  const auto words = spelling(expected);
-  report(parser, at, "unexpected " + spelling(*at) + (words.empty() ? "" : ", expected " + words));
+  report_unexpected(parser, at, spelling(expected));
 }
 
 void Recovery::reportInputMismatch(antlr4::Parser* parser, const antlr4::InputMismatchException& e) {
   const auto* at = e.getOffendingToken();
   if (report_missing_end(parser, at)) return;
-  const auto words = spelling(e.getExpectedTokens());
-  report(parser, at, "unexpected " + spelling(*at) + (words.empty() ? "" : ", expected " + words));
+  report_unexpected(parser, at, spelling(e.getExpectedTokens()));
 }
 
 void Recovery::reportUnwantedToken(antlr4::Parser* parser) {
   if (inErrorRecoveryMode(parser)) return;
   const auto* at = parser->getCurrentToken();
-  const auto words = spelling(getExpectedTokens(parser));
-  report(parser, at, "unexpected " + spelling(*at) + (words.empty() ? "" : ", expected " + words));
+  report_unexpected(parser, at, spelling(getExpectedTokens(parser)));
+}
+
+void Recovery::report_unexpected(antlr4::Parser* parser, const antlr4::Token* at,
+                                 const std::string& expected) {
+  // What is missing at the end of a line is missing there, not on the next one.
+  const auto* before = tokens_.before(at);
+  if (before != nullptr && tokens_.first_on_line(at) && !expected.empty() &&
+      before->getTokenIndex() >= parser->getContext()->start->getTokenIndex()) {
+    report(parser, before, "expected " + expected + " after " + spelling(*before));
+  } else {
+    report(parser, at, "unexpected " + spelling(*at) + (expected.empty() ? "" : ", expected " + expected));
+  }
 }
 
 void Recovery::reportMissingToken(antlr4::Parser* parser) {
@@ -202,8 +235,31 @@ void Recovery::recover(antlr4::Parser* parser, std::exception_ptr error) {
   if (lastErrorIndex == here && lastErrorStates.contains(state)) parser->consume();
   lastErrorIndex = static_cast<int>(parser->getInputStream()->index());
   lastErrorStates.add(state);
+  const auto rule = parser->getContext()->getRuleIndex();
+  if (rule == Parser::RuleGuard || rule == Parser::RuleEnding) return skip_in_parentheses(parser, false);
+  if (rule == Parser::RuleSource) return skip_in_parentheses(parser, true);
   const auto follow = getErrorRecoverySet(parser);
   while (!goes_on_at(parser, follow)) parser->consume();
+  // Without a step forward, forgetting the mistake would be to make it again, for ever.
+  if (parser->getCurrentToken()->getTokenIndex() <= parser->getContext()->start->getTokenIndex()) return;
+  const auto next = one_of_many(rule);
+  const auto& atn = parser->getATN();
+  if (next && atn.nextTokens(atn.ruleToStartState[*next]).contains(parser->getCurrentToken()->getType())) {
+    endErrorCondition(parser);
+  }
+}
+
+void Recovery::skip_in_parentheses(antlr4::Parser* parser, bool with_the_last) {
+  while (true) {
+    const auto* token = parser->getCurrentToken();
+    const auto type = token->getType();
+    if (type == Parser::RIGHT) {
+      if (with_the_last) parser->consume();
+      return;
+    }
+    if (is_boundary(type) || tokens_.first_on_line(token)) return;
+    parser->consume();
+  }
 }
 
 void Recovery::sync(antlr4::Parser* parser) {

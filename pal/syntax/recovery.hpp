@@ -4,6 +4,7 @@
 #include <antlr4-runtime.h>
 
 #include <cstddef>
+#include <string>
 
 #include "pal/support/diagnostic.hpp"
 #include "pal/syntax/tokens.hpp"
@@ -33,9 +34,12 @@ class Recovery : public antlr4::DefaultErrorStrategy {
   /// Nothing is returned, and nothing reported, of what was reported before.
   Diagnostic* report(antlr4::Parser* parser, const antlr4::Token* at, std::string message,
                      std::string hint = {});
+  /// The next word is not what has to come: says so where it is missing.
+  void report_unexpected(antlr4::Parser* parser, const antlr4::Token* at, const std::string& expected);
   /// If a compound statement or a unit lacks its end here: says so and returns true.
   bool report_missing_end(antlr4::Parser* parser, const antlr4::Token* at);
   bool goes_on_at(antlr4::Parser* parser, const antlr4::misc::IntervalSet& follow);
+  void skip_in_parentheses(antlr4::Parser* parser, bool with_the_last);
 
   const Tokens& tokens_;
   Diagnostics& diagnostics_;

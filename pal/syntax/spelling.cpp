@@ -109,12 +109,12 @@ std::string spelling(const antlr4::misc::IntervalSet& expected) {
   }
   std::vector<std::string> words;
   const bool statement = types.contains(Parser::WTM) && types.contains(Parser::DO);
-  const bool unit =
-      types.contains(Parser::USES) && types.contains(Parser::MACHINE) && !types.contains(Parser::NAME);
+  const bool unit = types.contains(Parser::USES) && types.contains(Parser::HEADER);
   const bool name = types.contains(Parser::NAME) && !statement;
   if (statement) words.emplace_back("a statement");
   if (name) words.emplace_back("a name");
   for (const auto type : types) {
+    if (type == Parser::HEADER) continue;  // among the units
     if (statement && (begins_statement(type) || type == Parser::NAME || is_contextual(type))) continue;
     if ((name || statement) && (is_contextual(type) || is_opener(type))) continue;
     if (unit && is_opener(type)) continue;

@@ -43,6 +43,7 @@ Tokens::Tokens(FileId file, std::string_view text, Diagnostics& diagnostics)
   stream_.fill();
   all_ = stream_.getTokens();
   tell_ends_apart();
+  tell_headers_apart();
   report_strays(diagnostics);
   bound_nesting(diagnostics);
 }
@@ -98,6 +99,29 @@ void Tokens::tell_ends_apart() {
       default:
         break;
     }
+  }
+}
+
+void Tokens::tell_headers_apart() {
+  const auto are_kind_words = [](std::size_t first, std::size_t second) {
+    switch (first) {
+      case Lexer::SENSOR:
+        return second == Lexer::DRIVER;
+      case Lexer::LOGICAL:
+        return second == Lexer::SENSOR;
+      case Lexer::MACHINE:
+        return second == Lexer::CONTROLLER;
+      case Lexer::SKILL:
+      case Lexer::CONTINGENCY:
+        return second == Lexer::MODULE;
+      default:
+        return false;
+    }
+  };
+  for (std::size_t i = 0; i + 2 < all_.size(); ++i) {
+    if (all_[i + 2]->getType() != Lexer::COLON) continue;
+    if (!are_kind_words(all_[i]->getType(), all_[i + 1]->getType())) continue;
+    static_cast<antlr4::CommonToken*>(all_[i])->setType(Lexer::HEADER);
   }
 }
 

@@ -39,6 +39,7 @@ class Tokens {
  private:
   std::uint32_t byte(std::size_t code_point) const;
   void tell_ends_apart();
+  void tell_headers_apart();
   void report_strays(Diagnostics& diagnostics);
   void bound_nesting(Diagnostics& diagnostics);
 

@@ -163,6 +163,7 @@ using Unit =
     std::variant<Uses, MessageUnit, ConditionUnit, DeviceUnit, ModuleUnit, SkillUnit, EnvironmentUnit>;
 
 /// One file. `complete` is false if there were syntax errors: then parts of the text are not in the tree.
+/// Figures that mean nothing (1.5 ns) leave it complete, with nothing in their place.
 struct Tree {
   FileId file{};
   bool complete = true;

@@ -84,8 +84,8 @@ class Follower {
     const bool own =
         runs || ending == Ending::gave_up || ending == Ending::cancelled || ending == Ending::open;
     slice->ending = own ? ending : Ending::over;
-    if (runs ? !(ending == Ending::blocked && slice->to_ns == slice->from_ns)
-             : slice->to_ns > slice->from_ns) {
+    // Of what takes no time only effects count: they have happened.
+    if (slice->to_ns > slice->from_ns || (runs && ending == Ending::effect)) {
       closed_.push_back(*slice);
     }
     slice.reset();

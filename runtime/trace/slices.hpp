@@ -40,9 +40,9 @@ struct Slice {
   friend bool operator==(const Slice&, const Slice&) = default;
 };
 
-/// Every slice, in the order of their beginnings; slices of one actor never overlap. Ready and waiting slices
-/// of no length are left out; running ones are kept, since a statement that costs nothing still has its
-/// effect. Open slices end with the last event. docs/trace.md gives the rules.
+/// Every slice, in the order of their beginnings; slices of one actor never overlap. Of slices of no length
+/// only those that end with an effect are kept: a statement that costs nothing still has its effect. Open
+/// slices end with the last event. docs/trace.md gives the rules.
 std::vector<Slice> slices(const Trace& trace);
 
 }  // namespace pal::trace

@@ -12,7 +12,7 @@ LAYERS = {
     "pal/support": [],
     "pal/pan": ["pal/support"],
     "grammar": [],
-    "pal/syntax": ["pal/support", "grammar"],
+    "pal/syntax": ["pal/support", "pal/pan", "grammar"],
     "pal/check": ["pal/support", "pal/pan", "pal/syntax"],
     "analyzer/chart": ["runtime/trace"],
     "analyzer": ["pal/support", "pal/pan", "runtime/trace"],
@@ -24,7 +24,7 @@ LAYERS = {
     "skills_pal": ["runtime", "runtime/trace"],
     "sim": ["runtime", "runtime/trace", "runtime/drivers"],
     "sim/program": ["sim", "runtime", "runtime/trace", "runtime/drivers", "skills_pal", "pal/support", "pal/pan",
-                    "pal/check", "pal/syntax", "analyzer", "analyzer/chart"],
+                    "pal/check", "pal/syntax", "analyzer", "analyzer/chart", "pal/driver"],
 }
 # Third-party headers that must stay inside .cpp files.
 PRIVATE = re.compile(r"^(antlr4-runtime|graphviz|mujoco|EGL|GL|nlohmann|CLI)/|^(cgraph|gvc|png)\.h")

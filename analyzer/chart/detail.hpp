@@ -1,0 +1,22 @@
+// Which parts of a run are worth enlarging, and how much of a run is worth drawing.
+#pragma once
+
+#include <vector>
+
+#include "analyzer/chart/layer.hpp"
+#include "analyzer/chart/text_width.hpp"
+
+namespace pal::chart {
+
+/// The window that the options of the first layer ask for; if none, the highlighted intervals of all layers
+/// with some context, or all of the runs. In shifted time.
+Window overview_window(const std::vector<Layer>& layers);
+
+/// Where something runs in and around the highlighted intervals, in one scale large enough for numbered bars
+/// on `width`. Empty if the whole window in that width already shows every action that large, or nothing is
+/// highlighted. If not everything can be shown: the end of the interval, its beginning, then what is nearest
+/// to the end.
+std::vector<Window> detail_windows(const std::vector<Layer>& layers, const Window& window, Length width,
+                                   Length fold);
+
+}  // namespace pal::chart

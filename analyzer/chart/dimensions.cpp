@@ -1,0 +1,147 @@
+#include <algorithm>
+
+#include "analyzer/chart/chart.hpp"
+#include "analyzer/chart/panel.hpp"
+
+namespace pal::chart {
+
+namespace {
+
+constexpr Length dimension_row = 190;
+constexpr Length figure_font = 105;
+
+std::string figure(const Layer& layer, std::int64_t ns) {
+  return layer.timeline->origin == "measured" ? rounded_duration_text(ns) : duration_text(ns);
+}
+
+const char* verdict_style(const Highlight& highlight) {
+  return highlight.fails ? "fails" : "holds";
+}
+
+std::string dimension_style(const Layer& layer, const Highlight& highlight) {
+  return std::string("dimension ") + verdict_style(highlight) +
+         (layer.role == Role::backdrop ? " backdrop" : "");
+}
+
+}  // namespace
+
+std::string segment_letter(std::size_t index) {
+  const std::string last(1, static_cast<char>('a' + index % 26));
+  return index < 26 ? last : segment_letter(index / 26 - 1) + last;
+}
+
+void Panel::draw_bands() {
+  for (const Layer& layer : layers_) {
+    if (!layer.options->highlight || layer.role == Role::backdrop) continue;
+    const Highlight& highlight = *layer.options->highlight;
+    const Length left = x(layer, highlight.from_ns);
+    const Length right = std::max(x(layer, highlight.to_ns), left + 20);
+    out_.rect({left, lanes_top_ - 20, right, bottom_}, std::string("band ") + verdict_style(highlight),
+              highlight.label + " " + figure(layer, highlight.to_ns - highlight.from_ns));
+  }
+}
+
+void Panel::draw_dimensions() {
+  const Length first = (waves_.empty() ? lanes_bottom_ : waves_.back().top + style_.wave_height()) + 120;
+  // All edges first, so that none is drawn through a figure.
+  Length y = first;
+  for (const Layer& layer : layers_) {
+    if (!layer.options->highlight) continue;
+    draw_edges(layer, *layer.options->highlight, y);
+    y += dimension_row;
+  }
+  y = first;
+  for (const Layer& layer : layers_) {
+    if (!layer.options->highlight) continue;
+    draw_dimension(layer, *layer.options->highlight, y);
+    y += dimension_row;
+  }
+  if (!layers_.front().options->explanation.empty()) draw_segments(layers_.front(), y);
+}
+
+void Panel::draw_edges(const Layer& layer, const Highlight& highlight, Length y) {
+  const Length left = x(layer, highlight.from_ns);
+  const Length right = std::max(x(layer, highlight.to_ns), left + 20);
+  for (const Length edge : {left, right}) {
+    out_.line({edge, lanes_top_ - 20}, {edge, y + 40}, dimension_style(layer, highlight) + " edge");
+  }
+}
+
+void Panel::draw_dimension(const Layer& layer, const Highlight& highlight, Length y) {
+  const Length left = x(layer, highlight.from_ns);
+  const Length right = std::max(x(layer, highlight.to_ns), left + 20);
+  std::string text = highlight.label + " " + figure(layer, highlight.to_ns - highlight.from_ns);
+  if (layer.role == Role::backdrop) text = "proved: " + text;
+  if (layer.role == Role::front) text = "measured: " + text;
+  out_.line({left, y}, {right, y}, dimension_style(layer, highlight) + " measure", text);
+  const Length width = text_width(text, figure_font, true);
+  const std::string ink = std::string("figure ") + verdict_style(highlight);
+  const TimeScale::Stretch room = scale_.widest(left, right);
+  if (width + 200 < room.x1 - room.x0) {
+    const Length middle = (room.x0 + room.x1) / 2;
+    out_.rect({middle - width / 2 - 40, y - 60, middle + width / 2 + 40, y + 60}, "paper");
+    out_.text({middle, y + 38}, Anchor::middle, ink, text, text);
+  } else if (right + 60 + width < scale_.x1()) {
+    out_.text({right + 60, y + 38}, Anchor::start, ink, text, text);
+  } else {
+    out_.text({left - 60, y + 38}, Anchor::end, ink, text, text);
+  }
+}
+
+void Panel::draw_segments(const Layer& layer, Length y) {
+  const std::vector<Segment>& segments = layer.options->explanation;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& segment = segments[i];
+    if (!touches(layer, segment.from_ns, segment.to_ns)) continue;
+    const Length left = x(layer, segment.from_ns);
+    const Length right = x(layer, segment.to_ns);
+    const std::string letter = segment_letter(i);
+    const std::string length = figure(layer, segment.to_ns - segment.from_ns);
+    const std::string title = letter + ": " + length + " " + segment.text +
+                              (segment.actor.empty() ? "" : " (" + segment.actor + ")");
+    out_.path(move_to({left, y - 40}) + line_to({left, y + 40}) + move_to({left, y}) + line_to({right, y}) +
+                  move_to({right, y - 40}) + line_to({right, y + 40}),
+              "segment", title);
+    for (const std::string& text :
+         {letter + "  " + length + "  " + segment.text, letter + "  " + length, letter}) {
+      const Length half = text_width(text, bar_font) / 2 + 25;
+      const TimeScale::Stretch room = scale_.widest(left, right);
+      const Length middle = (room.x0 + room.x1) / 2;
+      if (2 * half + 30 > room.x1 - room.x0) continue;
+      out_.rect({middle - half, y - 45, middle + half, y + 45}, "paper");
+      out_.text({middle, y + 30}, Anchor::middle, "on-light", text, title);
+      break;
+    }
+  }
+}
+
+void Panel::draw_deadlines() {
+  for (const Layer& layer : layers_) {
+    if (layer.role == Role::front) continue;
+    const auto& highlight = layer.options->highlight;
+    if (highlight && highlight->limit_ns >= 0) {
+      draw_deadline(highlight->from_ns + highlight->limit_ns + layer.shift_ns,
+                    "limit " + duration_text(highlight->limit_ns));
+    }
+    for (const Deadline& deadline : layer.options->deadlines)
+      draw_deadline(deadline.at_ns + layer.shift_ns, deadline.label);
+  }
+}
+
+void Panel::draw_deadline(std::int64_t at_ns, const std::string& label) {
+  if (!scale_.shows(at_ns)) return;
+  const Length place = scale_.x(at_ns);
+  const std::string title = label + "\n" + at(at_ns);
+  out_.line({place, lanes_top_ - 90}, {place, bottom_}, "deadline", title);
+  out_.path(move_to({place, lanes_top_ - 90}) + line_to({place + 70, lanes_top_ - 60}) +
+                line_to({place, lanes_top_ - 30}) + "Z",
+            "deadline-flag", title);
+  const Length width = text_width(label, bar_font);
+  const bool right = place + 90 + width <= scale_.x1();
+  const Length left = right ? place + 90 : place - 30 - width;
+  if (labels_.claim({left, lanes_top_ - 110, left + width, lanes_top_ - 10})) {
+    out_.text({left, lanes_top_ - 30}, Anchor::start, "on-light", label, title);
+  }
+}
+
+}  // namespace pal::chart

@@ -1,0 +1,22 @@
+// Keeps labels from colliding: whoever places one asks first.
+#pragma once
+
+#include <vector>
+
+#include "analyzer/chart/svg_writer.hpp"
+
+namespace pal::chart {
+
+class Labels {
+ public:
+  /// Whether nothing that was taken overlaps the box.
+  bool free(const Box& box) const;
+  void take(const Box& box) { taken_.push_back(box); }
+  /// Takes the box if it is free.
+  bool claim(const Box& box);
+
+ private:
+  std::vector<Box> taken_;
+};
+
+}  // namespace pal::chart

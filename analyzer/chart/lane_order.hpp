@@ -1,0 +1,16 @@
+// In which order lanes stand under each other.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "analyzer/chart/timeline.hpp"
+
+namespace pal::chart {
+
+/// A permutation of the lanes: order[i] is the index of the lane that is drawn i-th. Lanes of one processor
+/// stand together, a device alone; of the orders that make the arrows shortest (each pair of lanes that talk
+/// counted once) the one nearest to that of the trace.
+std::vector<std::size_t> lane_order(const Timeline& timeline);
+
+}  // namespace pal::chart

@@ -1,0 +1,67 @@
+// What a chart is to point out. It comes from whoever made the trace: an analysis' verdict, or a measurement.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pal::chart {
+
+/// [from_ns, to_ns] of the trace's time; to_ns > from_ns.
+struct Window {
+  std::int64_t from_ns = 0;
+  std::int64_t to_ns = 0;
+
+  friend bool operator==(const Window&, const Window&) = default;
+};
+
+/// The interval that a requirement is about. `label` says what it is ("age of pc-force"); the chart adds the
+/// figure. `limit_ns` is the greatest length allowed, drawn as a deadline; -1: none.
+struct Highlight {
+  std::int64_t from_ns = 0;
+  std::int64_t to_ns = 0;
+  std::string label;
+  bool fails = false;
+  std::int64_t limit_ns = -1;
+};
+
+/// One part of why the highlighted interval is as long as it is. `actor`: the thread or device that it passes
+/// in.
+struct Segment {
+  std::int64_t from_ns = 0;
+  std::int64_t to_ns = 0;
+  std::string text;
+  std::string actor;
+  std::string place;  // of the statement: "touch.pal:34"; empty: none
+};
+
+/// A further instant by which something has to have happened.
+struct Deadline {
+  std::int64_t at_ns = 0;
+  std::string label;
+};
+
+/// What stands above the chart. Empty texts and times of -1 are left out.
+struct Caption {
+  std::string requirement;     // its name: "fresh-force"
+  std::string measure;         // in words: "age of pc-force at TXM( motion to MC1 ) in SM1"
+  std::string verdict;         // "holds", "fails", "undecided"
+  std::int64_t bound_ns = -1;  // proved, or measured
+  bool exact = false;          // a run attains the bound
+  std::int64_t limit_ns = -1;
+};
+
+struct ChartOptions {
+  Caption caption;
+  std::optional<Highlight> highlight;
+  std::vector<Segment> explanation;
+  std::vector<Deadline> deadlines;
+  /// The part of the run that is drawn; if not given, the highlighted interval with some of what is around
+  /// it, or all.
+  std::optional<Window> window;
+  /// Whether short actions are drawn once more, enlarged, under the chart, where it helps.
+  bool detail = true;
+};
+
+}  // namespace pal::chart

@@ -1,0 +1,63 @@
+#include "analyzer/chart/page.hpp"
+
+#include "analyzer/chart/detail.hpp"
+#include "analyzer/chart/legend.hpp"
+#include "analyzer/chart/panel.hpp"
+#include "analyzer/chart/svg_style.hpp"
+
+namespace pal::chart {
+
+namespace {
+
+constexpr Length page_width = 9400;
+
+std::string document(const std::string& body, Length height, const std::vector<std::string>& caption) {
+  const std::string width = std::to_string(page_width / 10);
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  text += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" +
+          std::to_string(height / 10) + "\" viewBox=\"0 0 " + std::to_string(page_width) + " " +
+          std::to_string(height) + "\" role=\"img\">\n";
+  text += "<title>" + escaped(caption.front()) + "</title>\n<desc>";
+  for (std::size_t i = 1; i < caption.size(); ++i) text += (i > 1 ? "\n" : "") + escaped(caption[i]);
+  text += "</desc>\n";
+  text += style_sheet;
+  text += "<rect width=\"" + std::to_string(page_width) + "\" height=\"" + std::to_string(height) +
+          "\" class=\"paper\"/>\n";
+  return text + body + "</svg>\n";
+}
+
+/// Whether the window leaves something of the run out.
+bool is_cut(const Layer& layer, const Window& window) {
+  return window.from_ns > layer.shift_ns || window.to_ns < layer.timeline->end_ns + layer.shift_ns;
+}
+
+}  // namespace
+
+std::string page(const std::vector<Layer>& layers) {
+  SvgWriter out;
+  const bool both = layers.size() > 1;
+  const Window window = overview_window(layers);
+  const TimeScale overview({window}, panel_left, panel_right, fold_width);
+  std::vector<Window> details;
+  if (layers.front().options->detail) {
+    details = detail_windows(layers, window, panel_right - panel_left, fold_width);
+  }
+  Length y = draw_caption(layers, 0, out);
+  Numbering numbering;
+  if (details.empty()) {
+    numbering = Numbering(layers, overview);
+    y = Panel(layers, overview, {true, both}, numbering, 0, {}, y, out).draw();
+  } else {
+    const TimeScale detail(details, panel_left, panel_right, fold_width);
+    numbering = Numbering(layers, detail);
+    y = Panel(layers, overview, {false, both}, numbering, 0, details, y, out).draw();
+    y = draw_panel_heading("Enlarged: where the axis above is thick", y, out);
+    y = Panel(layers, detail, {true, both}, numbering, 0, {}, y, out).draw();
+  }
+  y = draw_explanation(layers.front(), y, out);
+  y = draw_statement_key(numbering, y, out);
+  y = draw_sign_key(layers, !details.empty() || is_cut(layers.front(), window), y, out);
+  return document(out.str(), (y + 9) / 10 * 10, caption_lines(layers));
+}
+
+}  // namespace pal::chart

@@ -1,0 +1,198 @@
+#include "analyzer/chart/panel.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "analyzer/chart/chart.hpp"
+
+namespace pal::chart {
+
+namespace {
+
+constexpr Length name_x = 430;
+constexpr Length group_x = 40;
+constexpr Length deadline_row = 240;
+constexpr Length dimension_row = 190;
+
+bool same_group(const Lane& a, const Lane& b) {
+  return !a.device && !b.device && a.processor == b.processor;
+}
+
+}  // namespace
+
+Panel::Panel(const std::vector<Layer>& layers, const TimeScale& scale, PanelStyle style,
+             const Numbering& numbering, std::int64_t zero_ns, std::vector<Window> enlarged, Length top,
+             SvgWriter& out)
+    : layers_(layers),
+      scale_(scale),
+      style_(style),
+      numbering_(numbering),
+      zero_ns_(zero_ns),
+      enlarged_(std::move(enlarged)),
+      top_(top),
+      out_(out) {
+  place_rows();
+  for (const TimeScale::Piece& piece : scale_.pieces()) {
+    if (piece.folded) labels_.take({piece.x0, top_, piece.x1, bottom_});
+  }
+}
+
+std::string Panel::at(std::int64_t ns) const {
+  return duration_text(ns - zero_ns_);
+}
+
+void Panel::place_rows() {
+  lanes_top_ = top_ + deadline_row;
+  Length y = lanes_top_;
+  const std::vector<Lane>& lanes = layers_.front().timeline->lanes;
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    // A little air and, over several threads, room for what their processor does.
+    if (i > 0 && !same_group(lanes[i - 1], lanes[i])) y += 40;
+    const Length bar_top = y + style_.text_row();
+    rows_.push_back({y, bar_top, bar_top + style_.bar_height()});
+    y += style_.lane_height();
+  }
+  lanes_bottom_ = y + 30;
+  y = lanes_bottom_;
+  for (std::size_t i = 0; i < layers_.front().timeline->waveforms.size(); ++i) {
+    waves_.push_back({y, y + 40, y + style_.wave_height() - 40});
+    y += style_.wave_height();
+  }
+  y += 40;
+  for (const Layer& layer : layers_) {
+    if (layer.options->highlight) y += dimension_row;
+  }
+  if (!layers_.front().options->explanation.empty()) y += dimension_row;
+  bottom_ = y;
+}
+
+Length Panel::draw() {
+  out_.raw(style_.labelled ? "<g>\n" : "<g class=\"compact\">\n");
+  draw_bands();
+  draw_grid();
+  draw_names();
+  for (const Layer& layer : layers_) {
+    draw_gaps(layer);
+    draw_bars(layer);
+    draw_waves(layer);
+  }
+  for (const Layer& layer : layers_) draw_arrows(layer);
+  draw_folds();
+  draw_deadlines();
+  for (const Layer& layer : layers_) keep_off_arrows(layer);
+  for (const Layer& layer : layers_) draw_marks(layer);
+  for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) label_bars(*layer);
+  if (style_.labelled) {
+    for (const Layer& layer : layers_) label_arrows(layer);
+    for (const Layer& layer : layers_) label_gaps(layer);
+  }
+  draw_dimensions();
+  draw_axis();
+  out_.raw("</g>\n");
+  return bottom_ + (scale_.pieces().size() > 1 ? 330 : 220);
+}
+
+void Panel::draw_names() {
+  const std::vector<Lane>& lanes = layers_.front().timeline->lanes;
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    const Lane& lane = lanes[i];
+    const Row& row = rows_[i];
+    const Length middle = (row.bar_top + row.bar_bottom) / 2;
+    const std::string title = lane.device ? "device " + lane.name
+                                          : "thread " + lane.name + " on processor " + lane.processor +
+                                                ", priority " + std::to_string(lane.priority);
+    out_.text({lane.device ? group_x : name_x, middle + 38}, Anchor::start,
+              lane.device ? "name device" : "name",
+              fitted(lane.name, 110, panel_left - (lane.device ? group_x : name_x) - 40), title);
+    if (lane.device || (i > 0 && same_group(lanes[i - 1], lane))) continue;
+    std::size_t last = i;
+    while (last + 1 < lanes.size() && same_group(lane, lanes[last + 1])) ++last;
+    const Length top = row.bar_top;
+    const Length bottom = rows_[last].bar_bottom;
+    out_.path(move_to({name_x - 50, top}) + line_to({name_x - 90, top}) + line_to({name_x - 90, bottom}) +
+                  line_to({name_x - 50, bottom}),
+              "bracket");
+    out_.text({name_x - 130, (top + bottom) / 2 + 38}, Anchor::end, "processor",
+              fitted(lane.processor, 110, name_x - 150), "processor " + lane.processor);
+  }
+  const std::vector<Waveform>& waves = layers_.front().timeline->waveforms;
+  for (std::size_t i = 0; i < waves.size(); ++i) {
+    out_.text({group_x, waves_[i].bar_bottom + 25}, Anchor::start, "name condition",
+              fitted(waves[i].name, 110, panel_left - group_x - 380), "condition " + waves[i].name);
+  }
+}
+
+void Panel::draw_grid() {
+  for (std::size_t i = 0; i < rows_.size(); i += 1) {
+    const Length middle = (rows_[i].bar_top + rows_[i].bar_bottom) / 2;
+    out_.line({scale_.x0(), middle}, {scale_.x1(), middle}, "guide");
+  }
+  for (const Tick& tick : ticks(scale_, zero_ns_).major) {
+    const Length place = scale_.x(tick.at_ns);
+    out_.line({place, lanes_top_}, {place, bottom_}, "grid");
+  }
+}
+
+void Panel::draw_axis() {
+  const Ticks marks = ticks(scale_, zero_ns_);
+  for (const TimeScale::Piece& piece : scale_.pieces()) {
+    if (!piece.folded) out_.line({piece.x0, bottom_}, {piece.x1, bottom_}, "axis");
+  }
+  for (const std::int64_t at : marks.minor)
+    out_.line({scale_.x(at), bottom_}, {scale_.x(at), bottom_ + 30}, "axis");
+  Length free_from = scale_.x0() - 300;
+  for (const Tick& tick : marks.major) {
+    const Length place = scale_.x(tick.at_ns);
+    out_.line({place, bottom_}, {place, bottom_ + 60}, "axis");
+    const Length half = text_width(tick.label, 100) / 2;
+    if (place - half < free_from) continue;
+    out_.text({place, bottom_ + 170}, Anchor::middle, "tick", tick.label);
+    free_from = place + half + 60;
+  }
+  out_.text({group_x, bottom_ + 170}, Anchor::start, "tick", "time in " + marks.unit);
+  for (const Window& window : enlarged_) {
+    out_.rect({scale_.x(window.from_ns), bottom_ - 25,
+               std::max(scale_.x(window.to_ns), scale_.x(window.from_ns) + 20), bottom_ + 5},
+              "enlarged", "enlarged below: " + at(window.from_ns) + " to " + at(window.to_ns));
+  }
+}
+
+void Panel::draw_folds() {
+  const auto tear = [&](Length place, const std::string& title) {
+    std::string data;
+    Length side = 30;
+    const Length step = 60;
+    data = move_to({place - side, lanes_top_ - 20});
+    for (Length y = lanes_top_ - 20 + step; y <= bottom_ + 40; y += step) {
+      data += line_to({place + side, y});
+      side = -side;
+    }
+    out_.path(data, "tear", title);
+  };
+  for (const TimeScale::Piece& piece : scale_.pieces()) {
+    if (!piece.folded) continue;
+    const std::string left_out = duration_text(piece.time.to_ns - piece.time.from_ns);
+    const std::string title =
+        left_out + " left out, from " + at(piece.time.from_ns) + " to " + at(piece.time.to_ns);
+    out_.rect({piece.x0 + 50, lanes_top_ - 20, piece.x1 - 50, bottom_ + 40}, "fold", title);
+    tear(piece.x0 + 50, title);
+    tear(piece.x1 - 50, title);
+    // To a hundredth of a millisecond; the title is exact.
+    const std::int64_t length = piece.time.to_ns - piece.time.from_ns;
+    const std::string figure = duration_text(length < 10'000 ? length : (length + 5'000) / 10'000 * 10'000);
+    const Length half = text_width(figure, 85) / 2 + 15;
+    const Length middle = (piece.x0 + piece.x1) / 2;
+    if (labels_.claim({middle - half, bottom_ + 210, middle + half, bottom_ + 310})) {
+      out_.text({middle, bottom_ + 290}, Anchor::middle, "small", figure, title);
+    }
+  }
+  const Layer& first = layers_.front();
+  const std::int64_t run_from = first.shift_ns;
+  const std::int64_t run_to = first.timeline->end_ns + first.shift_ns;
+  if (scale_.from_ns() > run_from)
+    tear(scale_.x0(), duration_text(scale_.from_ns() - run_from) + " before this are left out");
+  if (scale_.to_ns() < run_to)
+    tear(scale_.x1(), duration_text(run_to - scale_.to_ns()) + " after this are left out");
+}
+
+}  // namespace pal::chart

@@ -1,0 +1,84 @@
+#include "analyzer/chart/svg_writer.hpp"
+
+namespace pal::chart {
+
+namespace {
+
+std::string attribute(const char* name, Length value) {
+  return " " + std::string(name) + "=\"" + std::to_string(value) + "\"";
+}
+
+std::string attribute(const char* name, std::string_view value) {
+  return " " + std::string(name) + "=\"" + escaped(value) + "\"";
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') {
+          result += "\uFFFD";
+        } else {
+          result += c;
+        }
+    }
+  }
+  return result;
+}
+
+std::string move_to(Point to) {
+  return "M" + std::to_string(to.x) + " " + std::to_string(to.y);
+}
+std::string line_to(Point to) {
+  return "L" + std::to_string(to.x) + " " + std::to_string(to.y);
+}
+
+void SvgWriter::end(std::string_view element, std::string_view title) {
+  if (title.empty()) {
+    out_ += "/>\n";
+  } else {
+    out_ += "><title>" + escaped(title) + "</title></" + std::string(element) + ">\n";
+  }
+}
+
+void SvgWriter::rect(const Box& box, std::string_view style, std::string_view title) {
+  out_ += "<rect" + attribute("x", box.x0) + attribute("y", box.y0) + attribute("width", box.x1 - box.x0) +
+          attribute("height", box.y1 - box.y0) + attribute("class", style);
+  end("rect", title);
+}
+
+void SvgWriter::line(Point from, Point to, std::string_view style, std::string_view title) {
+  path(move_to(from) + line_to(to), style, title);
+}
+
+void SvgWriter::path(const std::string& data, std::string_view style, std::string_view title) {
+  out_ += "<path" + attribute("d", data) + attribute("class", style);
+  end("path", title);
+}
+
+void SvgWriter::text(Point at, Anchor anchor, std::string_view style, std::string_view content,
+                     std::string_view title) {
+  std::string classes(style);
+  if (anchor == Anchor::middle) classes += " mid";
+  if (anchor == Anchor::end) classes += " end";
+  out_ += "<text" + attribute("x", at.x) + attribute("y", at.y) + attribute("class", classes) + ">";
+  if (!title.empty()) out_ += "<title>" + escaped(title) + "</title>";
+  out_ += escaped(content) + "</text>\n";
+}
+
+}  // namespace pal::chart

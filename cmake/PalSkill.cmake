@@ -1,0 +1,56 @@
+# pal_add_skill(NAME PAL FILE ENVIRONMENT FILE SOURCES FILE… [SKILL NAME-IN-PAL] [ALLOW_FAILING])
+#
+# A static library pal_skill_NAME (alias pal::skill_NAME) of a skill: its C++, generated from PAL, and SOURCES, the
+# activities written by hand. It includes "<skill>_activities.hpp" and "<skill>_skill.hpp", where <skill> is the skill's name in
+# PAL with underscores for hyphens. SKILL is needed only if that name is not NAME.
+#
+# The skill is checked first: if it is wrong, or a requirement does not hold, the build fails with the analyzer's message.
+# ALLOW_FAILING lets requirements fail; the message is shown all the same.
+set(_pal_skill_directory "${CMAKE_CURRENT_LIST_DIR}")
+
+function(pal_add_skill name)
+  cmake_parse_arguments(ARG "ALLOW_FAILING" "PAL;ENVIRONMENT;SKILL" "SOURCES" ${ARGN})
+  if(ARG_UNPARSED_ARGUMENTS OR NOT ARG_PAL OR NOT ARG_ENVIRONMENT)
+    message(FATAL_ERROR "pal_add_skill(${name}): needs PAL and ENVIRONMENT, takes SOURCES, SKILL, ALLOW_FAILING")
+  endif()
+  if(NOT ARG_SKILL)
+    set(ARG_SKILL ${name})
+  endif()
+  string(MAKE_C_IDENTIFIER "${ARG_SKILL}" prefix)
+  string(TOLOWER "${prefix}" prefix)
+  get_filename_component(pal_file "${ARG_PAL}" ABSOLUTE)
+  get_filename_component(environment_file "${ARG_ENVIRONMENT}" ABSOLUTE)
+
+  # Names of files in messages, traces and generated code are relative to the top of the source tree: the same everywhere.
+  file(RELATIVE_PATH pal_name "${CMAKE_SOURCE_DIR}" "${pal_file}")
+  file(RELATIVE_PATH environment_name "${CMAKE_SOURCE_DIR}" "${environment_file}")
+
+  set(directory "${CMAKE_CURRENT_BINARY_DIR}/${prefix}_generated")
+  file(MAKE_DIRECTORY "${directory}")
+  set(generated)
+  foreach(suffix messages.hpp parameters.hpp parameters.cpp activities.hpp wiring.hpp wiring.cpp modules.hpp modules.cpp
+          skill.hpp skill.cpp)
+    list(APPEND generated "${directory}/${prefix}_${suffix}")
+  endforeach()
+
+  add_custom_command(
+    OUTPUT ${generated}
+    COMMAND ${CMAKE_COMMAND} -DPAL=$<TARGET_FILE:pal::pal> -DFILE=${pal_name} -DENVIRONMENT=${environment_name}
+            -DSKILL=${ARG_SKILL} -DALLOW_FAILING=${ARG_ALLOW_FAILING} -P "${_pal_skill_directory}/PalCheck.cmake"
+    COMMAND pal::pal generate ${pal_name} --environment ${environment_name} --skill ${ARG_SKILL} -o "${directory}"
+            --depfile "${directory}/${prefix}.d" --depfile-target "${directory}/${prefix}_messages.hpp"
+    DEPENDS pal::pal "${pal_file}" "${environment_file}" "${_pal_skill_directory}/PalCheck.cmake"
+    DEPFILE "${directory}/${prefix}.d"
+    WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}"
+    COMMENT "Checking skill ${ARG_SKILL} and generating its C++"
+    VERBATIM)
+
+  add_library(pal_skill_${name} STATIC ${generated} ${ARG_SOURCES})
+  add_library(pal::skill_${name} ALIAS pal_skill_${name})
+  target_include_directories(pal_skill_${name} PUBLIC "${directory}")
+  target_link_libraries(pal_skill_${name} PUBLIC pal::runtime)
+  target_compile_features(pal_skill_${name} PUBLIC cxx_std_20)
+  if(COMMAND pal_warnings)
+    pal_warnings(pal_skill_${name})
+  endif()
+endfunction()

@@ -1,0 +1,25 @@
+// One emitter a concept; each gives the text of the files that are its own.
+#pragma once
+
+#include "codegen/generate.hpp"
+#include "codegen/writer.hpp"
+
+namespace pal::codegen {
+
+/// Messages with fields, as structs.
+GeneratedFile emit_messages(const Plan& plan);
+/// The parameter vector, with ranges and setting by name.
+std::vector<GeneratedFile> emit_parameters(const Plan& plan);
+/// What the system programmer implements.
+GeneratedFile emit_activities(const Plan& plan);
+/// The modules as coroutines.
+std::vector<GeneratedFile> emit_modules(const Plan& plan);
+/// Threads, statements, channels, conditions, places and times as tables.
+std::vector<GeneratedFile> emit_wiring(const Plan& plan);
+/// The skill that the dispatcher runs, its description and its factory.
+std::vector<GeneratedFile> emit_skill(const Plan& plan);
+
+/// The body of a module or of a block as C++ statements.
+void write_body(Writer& out, const Plan& plan, const PlannedModule& module, const PlannedBody& body);
+
+}  // namespace pal::codegen

@@ -1,0 +1,77 @@
+#include "codegen/emit.hpp"
+
+namespace pal::codegen {
+
+namespace {
+
+std::string result(const Plan& plan, const PlannedMethod& method) {
+  if (method.kind == PlannedMethod::Kind::decide) return "bool";
+  if (method.writes.empty()) return "void";
+  if (method.writes.size() == 1) return plan.messages[method.writes.front()].type;
+  return method.result_type;
+}
+
+std::string parameters(const Plan& plan, const PlannedMethod& method) {
+  std::string text;
+  for (const std::size_t index : method.reads) {
+    const PlannedMessage& message = plan.messages[index];
+    text += (text.empty() ? "const " : ", const ") + message.type + "& " + message.variable;
+  }
+  return text;
+}
+
+void write_results(Writer& out, const Plan& plan, const PlannedModule& module) {
+  for (const PlannedMethod& method : module.methods) {
+    if (method.result_type.empty()) continue;
+    out.line("/// What " + method.pal + " of " + module.pal_name + " gives.");
+    out.open("struct " + method.result_type + " {");
+    for (const std::size_t index : method.writes) {
+      out.line(plan.messages[index].type + " " + plan.messages[index].variable + ";");
+    }
+    out.close("};").line();
+  }
+}
+
+void write_interface(Writer& out, const Plan& plan, const PlannedModule& module) {
+  write_results(out, plan, module);
+  out.line("/// What " + module.kind + " " + module.pal_name + " leaves to its author.");
+  out.line("class " + module.interface + " {");
+  out.line(" public:").indent();
+  out.line("virtual ~" + module.interface + "() = default;").line();
+  out.line("/// A run of the skill begins: what was left from the last one is to be forgotten.");
+  out.line("virtual void start(const Parameters&) {}");
+  for (const PlannedMethod& method : module.methods) {
+    out.line();
+    out.line("/// " + method.pal + (method.description.empty() ? "" : ": " + method.description));
+    out.line("virtual " + result(plan, method) + " " + method.name + "(" + parameters(plan, method) +
+             ") = 0;");
+  }
+  out.close("};");
+}
+
+}  // namespace
+
+GeneratedFile emit_activities(const Plan& plan) {
+  Writer out;
+  write_heading(out, plan, "What the system programmer writes for skill " + plan.skill.name + ".");
+  out.line("//");
+  out.line(
+      "// The methods are called one at a time, at the instant at which the statement has its effect. None "
+      "may wait, or");
+  out.line("// allocate once the skill runs. One that throws ends the skill with its error completion.");
+  out.line("#pragma once").line();
+  out.line("#include \"" + plan.name + "_messages.hpp\"");
+  out.line("#include \"" + plan.name + "_parameters.hpp\"");
+  open_namespace(out, plan);
+  bool first = true;
+  for (const PlannedModule& module : plan.modules) {
+    if (module.interface.empty()) continue;
+    if (!first) out.line();
+    first = false;
+    write_interface(out, plan, module);
+  }
+  close_namespace(out, plan);
+  return {plan.name + "_activities.hpp", out.take()};
+}
+
+}  // namespace pal::codegen

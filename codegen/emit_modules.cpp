@@ -1,0 +1,151 @@
+#include "codegen/emit.hpp"
+
+namespace pal::codegen {
+
+namespace {
+
+bool uses_thread(const PlannedBody& body) {
+  for (const PlannedStatement& statement : body) {
+    if (statement.kind != PlannedStatement::Kind::nothing && statement.kind != PlannedStatement::Kind::loop)
+      return true;
+    if (!statement.guards.empty()) return true;
+    for (const PlannedBody& branch : statement.branches) {
+      if (uses_thread(branch)) return true;
+    }
+  }
+  return false;
+}
+
+struct Member {
+  std::string type;
+  std::string name;  // without the underscore of a member
+};
+
+/// What a module is given when it is made.
+std::vector<Member> given(const Plan& plan, const PlannedModule& module) {
+  std::vector<Member> members;
+  if (!module.interface.empty()) members.push_back({module.interface, "activities"});
+  for (const std::size_t other : module.executes) {
+    members.push_back({plan.modules[other].type, plan.modules[other].variable});
+  }
+  return members;
+}
+
+std::string constructor(const Plan& plan, const PlannedModule& module) {
+  const auto members = given(plan, module);
+  if (members.empty()) return "";
+  std::string arguments;
+  std::string initialisers;
+  for (const Member& member : members) {
+    arguments += (arguments.empty() ? "" : ", ") + member.type + "& " + member.name;
+    initialisers += (initialisers.empty() ? " : " : ", ") + member.name + "_(" + member.name + ")";
+  }
+  return (members.size() == 1 ? "explicit " : "") + module.type + "(" + arguments + ")" + initialisers +
+         " {}";
+}
+
+void write_class(Writer& out, const Plan& plan, const PlannedModule& module) {
+  out.line("/// " + module.kind + " " + module.pal_name + (module.file.empty() ? "" : ", " + module.file));
+  out.line("class " + module.type + " {");
+  out.line(" public:").indent();
+  if (const std::string made = constructor(plan, module); !made.empty()) out.line(made).line();
+  out.line("/// Forgets all messages; the activities get the parameters.");
+  out.line("void start(const Parameters& parameters);").line();
+  out.line("runtime::Task body(runtime::Thread& thread);");
+  for (const auto& block : module.blocks) {
+    out.line("runtime::Task " + block.function + "(runtime::Thread& thread);");
+  }
+  const auto members = given(plan, module);
+  if (!members.empty() || !module.messages.empty()) {
+    out.outdent().line().line(" private:").indent();
+    for (const Member& member : members) out.line(member.type + "& " + member.name + "_;");
+    for (const std::size_t message : module.messages) {
+      out.line(plan.messages[message].type + " " + plan.messages[message].variable + "_;");
+    }
+  }
+  out.close("};");
+}
+
+std::string header(const Plan& plan) {
+  Writer out;
+  write_heading(out, plan, "The modules of skill " + plan.skill.name + ".");
+  out.line("#pragma once").line();
+  out.line("#include \"" + plan.name + "_activities.hpp\"");
+  out.line("#include \"" + plan.name + "_messages.hpp\"");
+  out.line("#include \"" + plan.name + "_parameters.hpp\"");
+  out.line("#include \"runtime/task.hpp\"");
+  open_namespace(out, plan);
+  bool forward = false;
+  for (const PlannedModule& module : plan.modules) {
+    for (const std::size_t other : module.executes) {
+      out.line("class " + plan.modules[other].type + ";");
+      forward = true;
+    }
+  }
+  if (forward) out.line();
+  for (const PlannedModule& module : plan.modules) {
+    if (&module != &plan.modules.front()) out.line();
+    write_class(out, plan, module);
+  }
+  close_namespace(out, plan);
+  return out.take();
+}
+
+/// The body of block `thread`, wherever it stands in `body`.
+const PlannedBody* find_block(const PlannedBody& body, std::size_t thread) {
+  for (const PlannedStatement& statement : body) {
+    for (std::size_t i = 0; i < statement.branches.size(); ++i) {
+      if (i < statement.threads.size() && statement.threads[i] == thread) return &statement.branches[i];
+      if (const PlannedBody* found = find_block(statement.branches[i], thread)) return found;
+    }
+  }
+  return nullptr;
+}
+
+void write_function(Writer& out, const Plan& plan, const PlannedModule& module, const std::string& name,
+                    const PlannedBody& body) {
+  const std::string thread = uses_thread(body) ? "runtime::Thread& thread" : "runtime::Thread&";
+  out.line();
+  out.open("runtime::Task " + module.type + "::" + name + "(" + thread + ") {");
+  write_body(out, plan, module, body);
+  out.line("co_return;");
+  out.close();
+}
+
+void write_start(Writer& out, const Plan& plan, const PlannedModule& module) {
+  const bool used = !module.interface.empty();
+  out.open("void " + module.type + "::start(const Parameters&" + (used ? " parameters" : "") + ") {");
+  for (const std::size_t message : module.messages) out.line(plan.messages[message].variable + "_ = {};");
+  if (used) out.line("activities_.start(parameters);");
+  out.close();
+}
+
+std::string source(const Plan& plan) {
+  Writer out;
+  write_heading(out, plan, "The modules of skill " + plan.skill.name + ", statement by statement.");
+  out.line("#include \"" + plan.name + "_modules.hpp\"").line();
+  out.line("#include \"" + plan.name + "_wiring.hpp\"");
+  out.line("#include \"runtime/thread.hpp\"");
+  open_namespace(out, plan);
+  out.line("using namespace std::chrono_literals;");
+  for (const PlannedModule& module : plan.modules) {
+    out.line()
+        .line("// " + module.kind + " " + module.pal_name + (module.file.empty() ? "" : ", " + module.file))
+        .line();
+    write_start(out, plan, module);
+    write_function(out, plan, module, "body", module.body);
+    for (const auto& block : module.blocks) {
+      write_function(out, plan, module, block.function, *find_block(module.body, block.thread));
+    }
+  }
+  close_namespace(out, plan);
+  return out.take();
+}
+
+}  // namespace
+
+std::vector<GeneratedFile> emit_modules(const Plan& plan) {
+  return {{plan.name + "_modules.hpp", header(plan)}, {plan.name + "_modules.cpp", source(plan)}};
+}
+
+}  // namespace pal::codegen

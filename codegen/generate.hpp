@@ -1,0 +1,25 @@
+// C++ from a skill and an environment.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "codegen/plan.hpp"
+
+namespace pal::codegen {
+
+/// A generated file; `name` has no folder.
+struct GeneratedFile {
+  std::string name;
+  std::string text;
+};
+
+/// The C++ of a plan, in a fixed order; the same plan gives the same bytes. docs/runtime.md shows what it
+/// looks like.
+std::vector<GeneratedFile> emit(const Plan& plan);
+
+/// make_plan and emit. Nothing if the environment lacks something (reported).
+std::vector<GeneratedFile> generate(const pan::Network& network, const pan::Environment& environment,
+                                    const SourceManager& sources, Diagnostics& diagnostics);
+
+}  // namespace pal::codegen

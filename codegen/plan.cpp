@@ -1,0 +1,180 @@
+#include "codegen/plan.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "codegen/body.hpp"
+#include "codegen/names.hpp"
+#include "codegen/placement.hpp"
+#include "pal/pan/dump.hpp"
+
+namespace pal::codegen {
+
+namespace {
+
+bool is_device(const pan::Network& network, const pan::Party& party) {
+  const auto* module = std::get_if<pan::ModuleId>(&party);
+  return module == nullptr || network.modules[module->index()].body.empty();
+}
+
+/// The skill's namespace stands inside pal::skills, and must not hide what generated code names.
+std::string namespace_name(const std::string& skill) {
+  static constexpr std::array taken{"channel", "condition", "description", "pal",       "runtime",
+                                    "skills",  "statement", "std",         "thread_of", "wiring"};
+  const std::string name = snake_case(skill);
+  return std::find(taken.begin(), taken.end(), name) == taken.end() ? name : name + "_skill";
+}
+
+class Planner {
+ public:
+  Planner(const pan::Network& network, const pan::Environment& environment, const SourceManager& sources,
+          Diagnostics& diagnostics)
+      : network_(network), environment_(environment), sources_(sources), diagnostics_(diagnostics) {}
+
+  std::optional<Plan> plan() {
+    const std::size_t errors = diagnostics_.errors();
+    plan_.name = namespace_name(network_.skill.name);
+    plan_.skill_class = types_.unique(camel_case(network_.skill.name) + "Skill");
+    plan_.skill = network_.skill;
+    plan_.environment = environment_;
+    parameters();
+    messages();
+    conditions();
+    channels();
+    modules();
+    threads();
+    bodies();
+    if (diagnostics_.errors() != errors) return std::nullopt;
+    return std::move(plan_);
+  }
+
+ private:
+  void parameters() {
+    Scope scope;
+    for (const pan::Parameter& parameter : network_.skill.parameters) {
+      plan_.parameters.push_back({scope.unique(snake_case(parameter.name)), parameter});
+    }
+  }
+
+  void messages() {
+    for (const pan::Message& message : network_.messages) {
+      indices_.messages.emplace_back();
+      if (message.fields.empty()) continue;
+      indices_.messages.back() = plan_.messages.size();
+      PlannedMessage planned;
+      planned.type = types_.unique(camel_case(message.name));
+      planned.variable = variables_.unique(snake_case(message.name));
+      planned.pal_name = message.name;
+      Scope fields({"fields", "field_count", "from_fields", planned.type});
+      for (const pan::Field& field : message.fields) {
+        const std::string name = field.name.empty() ? "value" : field.name;
+        planned.fields.push_back({fields.unique(snake_case(name)), field.name, field.type, field.unit});
+      }
+      plan_.messages.push_back(std::move(planned));
+    }
+  }
+
+  void conditions() {
+    Scope scope;
+    for (const pan::Condition& condition : network_.conditions) {
+      plan_.conditions.push_back({scope.unique(snake_case(condition.name)), condition.name});
+    }
+  }
+
+  void channels() {
+    Scope scope;
+    for (const pan::Channel& channel : network_.channels) {
+      PlannedChannel planned;
+      planned.sender = pan::party_name(network_, channel.sender);
+      planned.message = network_.messages[channel.message.index()].name;
+      planned.receiver = pan::party_name(network_, channel.receiver);
+      planned.constant =
+          scope.unique(snake_case(planned.message + " from " + planned.sender + " to " + planned.receiver));
+      planned.fields = indices_.messages[channel.message.index()];
+      if (channel.answer.valid()) planned.answer = channel.answer.index();
+      planned.request = network_.messages[channel.message.index()].asks_for.valid();
+      planned.from_device = is_device(network_, channel.sender);
+      planned.to_device = is_device(network_, channel.receiver);
+      for (const auto* party : {&channel.sender, &channel.receiver}) {
+        const std::string& name = pan::party_name(network_, *party);
+        const bool known = std::find(plan_.devices.begin(), plan_.devices.end(), name) != plan_.devices.end();
+        if (is_device(network_, *party) && !known) plan_.devices.push_back(name);
+      }
+      plan_.channels.push_back(std::move(planned));
+    }
+  }
+
+  void modules() {
+    for (const pan::Module& module : network_.modules) {
+      indices_.modules.emplace_back();
+      if (module.body.empty()) continue;
+      indices_.modules.back() = plan_.modules.size();
+      PlannedModule planned;
+      planned.type = types_.unique(camel_case(module.name));
+      planned.variable = variables_.unique(snake_case(module.name));
+      planned.pal_name = module.name;
+      planned.kind = pan::kind_text(module.kind);
+      if (module.where.valid()) planned.file = sources_.name(module.where.file);
+      planned.executed = module.executed_by.valid();
+      plan_.modules.push_back(std::move(planned));
+    }
+  }
+
+  void threads() {
+    indices_.threads.resize(network_.modules.size());
+    Scope scope;
+    for (std::size_t m = 0; m < network_.modules.size(); ++m) {
+      const pan::Module& module = network_.modules[m];
+      if (module.body.empty()) continue;
+      for (std::size_t t = 0; t < module.threads.size(); ++t) {
+        indices_.threads[m].push_back(plan_.threads.size());
+        if (t == 0 && module.executed_by.valid()) {
+          indices_.threads[m].back() = no_thread;
+          continue;
+        }
+        PlannedThread planned;
+        planned.constant = scope.unique(snake_case(module.threads[t]));
+        planned.pal_name = module.threads[t];
+        planned.module = *indices_.modules[m];
+        planned.block = t > 0;
+        plan_.threads.push_back(std::move(planned));
+      }
+    }
+    place_threads(network_, environment_, diagnostics_, plan_.threads);
+  }
+
+  void bodies() {
+    Scope rows;
+    for (std::size_t m = 0; m < network_.modules.size(); ++m) {
+      if (network_.modules[m].body.empty()) continue;
+      plan_body(network_, pan::ModuleId(m), environment_, sources_, indices_, diagnostics_, rows, plan_);
+      PlannedModule& module = plan_.modules[*indices_.modules[m]];
+      if (!module.methods.empty()) module.interface = types_.unique(module.type + "Activities");
+      for (PlannedMethod& method : module.methods) {
+        if (method.writes.size() > 1) {
+          method.result_type = types_.unique(module.type + camel_case(method.name) + "Result");
+        }
+      }
+    }
+    find_ends(plan_);
+  }
+
+  const pan::Network& network_;
+  const pan::Environment& environment_;
+  const SourceManager& sources_;
+  Diagnostics& diagnostics_;
+  Plan plan_;
+  Indices indices_;
+  // Besides our own: macros of the C library that look like names of types.
+  Scope types_{{"Parameters", "NULL", "EOF", "NAN", "INFINITY", "BUFSIZ", "RAND_MAX", "CHAR_BIT"}};
+  Scope variables_{{"activities", "parameters"}};
+};
+
+}  // namespace
+
+std::optional<Plan> make_plan(const pan::Network& network, const pan::Environment& environment,
+                              const SourceManager& sources, Diagnostics& diagnostics) {
+  return Planner(network, environment, sources, diagnostics).plan();
+}
+
+}  // namespace pal::codegen

@@ -1,0 +1,173 @@
+// A skill as C++ will have it: every name, index and table row decided, no text written yet.
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pal/pan/environment.hpp"
+#include "pal/pan/network.hpp"
+#include "pal/support/diagnostic.hpp"
+#include "pal/support/source.hpp"
+#include "pal/support/time.hpp"
+
+namespace pal::codegen {
+
+struct PlannedField {
+  std::string name;  // C++
+  std::string pal_name;
+  pan::ScalarType type = pan::ScalarType::real;
+  std::string unit;
+};
+
+/// A message with fields: a struct. Messages without fields need no C++.
+struct PlannedMessage {
+  std::string type;      // C++: "Motion"
+  std::string variable;  // C++: "motion"
+  std::string pal_name;
+  std::vector<PlannedField> fields;
+};
+
+struct PlannedParameter {
+  std::string name;  // C++
+  pan::Parameter pal;
+};
+
+/// A method that the system programmer writes: an activity, an SPC without a value, or the making of a
+/// message that nothing in the module writes or takes. Messages are indices into Plan::messages.
+struct PlannedMethod {
+  enum class Kind { activity, decide, compose };
+  Kind kind = Kind::activity;
+  std::string name;
+  std::string pal;  // what it comes from, for a comment
+  std::string description;
+  std::vector<std::size_t> reads;
+  std::vector<std::size_t> writes;  // compose: the one
+  std::string result_type;          // of more than one write: a struct of its own
+};
+
+/// Where a wait takes a message from, or a send puts it.
+struct PlannedEnd {
+  std::size_t channel = 0;             // in Plan::channels
+  std::optional<std::size_t> message;  // in Plan::messages; none: without fields
+};
+
+struct PlannedStatement;
+using PlannedBody = std::vector<PlannedStatement>;
+
+struct PlannedStatement {
+  enum class Kind {
+    take_start,
+    wait,
+    send,
+    complete,
+    set,
+    read,
+    perform,
+    execute,
+    nothing,
+    choose,
+    loop,
+    concurrent
+  };
+  Kind kind = Kind::nothing;
+  std::string pal;                 // canonical spelling
+  int line = 0;                    // in the PAL text; 0: unknown
+  std::optional<std::size_t> row;  // in Plan::statements
+  std::vector<PlannedEnd> ends;    // wait: one or more; send: one
+  std::optional<Duration> within;  // wait
+  std::optional<std::size_t>
+      method;  // perform, set without a value, send that composes: in the module's methods
+  std::optional<std::size_t> condition;  // set, read: in Plan::conditions
+  std::optional<bool> value;             // set
+  int code = 0;                          // complete
+  std::optional<std::size_t> module;     // execute: in Plan::modules
+  std::vector<pan::Guard> guards;        // choose: one a branch; loop: the UNTIL's one, or none
+  std::vector<std::string> arms;         // choose, wait with branches: the head of each branch as PAL has it
+  std::vector<PlannedBody> branches;     // choose, wait with branches, concurrent; loop: one
+  std::vector<std::size_t> threads;      // concurrent: of each branch, in Plan::threads
+  std::string until;                     // loop: the UNTIL in its canonical spelling
+  int until_line = 0;
+};
+
+struct PlannedModule {
+  std::string type;      // C++ class
+  std::string variable;  // C++
+  std::string pal_name;
+  std::string kind;       // "skill module"
+  std::string file;       // of the PAL text
+  std::string interface;  // C++ class of its methods; empty: it has none
+  std::vector<PlannedMethod> methods;
+  std::vector<std::size_t> messages;  // that it keeps a value of
+  std::vector<std::size_t> executes;  // modules that it runs
+  bool executed = false;              // runs in another's thread only
+  PlannedBody body;
+  /// Blocks of CONCURRENT anywhere in the body: member functions of their own.
+  struct Block {
+    std::size_t thread = 0;
+    std::string function;
+  };
+  std::vector<Block> blocks;
+};
+
+struct PlannedThread {
+  std::string constant;  // C++
+  std::string pal_name;
+  std::size_t module = 0;
+  std::size_t processor = 0;
+  int priority = 0;
+  bool block = false;
+  bool can_end = true;
+};
+
+struct PlannedRow {
+  std::string constant;  // C++
+  std::string module;
+  std::string text;
+  std::string file;
+  int line = 0;
+  Interval cost;
+};
+
+struct PlannedChannel {
+  std::string constant;  // C++
+  std::string sender;
+  std::string message;
+  std::string receiver;
+  std::optional<std::size_t> fields;  // in Plan::messages
+  std::optional<std::size_t> answer;
+  bool request = false;
+  bool from_device = false;
+  bool to_device = false;
+};
+
+struct PlannedCondition {
+  std::string constant;  // C++
+  std::string pal_name;
+};
+
+struct Plan {
+  std::string name;  // C++: "touch_read_first", of files, namespace and factory
+  std::string skill_class;
+  pan::Template skill;
+  std::vector<PlannedParameter> parameters;
+  pan::Environment environment;
+  std::vector<PlannedMessage> messages;
+  std::vector<PlannedModule> modules;  // those with a body
+  std::vector<PlannedThread> threads;
+  std::vector<PlannedRow> statements;
+  std::vector<PlannedChannel> channels;
+  std::vector<PlannedCondition> conditions;
+  std::vector<std::string> devices;
+};
+
+/// Reports what the environment lacks (PAL09xx); no plan then. `network` has been checked.
+std::optional<Plan> make_plan(const pan::Network& network, const pan::Environment& environment,
+                              const SourceManager& sources, Diagnostics& diagnostics);
+
+/// The whole plan as text, the same for the same plan.
+void dump(const Plan& plan, std::ostream& out);
+
+}  // namespace pal::codegen

@@ -1,0 +1,47 @@
+// Text of C++, line by line.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "codegen/plan.hpp"
+
+namespace pal::codegen {
+
+/// Lines with two spaces of indentation a level.
+class Writer {
+ public:
+  /// An empty `text` gives an empty line.
+  Writer& line(std::string_view text = {});
+  /// Ends in "{"; what follows stands inside.
+  Writer& open(std::string_view text);
+  /// Back out, then the line.
+  Writer& close(std::string_view text = "}");
+  /// `before`, the items with commas between, `after`: in one line if it fits, otherwise over several.
+  Writer& list(const std::string& before, const std::vector<std::string>& items, const std::string& after);
+  Writer& indent();
+  Writer& outdent();
+
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+  std::size_t level_ = 0;
+};
+
+/// The first lines of every generated file.
+void write_heading(Writer& out, const Plan& plan, std::string_view what);
+void open_namespace(Writer& out, const Plan& plan);
+void close_namespace(Writer& out, const Plan& plan);
+
+/// "double", "std::int64_t", "bool".
+std::string_view cpp_type(pan::ScalarType type);
+/// A number that reads back as itself: "20", "0.5"; of type bool "true", "false".
+std::string number(double value, pan::ScalarType type);
+/// "28ms", "50us", "1s": the greatest unit in which it is whole.
+std::string duration(Duration value);
+/// "{100us, 200us}".
+std::string interval(const Interval& value);
+
+}  // namespace pal::codegen

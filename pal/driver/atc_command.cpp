@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "pal/driver/commands.hpp"
+#include "pal/driver/proof_chart.hpp"
+#include "pal/support/output.hpp"
+
+namespace pal::driver {
+namespace {
+
+struct Chosen {
+  const Proof* proof = nullptr;
+  std::size_t index = 0;
+};
+
+/// The requirement that was named, or the most interesting one; says why there is none.
+std::optional<Chosen> choose(const std::vector<Proof>& proofs, const std::string& name, std::ostream& err) {
+  std::optional<Chosen> best;
+  bool named = false;
+  for (const Proof& proof : proofs) {
+    for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
+      const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
+      if (name.empty() || verdict.requirement != name) continue;
+      named = true;
+      if (verdict.witness && !best) best = Chosen{&proof, i};
+    }
+    if (!name.empty() || best) continue;
+    if (const auto index = most_interesting(proof)) best = Chosen{&proof, *index};
+  }
+  if (best) return best;
+  if (!name.empty() && !named) {
+    err << fmt::format("pal: no requirement is called '{}'; there is", name);
+    for (const Proof& proof : proofs) {
+      for (const auto& verdict : proof.analysis.verdicts) err << " '" << verdict.requirement << "'";
+    }
+    err << "\n";
+  } else if (named) {
+    err << fmt::format("pal: '{}' has no worst run to draw: a load is not attained in one run, and what is undecided or never "
+                       "happens has none\n", name);
+  } else {
+    err << "pal: no requirement has a worst run to draw\n";
+  }
+  return std::nullopt;
+}
+
+std::string trace_text(const trace::Trace& run, bool chrome) {
+  std::ostringstream text;
+  chrome ? trace::write_chrome(run, text) : trace::write_json(run, text);
+  return text.str();
+}
+
+/// The trace in `path`; says why it cannot be had.
+std::optional<trace::Trace> read_trace(const std::string& path, const Console& console) {
+  const auto content = console.files.read(path);
+  if (const auto* error = std::get_if<FileError>(&content)) {
+    console.err << fmt::format("pal: cannot read '{}': {}\n", path, error->reason);
+    return std::nullopt;
+  }
+  try {
+    std::istringstream in(std::get<std::string>(content));
+    return trace::read_json(in);
+  } catch (const std::runtime_error& error) {
+    console.err << fmt::format("pal: '{}' is no trace: {}\n", path, error.what());
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+ExitStatus draw_atc(const AtcOptions& options, const Console& console) {
+  Session session;
+  const bool chosen = read(options.selection, console, session);
+  std::vector<Proof> proofs;
+  if (chosen && !session.diagnostics.has_errors()) proofs = prove(session, options.limits);
+  show_findings(session, console);
+  if (!chosen) return ExitStatus::usage;
+  if (session.diagnostics.has_errors()) return ExitStatus::wrong_specification;
+  if (session.specification.environments.empty()) {
+    console.err << "pal: a chart needs times: give an environment with --environment FILE\n";
+    return ExitStatus::usage;
+  }
+  const auto what = choose(proofs, options.requirement, console.err);
+  if (!what) return ExitStatus::usage;
+  const analyzer::Verdict& verdict = what->proof->analysis.verdicts[what->index];
+
+  std::string picture;
+  if (options.measured.empty()) {
+    picture = witness_chart(*what->proof, what->index);
+  } else {
+    const auto measured = read_trace(options.measured, console);
+    if (!measured) return ExitStatus::usage;
+    if (measured->skill != what->proof->problem.skill) {
+      console.err << fmt::format("pal: '{}' is a run of '{}', not of '{}'\n", options.measured, measured->skill,
+                                 what->proof->problem.skill);
+      return ExitStatus::usage;
+    }
+    picture = overlay_chart(*what->proof, what->index, *measured);
+  }
+  const std::string path =
+      options.output.empty() ? what->proof->problem.skill + "." + verdict.requirement + ".svg" : options.output;
+  std::vector<OutputFile> files{{path, std::move(picture)}};
+  if (!options.trace.empty()) files.push_back({options.trace, trace_text(verdict.witness->trace, options.chrome)});
+  if (const auto problem = write_files(files)) {
+    console.err << "pal: " << *problem << "\n";
+    return ExitStatus::usage;
+  }
+  for (const OutputFile& file : files) console.out << file.path << "\n";
+  return ExitStatus::all_hold;
+}
+
+}  // namespace pal::driver

@@ -1,0 +1,57 @@
+#include <ostream>
+
+#include "pal/check/load.hpp"
+#include "pal/driver/commands.hpp"
+#include "pal/driver/report.hpp"
+#include "pal/pan/dump.hpp"
+#include "pal/syntax/print.hpp"
+
+namespace pal::driver {
+namespace {
+
+ExitStatus emit_tree(const Selection& selection, const Console& console) {
+  Session session;
+  for (const syntax::Tree& tree : load(console.files, session.sources, selection.files, session.diagnostics)) {
+    syntax::dump(tree, session.sources, console.out);
+  }
+  show_findings(session, console);
+  return session.diagnostics.has_errors() ? ExitStatus::wrong_specification : ExitStatus::all_hold;
+}
+
+void emit_pan(const Specification& specification, std::ostream& out) {
+  for (const pan::Network& network : specification.skills) pan::dump(network, out);
+  for (const pan::Network& network : specification.sketches) pan::dump(network, out);
+  for (const pan::Environment& environment : specification.environments) pan::dump(environment, out);
+}
+
+void say_what_was_not_proved(const Session& session, std::ostream& err) {
+  if (session.specification.skills.empty() || !session.specification.environments.empty()) return;
+  err << "pal: no environment, so no times: what needs them was not checked (give one with --environment FILE)\n";
+}
+
+}  // namespace
+
+ExitStatus check(const CheckOptions& options, const Console& console) {
+  if (options.emit == Stage::tree) return emit_tree(options.selection, console);
+  Session session;
+  if (!read(options.selection, console, session)) return ExitStatus::usage;
+  if (options.emit == Stage::pan) emit_pan(session.specification, console.out);
+
+  std::vector<Proof> proofs;
+  if (!session.diagnostics.has_errors()) proofs = prove(session, options.limits);
+  const bool wrong = session.diagnostics.has_errors();
+  report_unmet(proofs, session);
+
+  if (options.format == Format::json) {
+    console.out << json(proofs, session);
+  } else {
+    show_findings(session, console);
+    if (!wrong) say_what_was_not_proved(session, console.err);
+    write_table(proofs, console.out);
+  }
+  if (options.statistics) write_statistics(proofs, console.err);
+  if (wrong) return ExitStatus::wrong_specification;
+  return all_hold(proofs) ? ExitStatus::all_hold : ExitStatus::not_met;
+}
+
+}  // namespace pal::driver

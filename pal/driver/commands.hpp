@@ -1,0 +1,55 @@
+// The commands of the program pal, each a function from options to exit status.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "pal/driver/console.hpp"
+#include "pal/driver/exit_status.hpp"
+#include "pal/driver/proof.hpp"
+#include "pal/driver/selection.hpp"
+
+namespace pal::driver {
+
+enum class Format { text, json };
+/// A value between two stages, to look at.
+enum class Stage { none, tree, pan };
+
+struct CheckOptions {
+  Selection selection;
+  ProofLimits limits;
+  Format format = Format::text;
+  Stage emit = Stage::none;
+  bool statistics = false;
+};
+ExitStatus check(const CheckOptions& options, const Console& console);
+
+struct PanOptions {
+  Selection selection;
+  std::string module;  // empty: every module with a body
+  std::string output = ".";
+  bool dot = false;
+  bool letters = false;
+};
+ExitStatus draw_pan(const PanOptions& options, const Console& console);
+
+struct AtcOptions {
+  Selection selection;
+  ProofLimits limits;
+  std::string requirement;  // empty: the most interesting
+  std::string output;       // empty: SKILL.REQUIREMENT.svg
+  std::string measured;     // a trace to lay over
+  std::string trace;        // where to write the trace of the worst run
+  bool chrome = false;      // … in the form of trace viewers
+};
+ExitStatus draw_atc(const AtcOptions& options, const Console& console);
+
+struct GenerateOptions {
+  Selection selection;
+  std::string output = ".";
+  std::string depfile;         // a make rule with every text that was read
+  std::string depfile_target;  // its target; empty: the files written
+};
+ExitStatus generate(const GenerateOptions& options, const Console& console);
+
+}  // namespace pal::driver

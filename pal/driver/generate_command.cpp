@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "codegen/generate.hpp"
+#include "pal/driver/commands.hpp"
+#include "pal/support/output.hpp"
+
+namespace pal::driver {
+namespace {
+
+/// A make rule: `target`, or else the generated files, depend on every text that was read.
+std::string depfile_text(const std::vector<OutputFile>& outputs, const std::string& target,
+                         const SourceManager& sources) {
+  std::string text = target;
+  for (const OutputFile& file : outputs) {
+    if (target.empty()) text += (text.empty() ? "" : " ") + file.path;
+  }
+  text += ":";
+  for (std::size_t i = 0; i < sources.size(); ++i) text += " \\\n  " + sources.name(FileId(i));
+  return text + "\n";
+}
+
+/// Exactly one of each is needed: says what to do otherwise.
+bool is_one(std::size_t count, const char* kind, const char* none, const char* several, std::ostream& err) {
+  if (count == 1) return true;
+  err << fmt::format("pal: code is generated from one {}, but there {}; {}\n", kind,
+                     count == 0 ? "is none" : "are several", count == 0 ? none : several);
+  return false;
+}
+
+}  // namespace
+
+ExitStatus generate(const GenerateOptions& options, const Console& console) {
+  Session session;
+  const bool chosen = read(options.selection, console, session);
+  std::vector<codegen::GeneratedFile> generated;
+  const bool one = chosen && !session.diagnostics.has_errors() &&
+                   is_one(session.specification.skills.size(), "skill", "give a file with a SKILL", "choose with --skill NAME",
+                          console.err) &&
+                   is_one(session.specification.environments.size(), "environment", "give one with --environment FILE",
+                          "choose with --environment-name NAME", console.err);
+  if (one) {
+    generated = codegen::generate(session.specification.skills.front(), session.specification.environments.front(),
+                                  session.sources, session.diagnostics);
+  }
+  show_findings(session, console);
+  if (session.diagnostics.has_errors()) return ExitStatus::wrong_specification;
+  if (!one) return ExitStatus::usage;
+
+  std::vector<OutputFile> files;
+  for (codegen::GeneratedFile& file : generated) {
+    files.push_back({options.output + "/" + file.name, std::move(file.text)});
+  }
+  if (!options.depfile.empty()) files.push_back({options.depfile, depfile_text(files, options.depfile_target, session.sources)});
+  if (const auto problem = write_files(files)) {
+    console.err << "pal: " << *problem << "\n";
+    return ExitStatus::usage;
+  }
+  return ExitStatus::all_hold;
+}
+
+}  // namespace pal::driver

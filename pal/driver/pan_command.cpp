@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <ostream>
+#include <stdexcept>
+
+#include "pal/driver/commands.hpp"
+#include "pal/pan/dot.hpp"
+#include "pal/support/output.hpp"
+
+namespace pal::driver {
+namespace {
+
+/// The pictures of one network's modules. Modules that stand in several skills are drawn once: their bodies are the same.
+void add_pictures(const pan::Network& network, const PanOptions& options, std::vector<OutputFile>& files) {
+  pan::DotOptions dot_options;
+  dot_options.letters = options.letters;
+  if (options.letters) dot_options.direction = pan::DotOptions::Direction::left_to_right;
+  for (std::size_t i = 0; i < network.modules.size(); ++i) {
+    const pan::Module& module = network.modules[i];
+    if (module.body.empty() || (!options.module.empty() && module.name != options.module)) continue;
+    const std::string dot = pan::to_dot(network, pan::ModuleId(i), dot_options);
+    const std::string skill = network.skill.name.empty() ? "" : network.skill.name + ".";
+    const std::string stem = options.output + "/" + skill + module.name + ".pan";
+    files.push_back(options.dot ? OutputFile{stem + ".dot", dot} : OutputFile{stem + ".svg", pan::svg(dot)});
+  }
+}
+
+}  // namespace
+
+ExitStatus draw_pan(const PanOptions& options, const Console& console) {
+  Session session;
+  const bool chosen = read(options.selection, console, session);
+  show_findings(session, console);
+  if (!chosen) return ExitStatus::usage;
+  if (session.diagnostics.has_errors()) return ExitStatus::wrong_specification;
+
+  std::vector<OutputFile> files;
+  for (const pan::Network& network : session.specification.skills) add_pictures(network, options, files);
+  for (const pan::Network& network : session.specification.sketches) add_pictures(network, options, files);
+  if (files.empty()) {
+    console.err << (options.module.empty() ? "pal: there is no module with a body to draw\n"
+                                           : fmt::format("pal: no module with a body is called '{}'\n", options.module));
+    return ExitStatus::usage;
+  }
+  if (const auto problem = write_files(files)) {
+    console.err << "pal: " << *problem << "\n";
+    return ExitStatus::usage;
+  }
+  for (const OutputFile& file : files) console.out << file.path << "\n";
+  return ExitStatus::all_hold;
+}
+
+}  // namespace pal::driver

@@ -1,0 +1,86 @@
+#include "pal/driver/proof.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <utility>
+
+#include "pal/support/duration_text.hpp"
+
+namespace pal::driver {
+namespace {
+
+using Measure = analyzer::Requirement::Measure;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+/// The distinct statements that a requirement is about: "TXM( motion to MC1 ) in SM1".
+std::string statements_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
+  std::set<std::string> texts;
+  std::string modules;
+  for (std::size_t step = 0; step < requirement.at.size(); ++step) {
+    if (!requirement.at[step] || problem.steps[step].statement < 0) continue;
+    const auto& statement = problem.statements[static_cast<std::size_t>(problem.steps[step].statement)];
+    texts.insert(statement.text + " in " + statement.module);
+  }
+  std::string result;
+  for (const std::string& text : texts) result += (result.empty() ? "" : " and ") + text;
+  return result;
+}
+
+}  // namespace
+
+std::vector<Proof> prove(Session& session, const ProofLimits& limits) {
+  const auto begin = Clock::now();
+  analyzer::Options options;
+  options.max_states = limits.max_states;
+  options.clock = [begin] { return seconds_since(begin); };
+  if (limits.seconds > 0) options.stop = [begin, limits] { return seconds_since(begin) > limits.seconds; };
+
+  std::vector<Proof> proofs;
+  for (const pan::Network& skill : session.specification.skills) {
+    for (const pan::Environment& environment : session.specification.environments) {
+      auto problem = analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
+      if (!problem) continue;
+      analyzer::Analysis analysis = analyzer::analyze(*problem, options);
+      proofs.push_back({std::move(*problem), std::move(analysis)});
+    }
+  }
+  return proofs;
+}
+
+std::string measure_text(const Proof& proof, std::size_t index) {
+  const analyzer::Problem& problem = proof.problem;
+  const analyzer::Requirement& requirement = problem.requirements[index];
+  switch (requirement.measure) {
+    case Measure::age:
+      return "age of " + problem.conditions[static_cast<std::size_t>(requirement.condition)] + " at " +
+             statements_text(problem, requirement);
+    case Measure::response:
+      return "response from " + problem.channels[static_cast<std::size_t>(requirement.event)].message + " of " +
+             problem.devices[static_cast<std::size_t>(requirement.device)].name + " to " +
+             statements_text(problem, requirement);
+    case Measure::load:
+      break;
+  }
+  if (requirement.processors.size() != 1) return "load of each processor";
+  return "load of " + problem.processors[static_cast<std::size_t>(requirement.processors.front())].name;
+}
+
+std::string figure_text(Measure measure, Duration value) {
+  if (measure != Measure::load) return to_text(value);
+  const auto hundredths = (value.count() + 99'999) / 100'000;  // 1e9 ns in a second are 100.00 %
+  const std::string fraction = std::to_string(hundredths % 100);
+  return std::to_string(hundredths / 100) + (hundredths % 100 == 0 ? "" : (fraction.size() < 2 ? ".0" : ".") + fraction) +
+         " %";
+}
+
+bool all_hold(const std::vector<Proof>& proofs) {
+  return std::all_of(proofs.begin(), proofs.end(), [](const Proof& proof) {
+    return std::all_of(proof.analysis.verdicts.begin(), proof.analysis.verdicts.end(),
+                       [](const analyzer::Verdict& verdict) { return verdict.state == analyzer::VerdictState::holds; });
+  });
+}
+
+}  // namespace pal::driver

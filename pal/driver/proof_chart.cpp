@@ -1,0 +1,117 @@
+#include "pal/driver/proof_chart.hpp"
+
+#include <filesystem>
+
+#include "analyzer/chart/chart.hpp"
+#include "analyzer/chart/options.hpp"
+#include "analyzer/chart/timeline.hpp"
+
+namespace pal::driver {
+namespace {
+
+using Measure = analyzer::Requirement::Measure;
+using State = analyzer::VerdictState;
+
+std::string label(const Proof& proof, std::size_t index) {
+  const analyzer::Requirement& requirement = proof.problem.requirements[index];
+  if (requirement.measure == Measure::age) {
+    return "age of " + proof.problem.conditions[static_cast<std::size_t>(requirement.condition)];
+  }
+  return "response to " + proof.problem.channels[static_cast<std::size_t>(requirement.event)].message;
+}
+
+chart::Caption caption(const Proof& proof, std::size_t index) {
+  const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
+  chart::Caption result;
+  result.requirement = verdict.requirement;
+  result.measure = measure_text(proof, index);
+  result.verdict = analyzer::name(verdict.state);
+  if (verdict.bound) result.bound_ns = verdict.bound->count();
+  result.exact = verdict.exact;
+  result.limit_ns = verdict.limit.count();
+  return result;
+}
+
+chart::Highlight highlight(const Proof& proof, std::size_t index, std::int64_t from, std::int64_t to) {
+  const std::int64_t limit = proof.analysis.verdicts[index].limit.count();
+  return {from, to, label(proof, index), to - from > limit, limit};
+}
+
+/// "touch.pal:57": the folder would only take room.
+std::string place_text(const analyzer::Reason& reason) {
+  if (reason.line == 0) return {};
+  return std::filesystem::path(reason.file).filename().string() + ":" + std::to_string(reason.line);
+}
+
+chart::ChartOptions options_for(const Proof& proof, std::size_t index) {
+  const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
+  chart::ChartOptions options;
+  options.caption = caption(proof, index);
+  if (verdict.witness->measured.value > 0) {
+    options.highlight = highlight(proof, index, verdict.witness->measured.born, verdict.witness->measured.at);
+  }
+  for (const analyzer::Reason& reason : verdict.reasons) {
+    options.explanation.push_back({reason.from, reason.to, reason.what, reason.actor, place_text(reason)});
+  }
+  return options;
+}
+
+}  // namespace
+
+std::optional<std::size_t> most_interesting(const Proof& proof) {
+  std::optional<std::size_t> best;
+  double best_share = 0;
+  for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
+    const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
+    if (!verdict.witness) continue;
+    if (verdict.state == State::fails) return i;
+    const double share = static_cast<double>(verdict.witness->measured.value) / static_cast<double>(verdict.limit.count());
+    if (!best || share > best_share) {
+      best = i;
+      best_share = share;
+    }
+  }
+  return best;
+}
+
+std::vector<trace::StatementName> statements_of(const Proof& proof, std::size_t index) {
+  const analyzer::Requirement& requirement = proof.problem.requirements[index];
+  std::vector<trace::StatementName> result;
+  for (std::size_t step = 0; step < requirement.at.size(); ++step) {
+    if (!requirement.at[step] || proof.problem.steps[step].statement < 0) continue;
+    const auto& statement = proof.problem.statements[static_cast<std::size_t>(proof.problem.steps[step].statement)];
+    result.push_back({statement.module, statement.text, statement.line});
+  }
+  return result;
+}
+
+std::optional<trace::Occurrence> longest_in(const trace::Trace& run, const Proof& proof, std::size_t index) {
+  const analyzer::Requirement& requirement = proof.problem.requirements[index];
+  const auto at = statements_of(proof, index);
+  std::vector<trace::Occurrence> all;
+  if (requirement.measure == Measure::age) {
+    all = trace::ages(run, proof.problem.conditions[static_cast<std::size_t>(requirement.condition)], at);
+  } else if (requirement.measure == Measure::response) {
+    all = trace::responses(run, proof.problem.devices[static_cast<std::size_t>(requirement.device)].name,
+                           proof.problem.channels[static_cast<std::size_t>(requirement.event)].message, at)
+              .answered;
+  }
+  const trace::Occurrence* found = trace::longest(all);
+  return found == nullptr ? std::nullopt : std::optional(*found);
+}
+
+std::string witness_chart(const Proof& proof, std::size_t index) {
+  return chart::svg(chart::timeline(proof.analysis.verdicts[index].witness->trace), options_for(proof, index));
+}
+
+std::string overlay_chart(const Proof& proof, std::size_t index, const trace::Trace& measured) {
+  chart::OverlayOptions options;
+  options.proved = options_for(proof, index);
+  if (const auto found = longest_in(measured, proof, index); found && found->length_ns() > 0) {
+    options.measured.highlight = highlight(proof, index, found->from_ns, found->to_ns);
+  }
+  return chart::overlay_svg(chart::timeline(proof.analysis.verdicts[index].witness->trace), chart::timeline(measured),
+                            options);
+}
+
+}  // namespace pal::driver

@@ -1,0 +1,32 @@
+// The chart of a verdict's witness, and a measured run laid over it.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pal/driver/proof.hpp"
+#include "runtime/trace/measure.hpp"
+#include "runtime/trace/trace.hpp"
+
+namespace pal::driver {
+
+/// The requirement that a reader wants to see: the first that fails, else the one with the least of its limit to
+/// spare. Only those with a witness; nothing if there is none.
+std::optional<std::size_t> most_interesting(const Proof& proof);
+
+/// The statements that requirement `index` is about, by their names in traces.
+std::vector<trace::StatementName> statements_of(const Proof& proof, std::size_t index);
+
+/// The longest interval of requirement `index` (an age or a response) in a trace of the same skill; nothing if it has none.
+std::optional<trace::Occurrence> longest_in(const trace::Trace& run, const Proof& proof, std::size_t index);
+
+/// SVG of the witness of verdict `index`, which has one.
+std::string witness_chart(const Proof& proof, std::size_t index);
+
+/// SVG of `measured` over the witness of verdict `index`, which has one; aligned at the beginnings of the longest
+/// intervals of the two.
+std::string overlay_chart(const Proof& proof, std::size_t index, const trace::Trace& measured);
+
+}  // namespace pal::driver

@@ -1,0 +1,78 @@
+#include "pal/driver/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "pal/support/render.hpp"
+
+namespace pal::driver {
+namespace {
+
+using State = analyzer::VerdictState;
+
+std::string margin_text(const analyzer::Verdict& verdict) {
+  if (!verdict.bound) return "";
+  const Duration margin = verdict.limit - *verdict.bound;
+  const bool over = margin < Duration::zero();
+  const bool load = verdict.measure == analyzer::Requirement::Measure::load;
+  // What is to spare of a load is rounded down, as its bound is rounded up.
+  const Duration rounding(load && !over ? margin.count() % 100'000 : 0);
+  return figure_text(verdict.measure, over ? -margin : margin - rounding) + (over ? " too much" : " to spare");
+}
+
+std::string bound_text(const analyzer::Verdict& verdict) {
+  if (!verdict.bound) return "unbounded";
+  return (verdict.exact ? "" : "<= ") + figure_text(verdict.measure, *verdict.bound);
+}
+
+}  // namespace
+
+void write_table(const std::vector<Proof>& proofs, std::ostream& out) {
+  for (const Proof& proof : proofs) {
+    std::size_t name_width = 0, measure_width = 0;
+    for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
+      name_width = std::max(name_width, proof.analysis.verdicts[i].requirement.size());
+      measure_width = std::max(measure_width, measure_text(proof, i).size());
+    }
+    out << proof.problem.skill << " in " << proof.problem.environment << "\n";
+    for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
+      const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
+      out << fmt::format("  {:9}  {:{}}  {:{}}  {:>11}  of {:>7}  {}\n", analyzer::name(verdict.state),
+                         verdict.requirement, name_width, measure_text(proof, i), measure_width, bound_text(verdict),
+                         figure_text(verdict.measure, verdict.limit), margin_text(verdict));
+    }
+  }
+}
+
+void write_statistics(const std::vector<Proof>& proofs, std::ostream& out) {
+  for (const Proof& proof : proofs) {
+    out << fmt::format("{} in {}: {} states in {:.2f} s\n", proof.problem.skill, proof.problem.environment,
+                       proof.analysis.statistics.states, proof.analysis.statistics.seconds);
+  }
+}
+
+std::string json(const std::vector<Proof>& proofs, const Session& session) {
+  nlohmann::ordered_json document;
+  document["diagnostics"] = nlohmann::ordered_json::parse(render_json(session.diagnostics.sorted(), session.sources));
+  document["requirements"] = nlohmann::ordered_json::array();
+  for (const Proof& proof : proofs) {
+    for (const analyzer::Verdict& verdict : proof.analysis.verdicts) {
+      nlohmann::ordered_json row;
+      row["name"] = verdict.requirement;
+      row["skill"] = proof.problem.skill;
+      row["environment"] = proof.problem.environment;
+      row["measure"] = analyzer::name(verdict.measure);
+      row["limit_ns"] = verdict.limit.count();
+      row["bound_ns"] = verdict.bound ? nlohmann::ordered_json(verdict.bound->count()) : nlohmann::ordered_json();
+      row["exact"] = verdict.exact;
+      row["verdict"] = analyzer::name(verdict.state);
+      document["requirements"].push_back(std::move(row));
+    }
+  }
+  return document.dump(2) + "\n";
+}
+
+}  // namespace pal::driver

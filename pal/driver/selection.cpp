@@ -1,0 +1,51 @@
+#include "pal/driver/selection.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+#include "pal/check/load.hpp"
+#include "pal/support/render.hpp"
+
+namespace pal::driver {
+namespace {
+
+const std::string& name_of(const pan::Network& network) { return network.skill.name; }
+const std::string& name_of(const pan::Environment& environment) { return environment.name; }
+
+/// Keeps what is called `name`; false, with a message, if nothing is.
+template <class Thing>
+bool choose(std::vector<Thing>& things, const std::string& name, const char* kind, std::ostream& err) {
+  if (name.empty()) return true;
+  std::vector<std::string> names;
+  for (const Thing& thing : things) names.push_back(name_of(thing));
+  std::erase_if(things, [&](const Thing& thing) { return name_of(thing) != name; });
+  if (!things.empty()) return true;
+  err << "pal: no " << kind << " is called '" << name << "' in the files given";
+  if (names.empty()) {
+    err << "; there is none at all\n";
+    return false;
+  }
+  err << "; there is";
+  for (const std::string& each : names) err << (&each == &names.front() ? " '" : ", '") << each << "'";
+  err << "\n";
+  return false;
+}
+
+}  // namespace
+
+bool read(const Selection& selection, const Console& console, Session& session) {
+  std::vector<std::string> paths = selection.files;
+  paths.insert(paths.end(), selection.environments.begin(), selection.environments.end());
+  const std::vector<syntax::Tree> trees = load(console.files, session.sources, paths, session.diagnostics);
+  session.specification = check(trees, session.diagnostics);
+
+  if (session.diagnostics.has_errors()) return true;
+  return choose(session.specification.skills, selection.skill, "skill", console.err) &&
+         choose(session.specification.environments, selection.environment, "environment", console.err);
+}
+
+void show_findings(const Session& session, const Console& console) {
+  render_text(session.diagnostics.sorted(), session.sources, console.err);
+}
+
+}  // namespace pal::driver

@@ -1,0 +1,37 @@
+// What the commands have in common: the files to read, and which skill and environment of them is meant.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pal/check/check.hpp"
+#include "pal/driver/console.hpp"
+#include "pal/support/diagnostic.hpp"
+#include "pal/support/source.hpp"
+
+namespace pal::driver {
+
+/// As given on the command line. Empty names choose everything.
+struct Selection {
+  std::vector<std::string> files;         // .pal files, with the skills in question
+  std::vector<std::string> environments;  // further .pal files, of which only the environments count
+  std::string skill;
+  std::string environment;  // the name of one
+};
+
+/// A specification with its texts and what was found wrong with it so far.
+struct Session {
+  SourceManager sources;
+  Diagnostics diagnostics;
+  Specification specification;
+};
+
+/// Reads and checks everything that `selection` names, and keeps of it what `selection` chooses. Findings are left in the session;
+/// a name that chooses nothing is reported to `console.err`, and the answer is false.
+bool read(const Selection& selection, const Console& console, Session& session);
+
+/// Renders the findings as text to `console.err`.
+void show_findings(const Session& session, const Console& console);
+
+}  // namespace pal::driver

@@ -1,0 +1,119 @@
+#include "pal/pan/dot_attributes.hpp"
+
+#include "pal/pan/dump.hpp"
+
+namespace pal::pan {
+
+namespace {
+
+struct Describe {
+  const Network& network;
+
+  const std::string& condition(ConditionId id) const { return network.conditions[id.index()].name; }
+
+  DotAttributes operator()(const Start&) const { return {{"pal_kind", "start"}}; }
+  DotAttributes operator()(const End&) const { return {{"pal_kind", "end"}}; }
+  DotAttributes operator()(const WaitForStart&) const { return {{"pal_kind", "wait_for_start"}}; }
+  DotAttributes operator()(const Wait& wait) const {
+    DotAttributes result = {{"pal_kind", "wait"}};
+    std::string messages;
+    std::string senders;
+    for (const ChannelId id : wait.channels) {
+      const Channel& channel = network.channels[id.index()];
+      if (!messages.empty()) {
+        messages += ";";
+        senders += ";";
+      }
+      messages += network.messages[channel.message.index()].name;
+      senders += party_name(network, channel.sender);
+    }
+    result.emplace_back("pal_message", messages);
+    result.emplace_back("pal_sender", senders);
+    if (wait.within) result.emplace_back("pal_within_ns", std::to_string(wait.within->count()));
+    return result;
+  }
+  DotAttributes operator()(const Send& send) const {
+    const Channel& channel = network.channels[send.channel.index()];
+    return {{"pal_kind", "send"},
+            {"pal_message", network.messages[channel.message.index()].name},
+            {"pal_receiver", party_name(network, channel.receiver)}};
+  }
+  DotAttributes operator()(const Complete& complete) const {
+    return {{"pal_kind", "complete"}, {"pal_code", std::to_string(complete.code)}};
+  }
+  DotAttributes operator()(const Set& set) const {
+    DotAttributes result = {{"pal_kind", "set"}, {"pal_condition", condition(set.condition)}};
+    if (set.value) result.emplace_back("pal_value", *set.value ? "TRUE" : "FALSE");
+    return result;
+  }
+  DotAttributes operator()(const Read& read) const {
+    return {{"pal_kind", "read"}, {"pal_condition", condition(read.condition)}};
+  }
+  DotAttributes operator()(const Perform& perform) const {
+    return {{"pal_kind", "perform"}, {"pal_activity", network.activities[perform.activity.index()].name}};
+  }
+  DotAttributes operator()(const Execute& execute) const {
+    return {{"pal_kind", "execute"}, {"pal_module", network.modules[execute.module.index()].name}};
+  }
+  DotAttributes operator()(const Nothing&) const { return {{"pal_kind", "nothing"}}; }
+  DotAttributes operator()(const Choose&) const { return {{"pal_kind", "case"}}; }
+  DotAttributes operator()(const Merge&) const { return {{"pal_kind", "merge"}}; }
+  DotAttributes operator()(const Loop&) const { return {{"pal_kind", "repeat"}}; }
+  DotAttributes operator()(const Until& until) const {
+    DotAttributes result = {{"pal_kind", "until"}};
+    if (until.guard) result.emplace_back("pal_guard", guard_text(network, *until.guard));
+    return result;
+  }
+  DotAttributes operator()(const Fork&) const { return {{"pal_kind", "concurrent"}}; }
+  DotAttributes operator()(const Join&) const { return {{"pal_kind", "join"}}; }
+};
+
+}  // namespace
+
+std::string dot_quoted(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+std::string dot_html(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+std::string dot_list(const DotAttributes& attributes) {
+  std::string result = "[";
+  for (const auto& [name, value] : attributes) {
+    if (result.size() > 1) result += ", ";
+    const bool html = value.size() > 1 && value.front() == '<' && value.back() == '>';
+    result += name + "=" + (html ? value : dot_quoted(value));
+  }
+  return result + "]";
+}
+
+DotAttributes content_attributes(const Network& network, const Node& node) {
+  return std::visit(Describe{network}, node.content);
+}
+
+}  // namespace pal::pan

@@ -1,0 +1,22 @@
+#include "runtime/cost_policy.hpp"
+
+namespace pal::runtime {
+
+// SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014): the same
+// numbers on every machine, which the distributions of the standard library do not promise.
+std::uint64_t CostDraw::next() {
+  state_ += 0x9e3779b97f4a7c15U;
+  std::uint64_t z = state_;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+  return z ^ (z >> 31U);
+}
+
+Time CostDraw::draw(const Interval& interval) {
+  if (policy_ == CostPolicy::worst) return interval.worst;
+  if (policy_ == CostPolicy::best || interval.best == interval.worst) return interval.best;
+  const auto choices = static_cast<std::uint64_t>((interval.worst - interval.best).count()) + 1;
+  return interval.best + Time(static_cast<Time::rep>(next() % choices));
+}
+
+}  // namespace pal::runtime

@@ -1,0 +1,39 @@
+// One device in one run.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/device.hpp"
+
+namespace pal::runtime {
+
+class Run;
+
+/// What an attached device asks, the run does.
+class DeviceLink final : public DeviceHost {
+ public:
+  /// `channels`: for each port of the device the channel that it is one end of, or -1.
+  DeviceLink(Run& run, int index, Device& device, std::vector<int> channels);
+
+  Time now() const override;
+  void at(Time when, std::function<void()> action) override;
+  bool deliver(std::size_t port, std::span<const double> fields) override;
+  void mark_busy(bool busy) override;
+  void fault(std::string reason) override;
+
+  Device& device() const { return device_; }
+  void open();
+  bool busy() const { return busy_; }
+
+ private:
+  Run& run_;
+  int index_;
+  Device& device_;
+  std::vector<int> channels_;
+  bool opened_ = false;
+  bool busy_ = false;
+};
+
+}  // namespace pal::runtime

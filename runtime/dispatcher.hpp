@@ -1,0 +1,33 @@
+// Runs skills, one at a time.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "runtime/outcome.hpp"
+#include "runtime/skill.hpp"
+
+namespace pal::runtime {
+
+struct ParameterValue {
+  std::string name;
+  double value = 0;  // in the parameter's unit; booleans 0 or 1
+};
+
+class Dispatcher {
+ public:
+  /// The devices, found by their names, and the world outlive the dispatcher.
+  Dispatcher(std::span<Device* const> devices, World& world) : devices_(devices), world_(world) {}
+
+  /// Runs the skill in virtual time from 0 to its end. Parameters that are not given have their defaults. A
+  /// parameter that may not be, and a device that is missing or whose ports are not what the skill needs, end
+  /// the skill before it begins, with its error completion and the reason. Never throws for what a skill, a
+  /// device or the world does.
+  Outcome run(Skill& skill, std::span<const ParameterValue> parameters = {}, const RunOptions& options = {});
+
+ private:
+  std::span<Device* const> devices_;
+  World& world_;
+};
+
+}  // namespace pal::runtime

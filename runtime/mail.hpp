@@ -1,0 +1,82 @@
+// The channels of a run: putting, taking, waiting, withdrawing (docs/execution-model.md, Messages).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/thread.hpp"
+
+namespace pal::runtime {
+
+/// A slot and what is known about the messages that went through it.
+struct Slot {
+  const ChannelSpec* spec = nullptr;
+  int device = -1;  // index of the device at its other end
+  std::size_t port = 0;
+
+  bool full = false;
+  bool handed = false;  // to a device that has not taken it yet
+  std::vector<double> fields;
+  std::int32_t serial = 0;
+  int sender_processor = -1;        // -1: a device
+  Time available_within{};          // to threads of the sender's processor
+  Time available_between{};         // to all others
+  const Thread* claimed = nullptr;  // whose receive has begun
+
+  // Of a request.
+  int request_of = -1;  // of an answer's slot: the slot of its request
+  int open = 0;         // sent, and the answer not yet taken
+  const Thread* requester = nullptr;
+  // Of an answer.
+  int unwanted = 0;  // answers yet to come to requests that were withdrawn
+};
+
+class Mail {
+ public:
+  Mail(Run& run, const Wiring& wiring);
+
+  // Statements of threads.
+  void reach(WaitOperation& wait);
+  void finish(WaitOperation& wait);
+  void send(SendOperation& send);
+
+  // Events.
+  void message_available(int channel);
+  void request_arrives(int channel);
+  bool expects_message(int channel, std::uint64_t serial) const;
+  void wait_expired(Thread& thread);
+
+  /// A block is stopped: what it has begun to receive is free again, and the requests that it has open are
+  /// withdrawn.
+  void abandon(Thread& thread);
+
+  // Devices.
+  void connect(int channel, int device, std::size_t port);
+  const Slot& slot(int channel) const { return slots_[static_cast<std::size_t>(channel)]; }
+  /// False: overrun.
+  bool deliver(int channel, std::span<const double> fields);
+  /// The device begins to serve the oldest request that waits for it.
+  void device_takes_request(int device);
+
+ private:
+  Slot& at(int channel) { return slots_[static_cast<std::size_t>(channel)]; }
+  int index(const Slot& slot) const { return static_cast<int>(&slot - slots_.data()); }
+  bool available(const Slot& slot, const Thread& thread) const;
+  void look(WaitOperation& wait);
+  void claim(WaitOperation& wait, int target);
+  void give_up(WaitOperation& wait);
+  void put(Slot& slot, const Thread& sender, std::span<const double> fields);
+  void put_done(SendOperation& send);
+  void fill(Slot& slot, std::span<const double> fields);
+  void empty(Slot& slot);
+  void drop(Slot& slot);
+  void taken_by_device(Slot& slot);
+  void withdraw(Slot& request);
+
+  Run& run_;
+  std::vector<Slot> slots_;
+  std::int32_t serials_ = 0;
+};
+
+}  // namespace pal::runtime

@@ -1,0 +1,31 @@
+// What is asked of a run, and what came of it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "runtime/cost_policy.hpp"
+#include "runtime/device.hpp"
+#include "runtime/trace/trace.hpp"
+
+namespace pal::runtime {
+
+struct RunOptions {
+  CostPolicy costs = CostPolicy::worst;
+  std::uint64_t seed = 0;                   // of CostPolicy::random
+  Time horizon = std::chrono::minutes(10);  // a run that is longer ends with its error completion
+  std::size_t trace_capacity =
+      1U << 20U;  // events for which there is room before memory is taken during the run
+};
+
+struct Outcome {
+  int code = 0;        // completion code
+  bool fault = false;  // the runtime ended the skill: `code` is the error completion
+  std::string reason;  // the completion's description, or what the fault was
+  Time duration{};     // from the start of the skill to its completion
+  std::size_t overruns = 0;
+  trace::Trace trace;
+};
+
+}  // namespace pal::runtime

@@ -1,0 +1,34 @@
+#include "runtime/recorder.hpp"
+
+#include <utility>
+
+namespace pal::runtime {
+
+Recorder::Recorder(const Wiring& wiring, std::size_t capacity) {
+  trace_.skill = wiring.skill;
+  trace_.environment = wiring.environment;
+  trace_.origin = "measured";
+  for (const ThreadSpec& thread : wiring.threads) {
+    const auto processor = static_cast<std::size_t>(thread.processor);
+    trace_.actors.push_back(
+        {std::string(thread.name), false, std::string(wiring.processors[processor].name), thread.priority});
+  }
+  for (std::string_view device : wiring.devices) trace_.actors.push_back({std::string(device), true, {}, 0});
+  for (const StatementSpec& statement : wiring.statements) {
+    trace_.statements.push_back({std::string(statement.module), std::string(statement.text),
+                                 std::string(statement.file), statement.line});
+  }
+  for (const ChannelSpec& channel : wiring.channels) {
+    trace_.channels.push_back(
+        {std::string(channel.sender), std::string(channel.message), std::string(channel.receiver)});
+  }
+  for (std::string_view condition : wiring.conditions) trace_.conditions.emplace_back(condition);
+  trace_.events.reserve(capacity);
+}
+
+void Recorder::add_fault(Time time, int actor, int statement, const std::string& reason) {
+  trace_.faults.push_back(reason);
+  add(time, trace::Kind::fault, actor, statement, -1, static_cast<std::int32_t>(trace_.faults.size() - 1));
+}
+
+}  // namespace pal::runtime

@@ -1,0 +1,80 @@
+// A skill as the dispatcher, and the person who picks one, sees it.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+#include "runtime/task.hpp"
+#include "runtime/wiring.hpp"
+
+namespace pal::runtime {
+
+enum class ParameterType { real, integer, boolean };
+
+/// A number that whoever starts the skill may set; low <= default_value <= high, all in `unit`.
+struct ParameterSpec {
+  std::string_view name;
+  ParameterType type = ParameterType::real;
+  std::string_view unit;
+  double low = 0;
+  double high = 0;
+  double default_value = 0;
+  std::string_view description;
+};
+
+/// A way in which the skill can end.
+struct CompletionSpec {
+  enum class Kind { normal, contingency, error };
+  int code = 0;
+  Kind kind = Kind::normal;
+  std::string_view description;
+};
+
+struct SkillDescription {
+  std::string_view name;
+  std::string_view environment;
+  std::span<const std::string_view> descriptions;
+  std::span<const ParameterSpec> parameters;
+  std::span<const CompletionSpec> completions;
+};
+
+/// A parameter that does not exist, is out of its range, or is not of its type. what() says which, and what
+/// may be.
+class ParameterError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws ParameterError unless `value` is one that `parameter` may have.
+void check_parameter(const ParameterSpec& parameter, double value);
+
+/// Throws the ParameterError for a name that the skill does not have.
+[[noreturn]] void unknown_parameter(const SkillDescription& skill, std::string_view name);
+
+/// Implemented by generated code.
+class Skill {
+ public:
+  virtual ~Skill() = default;
+
+  virtual const SkillDescription& description() const = 0;
+  virtual const Wiring& wiring() const = 0;
+
+  /// All parameters get their defaults.
+  virtual void reset_parameters() = 0;
+  /// `value` in the parameter's unit; booleans 0 or 1. Throws ParameterError.
+  virtual void set_parameter(std::string_view name, double value) = 0;
+
+  /// The run begins: the modules forget their last run and their activities get the parameters.
+  virtual void start() = 0;
+
+  /// The coroutine of thread `index` of the wiring, not yet begun.
+  virtual Task body(std::size_t index, Thread& thread) = 0;
+
+  /// Makes and drops one coroutine of each module that is run by Execute, so that its frame is there when it
+  /// is needed.
+  virtual void reserve_executed(Thread& thread) = 0;
+};
+
+}  // namespace pal::runtime

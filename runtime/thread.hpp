@@ -1,0 +1,126 @@
+// A thread of a skill: what generated code talks to.
+#pragma once
+
+#include <array>
+#include <coroutine>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "runtime/operation.hpp"
+#include "runtime/task.hpp"
+#include "runtime/wiring.hpp"
+
+namespace pal::runtime {
+
+class Run;
+
+/// What the run knows about a thread.
+struct ThreadControl {
+  enum class State { idle, blocked, ready, running, ended };
+
+  int index = 0;
+  const ThreadSpec* spec = nullptr;
+  State state = State::idle;
+
+  Task task;
+  std::coroutine_handle<> resume_point;
+  Operation* operation = nullptr;  // the statement that the thread has come to
+  bool resuming = false;           // its effect has taken place; the coroutine is about to go on
+
+  // On the processor.
+  Time left{};                 // processor time that the statement still needs
+  bool begun = false;          // some of it was given
+  bool announced = false;      // the trace knows that the thread is ready
+  std::int64_t queue_key = 0;  // among equals the least goes first
+
+  // Without a processor; each is set while it is true.
+  WaitOperation* waiting = nullptr;
+  SendOperation* sending = nullptr;
+  ConcurrentOperation* forked = nullptr;
+  std::uint64_t blocked_order = 0;  // who has waited longest has the least
+  std::uint64_t wait_token = 0;
+
+  // A block of CONCURRENT.
+  Thread* parent = nullptr;
+  bool cancelled = false;
+
+  // Conditions, one entry each.
+  std::vector<std::optional<bool>> latched;
+  std::vector<bool> tested;
+};
+
+/// Statements, channels, conditions and blocks are named by their index in the wiring. Each of these
+/// functions is one statement of PAL, to be awaited at once: `co_await thread.send(…)`. What they are given
+/// must outlive that.
+class Thread {
+ public:
+  Thread(Run& run, int index, const ThreadSpec& spec, std::size_t conditions);
+  Thread(const Thread&) = delete;
+  Thread& operator=(const Thread&) = delete;
+
+  auto take_start(int statement) { return TakeStart(*this, statement); }
+
+  /// `work()` runs at the effect.
+  template <class Work>
+  auto perform(int statement, Work work) {
+    return Perform<Work>(*this, statement, std::move(work));
+  }
+
+  /// The condition becomes what `decide()` returns at the effect.
+  template <class Decision>
+  auto set(int statement, int condition, Decision decide) {
+    return Set<Decision>(*this, statement, condition, std::move(decide));
+  }
+  auto set(int statement, int condition, bool value) {
+    return set(statement, condition, [value] { return value; });
+  }
+
+  auto read(int statement, int condition) { return Read(*this, statement, condition); }
+
+  template <class... Condition>
+  auto test(int statement, Condition... conditions) {
+    return Test<sizeof...(conditions)>(*this, statement, {conditions...});
+  }
+  /// What this thread's last test saw of `condition`, one of those that it named.
+  bool tested(int condition) const { return control.tested[static_cast<std::size_t>(condition)]; }
+
+  auto no_arm_holds(int statement) { return NoArm(*this, statement); }
+
+  auto send(int statement, int channel) { return SendSignal(*this, statement, channel); }
+  template <class Message>
+  auto send(int statement, int channel, const Message& message) {
+    return send(statement, channel, message, [] {});
+  }
+  /// `compose()`, run when the processor time is over, fills `message`.
+  template <class Message, class Compose>
+  auto send(int statement, int channel, const Message& message, Compose compose) {
+    return Send<Message, Compose>(*this, statement, channel, message, std::move(compose));
+  }
+
+  template <class... Targets>
+  auto wait(int statement, Targets... targets) {
+    return Wait<sizeof...(targets)>(*this, statement, std::nullopt, {targets...});
+  }
+  template <class... Targets>
+  auto wait_within(int statement, Time within, Targets... targets) {
+    return Wait<sizeof...(targets)>(*this, statement, within, {targets...});
+  }
+
+  template <class... Block>
+  auto concurrent(int statement, Block... blocks) {
+    return Concurrent<sizeof...(blocks)>(*this, statement, {blocks...});
+  }
+
+  auto complete(int statement, int code) { return Complete(*this, statement, code); }
+
+  Run& run() const { return run_; }
+
+  ThreadControl control;
+
+ private:
+  Run& run_;
+};
+
+}  // namespace pal::runtime

@@ -1,0 +1,49 @@
+// What a run attained of a measure, read off its trace alone: the same for a predicted and for a measured run, and
+// independent of whatever proved a bound (docs/timing.md gives the measures).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/trace/trace.hpp"
+
+namespace pal::trace {
+
+/// A statement by what it is called in every trace of the same program.
+struct StatementName {
+  std::string module;
+  std::string text;
+  int line = 0;
+
+  friend bool operator==(const StatementName&, const StatementName&) = default;
+};
+
+/// One interval that a measure is about.
+struct Occurrence {
+  std::int64_t from_ns = 0;
+  std::int64_t to_ns = 0;
+  std::int32_t actor = -1;      // the thread of the statement at which it ends
+  std::int32_t statement = -1;  // that statement
+
+  std::int64_t length_ns() const { return to_ns - from_ns; }
+  friend bool operator==(const Occurrence&, const Occurrence&) = default;
+};
+
+/// Ages of `condition` at each effect of a statement of `at`, in order of time: from the set whose value the thread
+/// had last read (time 0 if there was none) to the effect. Effects before any read have no age.
+std::vector<Occurrence> ages(const Trace& trace, const std::string& condition, const std::vector<StatementName>& at);
+
+struct Responses {
+  std::vector<Occurrence> answered;  // from the event to the effect that answered it
+  int missed = 0;                    // events lost by overrun, or passed over: a later one was answered first
+};
+
+/// Responses to the events that `device` puts as `message`, at the effects of the statements of `at`.
+Responses responses(const Trace& trace, const std::string& device, const std::string& message,
+                    const std::vector<StatementName>& at);
+
+/// The longest; the first of several. Null if there is none.
+const Occurrence* longest(const std::vector<Occurrence>& occurrences);
+
+}  // namespace pal::trace

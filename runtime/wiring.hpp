@@ -1,0 +1,76 @@
+// What a generated skill tells the runtime about itself: plain tables, each row found by its index.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "runtime/device.hpp"
+
+namespace pal::runtime {
+
+/// Processor time or latency: between `best` and `worst`, both attained.
+struct Interval {
+  Time best{};
+  Time worst{};
+};
+
+/// One number of a message.
+struct Field {
+  std::string_view name;
+  std::string_view unit;  // canonical spelling; empty: a plain number
+};
+
+struct ProcessorSpec {
+  std::string_view name;
+  bool preemptive = true;
+};
+
+/// A module with a body, or a block of a CONCURRENT.
+struct ThreadSpec {
+  std::string_view name;
+  int processor = 0;
+  int priority = 0;
+  bool block = false;   // becomes ready with its CONCURRENT, not at time 0
+  bool can_end = true;  // a block that cannot is cancelled when those that can have ended
+};
+
+/// A statement that takes part in a run. `cost`: of a WTM that takes a message, the receive.
+struct StatementSpec {
+  std::string_view module;
+  std::string_view text;
+  std::string_view file;
+  int line = 0;
+  Interval cost;
+};
+
+/// One slot for one message on its way. Channels from and to devices have no latency.
+struct ChannelSpec {
+  std::string_view sender;
+  std::string_view message;
+  std::string_view receiver;
+  std::span<const Field> fields;
+  int answer = -1;  // of a request: the channel on which its answer comes
+  bool request = false;
+  bool from_device = false;
+  bool to_device = false;
+};
+
+struct Latency {
+  Interval within_processor;
+  Interval between_processors;
+};
+
+struct Wiring {
+  std::string_view skill;
+  std::string_view environment;
+  std::span<const ProcessorSpec> processors;
+  std::span<const ThreadSpec> threads;
+  std::span<const StatementSpec> statements;
+  std::span<const ChannelSpec> channels;
+  std::span<const std::string_view> conditions;
+  std::span<const std::string_view> devices;
+  Interval test;  // of a WTM that gives up
+  Latency latency;
+};
+
+}  // namespace pal::runtime

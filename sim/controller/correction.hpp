@@ -1,0 +1,27 @@
+// A relative motion, as ALTER takes it.
+#pragma once
+
+#include "sim/arm/kinematics.hpp"
+
+namespace pal::sim {
+
+/// Millimetres and degrees. The rotation is about x first, then y, then z, each in the unturned frame.
+struct Correction {
+  double dx = 0, dy = 0, dz = 0;
+  double rx = 0, ry = 0, rz = 0;
+
+  friend bool operator==(const Correction&, const Correction&) = default;
+};
+
+/// What a correction is relative to.
+enum class CorrectionFrame {
+  tool,          // the tool's frame as the corrections so far have turned it
+  tool_at_open,  // the tool's frame as it was when ALTER was opened, as the real controller does
+  world,         // frame 0, about the tool's tip
+};
+
+/// The pose that `correction` makes of `pose`. `opened` is the pose at which ALTER was opened (for
+/// tool_at_open).
+Pose corrected(const Pose& pose, const Correction& correction, CorrectionFrame frame, const Pose& opened);
+
+}  // namespace pal::sim

@@ -1,0 +1,28 @@
+// The joint servos: what torque each motor gives, a thousand times a second.
+#pragma once
+
+#include "sim/arm/puma.hpp"
+
+namespace pal::sim {
+
+/// Where a joint servo wants the arm.
+struct SetPoint {
+  Joints position = Joints::Zero();
+  Joints speed = Joints::Zero();
+};
+
+/// Proportional, differential and integral action per joint on top of the computed load; friction is fed
+/// forward where the set-point moves. Torques are limited to what the drives can give.
+class JointServos {
+ public:
+  /// `bias`: the torques that hold the arm against gravity and Coriolis forces. Called once each millisecond.
+  Joints torques(const SetPoint& wanted, const Joints& position, const Joints& speed, const Joints& bias);
+
+  /// Forgets the integral action.
+  void reset();
+
+ private:
+  Joints integral_ = Joints::Zero();
+};
+
+}  // namespace pal::sim

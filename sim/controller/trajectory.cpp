@@ -1,0 +1,100 @@
+#include "sim/controller/trajectory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pal::sim {
+namespace {
+
+double seconds(runtime::Time time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+std::string joint_text(std::size_t joint) {
+  return "joint " + std::to_string(joint + 1);
+}
+
+std::string figure(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+std::string describe(const InverseSolution& solution) {
+  switch (solution.problem) {
+    case InverseProblem::too_far:
+      return "the tool would be out of the arm's reach";
+    case InverseProblem::too_near:
+      return "the tool would be too near to the arm's own axis";
+    case InverseProblem::over_limit: {
+      const JointLimits& limits = puma_limits[solution.joint];
+      return joint_text(solution.joint) + " would leave its range of " + figure(degrees(limits.lower)) +
+             " to " + figure(degrees(limits.upper)) + " degrees";
+    }
+    case InverseProblem::none:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+Trajectory::Trajectory(const Joints& start, runtime::Time period)
+    : period_(period),
+      configuration_(configuration_of(start)),
+      opened_(tool_pose(start)),
+      goal_(opened_),
+      goal_joints_(start),
+      resting_(start) {}
+
+std::optional<std::string> Trajectory::add(const Correction& correction, CorrectionFrame frame,
+                                           runtime::Time begin) {
+  const Pose goal = corrected(goal_, correction, frame, opened_);
+  const double distance = (goal.translation() - goal_.translation()).norm();
+  if (distance > straight_line_speed * seconds(period_))
+    return "the tool would move at " + figure(distance / seconds(period_)) + " m/s, its limit is " +
+           figure(straight_line_speed) + " m/s";
+  const InverseSolution solution = inverse_tool(goal, configuration_, goal_joints_);
+  if (solution.problem != InverseProblem::none) return describe(solution);
+  for (std::size_t i = 0; i < joint_count; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const double speed = std::abs(solution.q[row] - goal_joints_[row]) / seconds(period_);
+    if (speed > puma_limits[i].speed)
+      return joint_text(i) + " would turn at " + figure(speed) + " rad/s, its limit is " +
+             figure(puma_limits[i].speed) + " rad/s";
+  }
+  if (count_ == capacity) return "corrections come faster than they can be moved";
+  if (count_ > 0) begin = std::max(begin, segments_[count_ - 1].begin + period_);
+  segments_[count_++] = {begin, goal_joints_, solution.q};
+  goal_ = goal;
+  goal_joints_ = solution.q;
+  return std::nullopt;
+}
+
+SetPoint Trajectory::at(runtime::Time when) {
+  while (count_ > 0 && when >= segments_[0].begin + period_) {
+    resting_ = segments_[0].to;
+    std::move(segments_.begin() + 1, segments_.begin() + static_cast<std::ptrdiff_t>(count_),
+              segments_.begin());
+    --count_;
+  }
+  if (count_ == 0 || when < segments_[0].begin) return {resting_, Joints::Zero()};
+  const Segment& segment = segments_[0];
+  const double part = seconds(when - segment.begin) / seconds(period_);
+  const Joints step = segment.to - segment.from;
+  return {segment.from + part * step, step / seconds(period_)};
+}
+
+void Trajectory::stop(runtime::Time when) {
+  resting_ = at(when).position;
+  count_ = 0;
+  goal_joints_ = resting_;
+  goal_ = tool_pose(resting_);
+}
+
+bool Trajectory::idle(runtime::Time when) const {
+  return count_ == 0 || when >= segments_[count_ - 1].begin + period_;
+}
+
+}  // namespace pal::sim

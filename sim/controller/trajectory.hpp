@@ -1,0 +1,56 @@
+// The set-point generator: corrections become joint set-points, interpolated over 28 ms each.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "runtime/device.hpp"
+#include "sim/controller/correction.hpp"
+#include "sim/controller/servo.hpp"
+
+namespace pal::sim {
+
+/// Keeps the pose that the corrections add up to and moves the joints there, each evenly over one period.
+class Trajectory {
+ public:
+  /// The arm stands still at `start`. `period`: how long each correction takes.
+  Trajectory(const Joints& start, runtime::Time period);
+
+  /// Adds a relative motion, to be made from `begin` on or after those before it, whichever is later.
+  /// Refused, with the reason, when the pose is out of reach, a joint would leave its range, or the motion is
+  /// faster than the arm.
+  std::optional<std::string> add(const Correction& correction, CorrectionFrame frame, runtime::Time begin);
+
+  /// The set-point at `when`; instants must not run backwards.
+  SetPoint at(runtime::Time when);
+
+  /// Drops what has not been moved at `when` and stays there.
+  void stop(runtime::Time when);
+
+  bool idle(runtime::Time when) const;
+
+  /// Where all corrections so far lead.
+  const Pose& goal() const { return goal_; }
+
+ private:
+  struct Segment {
+    runtime::Time begin{};
+    Joints from = Joints::Zero();
+    Joints to = Joints::Zero();
+  };
+  // One in motion, one accepted meanwhile, one for a driver that is early: a fixed few, so that nothing
+  // allocates.
+  static constexpr std::size_t capacity = 4;
+
+  runtime::Time period_;
+  Configuration configuration_;
+  Pose opened_;
+  Pose goal_;
+  Joints goal_joints_;
+  std::array<Segment, capacity> segments_;
+  std::size_t count_ = 0;
+  Joints resting_;
+};
+
+}  // namespace pal::sim

@@ -1,0 +1,89 @@
+#include "sim/program/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <ostream>
+#include <sstream>
+
+#include "sim/scene.hpp"
+
+namespace pal::workcell {
+namespace {
+
+// PAL_SCENE_FOLDERS: where the scenes stand in the sources, and where they are installed.
+std::vector<std::string> scene_folders(const std::vector<std::string>& given) {
+  std::vector<std::string> folders = given;
+  std::istringstream known(PAL_SCENE_FOLDERS);
+  for (std::string folder; std::getline(known, folder, ':');) folders.push_back(folder);
+  return folders;
+}
+
+void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& folders) {
+  app.add_option("skill", command.skill, "the skill to run; 'workcell list' shows those that there are")
+      ->required();
+  app.add_option("--scene", command.scene, "a scene's name, or the path of a scene file")
+      ->capture_default_str();
+  app.add_option("--scenes", folders, "a further folder of scenes, looked into first");
+  app.add_option("--set", command.settings,
+                 "a parameter of the skill, as name=value in the parameter's unit");
+  app.add_option("--seed", command.seed, "decides all that is drawn: times, phases, noise")
+      ->capture_default_str();
+  app.add_option("--phase", command.phase,
+                 "from ALTER's opening to its first request, ms; drawn if not given")
+      ->check(CLI::Range(0.0, 28.0));
+  app.add_option("--time", command.times, "which times of their intervals things take")
+      ->check(CLI::IsMember({"worst", "best", "random"}))
+      ->capture_default_str();
+  app.add_option("--output", command.output, "a folder for the trace, the log, the figures and the picture");
+  app.add_flag("!--no-picture", command.picture, "draw no picture of the arm");
+  const auto* sweep = app.add_option("--sweep", command.sweep,
+                                     "runs so often, over the phases of the two clocks, and prints how "
+                                     "far the tool pressed past the threshold")
+                          ->check(CLI::Range(1, 100000));
+  app.add_option("--against", command.against,
+                 "with --sweep: a second skill, over the same phases, for comparison")
+      ->needs(const_cast<CLI::Option*>(sweep));
+}
+
+}  // namespace
+
+ExitStatus main_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
+                        std::ostream& out, std::ostream& error) {
+  CLI::App app("Runs skills on a PUMA 560 in physics, in virtual time.", "workcell");
+  app.require_subcommand(1);
+  app.footer(
+      "Exit status: 0 done, 1 a wrong scene, skill or parameter, 2 wrong usage or a file problem,\n"
+      "3 the skill ended with its error completion.");
+  std::vector<std::string> folders;
+  ListCommand list_command;
+  CLI::App* list_app =
+      app.add_subcommand("list", "shows the skills, their parameters and completions, and the scenes");
+  list_app->add_option("--scenes", folders, "a further folder of scenes");
+  RunCommand run_command;
+  CLI::App* run_app = app.add_subcommand("run", "runs a skill in a scene");
+  describe_run(*run_app, run_command, folders);
+
+  // CLI11 takes the arguments from the back.
+  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+  try {
+    app.parse(reversed);
+  } catch (const CLI::ParseError& problem) {
+    return app.exit(problem, out, error) == 0 ? ExitStatus::done : ExitStatus::usage;
+  }
+  try {
+    list_command.scene_folders = run_command.scene_folders = scene_folders(folders);
+    return list_app->parsed() ? list(list_command, skills, out) : run(run_command, skills, out);
+  } catch (const Failure& failure) {
+    failure.print(error);
+    return failure.status();
+  } catch (const sim::SceneError& problem) {
+    const Failure failure(ExitStatus::wrong_specification, problem.place(), problem.cause(), problem.hint());
+    failure.print(error);
+    return failure.status();
+  } catch (const std::exception& problem) {
+    error << "workcell: error: " << problem.what() << '\n';
+    return ExitStatus::error_completion;
+  }
+}
+
+}  // namespace pal::workcell

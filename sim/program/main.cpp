@@ -1,0 +1,8 @@
+#include <iostream>
+
+#include "sim/program/command_line.hpp"
+
+int main(int count, char** arguments) {
+  return static_cast<int>(pal::workcell::main_program({arguments + 1, arguments + count},
+                                                      pal::workcell::linked_skills(), std::cout, std::cerr));
+}

@@ -1,0 +1,168 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <ostream>
+
+#include "pal/support/nearest.hpp"
+#include "pal/support/output.hpp"
+#include "sim/program/command_line.hpp"
+#include "sim/program/comparison.hpp"
+#include "sim/program/report_files.hpp"
+
+namespace pal::workcell {
+namespace {
+
+std::unique_ptr<runtime::Skill> make_skill(const std::string& wanted, const std::vector<KnownSkill>& skills) {
+  std::vector<std::string> names;
+  for (const KnownSkill& known : skills) {
+    if (known.name == wanted) return known.make();
+    names.push_back(known.name);
+  }
+  const auto nearest = pal::nearest(wanted, names);
+  throw Failure(
+      ExitStatus::wrong_specification, "skill '" + wanted + "'", "there is no skill of this name",
+      nearest ? "did you mean '" + *nearest + "'?" : "workcell list shows the skills that there are");
+}
+
+double parse_number(const std::string& setting, const std::string& text) {
+  if (text == "true") return 1;
+  if (text == "false") return 0;
+  double value = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (problem != std::errc() || end != text.data() + text.size())
+    throw Failure(ExitStatus::wrong_specification, "--set " + setting, "'" + text + "' is not a number",
+                  "write the value without its unit");
+  return value;
+}
+
+runtime::ParameterValue parse_setting(const std::string& setting, const runtime::Skill& skill) {
+  const std::string place = "--set " + setting;
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos)
+    throw Failure(ExitStatus::usage, place, "a parameter is set by name=value",
+                  "write --set approach-speed=20");
+  const std::string name = setting.substr(0, equals);
+  std::vector<std::string> names;
+  for (const runtime::ParameterSpec& parameter : skill.description().parameters) {
+    names.emplace_back(parameter.name);
+    if (parameter.name != name) continue;
+    const double value = parse_number(setting, setting.substr(equals + 1));
+    try {
+      runtime::check_parameter(parameter, value);
+    } catch (const runtime::ParameterError& problem) {
+      throw Failure(ExitStatus::wrong_specification, place, problem.what(),
+                    fmt::format("its default is {:g} {}", parameter.default_value, parameter.unit));
+    }
+    return {name, value};
+  }
+  const auto nearest = pal::nearest(name, names);
+  throw Failure(
+      ExitStatus::wrong_specification, place,
+      fmt::format("skill {} has no parameter '{}'", skill.description().name, name),
+      nearest ? "did you mean '" + *nearest + "'?" : fmt::format("it has {}", fmt::join(names, ", ")));
+}
+
+runtime::CostPolicy parse_times(const std::string& text) {
+  if (text == "worst") return runtime::CostPolicy::worst;
+  return text == "best" ? runtime::CostPolicy::best : runtime::CostPolicy::random;
+}
+
+Session make_session(const RunCommand& command, const runtime::Skill& skill) {
+  Session session;
+  session.scene =
+      sim::find_scene(command.scene, {command.scene_folders.begin(), command.scene_folders.end()});
+  for (const std::string& setting : command.settings)
+    session.parameters.push_back(parse_setting(setting, skill));
+  session.times = parse_times(command.times);
+  session.seed = command.seed;
+  if (command.phase >= 0) session.phase = runtime::Time(static_cast<std::int64_t>(command.phase * 1e6));
+  session.picture = command.picture && !command.output.empty();
+  return session;
+}
+
+void write(const std::vector<OutputFile>& files, std::ostream& out) {
+  if (files.empty()) return;
+  if (const auto problem = write_files(files))
+    throw Failure(ExitStatus::usage, "--output", *problem, "choose another folder");
+  for (const OutputFile& file : files) out << "  wrote " << file.path << '\n';
+}
+
+ExitStatus run_once(const RunCommand& command, runtime::Skill& skill, const Session& session,
+                    std::ostream& out) {
+  const SessionResult result = run_session(skill, session);
+  const runtime::Outcome& outcome = result.outcome;
+  out << fmt::format("{} in scene {}: {} {}\n", skill.description().name, session.scene.name,
+                     outcome.fault ? "fault, completion" : "completion", outcome.code);
+  out << "  " << outcome.reason << '\n';
+  out << fmt::format("  ended after {:.3f} ms; alter's first request after {:.3f} ms; seed {}\n",
+                     static_cast<double>(outcome.duration.count()) / 1e6,
+                     static_cast<double>(result.phase.count()) / 1e6, session.seed);
+  if (result.log.empty()) return ExitStatus::error_completion;
+  const Eigen::Vector3d way = (result.log.back().tool - result.log.front().tool) * 1e3;
+  out << fmt::format("  the tool moved by ({:.2f}, {:.2f}, {:.2f}) mm\n", way.x(), way.y(), way.z());
+  out << fmt::format("  contact force: {:.2f} N at its peak, {:.2f} N at rest\n", result.peak_force,
+                     result.resting_force);
+  if (const auto threshold = parameter_value(skill, session, "threshold"); threshold && result.peak_force > 0)
+    out << fmt::format("  overshoot: {:.2f} N past the threshold of {:g} N\n", result.peak_force - *threshold,
+                       *threshold);
+  if (session.picture && !result.picture.image) out << "  no picture: " << result.picture.problem << '\n';
+  if (!command.output.empty()) write(run_files(command.output, skill, session, result), out);
+
+  const auto is_error = [&](const runtime::CompletionSpec& completion) {
+    return completion.code == outcome.code && completion.kind == runtime::CompletionSpec::Kind::error;
+  };
+  const auto completions = skill.description().completions;
+  return outcome.fault || std::any_of(completions.begin(), completions.end(), is_error)
+             ? ExitStatus::error_completion
+             : ExitStatus::done;
+}
+
+// The same bins for all, so that the histograms can be compared by eye.
+std::pair<double, double> bounds(const std::vector<std::vector<SweepRun>>& sweeps) {
+  double low = 1e300, high = -1e300;
+  for (const auto& runs : sweeps)
+    for (const SweepRun& run : runs) {
+      low = std::min(low, run.overshoot);
+      high = std::max(high, run.overshoot);
+    }
+  low = std::floor(low);
+  return {low, std::max(std::ceil(high), low + 1)};
+}
+
+ExitStatus run_sweep(const RunCommand& command, runtime::Skill& skill, const Session& session,
+                     const std::vector<KnownSkill>& known, std::ostream& out) {
+  std::vector<std::string> names{command.skill};
+  std::vector<std::vector<SweepRun>> sweeps{sweep(skill, session, command.sweep)};
+  if (!command.against.empty()) {
+    const auto second = make_skill(command.against, known);
+    make_session(command, *second);  // its parameters must take the same settings
+    names.push_back(command.against);
+    sweeps.push_back(sweep(*second, session, command.sweep));
+  }
+  const auto [low, high] = bounds(sweeps);
+  for (std::size_t i = 0; i < sweeps.size(); ++i) out << describe(names[i], sweeps[i], low, high);
+
+  std::optional<Comparison> comparison;
+  const auto speed = parameter_value(skill, session, "approach-speed");
+  if (sweeps.size() == 2 && speed) {
+    comparison = compare(sweeps[0], sweeps[1], session.scene, *speed);
+    if (comparison) out << describe(*comparison, names[0], names[1]);
+  }
+  if (!command.output.empty()) write(sweep_files(command.output, names, sweeps, comparison), out);
+  const auto failed = [](const SweepRun& run) { return run.fault; };
+  for (const auto& runs : sweeps)
+    if (std::any_of(runs.begin(), runs.end(), failed)) return ExitStatus::error_completion;
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out) {
+  const auto skill = make_skill(command.skill, skills);
+  const Session session = make_session(command, *skill);
+  return command.sweep > 0 ? run_sweep(command, *skill, session, skills, out)
+                           : run_once(command, *skill, session, out);
+}
+
+}  // namespace pal::workcell

@@ -1,0 +1,14 @@
+#include "sim/program/skills.hpp"
+
+#include "skills_pal/registry.hpp"
+
+namespace pal::workcell {
+
+std::vector<KnownSkill> linked_skills() {
+  std::vector<KnownSkill> known;
+  for (const skills::RegisteredSkill& skill : skills::registered_skills())
+    known.push_back({std::string(skill.name), skill.make});
+  return known;
+}
+
+}  // namespace pal::workcell

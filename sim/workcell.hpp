@@ -1,0 +1,81 @@
+// The robot, its controller and what it touches, in physics that advances in fixed steps of 1 ms.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/device.hpp"
+#include "sim/arm/kinematics.hpp"
+#include "sim/controller/correction.hpp"
+#include "sim/scene.hpp"
+
+namespace pal::sim {
+
+class Physics;
+
+inline constexpr runtime::Time physics_step = std::chrono::milliseconds(1);
+inline constexpr runtime::Time alter_period = std::chrono::milliseconds(28);
+
+/// Forces in N and torques in N*m in the frame of the force-torque sensor, whose z points out of the tool.
+struct Wrench {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero();
+};
+
+/// One line of the log, written after each step.
+struct Sample {
+  runtime::Time time{};
+  Eigen::Vector3d tool = Eigen::Vector3d::Zero();  // the tip's site in frame 0, m
+  double contact_force = 0;                        // sum of the normal forces on the tip, N
+};
+
+struct WorkcellOptions {
+  /// Raises the tool's start by this much along the vertical, mm.
+  double raise = 0;
+  /// Pause after loading, in which the servos take up the load, before time 0.
+  runtime::Time settle = std::chrono::milliseconds(300);
+  /// How long a run the log has room for without allocating.
+  runtime::Time log_room = std::chrono::seconds(60);
+};
+
+class Workcell final : public runtime::World {
+ public:
+  /// Loads the scene, places the arm, lets it settle. Throws SceneError.
+  explicit Workcell(const Scene& scene, const WorkcellOptions& options = {});
+  ~Workcell() override;
+  Workcell(const Workcell&) = delete;
+  Workcell& operator=(const Workcell&) = delete;
+
+  /// Steps until the last whole millisecond at or before `when`.
+  void advance_to(runtime::Time when) override;
+  runtime::Time now() const;
+
+  /// Gives the controller a relative motion to be made evenly within [begin, begin + 28 ms], after all those
+  /// given before. A motion that the arm cannot make is refused: the answer says why, and the arm stops.
+  std::optional<std::string> move(const Correction& correction, CorrectionFrame frame, runtime::Time begin);
+  /// Drops what has not been moved yet and holds the arm where its set-point is.
+  void stop();
+  /// No motion is left to make.
+  bool idle() const;
+
+  Joints joints() const;
+  Pose tool() const;       // the tip, where the arm is
+  Pose set_point() const;  // the tip, where the arm has been told to be
+  /// What the environment does to the tool, and the tool's weight: pressing gives a negative force along z.
+  /// As of the last step.
+  Wrench wrench() const;
+  const std::vector<Sample>& log() const;
+  /// Newton per metre, of the tool's compliant pad alone.
+  double pad_stiffness() const;
+
+  /// For pictures; private to the library.
+  Physics& physics();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace pal::sim

@@ -1,0 +1,27 @@
+#include "skills_pal/registry.hpp"
+
+#include <array>
+
+#include "skills_pal/touch/touch.hpp"
+
+namespace pal::skills {
+
+namespace {
+
+constexpr std::array skills{RegisteredSkill{"touch", touch_skill},
+                            RegisteredSkill{"touch-read-first", touch_read_first_skill}};
+
+}  // namespace
+
+std::span<const RegisteredSkill> registered_skills() {
+  return skills;
+}
+
+std::unique_ptr<runtime::Skill> make_skill(std::string_view name) {
+  for (const RegisteredSkill& skill : skills) {
+    if (skill.name == name) return skill.make();
+  }
+  return nullptr;
+}
+
+}  // namespace pal::skills

@@ -1,0 +1,23 @@
+// The skills that the workcell can run, by name.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "runtime/skill.hpp"
+
+namespace pal::skills {
+
+struct RegisteredSkill {
+  std::string_view name;  // as in PAL
+  std::unique_ptr<runtime::Skill> (*make)();
+};
+
+/// All of them, in the order of their names.
+std::span<const RegisteredSkill> registered_skills();
+
+/// A new one, or null if there is none of that name.
+std::unique_ptr<runtime::Skill> make_skill(std::string_view name);
+
+}  // namespace pal::skills

@@ -1,0 +1,52 @@
+// Charts against files that a person has looked at. PAL_UPDATE_GOLDEN=1 in the environment writes them anew.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "analyzer/chart/chart.hpp"
+#include "tests/unit/chart/example.hpp"
+#include "tests/unit/chart/signs_trace.hpp"
+
+namespace pal::chart {
+namespace {
+
+void compare(const std::string& name, const std::string& text) {
+  const std::string path = std::string(PAL_GOLDEN_DIR) + "/" + name;
+  if (std::getenv("PAL_UPDATE_GOLDEN") != nullptr) {
+    std::ofstream(path, std::ios::binary) << text;
+    SUCCEED(path + " is written anew");
+    return;
+  }
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream golden;
+  golden << in.rdbuf();
+  INFO(path);
+  CHECK(golden.str() == text);
+}
+
+TEST_CASE("one of everything, as data and as a picture") {
+  const Timeline signs = timeline(signs_trace());
+  compare("signs.txt", dump(signs));
+  ChartOptions options;
+  options.caption = {"answer-alter", "response from tick of alter to TXM( correction to alter )",
+                     "fails",        -1,
+                     false,          6'000'000};
+  options.highlight = Highlight{1'500'000, 9'500'000, "response to tick", true, 6'000'000};
+  options.deadlines = {{8'500'000, "next tick"}};
+  compare("signs.svg", svg(signs, options));
+}
+
+TEST_CASE("the touch skill, as data") {
+  const Example good = worst_touch({});
+  const Highlight& highlight = *good.options.highlight;
+  compare("touch.txt", dump(good.timeline, highlight.from_ns, highlight.to_ns));
+}
+
+TEST_CASE("the touch skill that reads first, as a picture") {
+  const Example bad = worst_touch({true});
+  compare("touch_read_first.svg", svg(bad.timeline, bad.options));
+}
+
+}  // namespace
+}  // namespace pal::chart

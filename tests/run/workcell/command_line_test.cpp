@@ -1,0 +1,142 @@
+#include "sim/program/command_line.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "runtime/trace/trace.hpp"
+#include "sim/program/statistics.hpp"
+#include "tests/run/workcell/written_touch.hpp"
+
+using namespace pal::workcell;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Answer {
+  ExitStatus status;
+  std::string out, error;
+};
+
+Answer workcell(const std::vector<std::string>& arguments) {
+  std::ostringstream out, error;
+  const std::vector<KnownSkill> skills{
+      {"touch", [] { return std::make_unique<pal::test::WrittenTouch>(false); }},
+      {"touch-read-first", [] { return std::make_unique<pal::test::WrittenTouch>(true); }}};
+  const ExitStatus status = main_program(arguments, skills, out, error);
+  return {status, out.str(), error.str()};
+}
+
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / ("pal-workcell-" + std::to_string(::getpid()))) {}
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string path() const { return path_.string(); }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+TEST_CASE("workcell list shows skills, parameters, completions and scenes") {
+  const Answer answer = workcell({"list"});
+  CHECK(answer.status == ExitStatus::done);
+  CHECK(answer.out.find("touch-read-first") != std::string::npos);
+  CHECK(answer.out.find("--set approach-speed=…   (1 to 60 mm/s, default 20)") != std::string::npos);
+  CHECK(answer.out.find("completion 1 (contingency)") != std::string::npos);
+  CHECK(answer.out.find("nothing      nothing within 360 mm below the tool") != std::string::npos);
+}
+
+TEST_CASE("workcell run writes what it did") {
+  const Folder folder;
+  const Answer answer = workcell({"run", "touch", "--phase", "3", "--no-picture", "--output", folder.path()});
+  CAPTURE(answer.out, answer.error);
+  REQUIRE(answer.status == ExitStatus::done);
+  CHECK(answer.out.find("touch in scene touch: completion 0") == 0);
+  CHECK(answer.out.find("first request after 3.000 ms") != std::string::npos);
+  std::ifstream in(folder.path() + "/trace.json");
+  CHECK(pal::trace::read_json(in).origin == "measured");
+  for (const char* file : {"log.csv", "run.json", "trace.chrome.json"})
+    CHECK(fs::exists(fs::path(folder.path()) / file));
+  CHECK_FALSE(fs::exists(fs::path(folder.path()) / "arm.png"));
+  // Nothing half-written is left.
+  for (const auto& entry : fs::directory_iterator(folder.path())) CHECK(entry.path().extension() != ".part");
+}
+
+TEST_CASE("a contingency is an end like others; an error completion is not") {
+  CHECK(workcell({"run", "touch", "--scene", "nothing", "--set", "reach=5", "--no-picture"}).status ==
+        ExitStatus::done);
+  // From here straight down leads out of the arm's reach.
+  const Folder folder;
+  fs::create_directories(folder.path());
+  for (const char* part : {"puma560.xml", "cell.xml"})
+    fs::copy_file(fs::path(PAL_SCENE_DIR) / part, fs::path(folder.path()) / part);
+  std::ofstream(folder.path() + "/edge.xml")
+      << R"(<mujoco><include file="puma560.xml"/><custom><numeric name="start" data="0.82 -0.2 -0.1 0"/></custom></mujoco>)";
+  const Answer answer = workcell({"run", "touch", "--scene", "edge", "--scenes", folder.path(), "--set",
+                                  "reach=300", "--set", "approach-speed=60", "--no-picture"});
+  CAPTURE(answer.out, answer.error);
+  CHECK(answer.status == ExitStatus::error_completion);
+  CHECK(answer.out.find("fault, completion 2\n  alter: cannot make the motion: ") != std::string::npos);
+}
+
+TEST_CASE("bad input: place, cause, hint, status, and no files") {
+  const Folder folder;
+  const auto refused = [&](std::vector<std::string> arguments, ExitStatus status, const std::string& text) {
+    arguments.insert(arguments.end(), {"--output", folder.path(), "--no-picture"});
+    const Answer answer = workcell(arguments);
+    CAPTURE(answer.out);
+    CHECK(answer.status == status);
+    CHECK(answer.error == text);
+    CHECK_FALSE(fs::exists(folder.path()));
+  };
+  refused({"run", "tuoch"}, ExitStatus::wrong_specification,
+          "workcell: error: skill 'tuoch': there is no skill of this name\n  hint: did you mean 'touch'?\n");
+  refused(
+      {"run", "touch", "--scene", "nothin"}, ExitStatus::wrong_specification,
+      "workcell: error: scene 'nothin': there is no scene of this name\n  hint: there are nothing, touch\n");
+  refused({"run", "touch", "--set", "approach-speed=600"}, ExitStatus::wrong_specification,
+          "workcell: error: --set approach-speed=600: parameter approach-speed is 600 mm/s; it may be from 1 "
+          "to 60 mm/s\n"
+          "  hint: its default is 20 mm/s\n");
+  refused({"run", "touch", "--set", "aproach-speed=20"}, ExitStatus::wrong_specification,
+          "workcell: error: --set aproach-speed=20: skill touch has no parameter 'aproach-speed'\n"
+          "  hint: did you mean 'approach-speed'?\n");
+  refused({"run", "touch", "--set", "reach=20mm"}, ExitStatus::wrong_specification,
+          "workcell: error: --set reach=20mm: '20mm' is not a number\n  hint: write the value without its "
+          "unit\n");
+  refused({"run", "touch", "--set", "reach"}, ExitStatus::usage,
+          "workcell: error: --set reach: a parameter is set by name=value\n  hint: write --set "
+          "approach-speed=20\n");
+}
+
+TEST_CASE("a command line that is wrong is a matter of usage") {
+  CHECK(workcell({}).status == ExitStatus::usage);
+  CHECK(workcell({"run"}).status == ExitStatus::usage);
+  CHECK(workcell({"run", "touch", "--phase", "30"}).status == ExitStatus::usage);
+  CHECK(workcell({"run", "touch", "--time", "never"}).status == ExitStatus::usage);
+  CHECK(workcell({"run", "touch", "--against", "touch-read-first"}).status == ExitStatus::usage);
+  CHECK(workcell({"run", "touch", "--no-picture", "--output", "/proc/none"}).status == ExitStatus::usage);
+  const Answer help = workcell({"run", "--help"});
+  CHECK(help.status == ExitStatus::done);
+  CHECK(help.out.find("--sweep") != std::string::npos);
+}
+
+TEST_CASE("figures of a distribution") {
+  const Distribution odd = distribution({3, 1, 2});
+  CHECK(odd.count == 3);
+  CHECK(odd.least == 1);
+  CHECK(odd.median == 2);
+  CHECK(odd.mean == 2);
+  CHECK(odd.greatest == 3);
+  CHECK(distribution({4, 1, 2, 3}).median == 2.5);
+  CHECK(distribution({}).count == 0);
+  CHECK(histogram({0, 0.5, 1, 2}, 0, 2, 2, "N") ==
+        "     0.0 to    1.0 N |##                             2\n"
+        "     1.0 to    2.0 N |##                             2\n");
+}

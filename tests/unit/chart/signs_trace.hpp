@@ -1,0 +1,10 @@
+// One short run with one of everything that a chart can show.
+#pragma once
+
+#include "runtime/trace/trace.hpp"
+
+namespace pal::chart {
+
+trace::Trace signs_trace();
+
+}  // namespace pal::chart

@@ -1,0 +1,38 @@
+// A specification from strings, for tests.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pal/check/check.hpp"
+#include "pal/check/load.hpp"
+#include "pal/support/file_system.hpp"
+
+namespace pal::test {
+
+struct Checked {
+  SourceManager sources;
+  Diagnostics diagnostics;
+  std::vector<syntax::Tree> trees;
+  Specification specification;
+};
+
+/// Loads and checks the files named first, from `files`.
+inline Checked check_files(const FileSystem& files, const std::vector<std::string>& paths) {
+  Checked result;
+  result.trees = load(files, result.sources, paths, result.diagnostics);
+  result.specification = pal::check(result.trees, result.diagnostics);
+  return result;
+}
+
+inline Checked check_text(const std::string& text) {
+  MemoryFileSystem files;
+  files.add("a.pal", text);
+  return check_files(files, {"a.pal"});
+}
+
+inline std::string source_file(const std::string& path) {
+  return std::get<std::string>(DiskFileSystem().read(std::string(PAL_SOURCE_DIR "/") + path));
+}
+
+}  // namespace pal::test
