@@ -120,7 +120,8 @@ trace::Trace Clockwork::trace() const {
       if (event.actor != threads + static_cast<int>(d)) continue;
       if (event.kind == trace::Kind::idle) begun.reset();
       if (event.kind != trace::Kind::busy) continue;
-      if (begun) ends.push_back({*begun + frames->collecting.count(), trace::Kind::idle, event.actor, -1, -1, 0});
+      if (begun)
+        ends.push_back({*begun + frames->collecting.count(), trace::Kind::idle, event.actor, -1, -1, 0});
       begun = event.time_ns;
     }
     for (const trace::Event& end : ends) {

@@ -16,8 +16,8 @@ struct Measurement {
   int step = -1;
 };
 
-/// Keeps what a run is made of. Who runs it (a script, a simulation) says which timer fires when; the clockwork
-/// checks nothing but keeps exact account of the work that each timer has done.
+/// Keeps what a run is made of. Who runs it (a script, a simulation) says which timer fires when; the
+/// clockwork checks nothing but keeps exact account of the work that each timer has done.
 class Clockwork {
  public:
   struct Timer {

@@ -6,21 +6,26 @@
 
 #include "pal/pan/dump.hpp"
 
-
 namespace pal::analyzer {
 namespace {
 
 using namespace pan;
 
-Range range(const Interval& interval) { return {interval.best.count(), interval.worst.count()}; }
+Range range(const Interval& interval) {
+  return {interval.best.count(), interval.worst.count()};
+}
 
-/// Steps of one body in one thread. A module that is executed in two places is compiled once for each: where its flow
-/// goes on differs.
+/// Steps of one body in one thread. A module that is executed in two places is compiled once for each: where
+/// its flow goes on differs.
 class Compiler {
  public:
   Compiler(const Network& network, TimesAndPlaces& environment, const SourceManager* sources,
            Diagnostics& diagnostics, Problem& problem)
-      : network_(network), environment_(environment), sources_(sources), diagnostics_(diagnostics), problem_(problem) {}
+      : network_(network),
+        environment_(environment),
+        sources_(sources),
+        diagnostics_(diagnostics),
+        problem_(problem) {}
 
   void threads() {
     for (std::size_t m = 0; m < network_.modules.size(); ++m) {
@@ -34,7 +39,8 @@ class Compiler {
   }
 
  private:
-  /// Where code is being compiled: a body, for a thread, with what follows its end (nothing: the thread ends).
+  /// Where code is being compiled: a body, for a thread, with what follows its end (nothing: the thread
+  /// ends).
   struct Place {
     std::size_t module;
     int thread;
@@ -72,10 +78,11 @@ class Compiler {
       if (const auto* execute = std::get_if<Execute>(&at.content)) return inlined(place, at, *execute);
       const auto* until = std::get_if<Until>(&at.content);
       const bool forever = until != nullptr && !until->guard;
-      const bool passes = forever || std::holds_alternative<Start>(at.content) ||
-                          std::holds_alternative<WaitForStart>(at.content) ||
-                          std::holds_alternative<Nothing>(at.content) || std::holds_alternative<Merge>(at.content) ||
-                          std::holds_alternative<Loop>(at.content) || std::holds_alternative<Join>(at.content);
+      const bool passes =
+          forever || std::holds_alternative<Start>(at.content) ||
+          std::holds_alternative<WaitForStart>(at.content) || std::holds_alternative<Nothing>(at.content) ||
+          std::holds_alternative<Merge>(at.content) || std::holds_alternative<Loop>(at.content) ||
+          std::holds_alternative<Join>(at.content);
       if (!passes) return compiled(place, node);
       node = forever ? graph[at.mate].out.front() : at.out.front();
     }
@@ -92,7 +99,8 @@ class Compiler {
     // Each place of an Execute has its own copy, kept alive as long as its steps may still be asked for.
     const auto known = place.done.find(index_of(place, node));
     if (known != place.done.end()) return known->second;
-    const int entry = end_step();  // stands in for the entry while the body is compiled: it may loop back to here
+    const int entry =
+        end_step();  // stands in for the entry while the body is compiled: it may loop back to here
     place.done.emplace(index_of(place, node), entry);
     auto inner = std::make_unique<Place>();
     inner->module = execute.module.index();
@@ -258,7 +266,8 @@ void find_ends(Problem& problem) {
       const Step& step = problem.steps[at];
       if (step.kind == Step::Kind::end) can_end = true;
       bool passes = step.kind != Step::Kind::fork;
-      for (int block : step.threads) passes = passes || problem.threads[static_cast<std::size_t>(block)].can_end;
+      for (int block : step.threads)
+        passes = passes || problem.threads[static_cast<std::size_t>(block)].can_end;
       if (passes) open.insert(open.end(), step.next.begin(), step.next.end());
     }
     problem.threads[t].can_end = can_end;

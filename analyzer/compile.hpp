@@ -15,8 +15,8 @@ class TimesAndPlaces {
   virtual void place(Thread& thread, int parent) = 0;
 };
 
-/// Fills threads, steps and statements of `problem`; its channels stand already. Reports loops in which nothing
-/// ever happens.
+/// Fills threads, steps and statements of `problem`; its channels stand already. Reports loops in which
+/// nothing ever happens.
 void compile(const pan::Network& network, TimesAndPlaces& environment, const SourceManager* sources,
              Diagnostics& diagnostics, Problem& problem);
 

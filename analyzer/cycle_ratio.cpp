@@ -11,12 +11,14 @@ __extension__ using Wide = __int128;
 /// Finds a cycle with positive sum of work · scale - time · ratio, by longest paths from everywhere at once.
 class PositiveCycle {
  public:
-  PositiveCycle(int nodes, const std::vector<WeightedEdge>& edges) : edges_(edges), first_(static_cast<std::size_t>(nodes) + 1) {
+  PositiveCycle(int nodes, const std::vector<WeightedEdge>& edges)
+      : edges_(edges), first_(static_cast<std::size_t>(nodes) + 1) {
     for (const WeightedEdge& edge : edges) ++first_[static_cast<std::size_t>(edge.from) + 1];
     for (std::size_t n = 1; n < first_.size(); ++n) first_[n] += first_[n - 1];
     order_.resize(edges.size());
     std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t e = 0; e < edges.size(); ++e) order_[next[static_cast<std::size_t>(edges[e].from)]++] = static_cast<int>(e);
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      order_[next[static_cast<std::size_t>(edges[e].from)]++] = static_cast<int>(e);
   }
 
   std::vector<int> find(std::int64_t work, std::int64_t time) {

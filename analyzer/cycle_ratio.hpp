@@ -21,9 +21,9 @@ struct CycleRatio {
   std::vector<int> edges;  // the cycle, as indices, in order
 };
 
-/// Greatest sum(work) / sum(time) over all cycles that take time; nothing if there is no such cycle. Exact: E. L.
-/// Lawler, Combinatorial optimization, 1976: a cycle is better than a ratio iff it is positive for weights
-/// work - ratio · time; every better cycle found gives the next ratio.
+/// Greatest sum(work) / sum(time) over all cycles that take time; nothing if there is no such cycle. Exact:
+/// E. L. Lawler, Combinatorial optimization, 1976: a cycle is better than a ratio iff it is positive for
+/// weights work - ratio · time; every better cycle found gives the next ratio.
 std::optional<CycleRatio> greatest_cycle_ratio(int nodes, const std::vector<WeightedEdge>& edges);
 
 }  // namespace pal::analyzer

@@ -1,7 +1,7 @@
 // Difference bound matrices: what is known of a set of times, as bounds on their differences.
 //
-// D. L. Dill, Timing assumptions and verification of finite-state concurrent systems, 1989. All bounds are closed, so
-// whole nanoseconds suffice.
+// D. L. Dill, Timing assumptions and verification of finite-state concurrent systems, 1989. All bounds are
+// closed, so whole nanoseconds suffice.
 #pragma once
 
 #include <cstddef>

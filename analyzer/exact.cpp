@@ -10,7 +10,8 @@ namespace {
 
 using Is = Verdict::State;
 
-/// More than any value that is not growing without end is likely to be: a few times all that the problem says of time.
+/// More than any value that is not growing without end is likely to be: a few times all that the problem says
+/// of time.
 Nanoseconds first_cap(const Problem& problem, Nanoseconds limit) {
   Nanoseconds sum = limit;
   for (const Device& device : problem.devices) {
@@ -33,7 +34,7 @@ class Analyzer {
   Analysis run() {
     const double begun = options_.clock ? options_.clock() : 0;
     for (const Requirement& requirement : problem_.requirements) {
-      Verdict verdict;
+      Verdict& verdict = analysis_.verdicts.emplace_back();
       verdict.requirement = requirement.name;
       verdict.measure = requirement.measure;
       verdict.limit = Duration(requirement.limit);
@@ -43,7 +44,6 @@ class Analyzer {
       } else {
         timed(requirement, verdict);
       }
-      analysis_.verdicts.push_back(std::move(verdict));
     }
     if (options_.clock) analysis_.statistics.seconds = options_.clock() - begun;
     return std::move(analysis_);
@@ -146,9 +146,10 @@ class Analyzer {
     verdict.witness = std::move(worst.witness);
     verdict.state = bound <= requirement.limit ? Is::holds : worst.exact ? Is::fails : Is::undecided;
     const std::string& name = problem_.processors[static_cast<std::size_t>(busiest)].name;
-    verdict.explanation = "processor " + name + " is busy for at most " + milliseconds(worst.most.work) + " in every " +
-                          milliseconds(worst.most.time) + " in the long run (" + others + ")";
-    if (!worst.proved) verdict.explanation = "no bound below full load was proved for processor " + name + " (" + others + ")";
+    verdict.explanation = "processor " + name + " is busy for at most " + milliseconds(worst.most.work) +
+                          " in every " + milliseconds(worst.most.time) + " in the long run (" + others + ")";
+    if (!worst.proved)
+      verdict.explanation = "no bound below full load was proved for processor " + name + " (" + others + ")";
   }
 
   static std::string percent(const LoadBound& bound) {
@@ -156,7 +157,10 @@ class Analyzer {
     const Nanoseconds hundredths = (parts + 99'999) / 100'000;
     std::string digits = std::to_string(hundredths % 100);
     if (digits.size() < 2) digits = "0" + digits;
-    return std::to_string(hundredths / 100) + "." + digits + " %" + (bound.exact ? "" : bound.proved ? " at most" : " not proved");
+    return std::to_string(hundredths / 100) + "." + digits + " %" +
+           (bound.exact    ? ""
+            : bound.proved ? " at most"
+                           : " not proved");
   }
 
   const Problem& problem_;
@@ -190,6 +194,8 @@ const char* name(Requirement::Measure measure) {
   return "";
 }
 
-Analysis analyze(const Problem& problem, const Options& options) { return Analyzer(problem, options).run(); }
+Analysis analyze(const Problem& problem, const Options& options) {
+  return Analyzer(problem, options).run();
+}
 
 }  // namespace pal::analyzer

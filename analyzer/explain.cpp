@@ -16,10 +16,14 @@ struct Story {
   const trace::Trace& trace;
   std::vector<Slice> slices = trace::slices(trace);
 
-  const trace::Statement& statement(int index) const { return trace.statements[static_cast<std::size_t>(index)]; }
+  const trace::Statement& statement(int index) const {
+    return trace.statements[static_cast<std::size_t>(index)];
+  }
 
   Reason reason(Nanoseconds from, Nanoseconds to, int actor, std::string what, int of) const {
-    Reason made{from, to, actor < 0 ? "" : trace.actors[static_cast<std::size_t>(actor)].name, std::move(what), "", 0};
+    Reason made{
+        from, to, actor < 0 ? "" : trace.actors[static_cast<std::size_t>(actor)].name, std::move(what),
+        "",   0};
     if (of >= 0) {
       made.file = statement(of).file;
       made.line = statement(of).line;
@@ -31,7 +35,8 @@ struct Story {
     const std::string text = slice.statement < 0 ? "" : statement(slice.statement).text;
     switch (slice.state) {
       case trace::State::running:
-        return slice.ending == trace::Ending::preempted ? "runs " + text + " until it is preempted" : "runs " + text;
+        return slice.ending == trace::Ending::preempted ? "runs " + text + " until it is preempted"
+                                                        : "runs " + text;
       case trace::State::ready:
         return "is kept from its processor at " + text;
       case trace::State::waiting:
@@ -49,7 +54,8 @@ struct Story {
       if (slice.actor != thread || slice.to_ns <= at || slice.from_ns >= to) continue;
       if (slice.from_ns > at) out.push_back(reason(at, slice.from_ns, thread, "has not begun", -1));
       const Nanoseconds end = std::min<Nanoseconds>(slice.to_ns, to);
-      out.push_back(reason(std::max<Nanoseconds>(slice.from_ns, at), end, thread, doing(slice), slice.statement));
+      out.push_back(
+          reason(std::max<Nanoseconds>(slice.from_ns, at), end, thread, doing(slice), slice.statement));
       at = end;
     }
     if (at < to) out.push_back(reason(at, to, thread, "waits for its blocks", -1));
@@ -60,14 +66,17 @@ struct Story {
     const int of = problem.steps[static_cast<std::size_t>(measured.step)].statement;
     for (std::size_t e = trace.events.size(); e-- > 0;) {
       const trace::Event& event = trace.events[e];
-      if (event.kind == Kind::done && event.statement == of && event.time_ns == measured.at && event.actor >= 0) return e;
+      if (event.kind == Kind::done && event.statement == of && event.time_ns == measured.at &&
+          event.actor >= 0)
+        return e;
     }
     return trace.events.size();
   }
 
   int parent(int thread) const { return problem.threads[static_cast<std::size_t>(thread)].parent; }
 
-  /// The read whose value counts for `thread` at the event with index `before`: its own last, or its parent's.
+  /// The read whose value counts for `thread` at the event with index `before`: its own last, or its
+  /// parent's.
   std::size_t last_read(int thread, std::size_t before, int condition) const {
     for (int of = thread; of >= 0; of = parent(of)) {
       for (std::size_t e = before + 1; e-- > 0;) {
@@ -105,7 +114,8 @@ struct Story {
     tell(thread, reading.time_ns, measured.at, out);
   }
 
-  /// The way back from a thread at an instant to the event: through the message that last came from another thread.
+  /// The way back from a thread at an instant to the event: through the message that last came from another
+  /// thread.
   void response(const Requirement& requirement, int thread, std::size_t event, const Measurement& measured,
                 std::vector<Reason>& out, int depth) const {
     const Nanoseconds to = trace.events[event].time_ns;
@@ -129,7 +139,8 @@ struct Story {
         tell(thread, measured.born, to, out);
         return;
       }
-      const bool by_thread = putting.actor >= 0 && !trace.actors[static_cast<std::size_t>(putting.actor)].device;
+      const bool by_thread =
+          putting.actor >= 0 && !trace.actors[static_cast<std::size_t>(putting.actor)].device;
       if (last == trace.events.size() && by_thread && putting.time_ns >= measured.born) {
         last = e;
         put = from;
@@ -144,14 +155,16 @@ struct Story {
   }
 };
 
-std::string place(const Reason& reason) { return reason.line == 0 ? "" : " (line " + std::to_string(reason.line) + ")"; }
+std::string place(const Reason& reason) {
+  return reason.line == 0 ? "" : " (line " + std::to_string(reason.line) + ")";
+}
 
 std::string list(const std::vector<Reason>& reasons) {
   std::string text;
   for (const Reason& reason : reasons) {
     if (!text.empty()) text += "; ";
-    text += milliseconds(reason.to - reason.from) + ": " + (reason.actor.empty() ? "" : reason.actor + " ") + reason.what +
-            place(reason);
+    text += milliseconds(reason.to - reason.from) + ": " + (reason.actor.empty() ? "" : reason.actor + " ") +
+            reason.what + place(reason);
   }
   return text;
 }
@@ -211,8 +224,8 @@ std::string explanation(const Problem& problem, const Requirement& requirement, 
            milliseconds(witness.measured.value) + ". " + list(verdict.reasons);
   }
   const std::string condition = problem.conditions[static_cast<std::size_t>(requirement.condition)];
-  return statement_at(problem, witness.measured) + " was decided on a value of " + condition + " that is then " +
-         milliseconds(witness.measured.value) + " old. " + list(verdict.reasons);
+  return statement_at(problem, witness.measured) + " was decided on a value of " + condition +
+         " that is then " + milliseconds(witness.measured.value) + " old. " + list(verdict.reasons);
 }
 
 }  // namespace pal::analyzer

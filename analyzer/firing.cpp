@@ -17,7 +17,9 @@ void Firing::start_timer(int timer, Range range) {
   outcome_.changes.push_back({TimerChange::Kind::start, timer, range});
 }
 
-void Firing::stop_timer(int timer) { outcome_.changes.push_back({TimerChange::Kind::stop, timer, {}}); }
+void Firing::stop_timer(int timer) {
+  outcome_.changes.push_back({TimerChange::Kind::stop, timer, {}});
+}
 
 void Firing::emit(Kind kind, int thread, int subject, int value) {
   if (!record_) return;
@@ -140,7 +142,8 @@ void Firing::effect_wait(int thread) {
   take(channel, thread, -1);
   state.choice = ThreadState::no_choice;
   measure(thread);
-  // Who frees the slot and who goes on may come in either order; it matters only where going on starts others.
+  // Who frees the slot and who goes on may come in either order; it matters only where going on starts
+  // others.
   const Step::Kind after = problem_.steps[static_cast<std::size_t>(step.next[branch])].kind;
   const bool either = after == Step::Kind::fork || after == Step::Kind::end;
   if (either && !state.cancelled && choices_.pick(2) == 1) {
@@ -179,7 +182,8 @@ void Firing::sent(int thread, bool put_it) {
   const Step& step = step_of(thread);
   const std::uint8_t carries = watch_.kind == Watch::Kind::response ? state_of(thread).carries : tag::none;
   const Step::Kind after = problem_.steps[static_cast<std::size_t>(step.next.front())].kind;
-  const bool either = put_it && carries == tag::none && (after == Step::Kind::fork || after == Step::Kind::end);
+  const bool either =
+      put_it && carries == tag::none && (after == Step::Kind::fork || after == Step::Kind::end);
   if (either && !state_of(thread).cancelled && choices_.pick(2) == 1) {
     measure(thread);
     finish(thread, step.next.front());
@@ -214,7 +218,8 @@ bool Firing::read(int thread, int condition) {
 namespace {
 
 std::uint64_t mentioned(const pan::Guard& guard) {
-  if (guard.kind == pan::Guard::Kind::equals) return std::uint64_t{1} << static_cast<unsigned>(guard.condition.value);
+  if (guard.kind == pan::Guard::Kind::equals)
+    return std::uint64_t{1} << static_cast<unsigned>(guard.condition.value);
   std::uint64_t all = 0;
   for (const pan::Guard& term : guard.terms) all |= mentioned(term);
   return all;

@@ -79,7 +79,9 @@ class Firing {
     return problem_.steps[static_cast<std::size_t>(state_of(thread).step)];
   }
   SlotState& slot(int channel) { return state_.slots[static_cast<std::size_t>(channel)]; }
-  const Channel& channel_of(int channel) const { return problem_.channels[static_cast<std::size_t>(channel)]; }
+  const Channel& channel_of(int channel) const {
+    return problem_.channels[static_cast<std::size_t>(channel)];
+  }
   std::int8_t& running(int processor) { return state_.running[static_cast<std::size_t>(processor)]; }
 
   void start_timer(int timer, Range range);

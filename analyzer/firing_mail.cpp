@@ -107,12 +107,14 @@ void Firing::empty(int channel) {
   of.carries = tag::none;
   std::vector<int> senders;
   for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
-    if (state_.threads[t].status == Status::sending && step_of(static_cast<int>(t)).channels.front() == channel) {
+    if (state_.threads[t].status == Status::sending &&
+        step_of(static_cast<int>(t)).channels.front() == channel) {
       senders.push_back(static_cast<int>(t));
     }
   }
   if (senders.empty()) return;
-  const int sender = senders[static_cast<std::size_t>(senders.size() == 1 ? 0 : choices_.pick(static_cast<int>(senders.size())))];
+  const int sender = senders[static_cast<std::size_t>(
+      senders.size() == 1 ? 0 : choices_.pick(static_cast<int>(senders.size())))];
   state_of(sender).status = Status::ready;
   if (of.unwanted > 0) {
     --of.unwanted;
@@ -132,7 +134,8 @@ void Firing::drop(int channel) {
       if (thread.status != Status::ready && thread.status != Status::running) continue;
       const Step& step = step_of(static_cast<int>(t));
       if (step.kind != Step::Kind::wait || thread.choice < 0) continue;
-      if (step.channels[static_cast<std::size_t>(thread.choice)] == channel) thread.choice = ThreadState::withdrawn;
+      if (step.channels[static_cast<std::size_t>(thread.choice)] == channel)
+        thread.choice = ThreadState::withdrawn;
     }
   }
   if (record_) outcome_.events.push_back({0, Kind::drop, -1, -1, channel, 0});
@@ -175,7 +178,8 @@ void Firing::abandon(int thread) {
 
 void Firing::open_device(int device) {
   DeviceState& state = state_.devices[static_cast<std::size_t>(device)];
-  const auto* event = std::get_if<pan::EventDevice>(&problem_.devices[static_cast<std::size_t>(device)].behaviour);
+  const auto* event =
+      std::get_if<pan::EventDevice>(&problem_.devices[static_cast<std::size_t>(device)].behaviour);
   if (event == nullptr || state.open) return;
   state.open = true;
   Range first{0, event->sporadic ? Range::unbounded : event->period.count()};
@@ -192,7 +196,8 @@ void Firing::arrives_at_device(int channel) {
     return;
   }
   const bool idle = state_.devices[static_cast<std::size_t>(device)].serving == 0;
-  if (idle && std::holds_alternative<pan::RequestDevice>(problem_.devices[static_cast<std::size_t>(device)].behaviour)) {
+  if (idle && std::holds_alternative<pan::RequestDevice>(
+                  problem_.devices[static_cast<std::size_t>(device)].behaviour)) {
     take_pending(device);
   }
 }
@@ -217,7 +222,8 @@ void Firing::take_pending(int device) {
     take(of.requests[i], -1, device);
   }
   if (request != nullptr) {
-    start_timer(machine_.service_timer(device), {request->answer.best.count(), request->answer.worst.count()});
+    start_timer(machine_.service_timer(device),
+                {request->answer.best.count(), request->answer.worst.count()});
   } else {
     const Nanoseconds collecting = std::get<pan::FrameDevice>(of.behaviour).collecting.count();
     start_timer(machine_.service_timer(device), {collecting, collecting});

@@ -17,7 +17,8 @@ void Firing::start_tracking() {
   }
   // Until the first set, what a condition says dates from the start.
   const bool at_start = state_.threads.empty() || state_.threads.front().step < 0;
-  if (watch_.kind == Watch::Kind::age && at_start && old_observers_ == 0 && state_.condition_carries == tag::none) {
+  if (watch_.kind == Watch::Kind::age && at_start && old_observers_ == 0 &&
+      state_.condition_carries == tag::none) {
     state_.condition_carries = 0;
     old_observers_ = 0;
   }
@@ -88,8 +89,8 @@ void Firing::answered(std::uint8_t event) {
   }
 }
 
-/// Forgets what cannot count any more and numbers the rest in a fixed order, so that states that behave alike are
-/// alike.
+/// Forgets what cannot count any more and numbers the rest in a fixed order, so that states that behave alike
+/// are alike.
 void Firing::settle() {
   if (watch_.kind == Watch::Kind::age) settle_age();
   if (watch_.kind == Watch::Kind::response) settle_response();
@@ -120,7 +121,8 @@ void Firing::settle_age() {
   };
   number(state_.condition_carries);
   for (ThreadState& thread : state_.threads) number(thread.carries);
-  for (std::uint8_t before : order) outcome_.origin.push_back(before < old_observers_ ? before : Outcome::born_now);
+  for (std::uint8_t before : order)
+    outcome_.origin.push_back(before < old_observers_ ? before : Outcome::born_now);
   state_.observers = static_cast<std::uint8_t>(order.size());
 }
 

@@ -26,11 +26,14 @@ void Firing::begin() {
       const Thread& other = thread_of(modules[i]);
       const Step::Kind kind = problem_.steps[static_cast<std::size_t>(other.entry)].kind;
       const bool queues = kind != Step::Kind::wait || i == 0;
-      if (queues && other.processor == first.processor && other.priority == first.priority) rivals.push_back(i);
+      if (queues && other.processor == first.processor && other.priority == first.priority)
+        rivals.push_back(i);
     }
     const Step::Kind kind = problem_.steps[static_cast<std::size_t>(first.entry)].kind;
     const std::size_t chosen =
-        kind == Step::Kind::wait ? 0 : rivals[static_cast<std::size_t>(choices_.pick(static_cast<int>(rivals.size())))];
+        kind == Step::Kind::wait
+            ? 0
+            : rivals[static_cast<std::size_t>(choices_.pick(static_cast<int>(rivals.size())))];
     const int thread = modules[chosen];
     modules.erase(modules.begin() + static_cast<std::ptrdiff_t>(chosen));
     state_of(thread).status = Status::ready;
@@ -115,7 +118,9 @@ void Firing::leave_processor(int thread) {
   dequeue(thread);
 }
 
-void Firing::dequeue(int thread) { std::erase(state_.queue, static_cast<std::int8_t>(thread)); }
+void Firing::dequeue(int thread) {
+  std::erase(state_.queue, static_cast<std::int8_t>(thread));
+}
 
 void Firing::enqueue(int thread, bool front) {
   const Thread& of = thread_of(thread);

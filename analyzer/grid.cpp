@@ -11,7 +11,9 @@ Nanoseconds down(Nanoseconds value, Nanoseconds unit) {
   return value - rest;
 }
 
-Nanoseconds up(Nanoseconds value, Nanoseconds unit) { return -down(-value, unit); }
+Nanoseconds up(Nanoseconds value, Nanoseconds unit) {
+  return -down(-value, unit);
+}
 
 /// Greatest unit of which every time of the slice is a multiple.
 Nanoseconds unit_of(const Problem& problem, const Slice& slice) {
@@ -125,8 +127,8 @@ bool Grid::start(const ZoneGraph& graph, const Recurrence& recurrence, const Lim
 }
 
 /// All multiples of the unit in the zone, its bounds moved out to the next multiple.
-void Grid::points(int place, const Dbm& zone, const std::vector<std::size_t>& variables, std::vector<Nanoseconds>& left,
-                  int origin, std::size_t most) {
+void Grid::points(int place, const Dbm& zone, const std::vector<std::size_t>& variables,
+                  std::vector<Nanoseconds>& left, int origin, std::size_t most) {
   if (nodes_.size() > most) return;
   if (left.size() == variables.size()) {
     const int node = node_of(place, left);
@@ -166,7 +168,8 @@ const std::vector<Grid::Move>& Grid::moves(int place) {
       for (std::size_t f = 0; f < here.timers.size(); ++f) {
         if (!here.frozen[f]) continue;
         const auto thread = static_cast<std::size_t>(here.timers[f]);
-        if (sliced_.problem().threads[thread].processor == processor && cost.best != cost.worst) unfixed = true;
+        if (sliced_.problem().threads[thread].processor == processor && cost.best != cost.worst)
+          unfixed = true;
       }
     }
     AllChoices choices;
@@ -199,7 +202,8 @@ const std::vector<Grid::Move>& Grid::moves(int place) {
       }
       std::vector<std::size_t> order(timers.size());
       std::iota(order.begin(), order.end(), 0U);
-      std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return timers[a] < timers[b]; });
+      std::sort(order.begin(), order.end(),
+                [&](std::size_t a, std::size_t b) { return timers[a] < timers[b]; });
       std::vector<int> sorted;
       std::vector<bool> sorted_frozen;
       for (std::size_t o : order) {
@@ -232,7 +236,8 @@ void Grid::expand(int node) {
     if (!from.frozen[k]) least = std::min(least, here.left[k]);
   }
   for (const Move& move : next) {
-    const auto k = static_cast<std::size_t>(std::find(from.timers.begin(), from.timers.end(), move.timer) - from.timers.begin());
+    const auto k = static_cast<std::size_t>(std::find(from.timers.begin(), from.timers.end(), move.timer) -
+                                            from.timers.begin());
     if (here.left[k] != least) continue;
     relaxed_ = relaxed_ || move.pays_unfixed;
     const std::vector<int> timers = places_[static_cast<std::size_t>(move.place)].timers;
@@ -243,7 +248,8 @@ void Grid::expand(int node) {
         if (change.timer == timer && change.kind == TimerChange::Kind::start) range = change.range;
       }
       if (range.best < 0) {
-        const auto old = static_cast<std::size_t>(std::find(from.timers.begin(), from.timers.end(), timer) - from.timers.begin());
+        const auto old = static_cast<std::size_t>(std::find(from.timers.begin(), from.timers.end(), timer) -
+                                                  from.timers.begin());
         const Nanoseconds left = here.left[old] - (from.frozen[old] ? 0 : least);
         range = {left, left};
       }
@@ -254,8 +260,8 @@ void Grid::expand(int node) {
   }
 }
 
-void Grid::arrive(int from, const Move& move, Nanoseconds time, std::vector<Nanoseconds>& left, std::size_t next,
-                  const std::vector<Range>& ranges) {
+void Grid::arrive(int from, const Move& move, Nanoseconds time, std::vector<Nanoseconds>& left,
+                  std::size_t next, const std::vector<Range>& ranges) {
   if (next == ranges.size()) {
     const int to = node_of(move.place, left);
     edges_.push_back({from, to, time, move.timer});

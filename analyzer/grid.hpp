@@ -1,8 +1,9 @@
 // The machine with times that are whole multiples of a unit: enough where a greatest ratio is asked for.
 //
-// With closed bounds that are multiples of the unit, the greatest ratio of two sums over a run is attained, or
-// approached, on corner points, which are such multiples (P. Bouyer, E. Brinksma, K. G. Larsen, Optimal infinite
-// scheduling for multi-priced timed automata, 2008; digitization: T. A. Henzinger, Z. Manna, A. Pnueli, 1992).
+// With closed bounds that are multiples of the unit, the greatest ratio of two sums over a run is attained,
+// or approached, on corner points, which are such multiples (P. Bouyer, E. Brinksma, K. G. Larsen, Optimal
+// infinite scheduling for multi-priced timed automata, 2008; digitization: T. A. Henzinger, Z. Manna, A.
+// Pnueli, 1992).
 #pragma once
 
 #include <cstdint>
@@ -65,8 +66,8 @@ class Grid {
 
   int place_of(State state, std::vector<int> timers, std::vector<bool> frozen);
   int node_of(int place, std::vector<Nanoseconds> left);
-  void points(int place, const Dbm& zone, const std::vector<std::size_t>& variables, std::vector<Nanoseconds>& left,
-              int origin, std::size_t most);
+  void points(int place, const Dbm& zone, const std::vector<std::size_t>& variables,
+              std::vector<Nanoseconds>& left, int origin, std::size_t most);
   const std::vector<Move>& moves(int place);
   void expand(int node);
   void arrive(int from, const Move& move, Nanoseconds time, std::vector<Nanoseconds>& left, std::size_t next,

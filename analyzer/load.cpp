@@ -96,8 +96,8 @@ Nanoseconds per_second(const Fraction& fraction) {
   return static_cast<Nanoseconds>((scaled + fraction.time - 1) / fraction.time);
 }
 
-std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph, const std::vector<int>& processors,
-                                   const Limits& limits) {
+std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph,
+                                   const std::vector<int>& processors, const Limits& limits) {
   Loads loads(machine, graph, limits);
   std::vector<LoadBound> bounds;
   for (int processor : processors) bounds.push_back(loads.of(processor));

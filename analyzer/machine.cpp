@@ -31,7 +31,9 @@ int ScriptedChoices::pick(int n) {
   return choice < n ? choice : 0;
 }
 
-int Machine::timer_count() const { return next_timer(static_cast<int>(problem_.devices.size())); }
+int Machine::timer_count() const {
+  return next_timer(static_cast<int>(problem_.devices.size()));
+}
 
 int Machine::processor_of(const State& state, int timer) const {
   if (timer >= static_cast<int>(problem_.threads.size())) return -1;
@@ -48,7 +50,8 @@ Range Machine::cost(const State& state, int timer) const {
 
 std::string Machine::timer_name(int timer) const {
   if (timer < flight_timer(0)) return problem_.threads[static_cast<std::size_t>(timer)].name;
-  if (timer < next_timer(0)) return problem_.channels[static_cast<std::size_t>((timer - flight_timer(0)) / 2)].message;
+  if (timer < next_timer(0))
+    return problem_.channels[static_cast<std::size_t>((timer - flight_timer(0)) / 2)].message;
   return problem_.devices[static_cast<std::size_t>((timer - next_timer(0)) / 2)].name;
 }
 
@@ -68,7 +71,8 @@ bool Machine::fire(const State& state, int timer, Choices& choices, bool record,
     const int device = (timer - next_timer(0)) / 2;
     const DeviceState& of = state.devices[static_cast<std::size_t>(device)];
     if (timer == next_timer(device) && of.serving != 0 &&
-        std::holds_alternative<pan::FrameDevice>(problem_.devices[static_cast<std::size_t>(device)].behaviour)) {
+        std::holds_alternative<pan::FrameDevice>(
+            problem_.devices[static_cast<std::size_t>(device)].behaviour)) {
       return false;
     }
   }

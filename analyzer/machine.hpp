@@ -1,7 +1,8 @@
-// What a skill does, once and for all analyses: an untimed machine with timers. docs/execution-model.md in code.
+// What a skill does, once and for all analyses: an untimed machine with timers. docs/execution-model.md in
+// code.
 //
-// The machine says which timers start, stop, freeze and resume when one of them fires; when they may fire is for the
-// time domains to say: zones (zone_graph), single runs (run), grids of instants (load).
+// The machine says which timers start, stop, freeze and resume when one of them fires; when they may fire is
+// for the time domains to say: zones (zone_graph), single runs (run), grids of instants (load).
 #pragma once
 
 #include <cstdint>
@@ -60,12 +61,12 @@ struct Outcome {
   static constexpr int born_now = -1;
   static constexpr int older_than_cap = -2;
   State state;
-  std::vector<TimerChange> changes;   // in order; the fired timer is gone already
-  std::vector<int> origin;            // of each observer of `state`: its number before, or born_now
-  std::vector<int> measured;          // at this instant: number before, born_now or older_than_cap
-  std::vector<int> measured_steps;    // the steps at which
-  std::vector<trace::Event> events;   // without times and serial numbers; only if recorded
-  bool too_many = false;              // a count outgrew the machine: nothing may be concluded
+  std::vector<TimerChange> changes;  // in order; the fired timer is gone already
+  std::vector<int> origin;           // of each observer of `state`: its number before, or born_now
+  std::vector<int> measured;         // at this instant: number before, born_now or older_than_cap
+  std::vector<int> measured_steps;   // the steps at which
+  std::vector<trace::Event> events;  // without times and serial numbers; only if recorded
+  bool too_many = false;             // a count outgrew the machine: nothing may be concluded
 };
 
 class Machine {
@@ -76,12 +77,15 @@ class Machine {
   const Problem& problem() const { return problem_; }
   const Watch& watch() const { return watch_; }
 
-  /// Timers: one a thread (its action, or the limit of its wait), two a channel (message on its way to threads on the
-  /// sender's processor; to others), two a device (its next event or frame; its service, or lateness).
+  /// Timers: one a thread (its action, or the limit of its wait), two a channel (message on its way to
+  /// threads on the sender's processor; to others), two a device (its next event or frame; its service, or
+  /// lateness).
   int timer_count() const;
   int thread_timer(int thread) const { return thread; }
   int flight_timer(int channel) const { return static_cast<int>(problem_.threads.size()) + 2 * channel; }
-  int next_timer(int device) const { return flight_timer(static_cast<int>(problem_.channels.size())) + 2 * device; }
+  int next_timer(int device) const {
+    return flight_timer(static_cast<int>(problem_.channels.size())) + 2 * device;
+  }
   int service_timer(int device) const { return next_timer(device) + 1; }
   /// Processor whose work the timer measures in `state`; -1: none.
   int processor_of(const State& state, int timer) const;
@@ -92,8 +96,8 @@ class Machine {
 
   Outcome initial(Choices& choices, bool record) const;
 
-  /// What happens when `timer`, active in `state`, fires. False: it cannot be the first at this instant (a frame does
-  /// not start before the last one has ended).
+  /// What happens when `timer`, active in `state`, fires. False: it cannot be the first at this instant (a
+  /// frame does not start before the last one has ended).
   bool fire(const State& state, int timer, Choices& choices, bool record, Outcome& outcome) const;
 
   /// Conditions whose reads give any value: used where their writer is left out of an analysis.
@@ -104,7 +108,8 @@ class Machine {
   const Watch& watch_;
 };
 
-/// The value of observer `number` no longer matters beyond being greater than the cap; those after it move up.
+/// The value of observer `number` no longer matters beyond being greater than the cap; those after it move
+/// up.
 void pass_cap(State& state, const Watch& watch, int number);
 
 }  // namespace pal::analyzer

@@ -11,7 +11,8 @@ namespace {
 
 using namespace pan;
 
-/// Longer than any cell's figure (eleven days), and short enough that sums along a run stay far from overflow.
+/// Longer than any cell's figure (eleven days), and short enough that sums along a run stay far from
+/// overflow.
 constexpr Nanoseconds longest_time = 1'000'000'000'000'000;
 
 constexpr int most_threads = 100;
@@ -59,7 +60,8 @@ class Builder final : public TimesAndPlaces {
     if (untimed_.insert(activity.name + " OF " + module).second) {
       diagnostics_
           .report(Code::PAL0725, environment_.where,
-                  "environment " + environment_.name + " gives activity " + activity.name + " of " + module + " no time",
+                  "environment " + environment_.name + " gives activity " + activity.name + " of " + module +
+                      " no time",
                   "add TIME " + activity.name + " OF " + module + " : … to the environment")
           .notes.push_back({activity.where, "the activity"});
     }
@@ -100,9 +102,11 @@ class Builder final : public TimesAndPlaces {
 
   void processors() {
     for (const Processor& processor : environment_.processors) {
-      const bool added = processor_.emplace(processor.name, static_cast<int>(problem_.processors.size())).second;
+      const bool added =
+          processor_.emplace(processor.name, static_cast<int>(problem_.processors.size())).second;
       if (!added) {
-        diagnostics_.report(Code::PAL0728, processor.where, "processor " + processor.name + " is declared twice");
+        diagnostics_.report(Code::PAL0728, processor.where,
+                            "processor " + processor.name + " is declared twice");
         continue;
       }
       problem_.processors.push_back(processor);
@@ -113,8 +117,8 @@ class Builder final : public TimesAndPlaces {
     }
   }
 
-  /// An environment serves several skills, so it may name modules, devices and activities that this one lacks; what
-  /// this one needs and misses is found where it is needed. Nothing may be said twice.
+  /// An environment serves several skills, so it may name modules, devices and activities that this one
+  /// lacks; what this one needs and misses is found where it is needed. Nothing may be said twice.
   void known_names() {
     std::set<std::string> threads;
     std::set<std::string> modules;
@@ -133,9 +137,10 @@ class Builder final : public TimesAndPlaces {
         diagnostics_.report(Code::PAL0728, placement.where, placement.thread + " is placed twice");
       }
       if (executed_.contains(placement.thread)) {
-        diagnostics_.report(Code::PAL0723, placement.where,
-                            placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
-                            "leave the placement out");
+        diagnostics_.report(
+            Code::PAL0723, placement.where,
+            placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
+            "leave the placement out");
       } else if (modules.contains(placement.thread.substr(0, placement.thread.find('.'))) &&
                  !threads.contains(placement.thread)) {
         diagnostics_.report(Code::PAL0723, placement.where,
@@ -145,7 +150,8 @@ class Builder final : public TimesAndPlaces {
     std::set<std::pair<std::string, std::string>> timed;
     for (const ActivityTime& time : environment_.activities) {
       if (!timed.insert({time.activity, time.module}).second) {
-        diagnostics_.report(Code::PAL0728, time.where, "activity " + time.activity + " is given a time twice");
+        diagnostics_.report(Code::PAL0728, time.where,
+                            "activity " + time.activity + " is given a time twice");
       }
       interval(time.time, time.where, "activity " + time.activity);
     }
@@ -155,7 +161,8 @@ class Builder final : public TimesAndPlaces {
     if (value.count() < 0) {
       diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is negative");
     } else if (positive && value.count() == 0) {
-      diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is zero", "give it a time above zero");
+      diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is zero",
+                          "give it a time above zero");
     } else if (value.count() > longest_time) {
       diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is too long to reckon with",
                           "the longest time is 1000000 s");
@@ -193,7 +200,8 @@ class Builder final : public TimesAndPlaces {
       Channel made;
       made.sender_device = device_of(network_, channel.sender);
       made.receiver_device = device_of(network_, channel.receiver);
-      if (made.sender_device < 0) made.sender_module = static_cast<int>(std::get<ModuleId>(channel.sender).index());
+      if (made.sender_device < 0)
+        made.sender_module = static_cast<int>(std::get<ModuleId>(channel.sender).index());
       if (made.receiver_device < 0) {
         made.receiver_module = static_cast<int>(std::get<ModuleId>(channel.receiver).index());
       }
@@ -243,7 +251,8 @@ class Builder final : public TimesAndPlaces {
       if (!sent.empty()) {
         const std::string what = thing.module ? "module " + thing.name + " has no body, and environment "
                                               : "device " + thing.name + " sends messages, and environment ";
-        diagnostics_.report(Code::PAL0724, thing.where, what + environment_.name + " does not say how it behaves",
+        diagnostics_.report(Code::PAL0724, thing.where,
+                            what + environment_.name + " does not say how it behaves",
                             "add DEVICE " + thing.name + " … to the environment" +
                                 (thing.module ? ", or give the module a body" : ""));
       }
@@ -257,7 +266,8 @@ class Builder final : public TimesAndPlaces {
     }
     for (int c : sent) {
       diagnostics_.report(Code::PAL0727, timing->where,
-                          thing.name + " never sends " + problem_.channels[static_cast<std::size_t>(c)].message +
+                          thing.name + " never sends " +
+                              problem_.channels[static_cast<std::size_t>(c)].message +
                               ", which the skill waits for");
     }
     problem_.devices.push_back(std::move(made));
@@ -269,12 +279,14 @@ class Builder final : public TimesAndPlaces {
     time(event.period, timing.where, "the period of " + made.name, true);
     time(event.jitter, timing.where, "the jitter of " + made.name);
     if (event.jitter >= event.period && event.period.count() > 0) {
-      diagnostics_.report(Code::PAL0726, timing.where, "the jitter of " + made.name + " is not shorter than its period");
+      diagnostics_.report(Code::PAL0726, timing.where,
+                          "the jitter of " + made.name + " is not shorter than its period");
     }
     if (event.phase) {
       time(*event.phase, timing.where, "the phase of " + made.name);
       if (*event.phase > event.period) {
-        diagnostics_.report(Code::PAL0726, timing.where, "the phase of " + made.name + " is longer than its period");
+        diagnostics_.report(Code::PAL0726, timing.where,
+                            "the phase of " + made.name + " is longer than its period");
       }
     }
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
@@ -285,8 +297,9 @@ class Builder final : public TimesAndPlaces {
       }
     }
     if (made.event < 0) {
-      diagnostics_.report(Code::PAL0727, timing.where,
-                          "nothing in skill " + network_.skill.name + " waits for " + event.message + " from " + made.name);
+      diagnostics_.report(
+          Code::PAL0727, timing.where,
+          "nothing in skill " + network_.skill.name + " waits for " + event.message + " from " + made.name);
     }
   }
 
@@ -300,12 +313,14 @@ class Builder final : public TimesAndPlaces {
       time(frames.period, timing.where, "the period of " + made.name, true);
       time(frames.collecting, timing.where, "collecting a frame of " + made.name);
       if (frames.collecting > frames.period) {
-        diagnostics_.report(Code::PAL0726, timing.where, made.name + " collects a frame for longer than its period");
+        diagnostics_.report(Code::PAL0726, timing.where,
+                            made.name + " collects a frame for longer than its period");
       }
       if (frames.phase) {
         time(*frames.phase, timing.where, "the phase of " + made.name);
         if (*frames.phase > frames.period) {
-          diagnostics_.report(Code::PAL0726, timing.where, "the phase of " + made.name + " is longer than its period");
+          diagnostics_.report(Code::PAL0726, timing.where,
+                              "the phase of " + made.name + " is longer than its period");
         }
       }
     }
@@ -367,12 +382,14 @@ class Builder final : public TimesAndPlaces {
         const int statement = problem_.steps[s].statement;
         if (statement < 0) continue;
         const Statement& known = problem_.statements[static_cast<std::size_t>(statement)];
-        if (known.source_module == ref.module.value && known.source_node == ref.node.value) steps[s] = any = true;
+        if (known.source_module == ref.module.value && known.source_node == ref.node.value)
+          steps[s] = any = true;
       }
     }
     if (!any) {
-      diagnostics_.report(Code::PAL0811, requirement.where,
-                          "requirement " + requirement.name + " is about a statement that no thread ever reaches");
+      diagnostics_.report(
+          Code::PAL0811, requirement.where,
+          "requirement " + requirement.name + " is about a statement that no thread ever reaches");
     }
     return steps;
   }
@@ -384,7 +401,8 @@ class Builder final : public TimesAndPlaces {
       made.limit = requirement.limit.count();
       made.where = requirement.where;
       if (made.limit < 0 || made.limit > longest_time) {
-        diagnostics_.report(Code::PAL0814, requirement.where, "the limit of " + requirement.name + " is impossible");
+        diagnostics_.report(Code::PAL0814, requirement.where,
+                            "the limit of " + requirement.name + " is impossible");
       }
       if (const auto* age = std::get_if<Age>(&requirement.measure)) {
         made.measure = Requirement::Measure::age;
@@ -395,11 +413,12 @@ class Builder final : public TimesAndPlaces {
         made.event = static_cast<int>(response->event.index());
         made.at = steps_at(response->at, requirement);
         made.device = problem_.channels[response->event.index()].sender_device;
-        const bool event = made.device >= 0 && problem_.devices[static_cast<std::size_t>(made.device)].event == made.event;
+        const bool event =
+            made.device >= 0 && problem_.devices[static_cast<std::size_t>(made.device)].event == made.event;
         if (!event) {
           diagnostics_.report(Code::PAL0812, requirement.where,
-                              problem_.channels[response->event.index()].message + " is no event of a device in environment " +
-                                  environment_.name,
+                              problem_.channels[response->event.index()].message +
+                                  " is no event of a device in environment " + environment_.name,
                               "describe its sender as DEVICE … EVENT in the environment");
         }
       } else {
@@ -447,8 +466,9 @@ class Builder final : public TimesAndPlaces {
       if (channel.receiver_device == d && channel.message == event->answer) made.at[s] = any = true;
     }
     if (!any) {
-      diagnostics_.report(Code::PAL0727, where,
-                          "nothing in skill " + network_.skill.name + " sends " + event->answer + " to " + device.name);
+      diagnostics_.report(
+          Code::PAL0727, where,
+          "nothing in skill " + network_.skill.name + " sends " + event->answer + " to " + device.name);
       return;
     }
     if (!event->answer_within) return;
@@ -463,7 +483,8 @@ class Builder final : public TimesAndPlaces {
                       static_cast<int>(problem_.channels.size()) <= most_channels &&
                       problem_.steps.size() < 30000;
     if (!fits) {
-      diagnostics_.report(Code::PAL0730, network_.skill.where, "skill " + network_.skill.name + " is too large to analyse",
+      diagnostics_.report(Code::PAL0730, network_.skill.where,
+                          "skill " + network_.skill.name + " is too large to analyse",
                           "it may have 100 threads, 120 channels, 64 conditions and 30000 statements");
     }
   }
@@ -480,8 +501,8 @@ class Builder final : public TimesAndPlaces {
 
 }  // namespace
 
-std::optional<Problem> make_problem(const Network& network, const Environment& environment, Diagnostics& diagnostics,
-                                    const SourceManager* sources) {
+std::optional<Problem> make_problem(const Network& network, const Environment& environment,
+                                    Diagnostics& diagnostics, const SourceManager* sources) {
   return Builder(network, environment, diagnostics, sources).build();
 }
 

@@ -1,4 +1,5 @@
-// A skill in its environment as one flat, validated model: what every analysis starts from (docs/execution-model.md).
+// A skill in its environment as one flat, validated model: what every analysis starts from
+// (docs/execution-model.md).
 #pragma once
 
 #include <cstdint>
@@ -27,8 +28,8 @@ struct Range {
   friend bool operator==(const Range&, const Range&) = default;
 };
 
-/// One statement of a thread, or a place where the flow of threads splits or ends. REPEAT, END CASE and what else takes
-/// no time is gone: `next` leads past it. The body of an Execute stands in its place.
+/// One statement of a thread, or a place where the flow of threads splits or ends. REPEAT, END CASE and what
+/// else takes no time is gone: `next` leads past it. The body of an Execute stands in its place.
 struct Step {
   enum class Kind { wait, send, set, read, test, activity, complete, fork, end };
   Kind kind = Kind::end;
@@ -41,10 +42,10 @@ struct Step {
   int condition = -1;                 // set, read
   std::optional<bool> value;          // set
   int code = 0;                       // complete
-  std::vector<pan::Guard> guards;     // test: without a guard that holds, next[guards.size()], if there is one
-  std::vector<int> threads;           // fork: the blocks
-  /// Steps that follow. wait: one a channel, then ELSE. test: one a guard, then where none holds (absent: the skill
-  /// ends with its error completion). fork: after END CONCURRENT. complete, end: none.
+  std::vector<pan::Guard> guards;  // test: without a guard that holds, next[guards.size()], if there is one
+  std::vector<int> threads;        // fork: the blocks
+  /// Steps that follow. wait: one a channel, then ELSE. test: one a guard, then where none holds (absent: the
+  /// skill ends with its error completion). fork: after END CONCURRENT. complete, end: none.
   std::vector<int> next;
 };
 
@@ -63,9 +64,9 @@ struct Channel {
   int receiver_device = -1;  // -1: a module receives
   int sender_module = -1;
   int receiver_module = -1;
-  int answer = -1;      // of a request: channel of its answer
-  int answers = -1;     // of an answer: channel of the request
-  bool served = false;  // a request that its device answers
+  int answer = -1;                       // of a request: channel of its answer
+  int answers = -1;                      // of an answer: channel of the request
+  bool served = false;                   // a request that its device answers
   std::vector<int> receiver_processors;  // of the threads that wait for it
   std::string message;
 };
@@ -73,8 +74,8 @@ struct Channel {
 struct Device {
   std::string name;
   std::variant<std::monostate, pan::EventDevice, pan::RequestDevice, pan::FrameDevice> behaviour;
-  int event = -1;                 // event device: the channel of its event; -1: nobody waits for it
-  std::vector<int> requests;      // on request, frames: channels of what it serves
+  int event = -1;             // event device: the channel of its event; -1: nobody waits for it
+  std::vector<int> requests;  // on request, frames: channels of what it serves
 };
 
 struct Statement {
@@ -92,11 +93,11 @@ struct Requirement {
   enum class Measure { age, response, load };
   std::string name;
   Measure measure = Measure::age;
-  int condition = -1;             // age
-  int event = -1;                 // response: channel
-  int device = -1;                // response: device that sends the event
-  std::vector<bool> at;           // age, response: by step
-  std::vector<int> processors;    // load
+  int condition = -1;           // age
+  int event = -1;               // response: channel
+  int device = -1;              // response: device that sends the event
+  std::vector<bool> at;         // age, response: by step
+  std::vector<int> processors;  // load
   Nanoseconds limit = 0;
   SourceSpan where;
 };
@@ -112,15 +113,15 @@ struct Problem {
   std::vector<std::string> conditions;
   std::vector<Statement> statements;
   std::vector<Requirement> requirements;
-  Range within_processor;      // latency of a message to a thread on the sender's processor
-  Range between_processors;    // and to one on another
+  Range within_processor;    // latency of a message to a thread on the sender's processor
+  Range between_processors;  // and to one on another
   std::vector<std::string> module_names;
   int error_code = 2;  // of the error completion
 };
 
-/// Builds the model of `network` in `environment`. Reports everything in the environment that is missing, unknown or
-/// impossible (PAL072x) and requirements that cannot be meant (PAL081x); no model if there was such an error.
-/// `sources` gives statements their file and line; without it they have none.
+/// Builds the model of `network` in `environment`. Reports everything in the environment that is missing,
+/// unknown or impossible (PAL072x) and requirements that cannot be meant (PAL081x); no model if there was
+/// such an error. `sources` gives statements their file and line; without it they have none.
 std::optional<Problem> make_problem(const pan::Network& network, const pan::Environment& environment,
                                     Diagnostics& diagnostics, const SourceManager* sources = nullptr);
 

@@ -10,7 +10,8 @@ namespace {
 /// Strongly connected components (R. E. Tarjan, 1972), without recursion.
 class Components {
  public:
-  Components(std::size_t nodes, const std::vector<Edge>& edges) : next_(nodes), of_(nodes, -1), low_(nodes), number_(nodes, -1) {
+  Components(std::size_t nodes, const std::vector<Edge>& edges)
+      : next_(nodes), of_(nodes, -1), low_(nodes), number_(nodes, -1) {
     for (const Edge& edge : edges) next_[static_cast<std::size_t>(edge.from)].push_back(edge.to);
     for (std::size_t n = 0; n < nodes; ++n) {
       if (number_[n] < 0) visit(static_cast<int>(n));
@@ -209,7 +210,8 @@ Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence&
     if (!slice.left_out[t]) continue;
     for (int step : steps[t]) {
       const Step& of = problem.steps[static_cast<std::size_t>(step)];
-      if (of.kind == Step::Kind::set) slice.free_conditions |= std::uint64_t{1} << static_cast<unsigned>(of.condition);
+      if (of.kind == Step::Kind::set)
+        slice.free_conditions |= std::uint64_t{1} << static_cast<unsigned>(of.condition);
     }
   }
   for (std::size_t c = 0; c < channels; ++c) {
@@ -222,7 +224,8 @@ Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence&
     slice.timers[static_cast<std::size_t>(machine.next_timer(static_cast<int>(d)))] = slice.devices[d];
     slice.timers[static_cast<std::size_t>(machine.service_timer(static_cast<int>(d)))] = slice.devices[d];
   }
-  for (int p : places) slice.positions.insert(position(slice, graph.places()[static_cast<std::size_t>(p)].state));
+  for (int p : places)
+    slice.positions.insert(position(slice, graph.places()[static_cast<std::size_t>(p)].state));
   return slice;
 }
 

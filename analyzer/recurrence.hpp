@@ -17,8 +17,8 @@ struct Recurrence {
 
 std::vector<Recurrence> recurrences(const ZoneGraph& graph);
 
-/// Threads, channels and devices that influence one another while a skill stays in a recurrence, apart from the values
-/// of conditions.
+/// Threads, channels and devices that influence one another while a skill stays in a recurrence, apart from
+/// the values of conditions.
 struct Slice {
   std::vector<bool> threads;
   std::vector<bool> channels;

@@ -28,7 +28,8 @@ Nanoseconds duration(const Range& range, SimulationOptions::Times times, Dice& d
     case SimulationOptions::Times::extremes:
       return dice.pick(2) == 0 ? range.best : worst;
     case SimulationOptions::Times::random:
-      return range.best + static_cast<Nanoseconds>(dice.below(static_cast<std::uint64_t>(worst - range.best) + 1));
+      return range.best +
+             static_cast<Nanoseconds>(dice.below(static_cast<std::uint64_t>(worst - range.best) + 1));
   }
   return range.best;
 }

@@ -10,8 +10,8 @@
 namespace pal::analyzer {
 
 struct SimulationOptions {
-  /// extremes: each time is its best or its worst, by chance. What the skill leaves open (outcomes of conditions,
-  /// orders at one instant) is drawn by seed in any case.
+  /// extremes: each time is its best or its worst, by chance. What the skill leaves open (outcomes of
+  /// conditions, orders at one instant) is drawn by seed in any case.
   enum class Times { worst, best, random, extremes };
   Times times = Times::worst;
   std::uint64_t seed = 1;

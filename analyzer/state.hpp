@@ -8,8 +8,8 @@
 
 namespace pal::analyzer {
 
-/// What a thread, message or condition carries of the thing that is being measured: the number of an observer (age) or
-/// of an event (response), or one of these.
+/// What a thread, message or condition carries of the thing that is being measured: the number of an observer
+/// (age) or of an event (response), or one of these.
 namespace tag {
 constexpr std::uint8_t none = 255;
 constexpr std::uint8_t over = 254;  // age: older than the cap
@@ -39,13 +39,13 @@ struct SlotState {
   enum class Fill : std::uint8_t { empty, full, claimed };
   enum class Way : std::uint8_t { none, flying, there };
   Fill fill = Fill::empty;
-  Way near = Way::none;       // to threads on the sender's processor
-  Way far = Way::none;        // to those on others
-  std::int8_t from = -1;      // the sender's processor; -1: a device, or nobody
+  Way near = Way::none;   // to threads on the sender's processor
+  Way far = Way::none;    // to those on others
+  std::int8_t from = -1;  // the sender's processor; -1: a device, or nobody
   std::uint8_t carries = tag::none;
-  std::uint8_t open = 0;      // requests: sent and not answered, the answer taken
-  std::uint8_t unwanted = 0;  // answers: how many to discard instead of putting them
-  std::int8_t owner = -1;     // requests: thread that sent the last
+  std::uint8_t open = 0;                     // requests: sent and not answered, the answer taken
+  std::uint8_t unwanted = 0;                 // answers: how many to discard instead of putting them
+  std::int8_t owner = -1;                    // requests: thread that sent the last
   std::uint8_t serving_carries = tag::none;  // requests to a device: of the one that it is serving
 
   friend bool operator==(const SlotState&, const SlotState&) = default;
@@ -53,8 +53,8 @@ struct SlotState {
 
 struct DeviceState {
   bool open = false;
-  bool late = false;           // event: due, but not there yet
-  std::uint32_t serving = 0;   // by index into Device::requests
+  bool late = false;          // event: due, but not there yet
+  std::uint32_t serving = 0;  // by index into Device::requests
 
   friend bool operator==(const DeviceState&, const DeviceState&) = default;
 };
@@ -95,17 +95,19 @@ struct StateHash {
     for (std::int8_t q : state.queue) mix(static_cast<std::uint64_t>(q + 1000));
     for (const SlotState& s : state.slots) {
       mix(static_cast<std::uint64_t>(s.fill) << 56U | static_cast<std::uint64_t>(s.near) << 54U |
-          static_cast<std::uint64_t>(s.far) << 52U | static_cast<std::uint64_t>(s.from + 1) << 40U | static_cast<std::uint64_t>(s.carries) << 32U |
-          static_cast<std::uint64_t>(s.open) << 24U | static_cast<std::uint64_t>(s.unwanted) << 16U |
-          static_cast<std::uint64_t>(s.owner + 1) << 8U | s.serving_carries);
+          static_cast<std::uint64_t>(s.far) << 52U | static_cast<std::uint64_t>(s.from + 1) << 40U |
+          static_cast<std::uint64_t>(s.carries) << 32U | static_cast<std::uint64_t>(s.open) << 24U |
+          static_cast<std::uint64_t>(s.unwanted) << 16U | static_cast<std::uint64_t>(s.owner + 1) << 8U |
+          s.serving_carries);
     }
     for (const DeviceState& d : state.devices) {
       mix(static_cast<std::uint64_t>(d.serving) << 2U | static_cast<std::uint64_t>(d.open ? 2 : 0) |
           static_cast<std::uint64_t>(d.late ? 1 : 0));
     }
     mix(state.conditions);
-    mix(static_cast<std::uint64_t>(state.condition_carries) << 16U | static_cast<std::uint64_t>(state.observers) << 8U |
-        static_cast<std::uint64_t>(state.ended ? 2 : 0) | static_cast<std::uint64_t>(state.failed ? 1 : 0));
+    mix(static_cast<std::uint64_t>(state.condition_carries) << 16U |
+        static_cast<std::uint64_t>(state.observers) << 8U | static_cast<std::uint64_t>(state.ended ? 2 : 0) |
+        static_cast<std::uint64_t>(state.failed ? 1 : 0));
     for (Pending p : state.pending) mix(static_cast<std::uint64_t>(p) + 77);
     return static_cast<std::size_t>(hash);
   }

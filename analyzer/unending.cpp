@@ -69,7 +69,8 @@ class Follower {
     }
     for (std::size_t t = 0; t < clockwork_.timers().size(); ++t) {
       Clockwork::Timer& timer = clockwork_.timers()[t];
-      if (timer.active && !slice_.timers[t]) last(timer, clockwork_.worked(static_cast<int>(t), clockwork_.now()));
+      if (timer.active && !slice_.timers[t])
+        last(timer, clockwork_.worked(static_cast<int>(t), clockwork_.now()));
     }
     return agree(start);
   }
@@ -104,7 +105,8 @@ class Follower {
     std::vector<Nanoseconds> left;
     for (std::size_t t = 0; t < clockwork_.timers().size(); ++t) {
       const Clockwork::Timer& timer = clockwork_.timers()[t];
-      left.push_back(timer.active ? timer.duration - clockwork_.worked(static_cast<int>(t), clockwork_.now()) : -1);
+      left.push_back(timer.active ? timer.duration - clockwork_.worked(static_cast<int>(t), clockwork_.now())
+                                  : -1);
     }
     return {clockwork_.state(), std::move(left)};
   }
@@ -113,7 +115,8 @@ class Follower {
 
  private:
   void last(Clockwork::Timer& timer, Nanoseconds worked) const {
-    timer.duration = worst_ && timer.range.worst < Range::unbounded ? timer.range.worst : std::max(timer.range.best, worked);
+    timer.duration = worst_ && timer.range.worst < Range::unbounded ? timer.range.worst
+                                                                    : std::max(timer.range.best, worked);
   }
 
   /// Fires with choices that keep the run inside, and, if it is the slice's turn, take it to `target`.
@@ -132,7 +135,8 @@ class Follower {
       clockwork_.fire(timer, at, script);
       script_.push_back({timer, taken, at});
       for (int started : clockwork_.started()) {
-        if (!slice_.timers[static_cast<std::size_t>(started)]) last(clockwork_.timers()[static_cast<std::size_t>(started)], 0);
+        if (!slice_.timers[static_cast<std::size_t>(started)])
+          last(clockwork_.timers()[static_cast<std::size_t>(started)], 0);
       }
       return true;
     } while (choices.next());
@@ -163,8 +167,9 @@ class Follower {
 
 }  // namespace
 
-std::optional<Witness> unending_run(const Machine& machine, const ZoneGraph& graph, const Recurrence& recurrence,
-                                    const Slice& slice, const Grid& grid, const std::vector<int>& cycle) {
+std::optional<Witness> unending_run(const Machine& machine, const ZoneGraph& graph,
+                                    const Recurrence& recurrence, const Slice& slice, const Grid& grid,
+                                    const std::vector<int>& cycle) {
   const auto edge = [&grid](int e) -> const GridEdge& { return grid.edges()[static_cast<std::size_t>(e)]; };
   const std::vector<int> way = way_to(grid, edge(cycle.front()).from);
   const int start = way.empty() ? edge(cycle.front()).from : edge(way.front()).from;

@@ -21,7 +21,7 @@ struct Reason {
   std::string actor;  // thread or device
   std::string what;   // "waits at WTM( motion request from MC1 )"
   std::string file;
-  int line = 0;       // 0: no place in a text
+  int line = 0;  // 0: no place in a text
 };
 
 struct Verdict {
@@ -30,8 +30,8 @@ struct Verdict {
   Requirement::Measure measure = Requirement::Measure::age;
   State state = State::undecided;
   Duration limit{};
-  /// Least value that no run exceeds, as far as is known; load: nanoseconds of work in a second, rounded up. Nothing:
-  /// unbounded, or not known to be bounded.
+  /// Least value that no run exceeds, as far as is known; load: nanoseconds of work in a second, rounded up.
+  /// Nothing: unbounded, or not known to be bounded.
   std::optional<Duration> bound;
   /// A run that was replayed attains the bound (load: comes as near to it as one likes).
   bool exact = false;

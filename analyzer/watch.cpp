@@ -11,7 +11,8 @@ bool mentions(const pan::Guard& guard, int condition) {
   return false;
 }
 
-/// Whether `known` holds of any step that may come after `step`, in its thread or in the blocks that it starts.
+/// Whether `known` holds of any step that may come after `step`, in its thread or in the blocks that it
+/// starts.
 bool any_after(const Problem& problem, const Step& step, const std::vector<bool>& known) {
   for (int next : step.next) {
     if (known[static_cast<std::size_t>(next)]) return true;

@@ -15,8 +15,8 @@ struct Watch {
   int event = -1;      // response: channel
   std::vector<bool> at;
 
-  // Age, by step: where what a thread has read can still count, and where a read that can count lies ahead. What
-  // does not count any more is forgotten, which keeps the exploration small.
+  // Age, by step: where what a thread has read can still count, and where a read that can count lies ahead.
+  // What does not count any more is forgotten, which keeps the exploration small.
   std::vector<bool> counts;
   std::vector<bool> read_ahead;
 };

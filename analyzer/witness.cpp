@@ -15,8 +15,8 @@ struct Constraint {
 constexpr Nanoseconds none = Range::unbounded;
 
 /// Shortest distances from `source`; nothing if the constraints contradict one another.
-std::optional<std::vector<Nanoseconds>> distances(const std::vector<Constraint>& constraints, std::size_t count,
-                                                  std::size_t source) {
+std::optional<std::vector<Nanoseconds>> distances(const std::vector<Constraint>& constraints,
+                                                  std::size_t count, std::size_t source) {
   std::vector<Nanoseconds> distance(count, none);
   distance[source] = 0;
   for (std::size_t round = 0; round <= count; ++round) {
@@ -40,13 +40,17 @@ class Schedule {
   enum class Pin { worst, best };
 
   Schedule(const Machine& machine, const std::vector<ScriptedFiring>& path, Pin pin)
-      : machine_(machine), clockwork_(machine, false), lives_(static_cast<std::size_t>(machine.timer_count())), pin_(pin) {
+      : machine_(machine),
+        clockwork_(machine, false),
+        lives_(static_cast<std::size_t>(machine.timer_count())),
+        pin_(pin) {
     feasible_ = build(path);
   }
 
   bool feasible() const { return feasible_; }
 
-  /// Times of all events such that what was measured at the last is as great as it can be; nothing if impossible.
+  /// Times of all events such that what was measured at the last is as great as it can be; nothing if
+  /// impossible.
   std::optional<std::vector<Nanoseconds>> solve(bool greatest) {
     std::vector<Constraint> constraints = constraints_;
     if (greatest) {
@@ -55,7 +59,8 @@ class Schedule {
       for (std::size_t born : births_at_end_) {
         const auto distance = distances(constraints, count_, born);
         if (!distance || (*distance)[count_ - 1] >= none) return std::nullopt;
-        if (!best || (*distance)[count_ - 1] > -best->bound) best = Constraint{count_ - 1, born, -(*distance)[count_ - 1]};
+        if (!best || (*distance)[count_ - 1] > -best->bound)
+          best = Constraint{count_ - 1, born, -(*distance)[count_ - 1]};
       }
       constraints.push_back(*best);
     }
@@ -110,17 +115,20 @@ class Schedule {
         Range range{life.range.best, life.range.worst};
         const int processor = machine_.processor_of(before, timer);
         if (processor >= 0) pay(processor, timer, range);
-        between(life.started, k, range.best + life.owed, range.worst >= none ? none : range.worst + life.owed);
+        between(life.started, k, range.best + life.owed,
+                range.worst >= none ? none : range.worst + life.owed);
         life = {};
         if (!clockwork_.fire(timer, 0, choices)) return false;
       }
       apply_changes(k);
       const Outcome& outcome = clockwork_.outcome();
       if (k + 1 == path.size()) {
-        for (int origin : outcome.measured) births_at_end_.push_back(origin < 0 ? k : births[static_cast<std::size_t>(origin)]);
+        for (int origin : outcome.measured)
+          births_at_end_.push_back(origin < 0 ? k : births[static_cast<std::size_t>(origin)]);
       }
       std::vector<std::size_t> next;
-      for (int origin : outcome.origin) next.push_back(origin < 0 ? k : births[static_cast<std::size_t>(origin)]);
+      for (int origin : outcome.origin)
+        next.push_back(origin < 0 ? k : births[static_cast<std::size_t>(origin)]);
       births = std::move(next);
     }
     count_ = path.size();
@@ -190,7 +198,8 @@ std::vector<ScriptedFiring> path_to(const ZoneGraph& graph, const Peak& peak) {
 
 }  // namespace
 
-std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, const ZoneGraph& graph, int target,
+std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, const ZoneGraph& graph,
+                                                     int target,
                                                      const std::vector<std::pair<int, Nanoseconds>>& left) {
   const ZoneClass& of = graph.classes()[static_cast<std::size_t>(target)];
   Peak last;
@@ -223,7 +232,8 @@ std::optional<Witness> replay(const Machine& machine, const std::vector<Scripted
       if (clockwork.worked(static_cast<int>(t), at) > timers[t].range.worst) return std::nullopt;
     }
     const auto& fired = timers[static_cast<std::size_t>(script[k].timer)];
-    if (!fired.active || fired.frozen || clockwork.worked(script[k].timer, at) < fired.range.best) return std::nullopt;
+    if (!fired.active || fired.frozen || clockwork.worked(script[k].timer, at) < fired.range.best)
+      return std::nullopt;
     if (!clockwork.fire(script[k].timer, at, choices)) return std::nullopt;
   }
   Witness witness;

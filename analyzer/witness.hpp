@@ -25,15 +25,18 @@ struct Witness {
   bool failed = false;   // the run ends with an event that has no response
 };
 
-/// Runs `script` in the concrete domain. Nothing, if some timer would fire too early, too late or in the wrong state.
+/// Runs `script` in the concrete domain. Nothing, if some timer would fire too early, too late or in the
+/// wrong state.
 std::optional<Witness> replay(const Machine& machine, const std::vector<ScriptedFiring>& script);
 
-/// A run to the class `target` of `graph` at whose end the timers given have exactly that much time left. Nothing, if
-/// there is none along the class's path.
-std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, const ZoneGraph& graph, int target,
+/// A run to the class `target` of `graph` at whose end the timers given have exactly that much time left.
+/// Nothing, if there is none along the class's path.
+std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, const ZoneGraph& graph,
+                                                     int target,
                                                      const std::vector<std::pair<int, Nanoseconds>>& left);
 
-/// The run along the path to `peak` in which the measured value is greatest. Nothing, if none was confirmed by replay.
+/// The run along the path to `peak` in which the measured value is greatest. Nothing, if none was confirmed
+/// by replay.
 std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak);
 
 }  // namespace pal::analyzer

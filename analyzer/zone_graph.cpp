@@ -18,8 +18,9 @@ Dbm derived(const Dbm& from, const std::vector<Source>& sources) {
     for (std::size_t j = 0; j < sources.size(); ++j) {
       if (i == j) continue;
       const Nanoseconds between = from.at(sources[i].variable, sources[j].variable);
-      made.at(i, j) = sources[i].high >= Range::unbounded ? Dbm::unbounded
-                                                          : Dbm::sum(between, sources[i].high - sources[j].low);
+      made.at(i, j) = sources[i].high >= Range::unbounded
+                          ? Dbm::unbounded
+                          : Dbm::sum(between, sources[i].high - sources[j].low);
     }
   }
   return made;
@@ -111,7 +112,8 @@ void ZoneGraph::expand(int index) {
     if (!here.transitions) compute_transitions(place);
   }
   // Following may add places, and so move them: the transitions are held while it does.
-  const std::vector<Transition> transitions = std::move(*places_[static_cast<std::size_t>(place)].transitions);
+  const std::vector<Transition> transitions =
+      std::move(*places_[static_cast<std::size_t>(place)].transitions);
   const std::vector<int> timers = places_[static_cast<std::size_t>(place)].timers;
   const std::vector<bool> frozen = places_[static_cast<std::size_t>(place)].frozen;
   int fired_timer = -1;
@@ -161,7 +163,8 @@ void ZoneGraph::follow(int from, const Transition& transition, const Dbm& fired,
   static const std::vector<bool> none_frozen;
   const int place = from < 0 ? -1 : classes_[static_cast<std::size_t>(from)].state;
   const std::vector<int>& old_timers = place < 0 ? none : places_[static_cast<std::size_t>(place)].timers;
-  const std::vector<bool>& old_frozen = place < 0 ? none_frozen : places_[static_cast<std::size_t>(place)].frozen;
+  const std::vector<bool>& old_frozen =
+      place < 0 ? none_frozen : places_[static_cast<std::size_t>(place)].frozen;
 
   // The timers that there are now: by number, where from, and whether frozen.
   struct Timer {
@@ -178,18 +181,23 @@ void ZoneGraph::follow(int from, const Transition& transition, const Dbm& fired,
     timers.push_back({old_timers[k], {k + 1, 0, 0}, old_frozen[k], owed, false});
   }
   // An action that ends has kept its processor from those that were preempted there.
-  const int processor = place < 0 ? -1 : machine_.processor_of(places_[static_cast<std::size_t>(place)].state, transition.timer);
+  const int processor =
+      place < 0 ? -1
+                : machine_.processor_of(places_[static_cast<std::size_t>(place)].state, transition.timer);
   if (processor >= 0) {
     const Range cost = machine_.cost(places_[static_cast<std::size_t>(place)].state, transition.timer);
     for (Timer& timer : timers) {
-      if (!timer.frozen || machine_.problem().threads[static_cast<std::size_t>(timer.timer)].processor != processor) continue;
+      if (!timer.frozen ||
+          machine_.problem().threads[static_cast<std::size_t>(timer.timer)].processor != processor)
+        continue;
       timer.owed.best += cost.best;
       timer.owed.worst += cost.worst;
     }
   }
   bool relaxed = from >= 0 && classes_[static_cast<std::size_t>(from)].relaxed;
   for (const TimerChange& change : transition.outcome.changes) {
-    const auto found = std::find_if(timers.begin(), timers.end(), [&](const Timer& t) { return t.timer == change.timer; });
+    const auto found =
+        std::find_if(timers.begin(), timers.end(), [&](const Timer& t) { return t.timer == change.timer; });
     switch (change.kind) {
       case TimerChange::Kind::start:
         timers.push_back({change.timer, {variable, change.range.best, change.range.worst}, false, {}, false});
@@ -224,7 +232,8 @@ void ZoneGraph::follow(int from, const Transition& transition, const Dbm& fired,
     made.owed.push_back(timer.owed);
   }
   for (int origin : transition.outcome.origin) {
-    sources.push_back({origin < 0 ? variable : 1 + old_timers.size() + static_cast<std::size_t>(origin), 0, 0});
+    sources.push_back(
+        {origin < 0 ? variable : 1 + old_timers.size() + static_cast<std::size_t>(origin), 0, 0});
   }
   made.zone = derived(fired, sources);
   made.relaxed = relaxed;
@@ -276,7 +285,8 @@ void ZoneGraph::add(int from, const Transition& transition, int place, ZoneClass
   made.choices = transition.choices;
   std::erase_if(known, [&](int other) {
     ZoneClass& there = classes_[static_cast<std::size_t>(other)];
-    if (there.owed != made.owed || !made.zone.includes(there.zone) || (made.relaxed && !there.relaxed)) return false;
+    if (there.owed != made.owed || !made.zone.includes(there.zone) || (made.relaxed && !there.relaxed))
+      return false;
     there.replaced_by = number;
     return true;
   });

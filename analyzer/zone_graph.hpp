@@ -1,10 +1,11 @@
-// All runs of a skill, as a finite graph of classes: what state it is in, and all that its timers can show there.
+// All runs of a skill, as a finite graph of classes: what state it is in, and all that its timers can show
+// there.
 //
-// State classes of time Petri nets (B. Berthomieu, M. Diaz, Modeling and verification of time dependent systems using
-// time Petri nets, 1991), over the times that the active timers still have to go. Instants that are being measured are
-// variables too: how far they lie back. Actions of preempted threads run on below zero and get back, when they are
-// resumed, the processor time that others had meanwhile (exact where that time is fixed; E. Fersman, P. Krcal,
-// P. Pettersson, W. Yi, Task automata, 2007).
+// State classes of time Petri nets (B. Berthomieu, M. Diaz, Modeling and verification of time dependent
+// systems using time Petri nets, 1991), over the times that the active timers still have to go. Instants that
+// are being measured are variables too: how far they lie back. Actions of preempted threads run on below zero
+// and get back, when they are resumed, the processor time that others had meanwhile (exact where that time is
+// fixed; E. Fersman, P. Krcal, P. Pettersson, W. Yi, Task automata, 2007).
 #pragma once
 
 #include <chrono>
@@ -28,12 +29,12 @@ struct Limits {
 
 struct ZoneClass {
   int state = -1;
-  Dbm zone;                  // variables: 0, the state's timers, its observers
-  std::vector<Range> owed;   // to each timer of the state, if it is frozen: processor time that others had
+  Dbm zone;                 // variables: 0, the state's timers, its observers
+  std::vector<Range> owed;  // to each timer of the state, if it is frozen: processor time that others had
   int parent = -1;
-  int timer = -1;            // whose firing led here from the parent
+  int timer = -1;  // whose firing led here from the parent
   std::vector<std::uint8_t> choices;
-  bool relaxed = false;      // somewhere on the way the zone is larger than what can be
+  bool relaxed = false;  // somewhere on the way the zone is larger than what can be
   int replaced_by = -1;
 };
 
@@ -95,8 +96,8 @@ class ZoneGraph {
   void compute_transitions(int place);
   void expand(int index);
   void follow(int from, const Transition& transition, const Dbm& fired, std::size_t variable);
-  void split(int from, const Transition& transition, State state, std::vector<int> timers, std::vector<bool> frozen,
-             ZoneClass made);
+  void split(int from, const Transition& transition, State state, std::vector<int> timers,
+             std::vector<bool> frozen, ZoneClass made);
   void add(int from, const Transition& transition, int place, ZoneClass made);
   void measure(int from, const Transition& transition, const Dbm& fired, std::size_t variable);
   int current(int index) const;

@@ -61,7 +61,8 @@ BEGIN
   END
   BEGIN
     REPEAT
-)" + block + R"(
+)" + block +
+         R"(
     UNTIL( pc-force OR pc-reach )
   END
   END CONCURRENT
@@ -147,7 +148,8 @@ END
 ENVIRONMENT cell
   PROCESSOR P0
   DEVICE MC1 EVENT motion request EVERY 28 ms
-  DEVICE LS1 )" + sensor + R"(
+  DEVICE LS1 )" +
+         sensor + R"(
   PLACE SM1 ON P0 PRIORITY 1
 END ENVIRONMENT
 )";
@@ -172,7 +174,8 @@ Machine Controller: MC1
 Sensor Driver: SD1
   ACTIVITY interpret READS profile
 BEGIN
-)" + body + R"(
+)" + body +
+         R"(
 END
 Skill Module: SM1
 BEGIN
@@ -303,7 +306,8 @@ TEST_CASE("case 3: asking after interpreting loses every second frame, asking be
     const Simulation run = simulate(machine, options);
     std::vector<Nanoseconds> times;
     for (const trace::Event& event : run.trace.events) {
-      const bool profile = event.kind == trace::Kind::put && run.trace.channels[static_cast<std::size_t>(event.subject)].message == "profile";
+      const bool profile = event.kind == trace::Kind::put &&
+                           run.trace.channels[static_cast<std::size_t>(event.subject)].message == "profile";
       if (profile) times.push_back(event.time_ns);
     }
     std::set<Nanoseconds> found;

@@ -1,5 +1,5 @@
-// Every run with times that are whole multiples of a unit, one instant at a time: slow, simple, and built on nothing that
-// the zone graph is built on but the machine.
+// Every run with times that are whole multiples of a unit, one instant at a time: slow, simple, and built on
+// nothing that the zone graph is built on but the machine.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@ struct BruteForce {
   bool complete = false;  // everything was seen; values above the cap are not told apart
 };
 
-inline BruteForce brute_force(const analyzer::Machine& machine, analyzer::Nanoseconds unit, analyzer::Nanoseconds cap,
-                              std::size_t most) {
+inline BruteForce brute_force(const analyzer::Machine& machine, analyzer::Nanoseconds unit,
+                              analyzer::Nanoseconds cap, std::size_t most) {
   using namespace pal::analyzer;
   struct Timer {
     Nanoseconds left = 0;

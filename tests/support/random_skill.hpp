@@ -7,8 +7,9 @@
 
 namespace pal::test {
 
-/// The text of a skill with its environment: a sensor that is asked, a robot that asks, and a skill between them, in many
-/// shapes. All times are whole milliseconds, none above `longest`. The same seed gives the same text.
+/// The text of a skill with its environment: a sensor that is asked, a robot that asks, and a skill between
+/// them, in many shapes. All times are whole milliseconds, none above `longest`. The same seed gives the same
+/// text.
 class RandomSkill {
  public:
   RandomSkill(std::uint64_t seed, int longest) : engine_(seed), longest_(longest) {}
@@ -35,28 +36,34 @@ SKILL random
   SKILL METHOD       SM1
   COMPLETION 0 NORMAL "touching"
   COMPLETION 1 ERROR  "any other error"
-  REQUIREMENT age  : AGE OF pc-force AT TXM( motion to MC1 ) IN SM1 AT MOST )" + std::to_string(2 * longest_) + R"( ms
+  REQUIREMENT age  : AGE OF pc-force AT TXM( motion to MC1 ) IN SM1 AT MOST )" +
+                      std::to_string(2 * longest_) + R"( ms
   REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 60 %
 )";
-    out += controller_module ? "  REQUIREMENT answer : RESPONSE FROM tick OF robot TO TXM( correction to robot ) AT MOST " +
-                                   std::to_string(2 * longest_) + " ms\n"
-                             : "  REQUIREMENT answer : RESPONSE FROM motion request OF MC1 TO TXM( motion to MC1 ) AT MOST " +
-                                   std::to_string(2 * longest_) + " ms\n";
+    out +=
+        controller_module
+            ? "  REQUIREMENT answer : RESPONSE FROM tick OF robot TO TXM( correction to robot ) AT MOST " +
+                  std::to_string(2 * longest_) + " ms\n"
+            : "  REQUIREMENT answer : RESPONSE FROM motion request OF MC1 TO TXM( motion to MC1 ) AT MOST " +
+                  std::to_string(2 * longest_) + " ms\n";
     out += "END SKILL\n";
     out += "Sensor Driver: SD1\n";
     if (sensor_module) {
-      out += std::string("BEGIN\n  REPEAT\n    WTM( request raw from LS1 )\n    TXM( request raw from sensor )\n") +
+      out += std::string(
+                 "BEGIN\n  REPEAT\n    WTM( request raw from LS1 )\n    TXM( request raw from sensor )\n") +
              "    WTM( raw from sensor )\n    TXM( raw to LS1 )\n  UNTIL( forever )\nEND\n";
     }
     out += std::string("Logical Sensor: LS1\n  ACTIVITY extract READS raw WRITES force\nBEGIN\n  REPEAT\n") +
-           "    WTM( request force from SM1 )\n    TXM( request raw from SD1 )\n    WTM( raw from SD1 )\n    extract\n" +
+           "    WTM( request force from SM1 )\n    TXM( request raw from SD1 )\n    WTM( raw from SD1 )\n    "
+           "extract\n" +
            "    TXM( force to SM1 )\n  UNTIL( forever )\nEND\n";
     out += "Machine Controller: MC1\n";
     if (controller_module) out += controller();
     out += "Skill Module: SM1\n  ACTIVITY think\n  ACTIVITY prepare\nBEGIN\n  WTM( Coordinator )\n";
     out += sense();
     if (concurrent) {
-      out += "  CONCURRENT\n  BEGIN\n    REPEAT\n" + sense() + "    UNTIL( forever )\n  END\n  BEGIN\n    REPEAT\n" + act() +
+      out += "  CONCURRENT\n  BEGIN\n    REPEAT\n" + sense() +
+             "    UNTIL( forever )\n  END\n  BEGIN\n    REPEAT\n" + act() +
              "    UNTIL( pc-stop )\n  END\n  END CONCURRENT\n";
     } else {
       out += "  REPEAT\n" + (chance(2) != 0 ? sense() + act() : act() + sense()) + "  UNTIL( pc-stop )\n";
@@ -95,8 +102,9 @@ SKILL random
     out += "      WTM( motion request from MC1 )\n";
     if (order == 1) out += "      RPC( pc-force )\n";
     if (chance(2) == 0) {
-      out += std::string("      CASE\n        ( pc-force = TRUE ):\n          TXM( motion to MC1 )\n") +
-             "        ( pc-force = FALSE ):\n          think\n          TXM( motion to MC1 )\n      END CASE\n";
+      out +=
+          std::string("      CASE\n        ( pc-force = TRUE ):\n          TXM( motion to MC1 )\n") +
+          "        ( pc-force = FALSE ):\n          think\n          TXM( motion to MC1 )\n      END CASE\n";
     } else {
       if (order == 2) out += "      RPC( pc-force )\n";
       out += "      think\n      TXM( motion to MC1 )\n";
@@ -105,7 +113,9 @@ SKILL random
   }
 
   std::string controller() {
-    std::string out = "  ACTIVITY obey READS motion WRITES correction\n  ACTIVITY hold WRITES correction\nBEGIN\n  REPEAT\n";
+    std::string out =
+        "  ACTIVITY obey READS motion WRITES correction\n  ACTIVITY hold WRITES correction\nBEGIN\n  "
+        "REPEAT\n";
     out += "    WTM( tick from robot )\n    TXM( request motion from SM1 )\n";
     if (chance(2) == 0) {
       out += "    WTM( motion from SM1 ) WITHIN " + std::to_string(between(0, longest_)) +
@@ -117,8 +127,8 @@ SKILL random
   }
 
   std::string place(const std::string& thread, int processors) {
-    return "  PLACE " + thread + " ON P" + std::to_string(chance(processors)) + " PRIORITY " + std::to_string(between(1, 3)) +
-           "\n";
+    return "  PLACE " + thread + " ON P" + std::to_string(chance(processors)) + " PRIORITY " +
+           std::to_string(between(1, 3)) + "\n";
   }
 
   std::string environment(bool sensor_module, bool controller_module, bool concurrent) {
@@ -137,8 +147,8 @@ SKILL random
     }
     const std::string robot = controller_module ? "robot EVENT tick" : "MC1 EVENT motion request";
     const int period = between(longest_ / 2 + 1, longest_);
-    out += "  DEVICE " + robot + (chance(6) == 0 ? " SPORADIC " : " EVERY ") + std::to_string(period) + " ms" +
-           (chance(5) == 0 ? " JITTER 1 ms\n" : "\n");
+    out += "  DEVICE " + robot + (chance(6) == 0 ? " SPORADIC " : " EVERY ") + std::to_string(period) +
+           " ms" + (chance(5) == 0 ? " JITTER 1 ms\n" : "\n");
     out += place("SM1", processors) + place("LS1", processors);
     if (concurrent && chance(2) == 0) out += place("SM1.1", processors);
     if (concurrent && chance(2) == 0) out += place("SM1.2", processors);

@@ -24,11 +24,13 @@ struct Skill {
 
 inline std::string messages(const Diagnostics& diagnostics) {
   std::string text;
-  for (const Diagnostic& each : diagnostics.all()) text += std::string(name(each.code)) + " " + each.message + "\n";
+  for (const Diagnostic& each : diagnostics.all())
+    text += std::string(name(each.code)) + " " + each.message + "\n";
   return text;
 }
 
-/// The first skill in the first environment. `problem` is empty if something is wrong; the diagnostics say what.
+/// The first skill in the first environment. `problem` is empty if something is wrong; the diagnostics say
+/// what.
 inline std::unique_ptr<Skill> load_skill(const FileSystem& files, const std::vector<std::string>& paths) {
   auto skill = std::make_unique<Skill>();
   const auto trees = load(files, skill->sources, paths, skill->diagnostics);
@@ -37,8 +39,9 @@ inline std::unique_ptr<Skill> load_skill(const FileSystem& files, const std::vec
   if (skill->specification.skills.empty() || skill->specification.environments.empty()) {
     throw std::runtime_error("no skill, or no environment");
   }
-  skill->problem = analyzer::make_problem(skill->specification.skills.front(), skill->specification.environments.front(),
-                                          skill->diagnostics, &skill->sources);
+  skill->problem =
+      analyzer::make_problem(skill->specification.skills.front(), skill->specification.environments.front(),
+                             skill->diagnostics, &skill->sources);
   return skill;
 }
 

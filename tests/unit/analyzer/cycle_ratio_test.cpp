@@ -12,20 +12,20 @@ namespace {
 std::optional<CycleRatio> by_trying(int nodes, const std::vector<WeightedEdge>& edges) {
   std::optional<CycleRatio> best;
   std::vector<bool> used(static_cast<std::size_t>(nodes));
-  const std::function<void(int, int, std::int64_t, std::int64_t)> go = [&](int start, int at, std::int64_t work,
-                                                                         std::int64_t time) {
-    for (const WeightedEdge& edge : edges) {
-      if (edge.from != at) continue;
-      if (edge.to == start && time + edge.time > 0) {
-        const CycleRatio found{work + edge.work, time + edge.time, {}};
-        if (!best || found.work * best->time > best->work * found.time) best = found;
-      }
-      if (edge.to <= start || used[static_cast<std::size_t>(edge.to)]) continue;
-      used[static_cast<std::size_t>(edge.to)] = true;
-      go(start, edge.to, work + edge.work, time + edge.time);
-      used[static_cast<std::size_t>(edge.to)] = false;
-    }
-  };
+  const std::function<void(int, int, std::int64_t, std::int64_t)> go =
+      [&](int start, int at, std::int64_t work, std::int64_t time) {
+        for (const WeightedEdge& edge : edges) {
+          if (edge.from != at) continue;
+          if (edge.to == start && time + edge.time > 0) {
+            const CycleRatio found{work + edge.work, time + edge.time, {}};
+            if (!best || found.work * best->time > best->work * found.time) best = found;
+          }
+          if (edge.to <= start || used[static_cast<std::size_t>(edge.to)]) continue;
+          used[static_cast<std::size_t>(edge.to)] = true;
+          go(start, edge.to, work + edge.work, time + edge.time);
+          used[static_cast<std::size_t>(edge.to)] = false;
+        }
+      };
   for (int n = 0; n < nodes; ++n) go(n, n, 0, 0);
   return best;
 }
@@ -52,7 +52,8 @@ TEST_CASE("the greatest ratio is what trying every cycle gives") {
     std::vector<WeightedEdge> edges;
     for (int e = 0; e < 3 * nodes; ++e) {
       const auto time = static_cast<std::int64_t>(engine() % 6);
-      const std::int64_t work = time == 0 ? 0 : static_cast<std::int64_t>(engine() % static_cast<std::uint64_t>(time + 1));
+      const std::int64_t work =
+          time == 0 ? 0 : static_cast<std::int64_t>(engine() % static_cast<std::uint64_t>(time + 1));
       edges.push_back({static_cast<int>(engine() % static_cast<std::uint64_t>(nodes)),
                        static_cast<int>(engine() % static_cast<std::uint64_t>(nodes)), work, time});
     }

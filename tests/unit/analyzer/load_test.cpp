@@ -12,8 +12,10 @@ using test::small_skill;
 using test::worker;
 
 TEST_CASE("the load of a periodic worker is its work in its period") {
-  const auto skill = test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 40 %", worker,
-                                                   "PROCESSOR P0\nPROCESSOR P1\nDEVICE MC1 EVENT tick EVERY 12 ms\nTIME work : 1 TO 4 ms\nCOST SET 1 ms\nPLACE SM1 ON P1 PRIORITY 1\n"));
+  const auto skill =
+      test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 40 %", worker,
+                                    "PROCESSOR P0\nPROCESSOR P1\nDEVICE MC1 EVENT tick EVERY 12 ms\nTIME "
+                                    "work : 1 TO 4 ms\nCOST SET 1 ms\nPLACE SM1 ON P1 PRIORITY 1\n"));
   const Verdict verdict = analyze(*skill->problem).verdicts.front();
   CHECK(verdict.state == Verdict::State::fails);
   CHECK(verdict.exact);
@@ -24,7 +26,8 @@ TEST_CASE("the load of a periodic worker is its work in its period") {
 }
 
 TEST_CASE("a skill that always ends has no load") {
-  const auto skill = test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 0 %", R"(
+  const auto skill =
+      test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 0 %", R"(
 Skill Module: SM1
   ACTIVITY work
 BEGIN
@@ -32,7 +35,8 @@ BEGIN
   work
   TXM( Completion Protocol 0 )
 END
-)", "PROCESSOR P0\nTIME work : 1 TO 4 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
+)",
+                                    "PROCESSOR P0\nTIME work : 1 TO 4 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
   const Verdict verdict = analyze(*skill->problem).verdicts.front();
   CHECK(verdict.state == Verdict::State::holds);
   CHECK(verdict.bound == Duration(0));

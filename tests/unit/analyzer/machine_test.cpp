@@ -27,17 +27,22 @@ Simulation run(const Problem& problem, std::uint64_t seed = 1) {
 int count(const trace::Trace& trace, trace::Kind kind, const std::string& message) {
   int found = 0;
   for (const trace::Event& event : trace.events) {
-    if (event.kind == kind && event.subject >= 0 && trace.channels[static_cast<std::size_t>(event.subject)].message == message) ++found;
+    if (event.kind == kind && event.subject >= 0 &&
+        trace.channels[static_cast<std::size_t>(event.subject)].message == message)
+      ++found;
   }
   return found;
 }
 
-Verdict only(const Problem& problem) { return analyze(problem).verdicts.front(); }
+Verdict only(const Problem& problem) {
+  return analyze(problem).verdicts.front();
+}
 
 }  // namespace
 
 TEST_CASE("a request that was given up is not answered later") {
-  const auto skill = test::sound_skill(small_skill("", R"(
+  const auto skill = test::sound_skill(small_skill(
+      "", R"(
 Skill Module: SM1
   ACTIVITY rest
 BEGIN
@@ -52,7 +57,8 @@ BEGIN
   UNTIL( pc-high )
   TXM( Completion Protocol 0 )
 END
-)", "PROCESSOR P0\nDEVICE LS1 ON REQUEST 5 ms\nTIME rest : 10 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
+)",
+      "PROCESSOR P0\nDEVICE LS1 ON REQUEST 5 ms\nTIME rest : 10 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
   const Simulation made = run(*skill->problem);
   CHECK(count(made.trace, trace::Kind::drop, "value") > 10);
   CHECK(count(made.trace, trace::Kind::put, "value") == 0);
@@ -60,7 +66,8 @@ END
 }
 
 TEST_CASE("a block that cannot end is cancelled, and what it asked for is not delivered") {
-  const auto skill = test::sound_skill(small_skill("", R"(
+  const auto skill = test::sound_skill(
+      small_skill("", R"(
 Skill Module: SM1
 BEGIN
   WTM( Coordinator )
@@ -79,7 +86,10 @@ BEGIN
   WTM( stop from MC2 )
   TXM( Completion Protocol 0 )
 END
-)", "PROCESSOR P0\nPROCESSOR P1\nDEVICE LS1 ON REQUEST 5 ms\nDEVICE MC1 EVENT tick EVERY 12 ms PHASE 11 ms\nDEVICE MC2 EVENT stop EVERY 50 ms PHASE 40 ms\nPLACE SM1 ON P0 PRIORITY 1\nPLACE SM1.1 ON P1 PRIORITY 1\n"));
+)",
+                  "PROCESSOR P0\nPROCESSOR P1\nDEVICE LS1 ON REQUEST 5 ms\nDEVICE MC1 EVENT tick EVERY 12 ms "
+                  "PHASE 11 ms\nDEVICE MC2 EVENT stop EVERY 50 ms PHASE 40 ms\nPLACE SM1 ON P0 PRIORITY "
+                  "1\nPLACE SM1.1 ON P1 PRIORITY 1\n"));
   const Simulation made = run(*skill->problem);
   CHECK(made.ended);
   CHECK(count(made.trace, trace::Kind::put, "value") == 2);   // at 5 and 10 ms
@@ -88,8 +98,9 @@ END
 }
 
 TEST_CASE("an event that finds its slot full fails its response") {
-  const auto skill = test::sound_skill(small_skill("REQUIREMENT answer : RESPONSE FROM tick OF MC1 TO work IN SM1 AT MOST 100 ms",
-                                                   worker, "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 10 ms\nTIME work : 11 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
+  const auto skill = test::sound_skill(small_skill(
+      "REQUIREMENT answer : RESPONSE FROM tick OF MC1 TO work IN SM1 AT MOST 100 ms", worker,
+      "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 10 ms\nTIME work : 11 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
   const Verdict verdict = only(*skill->problem);
   CHECK(verdict.state == Verdict::State::fails);
   CHECK_FALSE(verdict.bound);
@@ -98,8 +109,10 @@ TEST_CASE("an event that finds its slot full fails its response") {
 }
 
 TEST_CASE("jitter brings events nearer to one another") {
-  const auto skill = test::sound_skill(small_skill("REQUIREMENT answer : RESPONSE FROM tick OF MC1 TO work IN SM1 AT MOST 9 ms",
-                                                   worker, "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 10 ms JITTER 3 ms\nTIME work : 8 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
+  const auto skill = test::sound_skill(
+      small_skill("REQUIREMENT answer : RESPONSE FROM tick OF MC1 TO work IN SM1 AT MOST 9 ms", worker,
+                  "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 10 ms JITTER 3 ms\nTIME work : 8 ms\nPLACE SM1 "
+                  "ON P0 PRIORITY 1\n"));
   const Verdict verdict = only(*skill->problem);
   // 3 ms late, then on time: 7 ms apart, one of 8 ms still to be finished.
   REQUIRE(verdict.bound);
@@ -108,7 +121,8 @@ TEST_CASE("jitter brings events nearer to one another") {
 }
 
 TEST_CASE("an age grows without bound if nothing sets the condition again") {
-  const auto skill = test::sound_skill(small_skill("REQUIREMENT age : AGE OF pc-high AT work IN SM1 AT MOST 50 ms", R"(
+  const auto skill = test::sound_skill(small_skill(
+      "REQUIREMENT age : AGE OF pc-high AT work IN SM1 AT MOST 50 ms", R"(
 Skill Module: SM1
   ACTIVITY work
 BEGIN
@@ -120,7 +134,8 @@ BEGIN
     work
   UNTIL( forever )
 END
-)", "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 10 ms\nTIME work : 1 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
+)",
+      "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 10 ms\nTIME work : 1 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
   const Verdict verdict = only(*skill->problem);
   CHECK(verdict.state == Verdict::State::fails);
   CHECK_FALSE(verdict.bound);
@@ -129,8 +144,9 @@ END
 }
 
 TEST_CASE("an exploration that meets its limit decides nothing") {
-  const auto skill = test::sound_skill(small_skill("REQUIREMENT answer : RESPONSE FROM tick OF MC1 TO work IN SM1 AT MOST 9 ms",
-                                                   worker, "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 10 ms\nTIME work : 8 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
+  const auto skill = test::sound_skill(small_skill(
+      "REQUIREMENT answer : RESPONSE FROM tick OF MC1 TO work IN SM1 AT MOST 9 ms", worker,
+      "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 10 ms\nTIME work : 8 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
   Options options;
   options.max_states = 1;
   CHECK(analyze(*skill->problem, options).verdicts.front().state == Verdict::State::undecided);

@@ -5,7 +5,8 @@
 
 namespace pal::test {
 
-inline std::string small_skill(const std::string& requirements, const std::string& modules, const std::string& environment) {
+inline std::string small_skill(const std::string& requirements, const std::string& modules,
+                               const std::string& environment) {
   return R"(
 MESSAGE tick : SIGNAL
 MESSAGE stop : SIGNAL
@@ -19,13 +20,14 @@ SKILL small
   SKILL METHOD       SM1
   COMPLETION 0 NORMAL "stopped"
   COMPLETION 1 ERROR  "any other error"
-)" + requirements + R"(
+)" + requirements +
+         R"(
 END SKILL
 Logical Sensor: LS1
 Machine Controller: MC1
 Machine Controller: MC2
-)" + modules + "\nENVIRONMENT cell\n" +
-         environment + "\nEND ENVIRONMENT\n";
+)" + modules +
+         "\nENVIRONMENT cell\n" + environment + "\nEND ENVIRONMENT\n";
 }
 
 /// Works for a while on each tick of MC1, and never ends.
