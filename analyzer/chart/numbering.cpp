@@ -1,5 +1,6 @@
 #include "analyzer/chart/numbering.hpp"
 
+#include <filesystem>
 #include <set>
 
 namespace pal::chart {
@@ -7,6 +8,10 @@ namespace pal::chart {
 bool text_fits(const Bar& bar, std::int64_t shift_ns, const TimeScale& scale) {
   const Length room = scale.x(bar.to_ns + shift_ns) - scale.x(bar.from_ns + shift_ns);
   return text_width(bar.text, bar_font) + 40 <= room;
+}
+
+Numbering::Key Numbering::key(const Lane& lane, const Bar& bar) {
+  return {lane.name, std::filesystem::path(bar.file).filename().string(), bar.line, bar.text};
 }
 
 Numbering::Numbering(const std::vector<Layer>& layers, const TimeScale& scale) {
@@ -22,8 +27,7 @@ Numbering::Numbering(const std::vector<Layer>& layers, const TimeScale& scale) {
         const std::int64_t edge = bar.to_ns - bar.from_ns >= 2 ? 1 : 0;
         const bool shown =
             scale.touches(bar.from_ns + layer.shift_ns + edge, bar.to_ns + layer.shift_ns - edge);
-        if (shown && !text_fits(bar, layer.shift_ns, scale))
-          keys.insert({lane.name, bar.file, bar.line, bar.text});
+        if (shown && !text_fits(bar, layer.shift_ns, scale)) keys.insert(key(lane, bar));
       }
     }
   }
@@ -37,7 +41,7 @@ Numbering::Numbering(const std::vector<Layer>& layers, const TimeScale& scale) {
 }
 
 int Numbering::number(const Lane& lane, const Bar& bar) const {
-  const auto found = numbers_.find({lane.name, bar.file, bar.line, bar.text});
+  const auto found = numbers_.find(key(lane, bar));
   return found == numbers_.end() ? 0 : found->second;
 }
 

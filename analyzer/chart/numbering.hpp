@@ -35,7 +35,9 @@ class Numbering {
   const std::vector<Entry>& entries() const { return entries_; }
 
  private:
-  using Key = std::tuple<std::string, std::string, int, std::string>;  // lane, file, line, text
+  /// Lane, file, line, text. The file without its folder, which may differ between two runs of one program.
+  using Key = std::tuple<std::string, std::string, int, std::string>;
+  static Key key(const Lane& lane, const Bar& bar);
   std::map<Key, int> numbers_;
   std::vector<Entry> entries_;
 };
