@@ -1,31 +1,12 @@
 // Approach to touch, both orders, generated and run against a wall like a spring.
 #include <catch2/catch.hpp>
-#include <cstdlib>
-#include <new>
 #include <sstream>
 
 #include "runtime/dispatcher.hpp"
 #include "skills_pal/registry.hpp"
 #include "tests/run/support/bench.hpp"
+#include "tests/run/support/allocation_count.hpp"
 #include "tests/run/support/touch_cell.hpp"
-
-namespace {
-std::size_t allocations = 0;
-bool skill_runs = false;
-}  // namespace
-
-// Counts what is allocated while a skill runs.
-void* operator new(std::size_t size) {
-  if (skill_runs) ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 using namespace pal;
 using namespace pal::test;
@@ -158,7 +139,7 @@ namespace {
 /// Switches the counting on with the first event of the run and off when the devices are closed.
 class Meter final : public runtime::World {
  public:
-  void advance_to(runtime::Time) override { skill_runs = true; }
+  void advance_to(runtime::Time) override { count_allocations(true); }
 };
 
 }  // namespace
@@ -177,7 +158,7 @@ TEST_CASE("nothing is allocated while the skill runs") {
     void open() override { device_.open(); }
     void receive(std::size_t port, std::span<const double> fields) override { device_.receive(port, fields); }
     void close() override {
-      skill_runs = false;
+      count_allocations(false);
       device_.close();
     }
 
@@ -186,12 +167,12 @@ TEST_CASE("nothing is allocated while the skill runs") {
   } sensor{cell.sensor};
   runtime::Device* devices[] = {&sensor, &cell.alter};
   Meter meter;
-  allocations = 0;
+  reset_allocations();
   const auto outcome = runtime::Dispatcher(devices, meter).run(*skill);
-  skill_runs = false;
+  count_allocations(false);
   CHECK(outcome.code == (wall < 1000 ? 0 : 1));
   CHECK(outcome.trace.events.size() > 1000);
-  CHECK(allocations == 0);
+  CHECK(counted_allocations() == 0);
 }
 
 TEST_CASE("parameters that may not be are refused before anything moves") {
