@@ -24,4 +24,6 @@ class Switch final : public pal::skills::blink::BlinkActivities {
 
 }  // namespace
 
-std::unique_ptr<pal::runtime::Skill> blink() { return pal::skills::blink::make_blink(std::make_unique<Switch>()); }
+std::unique_ptr<pal::runtime::Skill> blink() {
+  return pal::skills::blink::make_blink(std::make_unique<Switch>());
+}
