@@ -38,6 +38,8 @@ class BodyPlanner {
     activities();
     find_taken();
     planned_.body = follow(pan::NodeId(std::size_t{0}), {});
+    std::sort(planned_.blocks.begin(), planned_.blocks.end(),
+              [](const auto& a, const auto& b) { return a.thread < b.thread; });
   }
 
  private:
@@ -94,7 +96,7 @@ class BodyPlanner {
     const pan::Condition& condition = network_.conditions[id.index()];
     PlannedMethod method;
     method.kind = PlannedMethod::Kind::decide;
-    method.name = names_.unique("decide_" + snake_case(condition.name));
+    method.name = names_.unique("decide_" + snake_words(condition.name));
     method.pal = "SPC( " + condition.name + " )";
     method.description = condition.description;
     method.reads = keep(condition.from, " FROM ", method.pal);
@@ -110,7 +112,7 @@ class BodyPlanner {
     if (known) return known;
     PlannedMethod method;
     method.kind = PlannedMethod::Kind::compose;
-    method.name = names_.unique("compose_" + snake_case(network_.messages[id.index()].name));
+    method.name = names_.unique("compose_" + snake_words(network_.messages[id.index()].name));
     method.pal = "TXM( " + network_.messages[id.index()].name + " … )";
     method.writes.push_back(*message);
     known = planned_.methods.size();
@@ -134,7 +136,7 @@ class BodyPlanner {
     made.line = line_of(node);
     const std::string place =
         made.line > 0 ? "line_" + std::to_string(made.line) : "node_" + std::to_string(id.value);
-    made.constant = rows_.unique(planned_.variable + "_" + place);
+    made.constant = rows_.unique(planned_.words + "_" + place);
     made.cost = cost;
     plan_.statements.push_back(std::move(made));
     return plan_.statements.size() - 1;

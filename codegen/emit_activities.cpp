@@ -60,8 +60,8 @@ GeneratedFile emit_activities(const Plan& plan) {
       "may wait, or");
   out.line("// allocate once the skill runs. One that throws ends the skill with its error completion.");
   out.line("#pragma once").line();
-  out.line("#include \"" + plan.name + "_messages.hpp\"");
-  out.line("#include \"" + plan.name + "_parameters.hpp\"");
+  out.line("#include \"" + plan.file + "_messages.hpp\"");
+  out.line("#include \"" + plan.file + "_parameters.hpp\"");
   open_namespace(out, plan);
   bool first = true;
   for (const PlannedModule& module : plan.modules) {
@@ -71,7 +71,7 @@ GeneratedFile emit_activities(const Plan& plan) {
     write_interface(out, plan, module);
   }
   close_namespace(out, plan);
-  return {plan.name + "_activities.hpp", out.take()};
+  return {plan.file + "_activities.hpp", out.take()};
 }
 
 }  // namespace pal::codegen

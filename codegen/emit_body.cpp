@@ -44,8 +44,7 @@ class BodyWriter {
         out_.line("co_await thread.read(" + row(statement) + ", " + condition(*statement.condition) + ");");
         break;
       case Kind::perform:
-        out_.line("co_await thread.perform(" + row(statement) + ", [this] { " + work(*statement.method) +
-                  " });");
+        write_perform(statement);
         break;
       case Kind::execute:
         out_.line("co_await " + plan_.modules[*statement.module].variable + "_.body(thread);");
@@ -83,12 +82,22 @@ class BodyWriter {
   std::string work(std::size_t index) const {
     const PlannedMethod& method = module_.methods[index];
     if (method.writes.empty()) return call(method) + ";";
-    if (method.writes.size() == 1) return member(method.writes.front()) + " = " + call(method) + ";";
-    std::string text = "const " + method.result_type + " result = " + call(method) + ";";
-    for (const std::size_t message : method.writes) {
-      text += " " + member(message) + " = result." + plan_.messages[message].variable + ";";
+    return member(method.writes.front()) + " = " + call(method) + ";";
+  }
+
+  void write_perform(const PlannedStatement& statement) {
+    const PlannedMethod& method = module_.methods[*statement.method];
+    if (method.writes.size() < 2) {
+      out_.list("co_await thread.perform(", {row(statement), "[this] { " + work(*statement.method) + " }"},
+                ");");
+      return;
     }
-    return text;
+    out_.open("co_await thread.perform(" + row(statement) + ", [this] {");
+    out_.line("const " + method.result_type + " result = " + call(method) + ";");
+    for (const std::size_t message : method.writes) {
+      out_.line(member(message) + " = result." + plan_.messages[message].variable + ";");
+    }
+    out_.close("});");
   }
 
   void write_send(const PlannedStatement& statement) {
@@ -137,7 +146,7 @@ class BodyWriter {
   void write_choose(const PlannedStatement& statement) {
     write_test(statement);
     for (std::size_t i = 0; i < statement.branches.size(); ++i) {
-      out_.open((i == 0 ? "if (" : "} else if (") + expression(statement.guards[i]) + ") {");
+      out_.condition(i == 0 ? "if (" : "} else if (", expression(statement.guards[i]), ") {").indent();
       out_.line("// " + statement.arms[i]);
       write(statement.branches[i]);
       out_.outdent();
@@ -153,7 +162,7 @@ class BodyWriter {
     comment(statement.until_line, statement.until);
     if (!statement.guards.empty()) {
       write_test(statement);
-      out_.line("if (" + expression(statement.guards.front()) + ") break;");
+      out_.condition("if (", expression(statement.guards.front()), ") break;");
     }
     out_.close();
   }

@@ -67,7 +67,7 @@ GeneratedFile emit_messages(const Plan& plan) {
     write_message(out, message);
   }
   close_namespace(out, plan);
-  return {plan.name + "_messages.hpp", out.take()};
+  return {plan.file + "_messages.hpp", out.take()};
 }
 
 }  // namespace pal::codegen

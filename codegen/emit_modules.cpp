@@ -70,9 +70,9 @@ std::string header(const Plan& plan) {
   Writer out;
   write_heading(out, plan, "The modules of skill " + plan.skill.name + ".");
   out.line("#pragma once").line();
-  out.line("#include \"" + plan.name + "_activities.hpp\"");
-  out.line("#include \"" + plan.name + "_messages.hpp\"");
-  out.line("#include \"" + plan.name + "_parameters.hpp\"");
+  out.line("#include \"" + plan.file + "_activities.hpp\"");
+  out.line("#include \"" + plan.file + "_messages.hpp\"");
+  out.line("#include \"" + plan.file + "_parameters.hpp\"");
   out.line("#include \"runtime/task.hpp\"");
   open_namespace(out, plan);
   bool forward = false;
@@ -123,8 +123,8 @@ void write_start(Writer& out, const Plan& plan, const PlannedModule& module) {
 std::string source(const Plan& plan) {
   Writer out;
   write_heading(out, plan, "The modules of skill " + plan.skill.name + ", statement by statement.");
-  out.line("#include \"" + plan.name + "_modules.hpp\"").line();
-  out.line("#include \"" + plan.name + "_wiring.hpp\"");
+  out.line("#include \"" + plan.file + "_modules.hpp\"").line();
+  out.line("#include \"" + plan.file + "_wiring.hpp\"");
   out.line("#include \"runtime/thread.hpp\"");
   open_namespace(out, plan);
   out.line("using namespace std::chrono_literals;");
@@ -145,7 +145,7 @@ std::string source(const Plan& plan) {
 }  // namespace
 
 std::vector<GeneratedFile> emit_modules(const Plan& plan) {
-  return {{plan.name + "_modules.hpp", header(plan)}, {plan.name + "_modules.cpp", source(plan)}};
+  return {{plan.file + "_modules.hpp", header(plan)}, {plan.file + "_modules.cpp", source(plan)}};
 }
 
 }  // namespace pal::codegen

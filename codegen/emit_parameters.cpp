@@ -53,7 +53,7 @@ std::string header(const Plan& plan) {
 std::string source(const Plan& plan) {
   Writer out;
   write_heading(out, plan, "The parameters of skill " + plan.skill.name + ".");
-  out.line("#include \"" + plan.name + "_parameters.hpp\"");
+  out.line("#include \"" + plan.file + "_parameters.hpp\"");
   open_namespace(out, plan);
   out.line("// Name, type, unit, least, greatest, default, description.");
   const std::string count = std::to_string(plan.parameters.size());
@@ -92,7 +92,7 @@ std::string source(const Plan& plan) {
 }  // namespace
 
 std::vector<GeneratedFile> emit_parameters(const Plan& plan) {
-  return {{plan.name + "_parameters.hpp", header(plan)}, {plan.name + "_parameters.cpp", source(plan)}};
+  return {{plan.file + "_parameters.hpp", header(plan)}, {plan.file + "_parameters.cpp", source(plan)}};
 }
 
 }  // namespace pal::codegen

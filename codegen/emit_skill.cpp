@@ -24,7 +24,7 @@ std::string header(const Plan& plan) {
   write_heading(out, plan, "Skill " + plan.skill.name + ", for the dispatcher.");
   out.line("#pragma once").line();
   out.line("#include <memory>").line();
-  out.line("#include \"" + plan.name + "_activities.hpp\"");
+  out.line("#include \"" + plan.file + "_activities.hpp\"");
   out.line("#include \"runtime/skill.hpp\"");
   open_namespace(out, plan);
   out.line("const runtime::SkillDescription& description();").line();
@@ -137,14 +137,14 @@ void write_class(Writer& out, const Plan& plan) {
 std::string source(const Plan& plan) {
   Writer out;
   write_heading(out, plan, "Skill " + plan.skill.name + ", for the dispatcher.");
-  out.line("#include \"" + plan.name + "_skill.hpp\"").line();
+  out.line("#include \"" + plan.file + "_skill.hpp\"").line();
   out.line("#include <array>")
       .line("#include <cstddef>")
       .line("#include <string_view>")
       .line("#include <utility>")
       .line();
-  out.line("#include \"" + plan.name + "_modules.hpp\"");
-  out.line("#include \"" + plan.name + "_wiring.hpp\"");
+  out.line("#include \"" + plan.file + "_modules.hpp\"");
+  out.line("#include \"" + plan.file + "_wiring.hpp\"");
   open_namespace(out, plan);
   out.line("namespace {").line();
   write_description(out, plan);
@@ -170,7 +170,7 @@ std::string source(const Plan& plan) {
 }  // namespace
 
 std::vector<GeneratedFile> emit_skill(const Plan& plan) {
-  return {{plan.name + "_skill.hpp", header(plan)}, {plan.name + "_skill.cpp", source(plan)}};
+  return {{plan.file + "_skill.hpp", header(plan)}, {plan.file + "_skill.cpp", source(plan)}};
 }
 
 }  // namespace pal::codegen

@@ -112,7 +112,7 @@ void write_tables(Writer& out, const Plan& plan) {
 std::string source(const Plan& plan) {
   Writer out;
   write_heading(out, plan, "Who runs where, who talks to whom, and how long it takes.");
-  out.line("#include \"" + plan.name + "_wiring.hpp\"").line();
+  out.line("#include \"" + plan.file + "_wiring.hpp\"").line();
   out.line("#include <array>").line("#include <string_view>");
   open_namespace(out, plan);
   out.line("namespace {").line();
@@ -135,7 +135,7 @@ std::string source(const Plan& plan) {
 }  // namespace
 
 std::vector<GeneratedFile> emit_wiring(const Plan& plan) {
-  return {{plan.name + "_wiring.hpp", header(plan)}, {plan.name + "_wiring.cpp", source(plan)}};
+  return {{plan.file + "_wiring.hpp", header(plan)}, {plan.file + "_wiring.cpp", source(plan)}};
 }
 
 }  // namespace pal::codegen

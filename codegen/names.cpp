@@ -54,7 +54,7 @@ char upper(char c) {
 
 }  // namespace
 
-std::string snake_case(std::string_view name) {
+std::string snake_words(std::string_view name) {
   std::string result;
   for (const char c : name) {
     if (word_character(c)) {
@@ -64,9 +64,13 @@ std::string snake_case(std::string_view name) {
     }
   }
   while (!result.empty() && result.back() == '_') result.pop_back();
-  if (result.empty() || digit(result.front())) result.insert(0, "n");
-  if (is_keyword(result)) result += '_';
   return result;
+}
+
+std::string snake_case(std::string_view name) {
+  const std::string words = snake_words(name);
+  const bool apart = words.empty() || digit(words.front()) || is_keyword(words);
+  return apart ? "pal_" + words : words;
 }
 
 std::string camel_case(std::string_view name) {

@@ -7,7 +7,11 @@
 
 namespace pal::codegen {
 
-/// "pc-force" → "pc_force", "request wrench" → "request_wrench"; never a keyword, never begins with a digit.
+/// "pc-force" → "pc_force", "request wrench" → "request_wrench". May be a keyword: for parts of identifiers
+/// and of file names.
+std::string snake_words(std::string_view name);
+
+/// snake_words as an identifier: "class" → "pal_class". It never ends in an underscore, so that a member may.
 std::string snake_case(std::string_view name);
 
 /// "range-profile" → "RangeProfile", "SM1" → "SM1".

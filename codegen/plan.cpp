@@ -34,6 +34,7 @@ class Planner {
   std::optional<Plan> plan() {
     const std::size_t errors = diagnostics_.errors();
     plan_.name = namespace_name(network_.skill.name);
+    plan_.file = snake_words(network_.skill.name);
     plan_.skill_class = types_.unique(camel_case(network_.skill.name) + "Skill");
     plan_.skill = network_.skill;
     plan_.environment = environment_;
@@ -65,7 +66,7 @@ class Planner {
       planned.type = types_.unique(camel_case(message.name));
       planned.variable = variables_.unique(snake_case(message.name));
       planned.pal_name = message.name;
-      Scope fields({"fields", "field_count", "from_fields", planned.type});
+      Scope fields({"fields", "field_count", "from_fields", "message", "numbers"});
       for (const pan::Field& field : message.fields) {
         const std::string name = field.name.empty() ? "value" : field.name;
         planned.fields.push_back({fields.unique(snake_case(name)), field.name, field.type, field.unit});
@@ -89,7 +90,7 @@ class Planner {
       planned.message = network_.messages[channel.message.index()].name;
       planned.receiver = pan::party_name(network_, channel.receiver);
       planned.constant =
-          scope.unique(snake_case(planned.message + " from " + planned.sender + " to " + planned.receiver));
+          scope.unique(snake_words(planned.message + " from " + planned.sender + " to " + planned.receiver));
       planned.fields = indices_.messages[channel.message.index()];
       if (channel.answer.valid()) planned.answer = channel.answer.index();
       planned.request = network_.messages[channel.message.index()].asks_for.valid();
@@ -112,6 +113,7 @@ class Planner {
       PlannedModule planned;
       planned.type = types_.unique(camel_case(module.name));
       planned.variable = variables_.unique(snake_case(module.name));
+      planned.words = snake_words(module.name);
       planned.pal_name = module.name;
       planned.kind = pan::kind_text(module.kind);
       if (module.where.valid()) planned.file = sources_.name(module.where.file);

@@ -95,6 +95,7 @@ struct PlannedStatement {
 struct PlannedModule {
   std::string type;      // C++ class
   std::string variable;  // C++
+  std::string words;     // part of identifiers
   std::string pal_name;
   std::string kind;       // "skill module"
   std::string file;       // of the PAL text
@@ -149,7 +150,8 @@ struct PlannedCondition {
 };
 
 struct Plan {
-  std::string name;  // C++: "touch_read_first", of files, namespace and factory
+  std::string name;  // C++: "touch_read_first", of the namespace and the factory
+  std::string file;  // how the names of its files begin: "touch_read_first"
   std::string skill_class;
   pan::Template skill;
   std::vector<PlannedParameter> parameters;

@@ -22,22 +22,41 @@ Writer& Writer::close(std::string_view text) {
   return line(text);
 }
 
+Writer& Writer::fill(std::string row, const std::vector<std::string>& parts) {
+  constexpr std::size_t width = 110;
+  bool begun = false;
+  for (const std::string& part : parts) {
+    if (begun && level_ * 2 + row.size() + 1 + part.size() > width) {
+      line(row);
+      row = "    " + part;
+    } else {
+      row += (begun ? " " : "") + part;
+    }
+    begun = true;
+  }
+  return line(row);
+}
+
 Writer& Writer::list(const std::string& before, const std::vector<std::string>& items,
                      const std::string& after) {
-  constexpr std::size_t width = 110;
-  std::string row = before;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const bool last = i + 1 == items.size();
-    const std::string item = items[i] + (last ? after : ",");
-    const bool first_of_row = row.empty() || (row == before && i == 0);
-    if (!first_of_row && level_ * 2 + row.size() + 1 + item.size() > width) {
-      line(row);
-      row = "    " + item;
-    } else {
-      row += (first_of_row ? "" : " ") + item;
-    }
+  if (items.empty()) return line(before + after);
+  std::vector<std::string> parts;
+  for (const std::string& item : items) parts.push_back(item + ",");
+  parts.back() = items.back() + after;
+  return fill(before, parts);
+}
+
+Writer& Writer::condition(const std::string& before, const std::string& expression,
+                          const std::string& after) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t at = expression.find_first_of("&|"); at != std::string::npos;
+       at = expression.find_first_of("&|", begin)) {
+    parts.push_back(expression.substr(begin, at + 2 - begin));
+    begin = at + 3;  // after the operator and the space behind it
   }
-  return line(items.empty() ? before + after : row);
+  parts.push_back(expression.substr(begin) + after);
+  return fill(before, parts);
 }
 
 Writer& Writer::indent() {

@@ -20,12 +20,17 @@ class Writer {
   Writer& close(std::string_view text = "}");
   /// `before`, the items with commas between, `after`: in one line if it fits, otherwise over several.
   Writer& list(const std::string& before, const std::vector<std::string>& items, const std::string& after);
+  /// `before`, an expression of && and ||, `after`, likewise.
+  Writer& condition(const std::string& before, const std::string& expression, const std::string& after);
   Writer& indent();
   Writer& outdent();
 
   std::string take() { return std::move(text_); }
 
  private:
+  /// `row` and the parts, spaces between them, broken where the line would be too long.
+  Writer& fill(std::string row, const std::vector<std::string>& parts);
+
   std::string text_;
   std::size_t level_ = 0;
 };

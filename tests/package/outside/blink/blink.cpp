@@ -10,7 +10,7 @@ class Switch final : public pal::skills::blink::BlinkActivities {
     left_ = parameters.times;
     light_.on = false;
   }
-  pal::skills::blink::Light switch_() override {
+  pal::skills::blink::Light toggle() override {
     light_.on = !light_.on;
     --left_;
     return light_;
@@ -24,4 +24,6 @@ class Switch final : public pal::skills::blink::BlinkActivities {
 
 }  // namespace
 
-std::unique_ptr<pal::runtime::Skill> blink() { return pal::skills::blink::make_blink(std::make_unique<Switch>()); }
+std::unique_ptr<pal::runtime::Skill> blink() {
+  return pal::skills::blink::make_blink(std::make_unique<Switch>());
+}

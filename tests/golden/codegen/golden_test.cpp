@@ -1,0 +1,119 @@
+// Plans and generated files, whole. To take new ones over after looking at them: PAL_UPDATE_GOLDEN=1.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "codegen/generate.hpp"
+#include "pal/check/check.hpp"
+#include "pal/check/load.hpp"
+#include "pal/support/render.hpp"
+
+using namespace pal;
+
+namespace {
+
+const std::string folder = PAL_SOURCE_DIR "/tests/golden/codegen/";
+
+std::string read(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// Files by names that are the same wherever the source tree is.
+class InSourceTree final : public FileSystem {
+ public:
+  std::variant<std::string, FileError> read(const std::string& path) const override {
+    return disk_.read(PAL_SOURCE_DIR "/" + path);
+  }
+
+ private:
+  DiskFileSystem disk_;
+};
+
+struct Input {
+  Input(const std::string& skill, const std::string& environment) {
+    specification = check(load(InSourceTree(), sources, {skill, environment}, diagnostics), diagnostics);
+    std::ostringstream findings;
+    render_text(diagnostics.sorted(), sources, findings);
+    INFO(findings.str());
+    REQUIRE_FALSE(diagnostics.has_errors());
+    REQUIRE(specification.skills.size() == 1);
+    REQUIRE(specification.environments.size() == 1);
+  }
+  std::optional<codegen::Plan> plan() {
+    return codegen::make_plan(specification.skills.front(), specification.environments.front(), sources,
+                              diagnostics);
+  }
+  SourceManager sources;
+  Diagnostics diagnostics;
+  Specification specification;
+};
+
+void compare(const std::string& file, const std::string& found) {
+  if (std::getenv("PAL_UPDATE_GOLDEN") != nullptr) {
+    std::ofstream(folder + file, std::ios::binary) << found;
+    return;
+  }
+  CHECK(found == read(folder + file));
+}
+
+std::string all(const std::vector<codegen::GeneratedFile>& files) {
+  std::string text;
+  for (const auto& file : files) text += "==== " + file.name + "\n" + file.text;
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("plan and code of a skill with every statement and odd names") {
+  Input input("tests/golden/codegen/odd_names.pal", "tests/golden/codegen/bench.pal");
+  const auto plan = input.plan();
+  REQUIRE(plan);
+  std::ostringstream text;
+  codegen::dump(*plan, text);
+  compare("odd_names.plan", text.str());
+  compare("odd_names.expected", all(codegen::emit(*plan)));
+}
+
+TEST_CASE("plan and code of approach to touch") {
+  Input input("skills_pal/touch/touch.pal", "skills_pal/workcell.pal");
+  const auto plan = input.plan();
+  REQUIRE(plan);
+  std::ostringstream text;
+  codegen::dump(*plan, text);
+  compare("touch.plan", text.str());
+  compare("touch.expected", all(codegen::emit(*plan)));
+}
+
+TEST_CASE("an environment that lacks something gives findings and no code") {
+  Input input("skills_pal/touch/touch.pal", "skills_pal/workcell.pal");
+  auto& environment = input.specification.environments.front();
+  std::string code;
+  std::string message;
+  SECTION("a thread without a place") {
+    std::erase_if(environment.placements, [](const auto& place) { return place.thread == "LS1"; });
+    code = "PAL0901";
+    message = "environment workcell does not say where LS1 runs";
+  }
+  SECTION("a place on no processor") {
+    std::erase_if(environment.processors, [](const auto& processor) { return processor.name == "P3"; });
+    code = "PAL0901";
+    message = "environment workcell has no processor P3";
+  }
+  SECTION("an activity without a time") {
+    std::erase_if(environment.activities, [](const auto& time) { return time.activity == "hold"; });
+    code = "PAL0902";
+    message = "environment workcell does not say how long hold of MC1 takes";
+  }
+  CHECK(codegen::generate(input.specification.skills.front(), environment, input.sources, input.diagnostics)
+            .empty());
+  REQUIRE(input.diagnostics.errors() == 1);
+  const auto sorted = input.diagnostics.sorted();
+  const auto& found = *std::find_if(sorted.begin(), sorted.end(),
+                                    [](const auto& each) { return each.severity == Severity::error; });
+  CHECK(name(found.code) == code);
+  CHECK(found.message == message);
+}
