@@ -30,7 +30,8 @@ enum Statement {
   s_start,
   s_ask,
   s_take,
-  s_set,  // SM1, before
+  s_set,
+  s_unset,  // SM1, before
   b_ask,
   b_take,
   b_set,  // SM1.1
@@ -105,7 +106,7 @@ WrittenTouch::WrittenTouch(bool read_first) : read_first_(read_first) {
   const auto fixed = [&](std::string_view module, std::string_view text) { add(module, text, cost, cost); };
   add("SM1", "WTM( Coordinator )", 0us, 0us);
   for (const char* text : {"TXM( request Zforce from LS1 )", "WTM( Zforce from LS1 )", "SPC( pc-force )",
-                           "TXM( request Zforce from LS1 )", "WTM( Zforce from LS1 )", "SPC( pc-force )",
+                           "SPC( pc-reach = FALSE )", "TXM( request Zforce from LS1 )", "WTM( Zforce from LS1 )", "SPC( pc-force )",
                            "WTM( motion request from MC1 )", "RPC( pc-force )", "CASE"})
     fixed("SM1", text);
   add("SM1", "stand-still", 100us, 100us);
@@ -189,6 +190,7 @@ Task WrittenTouch::sm1(Thread& thread) {
   co_await thread.send(s_ask, start_force);
   co_await thread.wait(s_take, runtime::from(zforce, known_));
   co_await thread.set(s_set, pc_force, [this] { return known_.values[0] >= threshold; });
+  co_await thread.set(s_unset, pc_reach, [] { return false; });
   co_await thread.concurrent(s_concurrent, thread_sense, thread_move);
   co_await thread.test(s_case, pc_reach);
   if (!thread.tested(pc_reach)) {
