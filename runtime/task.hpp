@@ -27,11 +27,12 @@ class [[nodiscard]] Task {
     template <class Owner>
     promise_type(Owner&, Thread& thread) : thread_(&thread) {}
 
-    static void* operator new(std::size_t size, Thread& thread) {
+    // Inlined also without optimisation: g++ 12 takes a delete for a mismatch of a new that is a template.
+    [[gnu::always_inline]] static void* operator new(std::size_t size, Thread& thread) {
       return detail::allocate_frame(thread, size);
     }
     template <class Owner>
-    static void* operator new(std::size_t size, Owner&, Thread& thread) {
+    [[gnu::always_inline]] static void* operator new(std::size_t size, Owner&, Thread& thread) {
       return detail::allocate_frame(thread, size);
     }
     static void operator delete(void* frame, std::size_t) noexcept { detail::release_frame(frame); }
