@@ -76,6 +76,13 @@ std::int64_t distance(const Window& window, std::int64_t instant) {
   return instant > window.to_ns ? instant - window.to_ns : 0;
 }
 
+// Whether one part of the explanation passes into the next within the window.
+bool explains(const Window& window, const Layer& layer, std::int64_t pad_ns) {
+  return std::any_of(layer.options->explanation.begin(), layer.options->explanation.end(), [&](const Segment& segment) {
+    return distance(window, segment.from_ns + layer.shift_ns) <= pad_ns;
+  });
+}
+
 }  // namespace
 
 Window overview_window(const std::vector<Layer>& layers) {
@@ -121,6 +128,7 @@ std::vector<Window> detail_windows(const std::vector<Layer>& layers, const Windo
   const auto rank = [&](const Window& it) {
     if (distance(it, focus->to_ns) <= unit) return std::int64_t{-2};
     if (distance(it, focus->from_ns) <= unit) return std::int64_t{-1};
+    if (explains(it, layers.front(), unit)) return std::int64_t{0};
     return distance(it, focus->to_ns);
   };
   std::stable_sort(ranked.begin(), ranked.end(),
