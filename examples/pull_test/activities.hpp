@@ -1,0 +1,8 @@
+// The skill, ready to run.
+#pragma once
+
+#include <memory>
+
+#include "runtime/skill.hpp"
+
+std::unique_ptr<pal::runtime::Skill> pull_test_skill();
