@@ -78,9 +78,9 @@ std::int64_t distance(const Window& window, std::int64_t instant) {
 
 // Whether one part of the explanation passes into the next within the window.
 bool explains(const Window& window, const Layer& layer, std::int64_t pad_ns) {
-  return std::any_of(layer.options->explanation.begin(), layer.options->explanation.end(), [&](const Segment& segment) {
-    return distance(window, segment.from_ns + layer.shift_ns) <= pad_ns;
-  });
+  return std::any_of(
+      layer.options->explanation.begin(), layer.options->explanation.end(),
+      [&](const Segment& segment) { return distance(window, segment.from_ns + layer.shift_ns) <= pad_ns; });
 }
 
 }  // namespace

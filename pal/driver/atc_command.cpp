@@ -6,7 +6,7 @@
 
 #include "pal/driver/commands.hpp"
 #include "pal/driver/proof_chart.hpp"
-#include "pal/support/output.hpp"
+#include "pal/driver/write.hpp"
 
 namespace pal::driver {
 namespace {
@@ -38,8 +38,11 @@ std::optional<Chosen> choose(const std::vector<Proof>& proofs, const std::string
     }
     err << "\n";
   } else if (named) {
-    err << fmt::format("pal: '{}' has no worst run to draw: a load is not attained in one run, and what is undecided or never "
-                       "happens has none\n", name);
+    err << fmt::format(
+        "pal: '{}' has no worst run to draw: a load is not attained in one run, and what is undecided or "
+        "never "
+        "happens has none\n",
+        name);
   } else {
     err << "pal: no requirement has a worst run to draw\n";
   }
@@ -93,22 +96,19 @@ ExitStatus draw_atc(const AtcOptions& options, const Console& console) {
     const auto measured = read_trace(options.measured, console);
     if (!measured) return ExitStatus::usage;
     if (measured->skill != what->proof->problem.skill) {
-      console.err << fmt::format("pal: '{}' is a run of '{}', not of '{}'\n", options.measured, measured->skill,
-                                 what->proof->problem.skill);
+      console.err << fmt::format("pal: '{}' is a run of '{}', not of '{}'\n", options.measured,
+                                 measured->skill, what->proof->problem.skill);
       return ExitStatus::usage;
     }
     picture = overlay_chart(*what->proof, what->index, *measured);
   }
-  const std::string path =
-      options.output.empty() ? what->proof->problem.skill + "." + verdict.requirement + ".svg" : options.output;
+  const std::string path = options.output.empty()
+                               ? what->proof->problem.skill + "." + verdict.requirement + ".svg"
+                               : options.output;
   std::vector<OutputFile> files{{path, std::move(picture)}};
-  if (!options.trace.empty()) files.push_back({options.trace, trace_text(verdict.witness->trace, options.chrome)});
-  if (const auto problem = write_files(files)) {
-    console.err << "pal: " << *problem << "\n";
-    return ExitStatus::usage;
-  }
-  for (const OutputFile& file : files) console.out << file.path << "\n";
-  return ExitStatus::all_hold;
+  if (!options.trace.empty())
+    files.push_back({options.trace, trace_text(verdict.witness->trace, options.chrome)});
+  return write_and_list(files, console);
 }
 
 }  // namespace pal::driver

@@ -11,7 +11,8 @@ namespace {
 
 ExitStatus emit_tree(const Selection& selection, const Console& console) {
   Session session;
-  for (const syntax::Tree& tree : load(console.files, session.sources, selection.files, session.diagnostics)) {
+  for (const syntax::Tree& tree :
+       load(console.files, session.sources, selection.files, session.diagnostics)) {
     syntax::dump(tree, session.sources, console.out);
   }
   show_findings(session, console);
@@ -26,7 +27,8 @@ void emit_pan(const Specification& specification, std::ostream& out) {
 
 void say_what_was_not_proved(const Session& session, std::ostream& err) {
   if (session.specification.skills.empty() || !session.specification.environments.empty()) return;
-  err << "pal: no environment, so no times: what needs them was not checked (give one with --environment FILE)\n";
+  err << "pal: no environment, so no times: what needs them was not checked (give one with --environment "
+         "FILE)\n";
 }
 
 }  // namespace

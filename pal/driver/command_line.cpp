@@ -12,20 +12,24 @@ namespace pal::driver {
 namespace {
 
 const char* const statuses =
-    "Exit status: 0 all requirements hold; 1 the specification is wrong; 2 bad usage, or a file could not be read or "
+    "Exit status: 0 all requirements hold; 1 the specification is wrong; 2 bad usage, or a file could not be "
+    "read or "
     "written; 3 some requirement fails or is undecided.";
 
 void add_selection(CLI::App& command, Selection& selection) {
   command.add_option("files", selection.files, "PAL files with the skills")->required()->type_name("FILE");
-  command.add_option("-e,--environment", selection.environments, "PAL file with an environment; may be repeated")
+  command
+      .add_option("-e,--environment", selection.environments, "PAL file with an environment; may be repeated")
       ->type_name("FILE")
       ->take_all();
   command.add_option("-s,--skill", selection.skill, "only the skill of this name")->type_name("NAME");
-  command.add_option("--environment-name", selection.environment, "only the environment of this name")->type_name("NAME");
+  command.add_option("--environment-name", selection.environment, "only the environment of this name")
+      ->type_name("NAME");
 }
 
 void add_limits(CLI::App& command, ProofLimits& limits) {
-  command.add_option("--max-states", limits.max_states, "give up a requirement after so many states (undecided)")
+  command
+      .add_option("--max-states", limits.max_states, "give up a requirement after so many states (undecided)")
       ->capture_default_str();
   command.add_option("--timeout", limits.seconds, "give up after so many seconds (undecided); 0: never")
       ->type_name("SECONDS")
@@ -33,14 +37,17 @@ void add_limits(CLI::App& command, ProofLimits& limits) {
 }
 
 void add_check(CLI::App& app, CheckOptions& options) {
-  CLI::App* command = app.add_subcommand("check", "Finds what is wrong, and proves or refutes every requirement");
+  CLI::App* command =
+      app.add_subcommand("check", "Finds what is wrong, and proves or refutes every requirement");
   add_selection(*command, options.selection);
   add_limits(*command, options.limits);
   command->add_option("--format", options.format, "text or json")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Format>{{"text", Format::text}, {"json", Format::json}}))
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Format>{{"text", Format::text}, {"json", Format::json}}))
       ->type_name("FORMAT");
   command->add_option("--emit", options.emit, "also print what stands between two stages: tree or pan")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Stage>{{"tree", Stage::tree}, {"pan", Stage::pan}}))
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, Stage>{{"tree", Stage::tree}, {"pan", Stage::pan}}))
       ->type_name("STAGE");
   command->add_flag("--statistics", options.statistics, "print states explored and seconds taken");
   command->footer(statuses);
@@ -54,29 +61,42 @@ void add_pan(CLI::App& app, PanOptions& options) {
       ->type_name("FOLDER")
       ->capture_default_str();
   command->add_flag("--dot", options.dot, "write Graphviz DOT instead of SVG");
-  command->add_flag("--letters", options.letters, "statements as letters and conditions as c1, c2, … with a key");
+  command->add_flag("--letters", options.letters,
+                    "statements as letters and conditions as c1, c2, … with a key");
   command->footer(statuses);
 }
 
 void add_atc(CLI::App& app, AtcOptions& options) {
-  CLI::App* command = app.add_subcommand("atc", "Draws the activity timing chart of a requirement's worst run");
+  CLI::App* command =
+      app.add_subcommand("atc", "Draws the activity timing chart of a requirement's worst run");
   add_selection(*command, options.selection);
   add_limits(*command, options.limits);
-  command->add_option("-r,--requirement", options.requirement, "the requirement; without it the first that fails, else the tightest")
+  command
+      ->add_option("-r,--requirement", options.requirement,
+                   "the requirement; without it the first that fails, else the tightest")
       ->type_name("NAME");
-  command->add_option("-o,--output", options.output, "the picture (SKILL.REQUIREMENT.svg)")->type_name("FILE");
-  command->add_option("--measured", options.measured, "lay the run of this trace over the proved one")->type_name("FILE");
+  command->add_option("-o,--output", options.output, "the picture (SKILL.REQUIREMENT.svg)")
+      ->type_name("FILE");
+  command->add_option("--measured", options.measured, "lay the run of this trace over the proved one")
+      ->type_name("FILE");
   command->add_option("--trace", options.trace, "also write the worst run as a trace")->type_name("FILE");
-  command->add_flag("--chrome", options.chrome, "write the trace in Chrome's trace-event form, as Perfetto opens it");
+  command->add_flag("--chrome", options.chrome,
+                    "write the trace in Chrome's trace-event form, as Perfetto opens it");
   command->footer(statuses);
 }
 
 void add_generate(CLI::App& app, GenerateOptions& options) {
   CLI::App* command = app.add_subcommand("generate", "Writes the C++ of a skill in an environment");
   add_selection(*command, options.selection);
-  command->add_option("-o,--output", options.output, "folder for the files")->type_name("FOLDER")->capture_default_str();
-  command->add_option("--depfile", options.depfile, "also write a make rule with every file that was read")->type_name("FILE");
-  command->add_option("--depfile-target", options.depfile_target, "target of that rule, if not the files written")->type_name("FILE");
+  command->add_option("-o,--output", options.output, "folder for the files")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  command->add_option("--depfile", options.depfile, "also write a make rule with every file that was read")
+      ->type_name("FILE");
+  command
+      ->add_option("--depfile-target", options.depfile_target,
+                   "target of that rule, if not the files written")
+      ->type_name("FILE");
   command->footer(statuses);
 }
 

@@ -1,4 +1,5 @@
-// What a command may touch: streams and files are passed in, so that every command can be tested from strings.
+// What a command may touch: streams and files are passed in, so that every command can be tested from
+// strings.
 #pragma once
 
 #include <iosfwd>

@@ -4,7 +4,7 @@
 
 #include "codegen/generate.hpp"
 #include "pal/driver/commands.hpp"
-#include "pal/support/output.hpp"
+#include "pal/driver/write.hpp"
 
 namespace pal::driver {
 namespace {
@@ -35,14 +35,16 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
   Session session;
   const bool chosen = read(options.selection, console, session);
   std::vector<codegen::GeneratedFile> generated;
-  const bool one = chosen && !session.diagnostics.has_errors() &&
-                   is_one(session.specification.skills.size(), "skill", "give a file with a SKILL", "choose with --skill NAME",
-                          console.err) &&
-                   is_one(session.specification.environments.size(), "environment", "give one with --environment FILE",
-                          "choose with --environment-name NAME", console.err);
+  const bool one =
+      chosen && !session.diagnostics.has_errors() &&
+      is_one(session.specification.skills.size(), "skill", "give a file with a SKILL",
+             "choose with --skill NAME", console.err) &&
+      is_one(session.specification.environments.size(), "environment", "give one with --environment FILE",
+             "choose with --environment-name NAME", console.err);
   if (one) {
-    generated = codegen::generate(session.specification.skills.front(), session.specification.environments.front(),
-                                  session.sources, session.diagnostics);
+    generated =
+        codegen::generate(session.specification.skills.front(), session.specification.environments.front(),
+                          session.sources, session.diagnostics);
   }
   show_findings(session, console);
   if (session.diagnostics.has_errors()) return ExitStatus::wrong_specification;
@@ -52,12 +54,9 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
   for (codegen::GeneratedFile& file : generated) {
     files.push_back({options.output + "/" + file.name, std::move(file.text)});
   }
-  if (!options.depfile.empty()) files.push_back({options.depfile, depfile_text(files, options.depfile_target, session.sources)});
-  if (const auto problem = write_files(files)) {
-    console.err << "pal: " << *problem << "\n";
-    return ExitStatus::usage;
-  }
-  return ExitStatus::all_hold;
+  if (!options.depfile.empty())
+    files.push_back({options.depfile, depfile_text(files, options.depfile_target, session.sources)});
+  return write_and_list(files, console);
 }
 
 }  // namespace pal::driver

@@ -10,10 +10,11 @@
 int main(int count, char** arguments) {
   const pal::DiskFileSystem files;
   try {
-    return static_cast<int>(
-        pal::driver::run(std::vector<std::string>(arguments + 1, arguments + count), {std::cout, std::cerr, files}));
+    return static_cast<int>(pal::driver::run(std::vector<std::string>(arguments + 1, arguments + count),
+                                             {std::cout, std::cerr, files}));
   } catch (const std::exception& error) {
-    std::cerr << "pal: internal error: " << error.what() << " (please report it with the files that cause it)\n";
+    std::cerr << "pal: internal error: " << error.what()
+              << " (please report it with the files that cause it)\n";
     return static_cast<int>(pal::driver::ExitStatus::usage);
   }
 }

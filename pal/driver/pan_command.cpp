@@ -4,13 +4,14 @@
 #include <stdexcept>
 
 #include "pal/driver/commands.hpp"
+#include "pal/driver/write.hpp"
 #include "pal/pan/dot.hpp"
-#include "pal/support/output.hpp"
 
 namespace pal::driver {
 namespace {
 
-/// The pictures of one network's modules. Modules that stand in several skills are drawn once: their bodies are the same.
+/// The pictures of one network's modules. Modules that stand in several skills are drawn once: their bodies
+/// are the same.
 void add_pictures(const pan::Network& network, const PanOptions& options, std::vector<OutputFile>& files) {
   pan::DotOptions dot_options;
   dot_options.letters = options.letters;
@@ -38,16 +39,12 @@ ExitStatus draw_pan(const PanOptions& options, const Console& console) {
   for (const pan::Network& network : session.specification.skills) add_pictures(network, options, files);
   for (const pan::Network& network : session.specification.sketches) add_pictures(network, options, files);
   if (files.empty()) {
-    console.err << (options.module.empty() ? "pal: there is no module with a body to draw\n"
-                                           : fmt::format("pal: no module with a body is called '{}'\n", options.module));
+    console.err << (options.module.empty()
+                        ? "pal: there is no module with a body to draw\n"
+                        : fmt::format("pal: no module with a body is called '{}'\n", options.module));
     return ExitStatus::usage;
   }
-  if (const auto problem = write_files(files)) {
-    console.err << "pal: " << *problem << "\n";
-    return ExitStatus::usage;
-  }
-  for (const OutputFile& file : files) console.out << file.path << "\n";
-  return ExitStatus::all_hold;
+  return write_and_list(files, console);
 }
 
 }  // namespace pal::driver

@@ -13,7 +13,9 @@ namespace {
 using Measure = analyzer::Requirement::Measure;
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
 
 /// The distinct statements that a requirement is about: "TXM( motion to MC1 ) in SM1".
 std::string statements_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
@@ -58,8 +60,8 @@ std::string measure_text(const Proof& proof, std::size_t index) {
       return "age of " + problem.conditions[static_cast<std::size_t>(requirement.condition)] + " at " +
              statements_text(problem, requirement);
     case Measure::response:
-      return "response from " + problem.channels[static_cast<std::size_t>(requirement.event)].message + " of " +
-             problem.devices[static_cast<std::size_t>(requirement.device)].name + " to " +
+      return "response from " + problem.channels[static_cast<std::size_t>(requirement.event)].message +
+             " of " + problem.devices[static_cast<std::size_t>(requirement.device)].name + " to " +
              statements_text(problem, requirement);
     case Measure::load:
       break;
@@ -72,14 +74,15 @@ std::string figure_text(Measure measure, Duration value) {
   if (measure != Measure::load) return to_text(value);
   const auto hundredths = (value.count() + 99'999) / 100'000;  // 1e9 ns in a second are 100.00 %
   const std::string fraction = std::to_string(hundredths % 100);
-  return std::to_string(hundredths / 100) + (hundredths % 100 == 0 ? "" : (fraction.size() < 2 ? ".0" : ".") + fraction) +
-         " %";
+  return std::to_string(hundredths / 100) +
+         (hundredths % 100 == 0 ? "" : (fraction.size() < 2 ? ".0" : ".") + fraction) + " %";
 }
 
 bool all_hold(const std::vector<Proof>& proofs) {
   return std::all_of(proofs.begin(), proofs.end(), [](const Proof& proof) {
-    return std::all_of(proof.analysis.verdicts.begin(), proof.analysis.verdicts.end(),
-                       [](const analyzer::Verdict& verdict) { return verdict.state == analyzer::VerdictState::holds; });
+    return std::all_of(
+        proof.analysis.verdicts.begin(), proof.analysis.verdicts.end(),
+        [](const analyzer::Verdict& verdict) { return verdict.state == analyzer::VerdictState::holds; });
   });
 }
 

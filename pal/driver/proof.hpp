@@ -22,11 +22,12 @@ struct ProofLimits {
   double seconds = 0;                  // of everything together; 0: as long as it takes
 };
 
-/// Proves every skill of the session in every one of its environments. What keeps a model from being built is added to
-/// the session's findings.
+/// Proves every skill of the session in every one of its environments. What keeps a model from being built is
+/// added to the session's findings.
 std::vector<Proof> prove(Session& session, const ProofLimits& limits);
 
-/// "age of pc-force at TXM( motion to MC1 ) in SM1", "response from tick of alter to TXM( correction to alter )", …
+/// "age of pc-force at TXM( motion to MC1 ) in SM1", "response from tick of alter to TXM( correction to alter
+/// )", …
 std::string measure_text(const Proof& proof, std::size_t requirement);
 
 /// A length of time, or of a load its percentage: "7.35 ms", "41.2 %". A bound's percentage is rounded up.
@@ -35,8 +36,8 @@ std::string figure_text(analyzer::Requirement::Measure measure, Duration value);
 /// Whether every verdict is `holds`.
 bool all_hold(const std::vector<Proof>& proofs);
 
-/// Adds a finding for every requirement that fails or is undecided: where it stands, which statement uses how old a
-/// value or answers how late, and what the time was spent on.
+/// Adds a finding for every requirement that fails or is undecided: where it stands, which statement uses how
+/// old a value or answers how late, and what the time was spent on.
 void report_unmet(const std::vector<Proof>& proofs, Session& session);
 
 }  // namespace pal::driver

@@ -65,7 +65,8 @@ std::optional<std::size_t> most_interesting(const Proof& proof) {
     const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
     if (!verdict.witness) continue;
     if (verdict.state == State::fails) return i;
-    const double share = static_cast<double>(verdict.witness->measured.value) / static_cast<double>(verdict.limit.count());
+    const double share =
+        static_cast<double>(verdict.witness->measured.value) / static_cast<double>(verdict.limit.count());
     if (!best || share > best_share) {
       best = i;
       best_share = share;
@@ -79,7 +80,8 @@ std::vector<trace::StatementName> statements_of(const Proof& proof, std::size_t 
   std::vector<trace::StatementName> result;
   for (std::size_t step = 0; step < requirement.at.size(); ++step) {
     if (!requirement.at[step] || proof.problem.steps[step].statement < 0) continue;
-    const auto& statement = proof.problem.statements[static_cast<std::size_t>(proof.problem.steps[step].statement)];
+    const auto& statement =
+        proof.problem.statements[static_cast<std::size_t>(proof.problem.steps[step].statement)];
     result.push_back({statement.module, statement.text, statement.line});
   }
   return result;
@@ -101,7 +103,8 @@ std::optional<trace::Occurrence> longest_in(const trace::Trace& run, const Proof
 }
 
 std::string witness_chart(const Proof& proof, std::size_t index) {
-  return chart::svg(chart::timeline(proof.analysis.verdicts[index].witness->trace), options_for(proof, index));
+  return chart::svg(chart::timeline(proof.analysis.verdicts[index].witness->trace),
+                    options_for(proof, index));
 }
 
 std::string overlay_chart(const Proof& proof, std::size_t index, const trace::Trace& measured) {
@@ -110,8 +113,8 @@ std::string overlay_chart(const Proof& proof, std::size_t index, const trace::Tr
   if (const auto found = longest_in(measured, proof, index); found && found->length_ns() > 0) {
     options.measured.highlight = highlight(proof, index, found->from_ns, found->to_ns);
   }
-  return chart::overlay_svg(chart::timeline(proof.analysis.verdicts[index].witness->trace), chart::timeline(measured),
-                            options);
+  return chart::overlay_svg(chart::timeline(proof.analysis.verdicts[index].witness->trace),
+                            chart::timeline(measured), options);
 }
 
 }  // namespace pal::driver

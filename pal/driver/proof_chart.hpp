@@ -12,21 +12,22 @@
 
 namespace pal::driver {
 
-/// The requirement that a reader wants to see: the first that fails, else the one with the least of its limit to
-/// spare. Only those with a witness; nothing if there is none.
+/// The requirement that a reader wants to see: the first that fails, else the one with the least of its limit
+/// to spare. Only those with a witness; nothing if there is none.
 std::optional<std::size_t> most_interesting(const Proof& proof);
 
 /// The statements that requirement `index` is about, by their names in traces.
 std::vector<trace::StatementName> statements_of(const Proof& proof, std::size_t index);
 
-/// The longest interval of requirement `index` (an age or a response) in a trace of the same skill; nothing if it has none.
+/// The longest interval of requirement `index` (an age or a response) in a trace of the same skill; nothing
+/// if it has none.
 std::optional<trace::Occurrence> longest_in(const trace::Trace& run, const Proof& proof, std::size_t index);
 
 /// SVG of the witness of verdict `index`, which has one.
 std::string witness_chart(const Proof& proof, std::size_t index);
 
-/// SVG of `measured` over the witness of verdict `index`, which has one; aligned at the beginnings of the longest
-/// intervals of the two.
+/// SVG of `measured` over the witness of verdict `index`, which has one; aligned at the beginnings of the
+/// longest intervals of the two.
 std::string overlay_chart(const Proof& proof, std::size_t index, const trace::Trace& measured);
 
 }  // namespace pal::driver

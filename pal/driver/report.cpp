@@ -20,7 +20,8 @@ std::string margin_text(const analyzer::Verdict& verdict) {
   const bool load = verdict.measure == analyzer::Requirement::Measure::load;
   // What is to spare of a load is rounded down, as its bound is rounded up.
   const Duration rounding(load && !over ? margin.count() % 100'000 : 0);
-  return figure_text(verdict.measure, over ? -margin : margin - rounding) + (over ? " too much" : " to spare");
+  return figure_text(verdict.measure, over ? -margin : margin - rounding) +
+         (over ? " too much" : " to spare");
 }
 
 std::string bound_text(const analyzer::Verdict& verdict) {
@@ -41,8 +42,9 @@ void write_table(const std::vector<Proof>& proofs, std::ostream& out) {
     for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
       const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
       out << fmt::format("  {:9}  {:{}}  {:{}}  {:>11}  of {:>7}  {}\n", analyzer::name(verdict.state),
-                         verdict.requirement, name_width, measure_text(proof, i), measure_width, bound_text(verdict),
-                         figure_text(verdict.measure, verdict.limit), margin_text(verdict));
+                         verdict.requirement, name_width, measure_text(proof, i), measure_width,
+                         bound_text(verdict), figure_text(verdict.measure, verdict.limit),
+                         margin_text(verdict));
     }
   }
 }
@@ -56,7 +58,8 @@ void write_statistics(const std::vector<Proof>& proofs, std::ostream& out) {
 
 std::string json(const std::vector<Proof>& proofs, const Session& session) {
   nlohmann::ordered_json document;
-  document["diagnostics"] = nlohmann::ordered_json::parse(render_json(session.diagnostics.sorted(), session.sources));
+  document["diagnostics"] =
+      nlohmann::ordered_json::parse(render_json(session.diagnostics.sorted(), session.sources));
   document["requirements"] = nlohmann::ordered_json::array();
   for (const Proof& proof : proofs) {
     for (const analyzer::Verdict& verdict : proof.analysis.verdicts) {
@@ -66,7 +69,8 @@ std::string json(const std::vector<Proof>& proofs, const Session& session) {
       row["environment"] = proof.problem.environment;
       row["measure"] = analyzer::name(verdict.measure);
       row["limit_ns"] = verdict.limit.count();
-      row["bound_ns"] = verdict.bound ? nlohmann::ordered_json(verdict.bound->count()) : nlohmann::ordered_json();
+      row["bound_ns"] =
+          verdict.bound ? nlohmann::ordered_json(verdict.bound->count()) : nlohmann::ordered_json();
       row["exact"] = verdict.exact;
       row["verdict"] = analyzer::name(verdict.state);
       document["requirements"].push_back(std::move(row));

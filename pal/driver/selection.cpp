@@ -9,8 +9,12 @@
 namespace pal::driver {
 namespace {
 
-const std::string& name_of(const pan::Network& network) { return network.skill.name; }
-const std::string& name_of(const pan::Environment& environment) { return environment.name; }
+const std::string& name_of(const pan::Network& network) {
+  return network.skill.name;
+}
+const std::string& name_of(const pan::Environment& environment) {
+  return environment.name;
+}
 
 /// Keeps what is called `name`; false, with a message, if nothing is.
 template <class Thing>

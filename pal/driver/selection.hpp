@@ -27,8 +27,8 @@ struct Session {
   Specification specification;
 };
 
-/// Reads and checks everything that `selection` names, and keeps of it what `selection` chooses. Findings are left in the session;
-/// a name that chooses nothing is reported to `console.err`, and the answer is false.
+/// Reads and checks everything that `selection` names, and keeps of it what `selection` chooses. Findings are
+/// left in the session; a name that chooses nothing is reported to `console.err`, and the answer is false.
 bool read(const Selection& selection, const Console& console, Session& session);
 
 /// Renders the findings as text to `console.err`.

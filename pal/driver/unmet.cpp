@@ -12,9 +12,9 @@ using Measure = analyzer::Requirement::Measure;
 using State = analyzer::VerdictState;
 
 SourceSpan place_of(const analyzer::Problem& problem, const analyzer::Reason& reason) {
-  const auto found = std::find_if(problem.statements.begin(), problem.statements.end(), [&](const auto& statement) {
-    return statement.line == reason.line && statement.file == reason.file;
-  });
+  const auto found = std::find_if(
+      problem.statements.begin(), problem.statements.end(),
+      [&](const auto& statement) { return statement.line == reason.line && statement.file == reason.file; });
   return found == problem.statements.end() || reason.line == 0 ? SourceSpan{} : found->where;
 }
 
@@ -35,9 +35,12 @@ const analyzer::Reason* longest_wait_after_read(const analyzer::Verdict& verdict
 }
 
 std::string hint_of(const analyzer::Verdict& verdict) {
-  if (verdict.state == State::undecided) return "allow more with --max-states or --timeout, or make the skill or its times simpler";
-  if (verdict.measure == Measure::load) return "move modules to another processor, or shorten their activities";
-  if (verdict.measure == Measure::response) return "shorten what the time is spent on, give it a processor of its own, or answer without waiting";
+  if (verdict.state == State::undecided)
+    return "allow more with --max-states or --timeout, or make the skill or its times simpler";
+  if (verdict.measure == Measure::load)
+    return "move modules to another processor, or shorten their activities";
+  if (verdict.measure == Measure::response)
+    return "shorten what the time is spent on, give it a processor of its own, or answer without waiting";
   const analyzer::Reason* wait = longest_wait_after_read(verdict);
   if (wait == nullptr) return "shorten what lies between the set and its use";
   return "read the condition after " + wait->what.substr(std::string("waits at ").size()) + ", not before it";
@@ -49,13 +52,14 @@ void report(const Proof& proof, std::size_t index, Session& session) {
   const std::string what = fails ? " fails: " : " is undecided: ";
   Diagnostic& finding = session.diagnostics.report(
       fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
-      "'" + verdict.requirement + "'" + what + measure_text(proof, index) + " is " + figure_of(verdict) + " in " +
-          proof.problem.environment + ", at most " + figure_text(verdict.measure, verdict.limit) + " is required",
+      "'" + verdict.requirement + "'" + what + measure_text(proof, index) + " is " + figure_of(verdict) +
+          " in " + proof.problem.environment + ", at most " + figure_text(verdict.measure, verdict.limit) +
+          " is required",
       hint_of(verdict));
   if (verdict.reasons.empty()) finding.notes.push_back({verdict.where, verdict.explanation});
   for (const analyzer::Reason& reason : verdict.reasons) {
-    finding.notes.push_back({place_of(proof.problem, reason),
-                             to_text(Duration(reason.to - reason.from)) + ": " + reason.actor + " " + reason.what});
+    finding.notes.push_back({place_of(proof.problem, reason), to_text(Duration(reason.to - reason.from)) +
+                                                                  ": " + reason.actor + " " + reason.what});
   }
 }
 

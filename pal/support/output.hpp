@@ -12,8 +12,8 @@ struct OutputFile {
   std::string content;
 };
 
-/// Writes every file, making folders that are missing; each is written beside its place and then renamed, and nothing is renamed
-/// before all are written. Returns what went wrong, with the path, or nothing.
+/// Writes every file, making folders that are missing; each is written beside its place and then renamed, and
+/// nothing is renamed before all are written. Returns what went wrong, with the path, or nothing.
 std::optional<std::string> write_files(const std::vector<OutputFile>& files);
 
 }  // namespace pal

@@ -5,8 +5,8 @@
 namespace pal::trace {
 namespace {
 
-/// Block "SM1.2" belongs to "SM1", the thread whose name is the longest proper prefix that ends before a dot; a nested
-/// block too, since its true parent is the thread of its module or a block named like one.
+/// Block "SM1.2" belongs to "SM1", the thread whose name is the longest proper prefix that ends before a dot;
+/// a nested block too, since its true parent is the thread of its module or a block named like one.
 std::int32_t parent_of(const Trace& trace, const Actor& block) {
   const auto dot = block.name.rfind('.');
   if (block.device || dot == std::string::npos) return -1;
@@ -16,7 +16,9 @@ std::int32_t parent_of(const Trace& trace, const Actor& block) {
   return found == trace.actors.end() ? -1 : static_cast<std::int32_t>(found - trace.actors.begin());
 }
 
-bool is_progress(Kind kind) { return kind == Kind::ready || kind == Kind::start || kind == Kind::done; }
+bool is_progress(Kind kind) {
+  return kind == Kind::ready || kind == Kind::start || kind == Kind::done;
+}
 
 }  // namespace
 

@@ -13,7 +13,8 @@ class Inheritance {
  public:
   explicit Inheritance(const Trace& trace);
 
-  /// The parent from which `event`'s actor inherits at this event, or -1. To be called with every event, in order.
+  /// The parent from which `event`'s actor inherits at this event, or -1. To be called with every event, in
+  /// order.
   std::int32_t begins(const Event& event);
 
  private:

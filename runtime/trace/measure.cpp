@@ -26,7 +26,8 @@ bool has_effect_at(const Event& event, const std::vector<bool>& marks) {
 template <class Value>
 void inherit(Inheritance& inheritance, const Event& event, std::vector<Value>& of_actor) {
   const std::int32_t parent = inheritance.begins(event);
-  if (parent >= 0) of_actor[static_cast<std::size_t>(event.actor)] = of_actor[static_cast<std::size_t>(parent)];
+  if (parent >= 0)
+    of_actor[static_cast<std::size_t>(event.actor)] = of_actor[static_cast<std::size_t>(parent)];
 }
 
 /// The events of one device that wait for their answer, and who carries which.
@@ -76,17 +77,18 @@ class Causes {
   int passed_over() const { return passed_over_; }
 
  private:
-  std::vector<bool> from_device_;                                // by channel
-  std::vector<std::int64_t> births_;                             // by event
-  std::vector<bool> answered_;                                   // by event
+  std::vector<bool> from_device_;                                  // by channel
+  std::vector<std::int64_t> births_;                               // by event
+  std::vector<bool> answered_;                                     // by event
   std::map<std::int32_t, std::optional<std::size_t>> on_message_;  // by serial number
-  std::vector<std::optional<std::size_t>> carried_;              // by actor
+  std::vector<std::optional<std::size_t>> carried_;                // by actor
   int passed_over_ = 0;
 };
 
 }  // namespace
 
-std::vector<Occurrence> ages(const Trace& trace, const std::string& condition, const std::vector<StatementName>& at) {
+std::vector<Occurrence> ages(const Trace& trace, const std::string& condition,
+                             const std::vector<StatementName>& at) {
   const std::vector<bool> marks = marked(trace, at);
   const auto found = std::find(trace.conditions.begin(), trace.conditions.end(), condition);
   const auto subject = static_cast<std::int32_t>(found - trace.conditions.begin());
@@ -128,9 +130,9 @@ Responses responses(const Trace& trace, const std::string& device, const std::st
 }
 
 const Occurrence* longest(const std::vector<Occurrence>& occurrences) {
-  const auto found = std::max_element(occurrences.begin(), occurrences.end(), [](const Occurrence& a, const Occurrence& b) {
-    return a.length_ns() < b.length_ns();
-  });
+  const auto found = std::max_element(
+      occurrences.begin(), occurrences.end(),
+      [](const Occurrence& a, const Occurrence& b) { return a.length_ns() < b.length_ns(); });
   return found == occurrences.end() ? nullptr : &*found;
 }
 

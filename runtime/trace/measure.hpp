@@ -1,5 +1,5 @@
-// What a run attained of a measure, read off its trace alone: the same for a predicted and for a measured run, and
-// independent of whatever proved a bound (docs/timing.md gives the measures).
+// What a run attained of a measure, read off its trace alone: the same for a predicted and for a measured
+// run, and independent of whatever proved a bound (docs/timing.md gives the measures).
 #pragma once
 
 #include <cstdint>
@@ -30,9 +30,10 @@ struct Occurrence {
   friend bool operator==(const Occurrence&, const Occurrence&) = default;
 };
 
-/// Ages of `condition` at each effect of a statement of `at`, in order of time: from the set whose value the thread
-/// had last read (time 0 if there was none) to the effect. Effects before any read have no age.
-std::vector<Occurrence> ages(const Trace& trace, const std::string& condition, const std::vector<StatementName>& at);
+/// Ages of `condition` at each effect of a statement of `at`, in order of time: from the set whose value the
+/// thread had last read (time 0 if there was none) to the effect. Effects before any read have no age.
+std::vector<Occurrence> ages(const Trace& trace, const std::string& condition,
+                             const std::vector<StatementName>& at);
 
 struct Responses {
   std::vector<Occurrence> answered;  // from the event to the effect that answered it

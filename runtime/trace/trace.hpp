@@ -1,7 +1,8 @@
 // A run of a skill as a list of events: the one vocabulary for predicted and for measured runs.
 //
-// The analyzer writes a trace of the run that it proved to be the worst; the runtime writes one of what happened.
-// Charts are drawn from either, and one is laid over the other. docs/trace.md describes the file form.
+// The analyzer writes a trace of the run that it proved to be the worst; the runtime writes one of what
+// happened. Charts are drawn from either, and one is laid over the other. docs/trace.md describes the file
+// form.
 #pragma once
 
 #include <cstdint>
@@ -12,29 +13,30 @@
 namespace pal::trace {
 
 enum class Kind : std::uint8_t {
-  ready,    // actor can run `statement` but has no processor
-  start,    // actor begins or resumes `statement` on its processor
-  stop,     // actor is preempted before `statement` has had its effect
-  done,     // `statement` has its effect
-  block,    // actor waits without a processor; subject: channel (or -1: for its blocks, or for the start)
-  give_up,  // a wait WITHIN a time ended without a message; subject: channel
-  put,      // actor puts a message into channel `subject`; value: serial number of the message
-  take,     // actor takes it; subject: channel, value: serial
-  drop,     // a message that nobody wants any more is discarded; subject: channel, value: serial
-  overrun,  // a device's event found its channel full; subject: channel
-  set,      // condition `subject` becomes `value`
-  read,     // condition `subject` was `value`
-  busy,     // a device begins to serve a request or to collect a frame
-  idle,     // the device is done
-  cancel,   // actor, a CONCURRENT block that cannot end, is stopped
-  complete, // the skill ends; value: completion code
-  fault,    // the runtime ended the skill; value: index into faults
+  ready,     // actor can run `statement` but has no processor
+  start,     // actor begins or resumes `statement` on its processor
+  stop,      // actor is preempted before `statement` has had its effect
+  done,      // `statement` has its effect
+  block,     // actor waits without a processor; subject: channel (or -1: for its blocks, or for the start)
+  give_up,   // a wait WITHIN a time ended without a message; subject: channel
+  put,       // actor puts a message into channel `subject`; value: serial number of the message
+  take,      // actor takes it; subject: channel, value: serial
+  drop,      // a message that nobody wants any more is discarded; subject: channel, value: serial
+  overrun,   // a device's event found its channel full; subject: channel
+  set,       // condition `subject` becomes `value`
+  read,      // condition `subject` was `value`
+  busy,      // a device begins to serve a request or to collect a frame
+  idle,      // the device is done
+  cancel,    // actor, a CONCURRENT block that cannot end, is stopped
+  complete,  // the skill ends; value: completion code
+  fault,     // the runtime ended the skill; value: index into faults
 };
 
 /// "ready", "start", …: the spelling in files.
 const char* name(Kind kind);
 
-/// `actor`, `statement`, `subject` index the tables of the trace; -1: none. Times are nanoseconds from the start.
+/// `actor`, `statement`, `subject` index the tables of the trace; -1: none. Times are nanoseconds from the
+/// start.
 struct Event {
   std::int64_t time_ns = 0;
   Kind kind = Kind::start;

@@ -38,15 +38,18 @@ std::vector<Promise> promises(const KnownSkill& skill, const std::vector<std::st
   if (chosen && !session.diagnostics.has_errors()) proofs = driver::prove(session, {});
   if (proofs.empty()) {
     driver::show_findings(session, console);
-    throw Failure(ExitStatus::wrong_specification, selection.files.front(), "the PAL of the skill is wrong\n" + err.str());
+    throw Failure(ExitStatus::wrong_specification, selection.files.front(),
+                  "the PAL of the skill is wrong\n" + err.str());
   }
   for (const driver::Proof& proof : proofs) {
     for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
       const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
       const bool load = verdict.measure == analyzer::Requirement::Measure::load;
       if (load || !verdict.witness || !verdict.bound) continue;
-      Promise promise{verdict.requirement, driver::measure_text(proof, i), *verdict.bound, verdict.exact, {}, {}};
-      if (const auto longest = driver::longest_in(run, proof, i)) promise.measured = Duration(longest->length_ns());
+      Promise promise{
+          verdict.requirement, driver::measure_text(proof, i), *verdict.bound, verdict.exact, {}, {}};
+      if (const auto longest = driver::longest_in(run, proof, i))
+        promise.measured = Duration(longest->length_ns());
       promise.chart = driver::overlay_chart(proof, i, run);
       result.push_back(std::move(promise));
     }

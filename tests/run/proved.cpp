@@ -1,5 +1,5 @@
-// The generated skills on the runtime against what the analyzer proved of their PAL: nothing that a run measures may exceed
-// its bound, and the bound is near what runs attain.
+// The generated skills on the runtime against what the analyzer proved of their PAL: nothing that a run
+// measures may exceed its bound, and the bound is near what runs attain.
 #include <catch2/catch.hpp>
 #include <map>
 #include <sstream>
@@ -49,7 +49,8 @@ TEST_CASE("no run measures more than was proved") {
     const driver::Proof proof = prove(skill);
     std::map<std::string, Duration> greatest;
     for (int i = 0; i < 56; ++i) {
-      for (const auto costs : {runtime::CostPolicy::worst, runtime::CostPolicy::best, runtime::CostPolicy::random}) {
+      for (const auto costs :
+           {runtime::CostPolicy::worst, runtime::CostPolicy::best, runtime::CostPolicy::random}) {
         const auto answer = i % 2 == 0 ? runtime::Time(6ms) : runtime::Time(5700us);
         const trace::Trace measured =
             run(skill, i * 500us, answer, {.costs = costs, .seed = static_cast<std::uint64_t>(i)});

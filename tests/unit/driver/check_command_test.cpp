@@ -1,0 +1,113 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/unit/driver/program.hpp"
+
+using namespace pal::test;
+using pal::driver::ExitStatus;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string cell = skill("workcell.pal");
+const std::string touch = skill("touch/touch.pal");
+const std::string read_first = skill("touch/touch_read_first.pal");
+
+}  // namespace
+
+TEST_CASE("a skill that meets its requirements") {
+  const auto answer = pal::test::pal({"check", touch, "-e", cell});
+  CHECK(answer.status == ExitStatus::all_hold);
+  CHECK(answer.err.empty());
+  CHECK(answer.out.find("holds      fresh-force") != std::string::npos);
+}
+
+TEST_CASE("a skill that does not: which statement uses how old a value, and why") {
+  const auto answer = pal::test::pal({"check", read_first, "-e", cell});
+  CHECK(answer.status == ExitStatus::not_met);
+  CHECK(answer.err.find("'fresh-force' fails: age of pc-force at TXM( motion to MC1 ) in SM1 is 35 ms") !=
+        std::string::npos);
+  CHECK(answer.err.find("27.65 ms: SM1.2 waits at WTM( request motion from MC1 )") != std::string::npos);
+  CHECK(answer.err.find("hint: read the condition after WTM( request motion from MC1 )") !=
+        std::string::npos);
+}
+
+TEST_CASE("the parts of an explanation add up to the bound") {
+  const Json document =
+      Json::parse(pal::test::pal({"check", read_first, "-e", cell, "--format", "json"}).out);
+  double sum = 0;
+  for (const Json& diagnostic : document["diagnostics"]) {
+    if (diagnostic["code"] != "PAL0890") continue;
+    for (const Json& note : diagnostic["notes"]) {
+      const std::string text = note["message"];
+      const double figure = std::stod(text);
+      sum += text.find(" us:") != std::string::npos ? figure / 1000 : figure;
+    }
+  }
+  CHECK(sum == Approx(35.0).epsilon(1e-12));
+}
+
+TEST_CASE("the JSON form has the documented members and no others") {
+  const auto answer = pal::test::pal({"check", read_first, "--environment", cell, "--format", "json"});
+  CHECK(answer.status == ExitStatus::not_met);
+  const Json document = Json::parse(answer.out);
+  REQUIRE(document.size() == 2);
+  for (const Json& diagnostic : document.at("diagnostics")) {
+    for (const char* member : {"code", "severity", "file", "line", "column", "message"})
+      CHECK(diagnostic.contains(member));
+  }
+  REQUIRE(document.at("requirements").size() == 4);
+  for (const Json& row : document.at("requirements")) {
+    CHECK(row.size() == 8);
+    for (const char* member :
+         {"name", "skill", "environment", "measure", "limit_ns", "bound_ns", "exact", "verdict"}) {
+      CHECK(row.contains(member));
+    }
+  }
+  const Json& age = document["requirements"][1];
+  CHECK(age["name"] == "fresh-force");
+  CHECK(age["measure"] == "age");
+  CHECK(age["limit_ns"] == 10'000'000);
+  CHECK(age["bound_ns"] == 35'000'000);
+  CHECK(age["exact"] == true);
+  CHECK(age["verdict"] == "fails");
+}
+
+TEST_CASE("without an environment everything is checked that needs no times, and it says so") {
+  const auto answer = pal::test::pal({"check", touch});
+  CHECK(answer.status == ExitStatus::all_hold);
+  CHECK(answer.out.empty());
+  CHECK(answer.err.find("no environment") != std::string::npos);
+}
+
+TEST_CASE("a search that is cut short leaves what it did not decide undecided") {
+  const auto answer = pal::test::pal({"check", touch, "-e", cell, "--max-states", "10"});
+  CHECK(answer.status == ExitStatus::not_met);
+  CHECK(answer.out.find("undecided") != std::string::npos);
+  CHECK(answer.out.find("holds      fresh-force") == std::string::npos);
+}
+
+TEST_CASE("a wrong specification ends with 1 and proves nothing") {
+  pal::MemoryFileSystem files;
+  files.add("wrong.pal", "Skill Module: M\nBEGIN\n  WTM( \nEND\n");
+  const auto answer = pal::test::pal({"check", "wrong.pal"}, files);
+  CHECK(answer.status == ExitStatus::wrong_specification);
+  CHECK(answer.err.find("wrong.pal:") != std::string::npos);
+}
+
+TEST_CASE("a command line that cannot be understood ends with 2") {
+  CHECK(pal::test::pal({}).status == ExitStatus::usage);
+  CHECK(pal::test::pal({"check"}).status == ExitStatus::usage);
+  CHECK(pal::test::pal({"check", touch, "--format", "xml"}).status == ExitStatus::usage);
+  CHECK(pal::test::pal({"check", touch, "--skill", "tuch"}).status == ExitStatus::usage);
+  CHECK(pal::test::pal({"check", touch, "--skill", "tuch"}).err.find("'touch'") != std::string::npos);
+}
+
+TEST_CASE("help and version end with 0") {
+  for (const std::string command : {"check", "pan", "atc", "generate"}) {
+    const auto answer = pal::test::pal({command, "--help"});
+    CHECK(answer.status == ExitStatus::all_hold);
+    CHECK(answer.out.find("Exit status") != std::string::npos);
+  }
+  CHECK(pal::test::pal({"--version"}).out.find("pal 0.") == 0);
+}

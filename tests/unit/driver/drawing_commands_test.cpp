@@ -1,0 +1,86 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/unit/driver/program.hpp"
+
+using namespace pal::test;
+using pal::driver::ExitStatus;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string cell = skill("workcell.pal");
+const std::string touch = skill("touch/touch.pal");
+
+/// A folder that is gone when the test is.
+class Folder {
+ public:
+  explicit Folder(const std::string& name) : path_(fs::temp_directory_path() / ("pal-driver-" + name)) {
+    fs::remove_all(path_);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  std::string path() const { return path_.string(); }
+
+ private:
+  fs::path path_;
+};
+
+std::string content(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+TEST_CASE("pal pan draws every module with a body, or the one that is named") {
+  const Folder folder("pan");
+  CHECK(pal::test::pal({"pan", touch, "-o", folder.path()}).status == ExitStatus::all_hold);
+  for (const std::string module : {"SM1", "LS1", "SD1", "MC1", "CM1"}) {
+    CHECK(content(folder.file("touch." + module + ".pan.svg")).find("</svg>") != std::string::npos);
+  }
+  CHECK(pal::test::pal({"pan", touch, "-m", "SM9", "-o", folder.path()}).status == ExitStatus::usage);
+}
+
+TEST_CASE("pal atc draws the worst run and writes it as a trace, the same bytes each time") {
+  const Folder folder("atc");
+  const std::vector<std::string> arguments{"atc",     touch,
+                                           "-e",      cell,
+                                           "-r",      "fresh-force",
+                                           "-o",      folder.file("a.svg"),
+                                           "--trace", folder.file("a.json")};
+  REQUIRE(pal::test::pal(arguments).status == ExitStatus::all_hold);
+  const std::string picture = content(folder.file("a.svg"));
+  CHECK(picture.find("7.3 ms") != std::string::npos);
+  REQUIRE(pal::test::pal(arguments).status == ExitStatus::all_hold);
+  CHECK(content(folder.file("a.svg")) == picture);
+
+  // The worst run laid over itself: measured is proved.
+  const auto overlay = pal::test::pal({"atc", touch, "-e", cell, "-r", "fresh-force", "-o",
+                                       folder.file("b.svg"), "--measured", folder.file("a.json")});
+  CHECK(overlay.status == ExitStatus::all_hold);
+  CHECK(content(folder.file("b.svg")).find("proved at most 7.3 ms, measured 7.3 ms") != std::string::npos);
+}
+
+TEST_CASE("pal atc says what it cannot draw") {
+  const Folder folder("atc-bad");
+  const std::string out = folder.file("x.svg");
+  CHECK(pal::test::pal({"atc", touch, "-o", out}).err.find("--environment") != std::string::npos);
+  CHECK(pal::test::pal({"atc", touch, "-e", cell, "-r", "nonsense", "-o", out}).err.find("'fresh-force'") !=
+        std::string::npos);
+  const auto no_trace = pal::test::pal({"atc", touch, "-e", cell, "-o", out, "--measured", touch});
+  CHECK(no_trace.status == ExitStatus::usage);
+  CHECK(no_trace.err.find("is no trace") != std::string::npos);
+  CHECK_FALSE(fs::exists(out));
+}
+
+TEST_CASE("pal generate writes nothing when something is wrong") {
+  const Folder folder("generate");
+  CHECK(pal::test::pal({"generate", touch, "-o", folder.path()}).status == ExitStatus::usage);
+  CHECK_FALSE(fs::exists(folder.path()));
+  CHECK(pal::test::pal({"generate", touch, "-e", cell, "-o", folder.path(), "--depfile", folder.file("d")})
+            .status == ExitStatus::all_hold);
+  CHECK(content(folder.file("d")).find("touch_modules.pal") != std::string::npos);
+}
