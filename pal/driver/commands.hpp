@@ -29,6 +29,7 @@ struct PanOptions {
   std::string module;  // empty: every module with a body
   std::string output = ".";
   bool dot = false;
+  bool pal = false;  // the modules as text, to the output
   bool letters = false;
 };
 ExitStatus draw_pan(const PanOptions& options, const Console& console);

@@ -3,9 +3,11 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "pal/check/recover.hpp"
 #include "pal/driver/commands.hpp"
 #include "pal/driver/write.hpp"
 #include "pal/pan/dot.hpp"
+#include "pal/syntax/print.hpp"
 
 namespace pal::driver {
 namespace {
@@ -26,6 +28,30 @@ void add_pictures(const pan::Network& network, const PanOptions& options, std::v
   }
 }
 
+/// The modules of one network as PAL.
+void add_units(const pan::Network& network, const PanOptions& options, syntax::Tree& tree) {
+  for (std::size_t i = 0; i < network.modules.size(); ++i) {
+    const pan::Module& module = network.modules[i];
+    if (module.body.empty() || (!options.module.empty() && module.name != options.module)) continue;
+    tree.units.emplace_back(to_unit(network, pan::ModuleId(i)));
+  }
+}
+
+ExitStatus no_module(const PanOptions& options, const Console& console) {
+  console.err << (options.module.empty() ? "pal: there is no module with a body to draw\n"
+                                         : fmt::format("pal: no module with a body is called '{}'\n", options.module));
+  return ExitStatus::usage;
+}
+
+ExitStatus print_pal(const Specification& specification, const PanOptions& options, const Console& console) {
+  syntax::Tree tree;
+  for (const pan::Network& network : specification.skills) add_units(network, options, tree);
+  for (const pan::Network& network : specification.sketches) add_units(network, options, tree);
+  if (tree.units.empty()) return no_module(options, console);
+  syntax::print(tree, console.out);
+  return ExitStatus::all_hold;
+}
+
 }  // namespace
 
 ExitStatus draw_pan(const PanOptions& options, const Console& console) {
@@ -35,15 +61,12 @@ ExitStatus draw_pan(const PanOptions& options, const Console& console) {
   if (!chosen) return ExitStatus::usage;
   if (session.diagnostics.has_errors()) return ExitStatus::wrong_specification;
 
+  if (options.pal) return print_pal(session.specification, options, console);
+
   std::vector<OutputFile> files;
   for (const pan::Network& network : session.specification.skills) add_pictures(network, options, files);
   for (const pan::Network& network : session.specification.sketches) add_pictures(network, options, files);
-  if (files.empty()) {
-    console.err << (options.module.empty()
-                        ? "pal: there is no module with a body to draw\n"
-                        : fmt::format("pal: no module with a body is called '{}'\n", options.module));
-    return ExitStatus::usage;
-  }
+  if (files.empty()) return no_module(options, console);
   return write_and_list(files, console);
 }
 

@@ -11,6 +11,13 @@ struct Describe {
 
   const std::string& condition(ConditionId id) const { return network.conditions[id.index()].name; }
 
+  std::string names(const std::vector<MessageId>& messages) const {
+    std::string result;
+    for (const MessageId id : messages)
+      result += (result.empty() ? "" : ";") + network.messages[id.index()].name;
+    return result;
+  }
+
   DotAttributes operator()(const Start&) const { return {{"pal_kind", "start"}}; }
   DotAttributes operator()(const End&) const { return {{"pal_kind", "end"}}; }
   DotAttributes operator()(const WaitForStart&) const { return {{"pal_kind", "wait_for_start"}}; }
@@ -50,7 +57,11 @@ struct Describe {
     return {{"pal_kind", "read"}, {"pal_condition", condition(read.condition)}};
   }
   DotAttributes operator()(const Perform& perform) const {
-    return {{"pal_kind", "perform"}, {"pal_activity", network.activities[perform.activity.index()].name}};
+    const Activity& activity = network.activities[perform.activity.index()];
+    DotAttributes result = {{"pal_kind", "perform"}, {"pal_activity", activity.name}};
+    if (!activity.reads.empty()) result.emplace_back("pal_reads", names(activity.reads));
+    if (!activity.writes.empty()) result.emplace_back("pal_writes", names(activity.writes));
+    return result;
   }
   DotAttributes operator()(const Execute& execute) const {
     return {{"pal_kind", "execute"}, {"pal_module", network.modules[execute.module.index()].name}};
