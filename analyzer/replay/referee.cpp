@@ -230,7 +230,7 @@ void Referee::resolve(int thread) {
     of.claim = channel;
   }
   of.mode = Mode::ready;
-  if (holder(thread) != thread) enqueue(thread, false, !waited && !beginning_ && now_ > 0);
+  if (holder(thread) != thread) enqueue(thread, false, false);
 }
 
 /// Whose message was withdrawn comes to its wait again at the effect.

@@ -128,12 +128,16 @@ void Referee::drop(const Event& event) {
   const int request = is_request ? channel : channel_of(channel).answers;
   demand(request >= 0, "what is no request is withdrawn");
   Slot& of = slot(request);
-  demand(is_request || !of.full, "an answer is withdrawn while its request waits");
+  demand(is_request || !of.full || of.put == now_, "an answer is withdrawn while its request waits");
   if (of.expected_drops > 0) {
     --of.expected_drops;
   } else {
     demand(of.open > 0, "a request that is not open is withdrawn");
-    --of.open;
+    // All that is open goes at once: what is there is dropped, the rest discarded when it comes.
+    const int drops = std::min(of.open, 1 + drops_that_follow(request));
+    slot(channel_of(request).answer).unwanted += of.open - drops;
+    of.expected_drops += drops - 1;
+    of.open = 0;
     ++of.unexplained_drops;
   }
   // Whoever goes on at this instant after waiting for it had it already.
@@ -155,7 +159,10 @@ void Referee::drop(const Event& event) {
 /// A wait for the answer was given up: what could be removed has been, the rest is discarded when it comes.
 void Referee::withdraw_all(int request) {
   Slot& of = slot(request);
-  of.unexplained_drops = 0;
+  if (of.unexplained_drops > 0) {
+    of.unexplained_drops = 0;
+    return;
+  }
   slot(channel_of(request).answer).unwanted += of.open;
   if (of.open > 0) {
     const bool left = (of.full && of.put < now_) ||
