@@ -127,9 +127,10 @@ trace::Trace Clockwork::trace() const {
     for (const trace::Event& end : ends) {
       const auto later = [](Nanoseconds time, const trace::Event& event) { return time < event.time_ns; };
       auto place = std::upper_bound(trace.events.begin(), trace.events.end(), end.time_ns, later);
-      while (place != trace.events.begin() && std::prev(place)->time_ns == end.time_ns &&
-             std::prev(place)->kind == trace::Kind::busy && std::prev(place)->actor == end.actor) {
-        --place;
+      // A frame ends before the next one starts.
+      for (auto at = place; at != trace.events.begin() && std::prev(at)->time_ns == end.time_ns;) {
+        --at;
+        if (at->kind == trace::Kind::busy && at->actor == end.actor) place = at;
       }
       trace.events.insert(place, end);
     }

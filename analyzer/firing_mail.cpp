@@ -145,19 +145,20 @@ void Firing::drop(int channel) {
 void Firing::withdraw(int request) {
   SlotState& of = slot(request);
   const int answer = channel_of(request).answer;
-  while (of.open > 0) {
-    --of.open;
-    if (of.open == 0) of.owner = -1;
-    if (of.fill != SlotState::Fill::empty) {
-      drop(request);
-    } else if (slot(answer).fill != SlotState::Fill::empty) {
-      drop(answer);
-    } else if (slot(answer).unwanted >= most_open) {
-      outcome_.too_many = true;
-    } else {
-      ++slot(answer).unwanted;
-    }
+  if (of.open == 0) return;
+  // What is asked for from here on, by a sender whose slot becomes free, is not meant.
+  const bool asking = of.fill != SlotState::Fill::empty;
+  const bool answered = slot(answer).fill != SlotState::Fill::empty && of.open > (asking ? 1 : 0);
+  const int taken = of.open - (asking ? 1 : 0) - (answered ? 1 : 0);
+  if (slot(answer).unwanted + taken > most_open) {
+    outcome_.too_many = true;
+  } else {
+    slot(answer).unwanted = static_cast<std::uint8_t>(slot(answer).unwanted + taken);
   }
+  of.open = 0;
+  of.owner = -1;
+  if (asking) drop(request);
+  if (answered) drop(answer);
 }
 
 /// A stopped thread leaves nothing behind: what it was to take is there for others, what it asked for is not.

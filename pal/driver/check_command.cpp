@@ -1,9 +1,12 @@
 #include <ostream>
+#include <sstream>
 
 #include "pal/check/load.hpp"
 #include "pal/driver/commands.hpp"
 #include "pal/driver/report.hpp"
+#include "pal/driver/witness.hpp"
 #include "pal/pan/dump.hpp"
+#include "pal/support/output.hpp"
 #include "pal/syntax/print.hpp"
 
 namespace pal::driver {
@@ -31,6 +34,14 @@ void say_what_was_not_proved(const Session& session, std::ostream& err) {
          "FILE)\n";
 }
 
+/// What went wrong, or nothing.
+std::optional<std::string> write_witnesses(const std::string& path, const std::vector<Proof>& proofs,
+                                           const Session& session) {
+  std::ostringstream text;
+  analyzer::rules::write_witnesses(witnesses_of(proofs, session), text);
+  return write_files({{path, text.str()}});
+}
+
 }  // namespace
 
 ExitStatus check(const CheckOptions& options, const Console& console) {
@@ -52,6 +63,12 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
     write_table(proofs, console.out);
   }
   if (options.statistics) write_statistics(proofs, console.err);
+  if (!options.witness.empty() && !wrong) {
+    if (const auto problem = write_witnesses(options.witness, proofs, session)) {
+      console.err << "pal: " << *problem << "\n";
+      return ExitStatus::usage;
+    }
+  }
   if (wrong) return ExitStatus::wrong_specification;
   return all_hold(proofs) ? ExitStatus::all_hold : ExitStatus::not_met;
 }

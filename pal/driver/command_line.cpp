@@ -49,8 +49,17 @@ void add_check(CLI::App& app, CheckOptions& options) {
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, Stage>{{"tree", Stage::tree}, {"pan", Stage::pan}}))
       ->type_name("STAGE");
+  command->add_option("--witness", options.witness, "write the run that shows each bound, for pal replay")->type_name("FILE");
   command->add_flag("--statistics", options.statistics, "print states explored and seconds taken");
   command->footer(statuses);
+}
+
+void add_replay(CLI::App& app, ReplayOptions& options) {
+  CLI::App* command = app.add_subcommand("replay", "Confirms the runs that check --witness wrote, without the analysis");
+  command->add_option("witness", options.witness, "file with witnesses")->required()->type_name("WITNESS");
+  add_selection(*command, options.selection);
+  command->footer("Exit status: 0 all are confirmed; 1 the specification is wrong; 2 bad usage, or a file could not be read; "
+                  "3 some witness is refused.");
 }
 
 void add_pan(CLI::App& app, PanOptions& options) {
@@ -113,7 +122,9 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   PanOptions pan_options;
   AtcOptions atc_options;
   GenerateOptions generate_options;
+  ReplayOptions replay_options;
   add_check(app, check_options);
+  add_replay(app, replay_options);
   add_pan(app, pan_options);
   add_atc(app, atc_options);
   add_generate(app, generate_options);
@@ -126,6 +137,7 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
     return status == 0 ? ExitStatus::all_hold : ExitStatus::usage;
   }
   if (app.got_subcommand("check")) return check(check_options, console);
+  if (app.got_subcommand("replay")) return replay(replay_options, console);
   if (app.got_subcommand("pan")) return draw_pan(pan_options, console);
   if (app.got_subcommand("atc")) return draw_atc(atc_options, console);
   return generate(generate_options, console);

@@ -21,8 +21,16 @@ struct CheckOptions {
   Format format = Format::text;
   Stage emit = Stage::none;
   bool statistics = false;
+  std::string witness;  // where to write the witnesses
 };
 ExitStatus check(const CheckOptions& options, const Console& console);
+
+struct ReplayOptions {
+  Selection selection;
+  std::string witness;  // a file that check wrote
+};
+/// Confirms witnesses without the analysis. not_met: some could not be.
+ExitStatus replay(const ReplayOptions& options, const Console& console);
 
 struct PanOptions {
   Selection selection;

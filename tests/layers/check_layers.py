@@ -16,9 +16,10 @@ LAYERS = {
     "pal/check": ["pal/support", "pal/pan", "pal/syntax"],
     "analyzer/chart": ["runtime/trace"],
     "analyzer": ["pal/support", "pal/pan", "runtime/trace"],
+    "analyzer/replay": ["analyzer", "pal/support", "pal/pan", "runtime/trace"],
     "codegen": ["pal/support", "pal/pan"],
-    "pal/driver": ["pal/support", "pal/pan", "pal/syntax", "pal/check", "analyzer", "analyzer/chart", "codegen",
-                   "runtime/trace"],
+    "pal/driver": ["pal/support", "pal/pan", "pal/syntax", "pal/check", "analyzer", "analyzer/chart",
+                   "analyzer/replay", "codegen", "runtime/trace"],
     "runtime": ["runtime/trace"],
     "runtime/drivers": ["runtime", "runtime/trace"],
     "skills_pal": ["runtime", "runtime/trace"],
@@ -43,6 +44,8 @@ def breaks(path, text):
         return
     for include in INCLUDE.findall(text):
         other = layer(include)
+        if own == "analyzer/replay" and other == "analyzer" and include != "analyzer/problem.hpp":
+            yield f"{path}: {own} may use nothing of the analysis but the problem (includes {include})"
         if other is not None and other != own and other not in LAYERS[own]:
             yield f"{path}: {own} must not use {other} (includes {include})"
         if path.endswith(".hpp") and PRIVATE.search(include) and "/private/" not in path:
@@ -53,6 +56,7 @@ def self_test():
     assert list(breaks("runtime/task.cpp", '#include "pal/pan/graph.hpp"\n'))
     assert list(breaks("codegen/plan.cpp", '#include "analyzer/problem.hpp"\n'))
     assert list(breaks("sim/model.hpp", "#include <mujoco/mujoco.h>\n"))
+    assert list(breaks("analyzer/replay/referee.cpp", '#include "analyzer/machine.hpp"\n'))
     assert not list(breaks("analyzer/exact.cpp", '#include "pal/pan/graph.hpp"\n#include <vector>\n'))
 
 

@@ -63,8 +63,8 @@ SKILL random
     out += sense();
     if (concurrent) {
       out += "  CONCURRENT\n  BEGIN\n    REPEAT\n" + sense() +
-             "    UNTIL( forever )\n  END\n  BEGIN\n    REPEAT\n" + act() +
-             "    UNTIL( pc-stop )\n  END\n  END CONCURRENT\n";
+             "    UNTIL( forever )\n  END\n  BEGIN\n    REPEAT\n" + act() + "    UNTIL( pc-stop )\n  END\n" +
+             (chance(4) == 0 ? "  BEGIN\n    think\n    prepare\n  END\n" : "") + "  END CONCURRENT\n";
     } else {
       out += "  REPEAT\n" + (chance(2) != 0 ? sense() + act() : act() + sense()) + "  UNTIL( pc-stop )\n";
     }
@@ -87,6 +87,15 @@ SKILL random
   std::string sense() {
     std::string out = "      TXM( request force from LS1 )\n";
     if (chance(3) == 0) out += "      prepare\n";
+    if (chance(6) == 0) {
+      const std::string limit =
+          chance(2) != 0 ? "" : " WITHIN " + std::to_string(between(0, longest_)) + " ms";
+      return out + "      WTM FIRST" + limit + "\n        ( force from LS1 ):\n          SPC( pc-force )\n" +
+             "        ( motion request from MC1 ):\n          TXM( motion to MC1 )\n          WTM( force "
+             "from LS1 )\n" +
+             "          SPC( pc-force )\n" + (limit.empty() ? "" : "      ELSE\n        prepare\n") +
+             "      END WTM\n";
+    }
     if (chance(3) == 0) {
       return out + "      WTM( force from LS1 ) WITHIN " + std::to_string(between(0, longest_)) +
              " ms\n        SPC( pc-force )\n      ELSE\n        prepare\n      END WTM\n";
@@ -141,14 +150,16 @@ SKILL random
     const int frame = between(2, longest_);
     if (chance(3) == 0) {
       out += "  DEVICE " + sensor + " FRAMES EVERY " + std::to_string(frame) + " ms COLLECTING " +
-             std::to_string(between(1, frame)) + " ms\n";
+             std::to_string(between(1, frame)) + " ms" +
+             (chance(3) == 0 ? " PHASE " + std::to_string(between(0, frame)) + " ms\n" : "\n");
     } else {
       out += "  DEVICE " + sensor + " ON REQUEST " + interval(0, longest_ / 2) + "\n";
     }
     const std::string robot = controller_module ? "robot EVENT tick" : "MC1 EVENT motion request";
     const int period = between(longest_ / 2 + 1, longest_);
     out += "  DEVICE " + robot + (chance(6) == 0 ? " SPORADIC " : " EVERY ") + std::to_string(period) +
-           " ms" + (chance(5) == 0 ? " JITTER 1 ms\n" : "\n");
+           " ms" + (chance(5) == 0 ? " JITTER 1 ms" : "") +
+           (chance(5) == 0 ? " PHASE " + std::to_string(between(0, period)) + " ms\n" : "\n");
     out += place("SM1", processors) + place("LS1", processors);
     if (concurrent && chance(2) == 0) out += place("SM1.1", processors);
     if (concurrent && chance(2) == 0) out += place("SM1.2", processors);

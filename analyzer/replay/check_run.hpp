@@ -1,0 +1,36 @@
+// Confirms a run without the analysis that found it: a referee that follows the events of a trace and holds
+// each against docs/execution-model.md. It takes nothing from the analysis but the problem's data.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analyzer/problem.hpp"
+#include "runtime/trace/trace.hpp"
+
+namespace pal::analyzer::rules {
+
+/// A value of the requirement's measure in the run.
+struct Measured {
+  Nanoseconds value = 0;
+  Nanoseconds born = 0;
+  Nanoseconds at = 0;
+  int statement = -1;  // in Problem::statements
+
+  friend bool operator==(const Measured&, const Measured&) = default;
+};
+
+struct Ruling {
+  /// The first rule that the run breaks, with its instant; empty: it is a run of the problem.
+  std::string broken;
+  std::vector<Measured> measured;  // before that
+  bool failed = false;             // an event of the requirement has no response
+};
+
+/// Holds `run` against every rule. `requirement`, an age or a response of `problem`, says what to measure;
+/// without it nothing is. The run may end at any instant. What arrives or becomes ready at one instant
+/// without an event of its own in the trace may have come in any order.
+Ruling check_run(const Problem& problem, const Requirement* requirement, const trace::Trace& run);
+
+}  // namespace pal::analyzer::rules

@@ -1,0 +1,206 @@
+// The state of a run as far as its events tell, and the rules that each event must keep.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "analyzer/replay/check_run.hpp"
+
+namespace pal::analyzer::rules {
+
+/// A rule is broken.
+class Broken : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class Referee {
+ public:
+  Referee(const Problem& problem, const Requirement* requirement, const std::vector<trace::Event>& events);
+
+  /// Everything up to the end; throws Broken.
+  void follow();
+
+  Nanoseconds now() const { return now_; }
+  const std::vector<Measured>& measured() const { return measured_; }
+  bool failed() const { return failed_; }
+
+ private:
+  using Event = trace::Event;
+  using Kind = trace::Kind;
+
+  enum class Mode {
+    off,
+    arrived,   // at a wait, at this instant: it is not known yet whether it blocks
+    ready,     // needs the processor for its statement
+    running,   // has had the processor for it, and has it now
+    stopped,   // … and was preempted
+    waiting,   // for a message
+    sending,   // for a free slot
+    joining,   // for its blocks
+    finished,  // cancelled, and done with its last statement
+  };
+
+  struct Party {
+    Mode mode = Mode::off;
+    int step = -1;
+    Nanoseconds reached = 0;
+    Nanoseconds work = 0;
+    Nanoseconds since = 0;  // running: since when
+    bool gives_up = false;
+    bool must_stop = false;  // cancelled
+    int claim = -1;          // channel of the message that is this thread's
+    bool withdrawn = false;  // … and is gone
+    bool acted = false;      // the put, take, set or read of the statement has happened at this instant
+    int owes_put = -1;       // its effect came before its put, at this instant
+    std::map<int, bool> latched;
+    std::map<int, bool> reads;  // at this instant, for a test
+    std::optional<Nanoseconds> read_born;
+    int event = -1;
+  };
+
+  /// When a message is there for one group of threads: some instant in [lo, hi].
+  struct Arrival {
+    Nanoseconds lo = 0;
+    Nanoseconds hi = 0;
+  };
+
+  struct Slot {
+    bool full = false;
+    bool claimed = false;
+    bool immediate[2] = {true, true};
+    Arrival arrival[2];  // at threads on the sender's processor; on others
+    int from = -1;       // the sender's processor; -1: a device
+    Nanoseconds put = 0;
+    int event = -1;
+    int open = 0;      // of a request
+    int owner = -1;    // thread that sent the last
+    int unwanted = 0;  // of an answer: how many are discarded
+    int expected_drops = 0;
+    int unexplained_drops = 0;
+    int serving_event = -1;
+  };
+
+  struct Outside {
+    bool open = false;
+    Nanoseconds opened = 0;
+    Nanoseconds count = 0;     // events or frames so far
+    Nanoseconds first_lo = 0;  // the first nominal event or frame is in [first_lo, first_hi]
+    Nanoseconds first_hi = 0;
+    Nanoseconds last_nominal = 0;  // sporadic: the earliest that the last can have been due
+    bool busy = false;
+    Nanoseconds busy_since = 0;
+    Nanoseconds frame_at = -1;
+    std::set<int> served;   // request channels
+    std::set<int> answers;  // due at this instant
+  };
+
+  struct Queued {
+    int thread;
+    Nanoseconds at;
+    bool ordered;  // an event of the run says when in its instant it came
+    bool front;
+  };
+
+  // Threads and processors (referee.cpp).
+  void handle(const Event& event);
+  void started(const Event& event);
+  void stopped(const Event& event);
+  void done(const Event& event);
+  void blocked(const Event& event);
+  void gave_up(const Event& event);
+  void was_ready(const Event& event);
+  void cancelled(const Event& event);
+  void condition(const Event& event);
+  void reach(int thread, int step);
+  void begin_blocks(int thread);
+  void block_over(int parent);
+  void resolve(int thread);
+  void again(int thread);
+  void release(int thread);
+  void enqueue(int thread, bool front, bool ordered);
+  void check_turn(int thread) const;
+  void check_work(int thread) const;
+  void leave_instant(Nanoseconds next) const;
+  void check_thread(int thread, Nanoseconds next) const;
+  void check_processor(int processor) const;
+  int next_of_test(int thread) const;
+  Range cost(int thread) const;
+  void measure(int thread);
+
+  // Messages (referee_messages.cpp).
+  void fill(int channel, int processor, int event);
+  void put(const Event& event);
+  void take(const Event& event);
+  void drop(const Event& event);
+  void empty(int channel);
+  void withdraw_all(int request);
+  void abandon(int thread);
+  int drops_that_follow(int request) const;
+  bool goes_on(int thread) const;
+  Arrival& arrival(int channel, int thread);
+  const Arrival& arrival(int channel, int thread) const;
+  bool surely_there(int channel, int thread) const;
+  void not_there_yet(int channel, int thread);
+  void answer_taken(int channel);
+  int message_of(int thread, const std::vector<int>& candidates) const;
+
+  // Devices (referee_devices.cpp).
+  void open_device(int device);
+  void device_event(const Event& event, int device);
+  void occurrence(int device, int channel, bool overrun);
+  void due(int device, Nanoseconds period, Nanoseconds late);
+  void busy(int device);
+  void idle(int device);
+  void delivered(int device, int channel);
+  void check_device(int device, Nanoseconds next) const;
+
+  Party& party(int thread) { return threads_[static_cast<std::size_t>(thread)]; }
+  const Party& party(int thread) const { return threads_[static_cast<std::size_t>(thread)]; }
+  const Thread& thread_of(int thread) const { return problem_.threads[static_cast<std::size_t>(thread)]; }
+  const Step& step_of(int thread) const {
+    return problem_.steps[static_cast<std::size_t>(party(thread).step)];
+  }
+  Slot& slot(int channel) { return slots_[static_cast<std::size_t>(channel)]; }
+  const Slot& slot(int channel) const { return slots_[static_cast<std::size_t>(channel)]; }
+  const Channel& channel_of(int channel) const {
+    return problem_.channels[static_cast<std::size_t>(channel)];
+  }
+  int& holder(int thread) { return holders_[static_cast<std::size_t>(thread_of(thread).processor)]; }
+  [[noreturn]] void broken(const std::string& what) const { throw Broken(what); }
+  void demand(bool kept, const std::string& rule) const {
+    if (!kept) broken(rule);
+  }
+  std::string name(int thread) const { return thread_of(thread).name; }
+
+  const Problem& problem_;
+  const Requirement* requirement_;
+  const std::vector<Event>& events_;
+  std::size_t at_ = 0;  // the event in question
+  Nanoseconds now_ = 0;
+  bool beginning_ = true;
+  bool completed_ = false;
+  bool ended_ = false;
+  std::vector<Party> threads_;
+  std::vector<Slot> slots_;
+  std::vector<Outside> devices_;
+  std::vector<int> holders_;    // by processor: who has it; -1: nobody
+  std::vector<int> preempted_;  // by processor: who has just lost it to somebody who is still to start; -1
+  std::vector<Queued> queue_;
+  std::vector<bool> conditions_;
+
+  Nanoseconds condition_born_ = 0;  // of the requirement
+  struct Born {
+    Nanoseconds at;
+    bool answered;
+  };
+  std::vector<Born> born_;
+  std::vector<Measured> measured_;
+  bool failed_ = false;
+};
+
+}  // namespace pal::analyzer::rules

@@ -1,0 +1,173 @@
+// Devices: events, answers and frames.
+#include <algorithm>
+
+#include "analyzer/replay/referee.hpp"
+
+namespace pal::analyzer::rules {
+
+void Referee::open_device(int device) {
+  Outside& of = devices_[static_cast<std::size_t>(device)];
+  const auto* event =
+      std::get_if<pan::EventDevice>(&problem_.devices[static_cast<std::size_t>(device)].behaviour);
+  if (event == nullptr || of.open) return;
+  of.open = true;
+  of.opened = now_;
+  of.first_lo = now_;
+  of.first_hi = event->sporadic ? Range::unbounded : now_ + event->period.count();
+  if (event->phase) of.first_lo = of.first_hi = now_ + event->phase->count();
+}
+
+void Referee::device_event(const Event& event, int device) {
+  const Device& described = problem_.devices[static_cast<std::size_t>(device)];
+  Outside& of = devices_[static_cast<std::size_t>(device)];
+  const bool events = std::holds_alternative<pan::EventDevice>(described.behaviour);
+  switch (event.kind) {
+    case Kind::busy:
+      return busy(device);
+    case Kind::idle:
+      return idle(device);
+    case Kind::take: {
+      const Channel& channel = channel_of(event.subject);
+      demand(channel.receiver_device == device && slot(event.subject).full,
+             "a device takes what it has not got");
+      if (channel.served) {
+        demand(of.busy && of.busy_since == now_, described.name + " takes a request outside its time");
+        demand(of.served.empty() || std::holds_alternative<pan::FrameDevice>(described.behaviour),
+               described.name + " serves two at once");
+        of.served.insert(event.subject);
+        slot(event.subject).serving_event = slot(event.subject).event;
+      }
+      answer_taken(event.subject);
+      empty(event.subject);
+      return;
+    }
+    case Kind::put:
+    case Kind::overrun:
+      demand(channel_of(event.subject).sender_device == device, "a device sends what is not its own");
+      demand(slot(event.subject).full == (event.kind == Kind::overrun),
+             described.name + " sends into a full slot, or loses without need");
+      if (events) return occurrence(device, event.subject, event.kind == Kind::overrun);
+      delivered(device, event.subject);
+      demand(slot(event.subject).unwanted == 0, "a message that nobody wants is put");
+      if (event.kind == Kind::put)
+        fill(event.subject, -1, slot(channel_of(event.subject).answers).serving_event);
+      return;
+    case Kind::drop:
+      demand(slot(event.subject).unwanted > 0, "a message that somebody wants is discarded");
+      delivered(device, event.subject);
+      --slot(event.subject).unwanted;
+      return;
+    default:
+      broken("a device has no such event");
+  }
+}
+
+void Referee::delivered(int device, int channel) {
+  const int request = channel_of(channel).answers;
+  demand(devices_[static_cast<std::size_t>(device)].answers.erase(request) == 1,
+         "a device answers what it was not asked");
+}
+
+/// One more of a series with the given period, each up to `late` after it is due: narrows when the first was.
+void Referee::due(int device, Nanoseconds period, Nanoseconds late) {
+  Outside& of = devices_[static_cast<std::size_t>(device)];
+  of.first_lo = std::max(of.first_lo, now_ - of.count * period - late);
+  of.first_hi = std::min(of.first_hi, now_ - of.count * period);
+  demand(of.first_lo <= of.first_hi,
+         problem_.devices[static_cast<std::size_t>(device)].name + " is too early or too late");
+  ++of.count;
+}
+
+void Referee::occurrence(int device, int channel, bool overrun) {
+  const Device& described = problem_.devices[static_cast<std::size_t>(device)];
+  const auto& event = std::get<pan::EventDevice>(described.behaviour);
+  Outside& of = devices_[static_cast<std::size_t>(device)];
+  demand(of.open && described.event == channel,
+         described.name + " sends before anybody waits, or another message");
+  if (event.sporadic) {
+    const Nanoseconds late = event.jitter.count();
+    Nanoseconds earliest = std::max(of.first_lo, now_ - late);
+    if (of.count > 0) earliest = std::max(now_ - late, of.last_nominal + event.period.count());
+    demand(
+        earliest <= now_ && (of.count > 0 || now_ <= (event.phase ? of.first_hi + late : Range::unbounded)),
+        described.name + " is too early or too late");
+    of.last_nominal = earliest;
+    ++of.count;
+  } else {
+    due(device, event.period.count(), event.jitter.count());
+  }
+  const bool watched = requirement_ != nullptr && requirement_->measure == Requirement::Measure::response &&
+                       requirement_->event == channel;
+  if (overrun) {
+    failed_ = failed_ || watched;
+    return;
+  }
+  if (watched) born_.push_back({now_, false});
+  fill(channel, -1, watched ? static_cast<int>(born_.size()) - 1 : -1);
+}
+
+void Referee::busy(int device) {
+  const Device& described = problem_.devices[static_cast<std::size_t>(device)];
+  Outside& of = devices_[static_cast<std::size_t>(device)];
+  demand(!of.busy, described.name + " serves two at once");
+  of.busy = true;
+  of.busy_since = now_;
+  if (const auto* frames = std::get_if<pan::FrameDevice>(&described.behaviour)) {
+    due(device, frames->period.count(), 0);
+  } else {
+    demand(std::holds_alternative<pan::RequestDevice>(described.behaviour),
+           described.name + " serves nothing");
+  }
+}
+
+void Referee::idle(int device) {
+  const Device& described = problem_.devices[static_cast<std::size_t>(device)];
+  Outside& of = devices_[static_cast<std::size_t>(device)];
+  demand(of.busy, described.name + " ends what it has not begun");
+  Range range;
+  if (const auto* request = std::get_if<pan::RequestDevice>(&described.behaviour)) {
+    range = {request->answer.best.count(), request->answer.worst.count()};
+  } else {
+    const Nanoseconds collecting = std::get<pan::FrameDevice>(described.behaviour).collecting.count();
+    range = {collecting, collecting};
+  }
+  const Nanoseconds took = now_ - of.busy_since;
+  demand(took >= range.best && took <= range.worst, described.name + " takes another time than it should");
+  of.busy = false;
+  of.answers = std::move(of.served);
+  of.served.clear();
+}
+
+void Referee::check_device(int device, Nanoseconds next) const {
+  const Device& described = problem_.devices[static_cast<std::size_t>(device)];
+  const Outside& of = devices_[static_cast<std::size_t>(device)];
+  demand(of.answers.empty(), described.name + " owes an answer");
+  for (std::size_t c = 0; c < slots_.size(); ++c) {
+    const Channel& channel = problem_.channels[c];
+    if (channel.receiver_device != device || !slots_[c].full) continue;
+    demand(channel.served, described.name + " leaves a message in its slot");
+    const bool on_request = std::holds_alternative<pan::RequestDevice>(described.behaviour);
+    demand(!on_request || of.busy, described.name + " is idle while somebody asks");
+    const bool missed = !on_request && of.busy && of.busy_since == now_ && slots_[c].put < now_;
+    demand(!missed, described.name + " leaves a request out of its frame");
+  }
+  if (const auto* event = std::get_if<pan::EventDevice>(&described.behaviour)) {
+    if (!of.open || described.event < 0) return;
+    const Nanoseconds late = event->jitter.count();
+    if (event->sporadic) {
+      demand(of.count > 0 || !event->phase || next <= of.first_hi + late, described.name + " is too late");
+      return;
+    }
+    demand(next <= of.first_hi + of.count * event->period.count() + late, described.name + " is too late");
+  } else if (const auto* request = std::get_if<pan::RequestDevice>(&described.behaviour)) {
+    if (!of.busy) return;
+    demand(!of.served.empty(), described.name + " serves nobody");
+    demand(next <= of.busy_since + request->answer.worst.count(), described.name + " answers too late");
+  } else if (const auto* frames = std::get_if<pan::FrameDevice>(&described.behaviour)) {
+    demand(of.served.empty() || next <= of.busy_since + frames->collecting.count(),
+           described.name + " answers too late");
+    demand(next <= of.first_hi + of.count * frames->period.count(), described.name + " is too late");
+  }
+}
+
+}  // namespace pal::analyzer::rules
