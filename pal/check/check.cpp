@@ -61,6 +61,7 @@ class Checker {
     const auto before = diagnostics_.all().size();
     auto network = frontend::build_network(scope, skill, diagnostics_);
     check_network(network, every_name_known(before));
+    if (no_error_since(before)) frontend::check_deadlocks(network, frontend::Flow(network), diagnostics_);
     result_.skills.push_back(std::move(network));
   }
 
@@ -92,6 +93,12 @@ class Checker {
         });
   }
 
+  bool no_error_since(std::size_t first) const {
+    const auto& all = diagnostics_.all();
+    return std::none_of(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
+                        [](const Diagnostic& finding) { return finding.severity == Severity::error; });
+  }
+
   /// `sound`: every name meant something. If not, statements are missing, and what is said of talk and flow
   /// would be said of a program that nobody wrote.
   void check_network(const pan::Network& network, bool sound) {
@@ -100,6 +107,7 @@ class Checker {
     const frontend::Flow flow(network);
     frontend::check_channels(network, diagnostics_);
     frontend::check_protocol(network, flow, diagnostics_);
+    frontend::check_starts(network, diagnostics_);
     check_bodies(network, flow);
   }
 

@@ -1,0 +1,74 @@
+// The modules of a skill as automata that talk: what is left of their bodies when only messages and
+// conditions count. Activities, Do Nothing and everything that only joins flow are passed over; a module that
+// is executed stands once for each place that executes it.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pal/check/flow.hpp"
+#include "pal/pan/network.hpp"
+
+namespace pal::frontend::deadlock {
+
+/// One step of a thread. `next` are the steps that can follow, in the order of the text.
+struct Step {
+  enum class Kind {
+    wait,      // next[i]: after channels[i]; the last one, if gives_up, after giving up
+    send,      // channels[0]
+    complete,  // the skill ends; no next
+    set,       // condition; value or both
+    latch,     // condition
+    test,      // next[i]: guards[i] holds; of a loop the last one: no guard holds
+    enter,     // a module that is executed; passed by whoever gets there
+    fork,      // next[i]: first step of block i, then the join; passed likewise
+    join,      // next[0]: when the blocks have ended or stopped; none: they never do
+    end,       // of a block, or of a module
+    spin,      // goes round for ever and says nothing
+  };
+  Kind kind = Kind::end;
+  std::size_t thread = 0;
+  pan::ModuleId module;
+  pan::NodeId node;
+  std::vector<std::size_t> next;
+  std::vector<pan::ChannelId> channels;
+  bool gives_up = false;
+  pan::ConditionId condition{};
+  std::optional<bool> value;
+  std::vector<pan::Guard> guards;
+  bool otherwise = false;  // test: no guard needs to hold; false: the skill ends with its error completion
+  std::vector<std::size_t> blocks;  // fork: their threads
+};
+
+/// A module, or a block of CONCURRENT.
+struct Thread {
+  std::string name;
+  pan::ModuleId module;
+  std::optional<std::size_t> parent;
+  std::size_t depth = 0;
+  bool can_end = true;  // of a block
+  std::size_t first = 0;
+  std::vector<std::size_t> children;  // all blocks, of whatever CONCURRENT
+};
+
+struct Automata {
+  std::vector<Thread> threads;  // the skill method's first; parents before their blocks
+  std::vector<Step> steps;
+  /// Of a channel: the request that it answers.
+  std::vector<std::optional<pan::ChannelId>> request_of;
+  std::vector<bool> from_device;
+  std::vector<bool> to_device;
+  /// Conditions that some test reads and some module sets; the others are FALSE for ever, or of no account.
+  std::vector<std::optional<std::size_t>> bit;  // by condition
+  std::size_t bits = 0;
+};
+
+/// Every module with a body that is not executed by another one is a thread.
+Automata automata(const pan::Network& network, const Flow& flow);
+
+/// The conditions of a guard, each once.
+void conditions_of(const pan::Guard& guard, std::vector<pan::ConditionId>& result);
+
+}  // namespace pal::frontend::deadlock

@@ -1,0 +1,108 @@
+// What can happen next in a skill, without times (docs/execution-model.md): every wait that can give up may
+// do so at any moment, a device sends its events whenever somebody waits for them and answers every request
+// at some time.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "pal/check/deadlock/automata.hpp"
+
+namespace pal::frontend::deadlock {
+
+/// A state of all threads, slots and conditions, as words; Moves knows which is which.
+using State = std::u16string;
+
+/// What one move does.
+struct Deed {
+  enum class Kind {
+    takes,
+    sends,
+    discards,
+    gives_up,
+    loses,
+    sets,
+    latches,
+    finds,
+    faults,
+    completes,
+    stops,
+    spins
+  };
+  Kind kind = Kind::spins;
+  std::size_t thread = 0;
+  std::size_t step = 0;
+  pan::ChannelId channel{};
+  bool value = false;      // sets, latches
+  std::size_t branch = 0;  // finds
+};
+
+struct Move {
+  Deed deed;
+  State state;
+  bool ended = false;   // the skill has completed
+  bool timely = false;  // only the right times bring this about: giving up, an answer that is lost
+};
+
+class Moves {
+ public:
+  explicit Moves(const Automata& automata);
+
+  State first() const;
+  /// The moves of one thread; none: it is blocked, or not there.
+  void of(const State& state, std::size_t thread, std::vector<Move>& result) const;
+
+  bool active(const State& state, std::size_t thread) const { return state[thread] != nowhere; }
+  /// The step that an active thread is at.
+  const Step& at(const State& state, std::size_t thread) const;
+  /// A block that was cancelled finishes the statement it has begun.
+  bool finishing(const State& state, std::size_t thread) const;
+  bool full(const State& state, pan::ChannelId channel) const;
+  int open(const State& state, pan::ChannelId request) const;
+  std::size_t words() const { return words_; }
+  /// Something was counted that is too large for a state; what was found may not be all.
+  bool overflowed() const { return overflowed_; }
+
+ private:
+  static constexpr char16_t nowhere = 0xffff;
+  struct Slot {
+    bool full = false;
+    int open = 0;      // requests neither answered nor withdrawn
+    int unwanted = 0;  // answers to be discarded
+    int owner = 0;     // thread that asked last, from 1
+  };
+
+  Slot slot(const State& state, pan::ChannelId channel) const;
+  void put_slot(State& state, pan::ChannelId channel, Slot slot) const;
+  bool bit(const State& state, std::size_t base, std::size_t index) const;
+  void set_bit(State& state, std::size_t base, std::size_t index, bool value) const;
+  std::size_t latched(std::size_t thread) const;
+
+  void take(State& state, pan::ChannelId channel) const;
+  void withdraw(State& state, pan::ChannelId request) const;
+  void abandon(State& state, std::size_t thread) const;
+  void arrive(Move move, std::size_t thread, std::size_t step, std::vector<Move>& result) const;
+  void after_blocks(Move move, std::size_t parent, std::vector<Move>& result) const;
+  void cancel(Move move, std::size_t parent, std::vector<Move>& result) const;
+  void stop(Move move, std::size_t thread, std::vector<Move>& result) const;
+  void go(Move move, std::size_t next, std::vector<Move>& result) const;
+  bool can_take(const State& state, pan::ChannelId channel) const;
+  bool holds(const State& state, std::size_t thread, const pan::Guard& guard) const;
+  bool reads(const State& state, std::size_t thread, pan::ConditionId condition) const;
+
+  void wait(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const;
+  void send(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const;
+  void set(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const;
+  void test(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const;
+
+  const Automata& automata_;
+  std::size_t channels_ = 0;  // where slots begin
+  std::size_t values_ = 0;    // … the conditions' values
+  std::size_t latches_ = 0;   // … what each thread has latched: masks, then values
+  std::size_t bit_words_ = 0;
+  std::size_t words_ = 0;
+  mutable bool overflowed_ = false;
+};
+
+}  // namespace pal::frontend::deadlock

@@ -1,0 +1,132 @@
+#include "pal/check/deadlock/story.hpp"
+
+#include "pal/pan/dump.hpp"
+
+namespace pal::frontend::deadlock {
+
+namespace {
+
+class Teller {
+ public:
+  Teller(const pan::Network& network, const Automata& automata) : network_(network), automata_(automata) {}
+
+  const std::string& message(pan::ChannelId channel) const {
+    return network_.messages[network_.channels[channel.index()].message.index()].name;
+  }
+  const std::string& sender(pan::ChannelId channel) const {
+    return party_name(network_, network_.channels[channel.index()].sender);
+  }
+  const std::string& receiver(pan::ChannelId channel) const {
+    return party_name(network_, network_.channels[channel.index()].receiver);
+  }
+  SourceSpan where(const Step& step) const {
+    return network_.modules[step.module.index()].body[step.node].where;
+  }
+  const std::string& condition(const Step& step) const {
+    return network_.conditions[step.condition.index()].name;
+  }
+
+  std::string found(const Step& step, std::size_t branch) const {
+    if (branch < step.guards.size()) return "finds " + guard_text(network_, step.guards[branch]);
+    if (step.otherwise) return "finds that " + guard_text(network_, step.guards.front()) + " does not hold";
+    return "finds that no arm holds";
+  }
+
+  std::string text(const Deed& deed) const {
+    const auto& step = automata_.steps[deed.step];
+    const auto truth = [&] { return std::string(deed.value ? "TRUE" : "FALSE"); };
+    switch (deed.kind) {
+      case Deed::Kind::takes:
+        return "takes '" + message(deed.channel) + "' from " + sender(deed.channel);
+      case Deed::Kind::sends:
+        return "sends '" + message(deed.channel) + "' to " + receiver(deed.channel);
+      case Deed::Kind::discards:
+        return "sends '" + message(deed.channel) + "', which " + receiver(deed.channel) + " has given up";
+      case Deed::Kind::gives_up:
+        return "gives up waiting for '" + message(deed.channel) + "'";
+      case Deed::Kind::loses:
+        return "loses an answer: the one before it is still in its slot";
+      case Deed::Kind::sets:
+        return "sets " + condition(step) + " to " + truth();
+      case Deed::Kind::latches:
+        return "reads " + condition(step) + " as " + truth();
+      case Deed::Kind::finds:
+        return found(step, deed.branch);
+      case Deed::Kind::faults:
+        return "finds that no arm holds";
+      case Deed::Kind::completes:
+        return "completes the skill";
+      case Deed::Kind::stops:
+        return "stops: it is cancelled";
+      case Deed::Kind::spins:
+        return "goes round";
+    }
+    return {};
+  }
+
+  std::string stuck(const Stuck& at) const {
+    const auto& step = automata_.steps[at.step];
+    if (step.kind == Step::Kind::send) {
+      return "cannot send '" + message(step.channels.front()) + "': " + receiver(step.channels.front()) +
+             " has not taken the last one";
+    }
+    std::string result = "waits for ";
+    for (std::size_t i = 0; i < step.channels.size(); ++i) {
+      result += (i == 0 ? "'" : " or '") + message(step.channels[i]) + "' from " + sender(step.channels[i]);
+    }
+    if (at.never_asked) result += ", without an open request for it";
+    return result;
+  }
+
+  std::string hint(const DeadEnd& end) const {
+    if (end.stuck.empty()) return {};
+    const auto& culprit = end.stuck[end.culprit];
+    const auto& step = automata_.steps[culprit.step];
+    const auto channel = step.channels.front();
+    if (step.kind == Step::Kind::send)
+      return "let " + receiver(channel) + " take every '" + message(channel) +
+             "' before it waits for anything else";
+    if (culprit.never_asked)
+      return "send TXM( request " + message(channel) + " from " + sender(channel) + " ) before this wait";
+    return "let " + sender(channel) + " send '" + message(channel) +
+           "' on every way through it, or wait WITHIN a time";
+  }
+
+ private:
+  const pan::Network& network_;
+  const Automata& automata_;
+};
+
+bool has_channel(Deed::Kind kind) {
+  return kind == Deed::Kind::takes || kind == Deed::Kind::sends || kind == Deed::Kind::discards;
+}
+
+}  // namespace
+
+Story tell(const pan::Network& network, const Automata& automata, const DeadEnd& end) {
+  const Teller teller(network, automata);
+  Story story;
+  story.total = end.total;
+  story.timely = end.timely;
+  for (const auto& thread : automata.threads) story.lanes.push_back(thread.name);
+  for (const auto& deed : end.run) {
+    if (deed.kind == Deed::Kind::spins) continue;
+    Line line{automata.threads[deed.thread].name,
+              teller.text(deed),
+              teller.where(automata.steps[deed.step]),
+              deed.kind,
+              deed.thread,
+              std::nullopt};
+    if (has_channel(deed.kind)) line.channel = deed.channel;
+    story.run.push_back(std::move(line));
+  }
+  for (std::size_t i = 0; i < end.stuck.size(); ++i) {
+    const auto& one = end.stuck[i];
+    story.stuck.push_back({automata.threads[one.thread].name, teller.stuck(one),
+                           teller.where(automata.steps[one.step]), one.thread, i == end.culprit});
+  }
+  story.hint = teller.hint(end);
+  return story;
+}
+
+}  // namespace pal::frontend::deadlock

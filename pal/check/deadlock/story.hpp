@@ -1,0 +1,43 @@
+// A run into a dead end in words: who does what, and where everybody is stuck.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pal/check/deadlock/explore.hpp"
+#include "pal/pan/network.hpp"
+
+namespace pal::frontend::deadlock {
+
+/// One line of the run, with its place.
+struct Line {
+  std::string thread;  // "SM1.2"
+  std::string text;    // "sends motion to MC1"
+  SourceSpan where;
+  Deed::Kind kind = Deed::Kind::spins;
+  std::size_t lane = 0;                   // thread's number in Automata
+  std::optional<pan::ChannelId> channel;  // takes, sends, discards
+};
+
+struct StuckLine {
+  std::string thread;
+  std::string text;  // "waits for Zforce from LS1"
+  SourceSpan where;
+  std::size_t lane = 0;
+  bool culprit = false;
+};
+
+/// A dead end, told.
+struct Story {
+  bool total = false;
+  bool timely = false;
+  std::vector<std::string> lanes;  // the names of all threads, by number
+  std::vector<Line> run;
+  std::vector<StuckLine> stuck;
+  std::string hint;
+};
+
+Story tell(const pan::Network& network, const Automata& automata, const DeadEnd& end);
+
+}  // namespace pal::frontend::deadlock

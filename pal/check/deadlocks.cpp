@@ -1,0 +1,69 @@
+#include <string>
+
+#include "pal/check/deadlock/explore.hpp"
+#include "pal/check/deadlock/story.hpp"
+#include "pal/check/families.hpp"
+#include "pal/check/report.hpp"
+#include "pal/pan/dump.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+constexpr std::size_t most_notes = 40;
+
+void report_dead_end(const deadlock::Story& story, const pan::Network& network, Diagnostics& diagnostics) {
+  const deadlock::StuckLine* culprit = nullptr;
+  for (const auto& line : story.stuck) {
+    if (line.culprit) culprit = &line;
+  }
+  if (culprit == nullptr) return;
+  auto code = story.total ? Code::PAL0521 : Code::PAL0522;
+  auto message = story.total ? "skill " + quoted(network.skill.name) + " can get to where no module goes on: "
+                             : "skill " + quoted(network.skill.name) + " can get to where it never ends: ";
+  if (story.timely) {
+    code = Code::PAL0523;
+    message = "at unlucky times, " + message;
+  }
+  auto& finding =
+      diagnostics.report(code, culprit->where, message + culprit->thread + " " + culprit->text, story.hint);
+  const auto first = story.run.size() > most_notes ? story.run.size() - most_notes : 0;
+  for (auto i = first; i < story.run.size(); ++i) {
+    const auto& line = story.run[i];
+    const char* lead = i == first ? (first == 0 ? "first, " : "in the end, ") : "then ";
+    finding.notes.push_back({line.where, lead + line.thread + " " + line.text});
+  }
+  for (const auto& line : story.stuck) {
+    if (!line.culprit) finding.notes.push_back({line.where, "and for ever " + line.thread + " " + line.text});
+  }
+}
+
+void report_untaken(const pan::Channel& channel, const pan::Network& network, Diagnostics& diagnostics) {
+  const auto& message = network.messages[channel.message.index()].name;
+  diagnostics.report(Code::PAL0524, channel.where,
+                     "no run of the skill takes " + quoted(message) + " from " +
+                         party_name(network, channel.sender) + ": " + party_name(network, channel.receiver) +
+                         " never gets to a wait for it in time",
+                     "let " + party_name(network, channel.receiver) + " take it, or do not send it");
+}
+
+}  // namespace
+
+void check_deadlocks(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics) {
+  if (!network.main.valid()) return;
+  const auto automata = deadlock::automata(network, flow);
+  const auto findings = deadlock::explore(automata);
+  for (const auto& end : {findings.total, findings.partial}) {
+    if (end) report_dead_end(deadlock::tell(network, automata, *end), network, diagnostics);
+  }
+  for (const auto channel : findings.untaken) {
+    report_untaken(network.channels[channel.index()], network, diagnostics);
+  }
+  if (findings.complete) return;
+  diagnostics.report(Code::PAL0525, network.skill.where,
+                     "skill " + quoted(network.skill.name) + " has too many states to exclude a deadlock: " +
+                         std::to_string(findings.states) + " were looked at",
+                     "check parts of it as skills of their own");
+}
+
+}  // namespace pal::frontend
