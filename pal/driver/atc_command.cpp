@@ -80,7 +80,7 @@ ExitStatus draw_atc(const AtcOptions& options, const Console& console) {
   if (chosen && !session.diagnostics.has_errors()) proofs = prove(session, options.limits);
   show_findings(session, console);
   if (!chosen) return ExitStatus::usage;
-  if (session.diagnostics.has_errors()) return ExitStatus::wrong_specification;
+  if (session.diagnostics.has_errors()) return status_of_findings(session);
   if (session.specification.environments.empty()) {
     console.err << "pal: a chart needs times: give an environment with --environment FILE\n";
     return ExitStatus::usage;

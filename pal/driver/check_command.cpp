@@ -19,7 +19,7 @@ ExitStatus emit_tree(const Selection& selection, const Console& console) {
     syntax::dump(tree, session.sources, console.out);
   }
   show_findings(session, console);
-  return session.diagnostics.has_errors() ? ExitStatus::wrong_specification : ExitStatus::all_hold;
+  return status_of_findings(session);
 }
 
 void emit_pan(const Specification& specification, std::ostream& out) {
@@ -52,7 +52,8 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
 
   std::vector<Proof> proofs;
   if (!session.diagnostics.has_errors()) proofs = prove(session, options.limits);
-  const bool wrong = session.diagnostics.has_errors();
+  const ExitStatus found = status_of_findings(session);
+  const bool wrong = found != ExitStatus::all_hold;
   report_unmet(proofs, session);
 
   if (options.format == Format::json) {
@@ -69,7 +70,7 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
       return ExitStatus::usage;
     }
   }
-  if (wrong) return ExitStatus::wrong_specification;
+  if (wrong) return found;
   return all_hold(proofs) ? ExitStatus::all_hold : ExitStatus::not_met;
 }
 

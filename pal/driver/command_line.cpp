@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "pal/driver/commands.hpp"
+#include "pal/support/nearest.hpp"
 
 namespace pal::driver {
 namespace {
@@ -110,6 +111,19 @@ void add_generate(CLI::App& app, GenerateOptions& options) {
   command->footer(statuses);
 }
 
+/// Says which commands there are, if the first argument is meant as one and is none.
+bool is_known_command(CLI::App& app, const std::vector<std::string>& arguments, std::ostream& err) {
+  if (arguments.empty() || arguments.front().find('-') == 0) return true;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), arguments.front()) != names.end()) return true;
+  err << "pal: there is no command '" << arguments.front() << "'; there is";
+  for (const std::string& name : names) err << (&name == &names.front() ? " " : ", ") << name;
+  const auto close = nearest(arguments.front(), names);
+  err << (close ? "\nhint: did you mean '" + *close + "'?\n" : "\nhint: pal --help says what they do\n");
+  return false;
+}
+
 }  // namespace
 
 ExitStatus run(const std::vector<std::string>& arguments, const Console& console) {
@@ -129,6 +143,7 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   add_atc(app, atc_options);
   add_generate(app, generate_options);
 
+  if (!is_known_command(app, arguments, console.err)) return ExitStatus::usage;
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
     app.parse(reversed);

@@ -47,7 +47,7 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
                           session.sources, session.diagnostics);
   }
   show_findings(session, console);
-  if (session.diagnostics.has_errors()) return ExitStatus::wrong_specification;
+  if (session.diagnostics.has_errors()) return status_of_findings(session);
   if (!one) return ExitStatus::usage;
 
   std::vector<OutputFile> files;

@@ -59,7 +59,7 @@ ExitStatus draw_pan(const PanOptions& options, const Console& console) {
   const bool chosen = read(options.selection, console, session);
   show_findings(session, console);
   if (!chosen) return ExitStatus::usage;
-  if (session.diagnostics.has_errors()) return ExitStatus::wrong_specification;
+  if (session.diagnostics.has_errors()) return status_of_findings(session);
 
   if (options.pal) return print_pal(session.specification, options, console);
 

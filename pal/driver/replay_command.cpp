@@ -26,7 +26,7 @@ ExitStatus replay(const ReplayOptions& options, const Console& console) {
   Session session;
   if (!read(options.selection, console, session)) return ExitStatus::usage;
   show_findings(session, console);
-  if (session.diagnostics.has_errors()) return ExitStatus::wrong_specification;
+  if (session.diagnostics.has_errors()) return status_of_findings(session);
   return confirm(witnesses, session, console.out) ? ExitStatus::all_hold : ExitStatus::not_met;
 }
 

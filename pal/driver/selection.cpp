@@ -48,6 +48,16 @@ bool read(const Selection& selection, const Console& console, Session& session) 
          choose(session.specification.environments, selection.environment, "environment", console.err);
 }
 
+ExitStatus status_of_findings(const Session& session) {
+  if (!session.diagnostics.has_errors()) return ExitStatus::all_hold;
+  // A file that another one uses is named at that place; one without a place was named on the command line.
+  const auto& all = session.diagnostics.all();
+  const bool unreadable = std::any_of(all.begin(), all.end(), [](const Diagnostic& finding) {
+    return finding.code == Code::PAL0111 && !finding.where.valid();
+  });
+  return unreadable ? ExitStatus::usage : ExitStatus::wrong_specification;
+}
+
 void show_findings(const Session& session, const Console& console) {
   render_text(session.diagnostics.sorted(), session.sources, console.err);
 }

@@ -7,6 +7,7 @@
 
 #include "pal/check/check.hpp"
 #include "pal/driver/console.hpp"
+#include "pal/driver/exit_status.hpp"
 #include "pal/support/diagnostic.hpp"
 #include "pal/support/source.hpp"
 
@@ -30,6 +31,10 @@ struct Session {
 /// Reads and checks everything that `selection` names, and keeps of it what `selection` chooses. Findings are
 /// left in the session; a name that chooses nothing is reported to `console.err`, and the answer is false.
 bool read(const Selection& selection, const Console& console, Session& session);
+
+/// How a command ends that found errors: with `usage` if a file of the command line could not be read, else with
+/// `wrong_specification`. `all_hold` if there are no errors.
+ExitStatus status_of_findings(const Session& session);
 
 /// Renders the findings as text to `console.err`.
 void show_findings(const Session& session, const Console& console);
