@@ -20,7 +20,6 @@ double seconds_since(Clock::time_point begin) {
 /// The distinct statements that a requirement is about: "TXM( motion to MC1 ) in SM1".
 std::string statements_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
   std::set<std::string> texts;
-  std::string modules;
   for (std::size_t step = 0; step < requirement.at.size(); ++step) {
     if (!requirement.at[step] || problem.steps[step].statement < 0) continue;
     const auto& statement = problem.statements[static_cast<std::size_t>(problem.steps[step].statement)];
