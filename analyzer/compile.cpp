@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "pal/pan/dump.hpp"
+#include "pal/support/diagnostic_code.hpp"
 
 namespace pal::analyzer {
 namespace {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "analyzer/compile.hpp"
+#include "pal/support/diagnostic_code.hpp"
 
 namespace pal::analyzer {
 namespace {

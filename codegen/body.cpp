@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pal/pan/dump.hpp"
+#include "pal/support/diagnostic_code.hpp"
 
 namespace pal::codegen {
 

@@ -1,5 +1,7 @@
 #include "codegen/placement.hpp"
 
+#include "pal/support/diagnostic_code.hpp"
+
 #include <algorithm>
 
 namespace pal::codegen {

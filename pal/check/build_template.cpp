@@ -7,6 +7,7 @@
 
 #include "pal/check/report.hpp"
 #include "pal/pan/dump.hpp"
+#include "pal/support/diagnostic_code.hpp"
 
 namespace pal::frontend {
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "pal/check/report.hpp"
+#include "pal/support/diagnostic_code.hpp"
 
 namespace pal::frontend {
 

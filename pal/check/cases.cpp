@@ -3,6 +3,7 @@
 #include "pal/check/condition_runs.hpp"
 #include "pal/check/families.hpp"
 #include "pal/pan/dump.hpp"
+#include "pal/support/diagnostic_code.hpp"
 
 namespace pal::frontend {
 

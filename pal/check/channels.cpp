@@ -4,6 +4,7 @@
 #include "pal/check/families.hpp"
 #include "pal/check/report.hpp"
 #include "pal/pan/dump.hpp"
+#include "pal/support/diagnostic_code.hpp"
 
 namespace pal::frontend {
 

@@ -12,6 +12,7 @@
 #include "pal/check/flow.hpp"
 #include "pal/check/report.hpp"
 #include "pal/check/scope.hpp"
+#include "pal/support/diagnostic_code.hpp"
 
 namespace pal {
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pal/check/report.hpp"
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/duration_text.hpp"
 #include "pal/support/nearest.hpp"
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/utf8.hpp"
 #include "pal/syntax/parse.hpp"
 

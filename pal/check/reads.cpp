@@ -5,6 +5,7 @@
 
 #include "pal/check/families.hpp"
 #include "pal/check/report.hpp"
+#include "pal/support/diagnostic_code.hpp"
 
 namespace pal::frontend {
 

@@ -1,5 +1,6 @@
 #include "pal/check/report.hpp"
 
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/nearest.hpp"
 
 namespace pal::frontend {

@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "pal/check/load.hpp"
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/render.hpp"
 
 namespace pal::driver {

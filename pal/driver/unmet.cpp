@@ -3,6 +3,7 @@
 #include <string>
 
 #include "pal/driver/proof.hpp"
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/duration_text.hpp"
 
 namespace pal::driver {

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "pal/support/diagnostic_code.hpp"
+
 namespace pal {
 
 namespace {

@@ -2,13 +2,17 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/source.hpp"
 
 namespace pal {
+
+/// The rows of the table in diagnostic_code.hpp: who reports or tells codes apart includes that; who only
+/// carries findings does not.
+enum class Code : std::uint16_t;
 
 enum class Severity { note, warning, error };
 

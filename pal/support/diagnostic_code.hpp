@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 namespace pal {
 
 enum class Severity;
 
-enum class Code {
+enum class Code : std::uint16_t {
 #define PAL_DIAGNOSTIC(code, severity, title) code,
 #include "pal/support/diagnostic_code.def"
 #undef PAL_DIAGNOSTIC

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/render.hpp"
 
 namespace pal {

@@ -2,6 +2,7 @@
 #include <ostream>
 #include <string_view>
 
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/render.hpp"
 #include "pal/support/text_width.hpp"
 #include "pal/support/utf8.hpp"

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <utility>
 
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/syntax/build.hpp"
 
 namespace pal::syntax {

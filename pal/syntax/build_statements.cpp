@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/syntax/build.hpp"
 
 namespace pal::syntax {

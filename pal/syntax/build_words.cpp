@@ -5,6 +5,7 @@
 #include <limits>
 #include <string_view>
 
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/duration_text.hpp"
 #include "pal/syntax/build.hpp"
 #include "pal/syntax/physical_unit.hpp"

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "PalParser.h"
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/syntax/spelling.hpp"
 
 namespace pal::syntax {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/utf8.hpp"
 #include "pal/syntax/parse.hpp"
 

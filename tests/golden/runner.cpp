@@ -12,6 +12,7 @@
 #include "pal/check/check.hpp"
 #include "pal/check/load.hpp"
 #include "pal/pan/dump.hpp"
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/render.hpp"
 #include "pal/syntax/print.hpp"
 

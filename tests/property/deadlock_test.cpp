@@ -4,6 +4,7 @@
 #include "pal/check/check.hpp"
 #include "pal/check/deadlock/explore.hpp"
 #include "pal/check/load.hpp"
+#include "pal/support/diagnostic_code.hpp"
 #include "tests/support/random_talk.hpp"
 
 using namespace pal;

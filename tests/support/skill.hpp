@@ -9,6 +9,7 @@
 #include "analyzer/problem.hpp"
 #include "pal/check/check.hpp"
 #include "pal/check/load.hpp"
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/file_system.hpp"
 #include "pal/support/render.hpp"
 

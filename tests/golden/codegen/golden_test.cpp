@@ -7,6 +7,7 @@
 #include "codegen/generate.hpp"
 #include "pal/check/check.hpp"
 #include "pal/check/load.hpp"
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/render.hpp"
 
 using namespace pal;

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "pal/support/diagnostic_code.hpp"
 #include "tests/support/skill.hpp"
 #include "tests/unit/analyzer/small_skill.hpp"
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pal/support/diagnostic_code.hpp"
 #include "tests/unit/frontend/specification.hpp"
 
 using namespace pal;

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/render.hpp"
 
 using namespace pal;
