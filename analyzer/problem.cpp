@@ -106,14 +106,14 @@ class Builder final : public TimesAndPlaces {
       const bool added =
           processor_.emplace(processor.name, static_cast<int>(problem_.processors.size())).second;
       if (!added) {
-        diagnostics_.report(Code::PAL0728, processor.where,
-                            "processor " + processor.name + " is declared twice");
+        diagnostics_.report(Code::PAL0711, processor.where, "processor " + processor.name + " is given twice",
+                            "remove one of them");
         continue;
       }
       problem_.processors.push_back(processor);
     }
     if (problem_.processors.empty()) {
-      diagnostics_.report(Code::PAL0721, environment_.where,
+      diagnostics_.report(Code::PAL0714, environment_.where,
                           "environment " + environment_.name + " has no processor", "add PROCESSOR P0");
     }
   }
@@ -132,10 +132,12 @@ class Builder final : public TimesAndPlaces {
     std::set<std::string> placed;
     for (const Placement& placement : environment_.placements) {
       if (!processor_.contains(placement.processor)) {
-        diagnostics_.report(Code::PAL0722, placement.where, "there is no processor " + placement.processor);
+        diagnostics_.report(Code::PAL0713, placement.where, "there is no processor " + placement.processor,
+                            "add PROCESSOR " + placement.processor);
       }
       if (!placed.insert(placement.thread).second) {
-        diagnostics_.report(Code::PAL0728, placement.where, placement.thread + " is placed twice");
+        diagnostics_.report(Code::PAL0711, placement.where,
+                            "the place of " + placement.thread + " is given twice", "remove one of them");
       }
       if (executed_.contains(placement.thread)) {
         diagnostics_.report(
@@ -145,14 +147,15 @@ class Builder final : public TimesAndPlaces {
       } else if (modules.contains(placement.thread.substr(0, placement.thread.find('.'))) &&
                  !threads.contains(placement.thread)) {
         diagnostics_.report(Code::PAL0723, placement.where,
-                            "skill " + network_.skill.name + " has no block " + placement.thread);
+                            "skill " + network_.skill.name + " has no block " + placement.thread,
+                            "count the blocks of CONCURRENT in the order of the text, from 1");
       }
     }
     std::set<std::pair<std::string, std::string>> timed;
     for (const ActivityTime& time : environment_.activities) {
       if (!timed.insert({time.activity, time.module}).second) {
-        diagnostics_.report(Code::PAL0728, time.where,
-                            "activity " + time.activity + " is given a time twice");
+        diagnostics_.report(Code::PAL0711, time.where, "the time of " + time.activity + " is given twice",
+                            "remove one of them");
       }
       interval(time.time, time.where, "activity " + time.activity);
     }
@@ -160,13 +163,14 @@ class Builder final : public TimesAndPlaces {
 
   void time(Duration value, SourceSpan where, const std::string& what, bool positive = false) {
     if (value.count() < 0) {
-      diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is negative");
+      diagnostics_.report(Code::PAL0701, where, "the time of " + what + " is negative",
+                          "write a time from 0 on");
     } else if (positive && value.count() == 0) {
-      diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is zero",
+      diagnostics_.report(Code::PAL0708, where, "the time of " + what + " is zero",
                           "give it a time above zero");
     } else if (value.count() > longest_time) {
-      diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is too long to reckon with",
-                          "the longest time is 1000000 s");
+      diagnostics_.report(Code::PAL0704, where, "the time of " + what + " is too long to reckon with",
+                          "write a time of at most 1000000 s");
     }
   }
 
@@ -174,7 +178,7 @@ class Builder final : public TimesAndPlaces {
     time(value.best, where, what);
     time(value.worst, where, what);
     if (value.best > value.worst) {
-      diagnostics_.report(Code::PAL0726, where, "the best time of " + what + " is longer than its worst",
+      diagnostics_.report(Code::PAL0705, where, "the best time of " + what + " is longer than its worst",
                           "write the shorter time first");
     }
   }
@@ -231,7 +235,8 @@ class Builder final : public TimesAndPlaces {
     std::set<std::string> described;
     for (const DeviceTiming& timing : environment_.devices) {
       if (!described.insert(timing.device).second) {
-        diagnostics_.report(Code::PAL0728, timing.where, "device " + timing.device + " is described twice");
+        diagnostics_.report(Code::PAL0711, timing.where, "device " + timing.device + " is given twice",
+                            "remove one of them");
       }
     }
     for (std::size_t d = 0; d < world.size(); ++d) device(world[d], static_cast<int>(d));
@@ -269,7 +274,8 @@ class Builder final : public TimesAndPlaces {
       diagnostics_.report(Code::PAL0727, timing->where,
                           thing.name + " never sends " +
                               problem_.channels[static_cast<std::size_t>(c)].message +
-                              ", which the skill waits for");
+                              ", which the skill waits for",
+                          "describe " + thing.name + " as a device that sends it, or do not wait for it");
     }
     problem_.devices.push_back(std::move(made));
   }
@@ -281,13 +287,15 @@ class Builder final : public TimesAndPlaces {
     time(event.jitter, timing.where, "the jitter of " + made.name);
     if (event.jitter >= event.period && event.period.count() > 0) {
       diagnostics_.report(Code::PAL0726, timing.where,
-                          "the jitter of " + made.name + " is not shorter than its period");
+                          "the jitter of " + made.name + " is not shorter than its period",
+                          "make JITTER shorter than EVERY: a later event does not overtake an earlier one");
     }
     if (event.phase) {
       time(*event.phase, timing.where, "the phase of " + made.name);
       if (*event.phase > event.period) {
-        diagnostics_.report(Code::PAL0726, timing.where,
-                            "the phase of " + made.name + " is longer than its period");
+        diagnostics_.report(Code::PAL0709, timing.where,
+                            "the phase of " + made.name + " is longer than its period",
+                            "write the phase within one period");
       }
     }
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
@@ -300,7 +308,9 @@ class Builder final : public TimesAndPlaces {
     if (made.event < 0) {
       diagnostics_.report(
           Code::PAL0727, timing.where,
-          "nothing in skill " + network_.skill.name + " waits for " + event.message + " from " + made.name);
+          "nothing in skill " + network_.skill.name + " waits for " + event.message + " from " + made.name,
+          "add WTM( " + event.message + " from " + made.name +
+              " ), or name the event that the skill waits for");
     }
   }
 
@@ -314,14 +324,16 @@ class Builder final : public TimesAndPlaces {
       time(frames.period, timing.where, "the period of " + made.name, true);
       time(frames.collecting, timing.where, "collecting a frame of " + made.name);
       if (frames.collecting > frames.period) {
-        diagnostics_.report(Code::PAL0726, timing.where,
-                            made.name + " collects a frame for longer than its period");
+        diagnostics_.report(Code::PAL0710, timing.where,
+                            made.name + " collects a frame for longer than its period",
+                            "make COLLECTING at most EVERY");
       }
       if (frames.phase) {
         time(*frames.phase, timing.where, "the phase of " + made.name);
         if (*frames.phase > frames.period) {
-          diagnostics_.report(Code::PAL0726, timing.where,
-                              "the phase of " + made.name + " is longer than its period");
+          diagnostics_.report(Code::PAL0709, timing.where,
+                              "the phase of " + made.name + " is longer than its period",
+                              "write the phase within one period");
         }
       }
     }
@@ -390,7 +402,8 @@ class Builder final : public TimesAndPlaces {
     if (!any) {
       diagnostics_.report(
           Code::PAL0811, requirement.where,
-          "requirement " + requirement.name + " is about a statement that no thread ever reaches");
+          "requirement " + requirement.name + " is about a statement that no thread ever reaches",
+          "name a statement that can be reached, or make a way to this one");
     }
     return steps;
   }
@@ -401,10 +414,7 @@ class Builder final : public TimesAndPlaces {
       made.name = requirement.name;
       made.limit = requirement.limit.count();
       made.where = requirement.where;
-      if (made.limit < 0 || made.limit > longest_time) {
-        diagnostics_.report(Code::PAL0814, requirement.where,
-                            "the limit of " + requirement.name + " is impossible");
-      }
+      time(requirement.limit, requirement.where, "the limit of " + requirement.name);
       if (const auto* age = std::get_if<Age>(&requirement.measure)) {
         made.measure = Requirement::Measure::age;
         made.condition = static_cast<int>(age->condition.index());
@@ -439,7 +449,8 @@ class Builder final : public TimesAndPlaces {
     }
     if (made.processors.empty()) {
       diagnostics_.report(Code::PAL0813, requirement.where,
-                          "environment " + environment_.name + " has no processor " + load.processor);
+                          "environment " + environment_.name + " has no processor " + load.processor,
+                          "name one that it has, or write LOAD OF EACH PROCESSOR");
     }
   }
 
@@ -469,7 +480,8 @@ class Builder final : public TimesAndPlaces {
     if (!any) {
       diagnostics_.report(
           Code::PAL0727, where,
-          "nothing in skill " + network_.skill.name + " sends " + event->answer + " to " + device.name);
+          "nothing in skill " + network_.skill.name + " sends " + event->answer + " to " + device.name,
+          "add TXM( " + event->answer + " to " + device.name + " ), or name the answer that the skill sends");
       return;
     }
     if (!event->answer_within) return;

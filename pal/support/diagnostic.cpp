@@ -61,7 +61,7 @@ std::string_view name(Severity severity) {
 Diagnostic& Diagnostics::report(Code code, SourceSpan where, std::string message, std::string hint) {
   const auto level = severity(code);
   if (level == Severity::error) ++errors_;
-  return all_.emplace_back(Diagnostic{code, level, where, std::move(message), {}, std::move(hint)});
+  return all_.emplace_back(Diagnostic{code, level, where, std::move(message), {}, std::move(hint), {}});
 }
 
 std::vector<Diagnostic> Diagnostics::sorted() const {

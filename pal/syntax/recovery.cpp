@@ -14,7 +14,7 @@ namespace {
 using Parser = grammar::PalParser;
 
 // A file that is not PAL at all needs no more than this to see it.
-constexpr std::size_t most_reports = 100;
+constexpr std::size_t most_reports = 20;
 
 bool is_reserved(std::size_t type) {
   return type >= Parser::WTM && type <= Parser::REQUEST;
@@ -120,10 +120,11 @@ Diagnostic* Recovery::report(antlr4::Parser* parser, const antlr4::Token* at, st
                              std::string hint) {
   beginErrorCondition(parser);
   ++reported_;
-  if (reported_ > most_reports) return nullptr;
-  if (reported_ == most_reports) {
+  if (reported_ > most_reports + 1) return nullptr;
+  if (reported_ == most_reports + 1) {
     diagnostics_.report(Code::PAL0104, tokens_.span(at),
-                        "too many syntax errors; the rest of this file is not reported", "is this file PAL?");
+                        "too many syntax errors; the rest of this file is not reported",
+                        "correct the first of them, and see that this file is PAL");
     return nullptr;
   }
   // What is no token at all was reported when the tokens were read.
