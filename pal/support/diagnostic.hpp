@@ -29,8 +29,8 @@ struct Edit {
 };
 
 /// One finding. `message` is lower case without a full stop and says what is wrong at `where`, the narrowest
-/// place there is; `hint` says what to do about it, and following it makes the finding go away. Where a program
-/// can follow it, `fix` has the edits, all of them to be made; else it is empty.
+/// place there is; `hint` says what to do about it, and following it makes the finding go away. Where a
+/// program can follow it, `fix` has the edits, all of them to be made; else it is empty.
 struct Diagnostic {
   Code code;
   Severity severity;
