@@ -140,10 +140,11 @@ class Builder final : public TimesAndPlaces {
                             "the place of " + placement.thread + " is given twice", "remove one of them");
       }
       if (executed_.contains(placement.thread)) {
-        diagnostics_.report(
-            Code::PAL0723, placement.where,
-            placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
-            "leave the placement out");
+        diagnostics_
+            .report(Code::PAL0723, placement.where,
+                    placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
+                    "leave the placement out")
+            .fix = {{placement.where, ""}};
       } else if (modules.contains(placement.thread.substr(0, placement.thread.find('.'))) &&
                  !threads.contains(placement.thread)) {
         diagnostics_.report(Code::PAL0723, placement.where,
