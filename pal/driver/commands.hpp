@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pal/driver/console.hpp"
 #include "pal/driver/exit_status.hpp"
@@ -60,5 +61,12 @@ struct GenerateOptions {
   std::string depfile_target;  // its target; empty: the files written
 };
 ExitStatus generate(const GenerateOptions& options, const Console& console);
+
+struct FormatOptions {
+  std::vector<std::string> paths;  // files, folders, or "-"
+  bool check = false;              // change nothing, list what would change
+  bool diff = false;               // … and show how
+};
+ExitStatus format(const FormatOptions& options, const Console& console);
 
 }  // namespace pal::driver
