@@ -128,6 +128,14 @@ void add_format(CLI::App& app, FormatOptions& options) {
       "2 bad usage, or a file could not be read or written.");
 }
 
+void add_explain(CLI::App& app, ExplainOptions& options) {
+  CLI::App* command = app.add_subcommand("explain", "Explains findings: what they mean, an example, a cure");
+  command->add_option("codes", options.codes, "codes, such as PAL0101")->type_name("CODE");
+  command->add_flag("--list", options.list, "list all codes, with severity and title");
+  command->add_flag("--all", options.all, "print every page, as one Markdown document");
+  command->footer("Exit status: 0 explained; 2 no such code.");
+}
+
 /// Says which commands there are, if the first argument is meant as one and is none.
 bool is_known_command(CLI::App& app, const std::vector<std::string>& arguments, std::ostream& err) {
   if (arguments.empty() || arguments.front().find('-') == 0) return true;
@@ -155,12 +163,14 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   GenerateOptions generate_options;
   ReplayOptions replay_options;
   FormatOptions format_options;
+  ExplainOptions explain_options;
   add_check(app, check_options);
   add_replay(app, replay_options);
   add_pan(app, pan_options);
   add_atc(app, atc_options);
   add_generate(app, generate_options);
   add_format(app, format_options);
+  add_explain(app, explain_options);
 
   if (!is_known_command(app, arguments, console.err)) return ExitStatus::usage;
   try {
@@ -175,6 +185,7 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   if (app.got_subcommand("pan")) return draw_pan(pan_options, console);
   if (app.got_subcommand("atc")) return draw_atc(atc_options, console);
   if (app.got_subcommand("fmt")) return format(format_options, console);
+  if (app.got_subcommand("explain")) return explain_code(explain_options, console);
   return generate(generate_options, console);
 }
 

@@ -69,4 +69,12 @@ struct FormatOptions {
 };
 ExitStatus format(const FormatOptions& options, const Console& console);
 
+struct ExplainOptions {
+  std::vector<std::string> codes;
+  bool list = false;  // codes and titles instead
+  bool all = false;   // every page, as one document
+};
+/// Prints the pages on findings.
+ExitStatus explain_code(const ExplainOptions& options, const Console& console);
+
 }  // namespace pal::driver
