@@ -1,4 +1,5 @@
-// The analyzer against runs that are made without it: straight from docs/execution-model.md (tests/support/all_runs.hpp).
+// The analyzer against runs that are made without it: straight from docs/execution-model.md
+// (tests/support/all_runs.hpp).
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <iostream>
@@ -96,15 +97,20 @@ TEST_CASE("no run that follows the execution model exceeds what was proved") {
       }
       std::string story;
       for (const std::string& line : runs.story) story += line + "\n";
-      INFO("seed " << seed << " " << wanted.name << ": " << name(verdict.state) << ", " << verdict.explanation << "\n"
+      INFO("seed " << seed << " " << wanted.name << ": " << name(verdict.state) << ", " << verdict.explanation
+                   << "\n"
                    << text << story);
       CHECK(wrong == "");
-      if (!wrong.empty()) std::cout << "seed " << seed << " " << wanted.name << " " << name(verdict.state) << " "
-         << (verdict.bound ? verdict.bound->count() / 1000000 : -1) << (verdict.exact ? " exact" : "") << ": " << wrong << (seen.complete ? " (complete)" : "") << std::endl;
+      if (!wrong.empty())
+        std::cout << "seed " << seed << " " << wanted.name << " " << name(verdict.state) << " "
+                  << (verdict.bound ? verdict.bound->count() / 1000000 : -1)
+                  << (verdict.exact ? " exact" : "") << ": " << wrong << (seen.complete ? " (complete)" : "")
+                  << std::endl;
     }
   }
-  std::cout << counts.skills << " skills, " << counts.timed << " requirements, " << counts.bounded << " bounded, "
-            << counts.exact << " exact, all runs seen of " << counts.complete << ", compared " << counts.equal << "\n";
+  std::cout << counts.skills << " skills, " << counts.timed << " requirements, " << counts.bounded
+            << " bounded, " << counts.exact << " exact, all runs seen of " << counts.complete << ", compared "
+            << counts.equal << "\n";
   if (std::getenv("PAL_REFUSED") != nullptr)
     for (const auto& [what, count] : refused) std::cout << count << " " << what << "\n";
   CHECK(counts.skills > 0);

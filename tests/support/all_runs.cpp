@@ -332,7 +332,8 @@ bool AllRuns::step() {
   }
   if (first.empty()) return false;
   pass(least);
-  const auto [what, which] = first[ix(first.size() == 1 ? 0 : decisions_->pick(static_cast<int>(first.size())))];
+  const auto [what, which] =
+      first[ix(first.size() == 1 ? 0 : decisions_->pick(static_cast<int>(first.size())))];
   switch (what) {
     case What::work:
       effect(which);
@@ -428,12 +429,10 @@ void AllRuns::walk_on(int thread) {
       of.at.back().second = here.mate.value;
       continue;
     }
-    const bool nothing = std::holds_alternative<Start>(here.content) ||
-                         std::holds_alternative<WaitForStart>(here.content) ||
-                         std::holds_alternative<Nothing>(here.content) ||
-                         std::holds_alternative<Merge>(here.content) ||
-                         std::holds_alternative<Loop>(here.content) ||
-                         std::holds_alternative<Join>(here.content);
+    const bool nothing =
+        std::holds_alternative<Start>(here.content) || std::holds_alternative<WaitForStart>(here.content) ||
+        std::holds_alternative<Nothing>(here.content) || std::holds_alternative<Merge>(here.content) ||
+        std::holds_alternative<Loop>(here.content) || std::holds_alternative<Join>(here.content);
     if (!nothing) break;
     of.at.back().second = here.out.front().value;
   }
@@ -518,8 +517,7 @@ void AllRuns::begin_blocks(int thread) {
     const auto [found, fresh] =
         known_threads_.try_emplace({thread, path}, static_cast<int>(known_threads_.size()));
     const int index = found->second;
-    const std::string& name =
-        network_.modules[ix(module)].threads[std::get<Fork>(fork.content).threads[i]];
+    const std::string& name = network_.modules[ix(module)].threads[std::get<Fork>(fork.content).threads[i]];
     names_[index] = name;
     made.at = {{module, fork.out[i].value}};
     made.module = s_.threads[ix(thread)].module;
@@ -568,7 +566,8 @@ void AllRuns::block_over(int parent) {
   // All that could end have; some block has ended, so one could.
   std::vector<int> rest;
   for (int block : blocks) {
-    if (s_.threads[ix(block)].status != Status::off && !s_.threads[ix(block)].cancelled) rest.push_back(block);
+    if (s_.threads[ix(block)].status != Status::off && !s_.threads[ix(block)].cancelled)
+      rest.push_back(block);
   }
   any_order(rest, [this](int block) {
     if (s_.threads[ix(block)].status != Status::off && !s_.threads[ix(block)].cancelled) cancel(block);
@@ -608,7 +607,9 @@ void AllRuns::stop(int thread) {
   s_.threads[ix(thread)] = Thread{};
   any_order(left, [&](int which) {
     if (which >= 0) {
-      withdraw(which);
+      std::vector<int> freed;
+      withdraw(which, freed);
+      any_order(freed, [this](int channel) { emptied(channel); });
       return;
     }
     const int channel = wait->channels[ix(was.claim)].value;
@@ -692,11 +693,13 @@ void AllRuns::mentioned(const Guard& guard, std::uint32_t& all) {
 }
 
 bool AllRuns::holds(const Guard& guard, std::uint32_t values) const {
-  if (guard.kind == Guard::Kind::equals) return ((values >> guard.condition.index() & 1U) != 0) == guard.value;
+  if (guard.kind == Guard::Kind::equals)
+    return ((values >> guard.condition.index() & 1U) != 0) == guard.value;
   if (guard.kind == Guard::Kind::negation) return !holds(guard.terms.front(), values);
   int true_ones = 0;
   for (const Guard& term : guard.terms) true_ones += holds(term, values) ? 1 : 0;
-  return guard.kind == Guard::Kind::any_of ? true_ones > 0 : true_ones == static_cast<int>(guard.terms.size());
+  return guard.kind == Guard::Kind::any_of ? true_ones > 0
+                                           : true_ones == static_cast<int>(guard.terms.size());
 }
 
 void AllRuns::effect(int thread) {
@@ -715,16 +718,16 @@ void AllRuns::effect(int thread) {
     }
     if (of.gives_up) {
       measure(thread);
-      std::vector<int> requests;
+      std::vector<int> freed;
       for (ChannelId channel : wait->channels) {
-        if (request_of_[channel.index()] >= 0) requests.push_back(request_of_[channel.index()]);
+        if (request_of_[channel.index()] >= 0) withdraw(request_of_[channel.index()], freed);
       }
       const std::size_t branch = wait->channels.size();
       // A statement that a cancelled block finishes has its whole effect before it stops.
       const bool cancelled = of.cancelled;
-      either(!requests.empty() && !cancelled,
-             [&] { any_order(requests, [this](int request) { withdraw(request); }); },
-             [&] { proceed(thread, branch); });
+      either(
+          !freed.empty() && !cancelled, [&] { any_order(freed, [this](int channel) { emptied(channel); }); },
+          [&] { proceed(thread, branch); });
       return;
     }
     const int channel = wait->channels[ix(of.claim)].value;
@@ -735,7 +738,8 @@ void AllRuns::effect(int thread) {
     measure(thread);
     s_.slots[ix(channel)].full = false;
     s_.slots[ix(channel)].claimed = -1;
-    either(!cancelled && somebody_sends(channel), [&] { emptied(channel); }, [&] { proceed(thread, branch); });
+    either(
+        !cancelled && somebody_sends(channel), [&] { emptied(channel); }, [&] { proceed(thread, branch); });
     return;
   }
   if (const auto* send = std::get_if<Send>(&content)) {
@@ -933,21 +937,23 @@ void AllRuns::send_done(int thread) {
     say(who(thread) + " discards");
     measure(thread);
     proceed(thread, 0);
+    if (!s_.ended && somebody_sends(channel)) emptied(channel);
     return;
   }
   put(channel, thread, -1, of.event);
   measure(thread);
   const int process = receiver_process_[ix(channel)];
   const bool cancelled = s_.threads[ix(thread)].cancelled;
-  either(!cancelled && (process >= 0 ? somebody_sends(channel) : offered(channel)),
-         [&] {
-           if (process < 0) {
-             offer(channel);
-           } else {
-             take_request(process, channel);
-           }
-         },
-         [&] { proceed(thread, 0); });
+  either(
+      !cancelled && (process >= 0 ? somebody_sends(channel) : offered(channel)),
+      [&] {
+        if (process < 0) {
+          offer(channel);
+        } else {
+          take_request(process, channel);
+        }
+      },
+      [&] { proceed(thread, 0); });
 }
 
 void AllRuns::take(int channel, int thread) {
@@ -958,33 +964,26 @@ void AllRuns::take(int channel, int thread) {
   if (--s_.slots[ix(request)].open == 0) s_.slots[ix(request)].owner = -1;
 }
 
-void AllRuns::drop(int channel) {
-  Slot& slot = s_.slots[ix(channel)];
-  say("dropped " + network_.messages[network_.channels[ix(channel)].message.index()].name);
-  if (slot.claimed >= 0) s_.threads[ix(slot.claimed)].withdrawn = true;
-  slot.claimed = -1;
-  slot.full = false;
-  emptied(channel);
-}
-
-void AllRuns::withdraw(int request) {
+/// Withdraws all that is open of a request; `freed` gets the channels that are empty now.
+void AllRuns::withdraw(int request, std::vector<int>& freed) {
   Slot& of = s_.slots[ix(request)];
   if (of.open == 0) return;
   const int answer = network_.channels[ix(request)].answer.value;
   int rest = of.open;
-  std::vector<int> drops;
-  if (of.full) {
-    drops.push_back(request);
+  const auto remove = [&](int channel) {
+    Slot& slot = s_.slots[ix(channel)];
+    say("dropped " + network_.messages[network_.channels[ix(channel)].message.index()].name);
+    if (slot.claimed >= 0) s_.threads[ix(slot.claimed)].withdrawn = true;
+    slot.claimed = -1;
+    slot.full = false;
+    freed.push_back(channel);
     --rest;
-  }
-  if (rest > 0 && s_.slots[ix(answer)].full) {
-    drops.push_back(answer);
-    --rest;
-  }
+  };
+  if (of.full) remove(request);
+  if (rest > 0 && s_.slots[ix(answer)].full) remove(answer);
   s_.slots[ix(answer)].unwanted += rest;
   of.open = 0;
   of.owner = -1;
-  any_order(drops, [this](int channel) { drop(channel); });
 }
 
 // The world.
@@ -1001,7 +1000,8 @@ void AllRuns::open(int process) {
 void AllRuns::event(int process) {
   Device& device = s_.devices[ix(process)];
   const auto& event = std::get<EventDevice>(processes_[ix(process)].timing->behaviour);
-  device.next = event.sporadic ? draw({event.period, event.period + 4 * unit_}) : draw({event.period, event.period});
+  device.next =
+      event.sporadic ? draw({event.period, event.period + 4 * unit_}) : draw({event.period, event.period});
   if (event.jitter.count() > 0) {
     device.late = draw({Duration(0), event.jitter});
     return;
@@ -1037,7 +1037,8 @@ void AllRuns::next_request(int process) {
     if (s_.slots[ix(of.requests[i])].full) waiting.push_back(static_cast<int>(i));
   }
   if (waiting.empty() || s_.devices[ix(process)].serving != 0) return;
-  const int chosen = waiting[ix(waiting.size() == 1 ? 0 : decisions_->pick(static_cast<int>(waiting.size())))];
+  const int chosen =
+      waiting[ix(waiting.size() == 1 ? 0 : decisions_->pick(static_cast<int>(waiting.size())))];
   const int channel = of.requests[ix(chosen)];
   s_.devices[ix(process)].serving = 1U << chosen;
   s_.devices[ix(process)].service = draw(std::get<RequestDevice>(of.timing->behaviour).answer);
@@ -1077,26 +1078,27 @@ void AllRuns::answer(int process) {
   device.service = -1;
   device.serving = 0;
   const bool on_request = std::holds_alternative<RequestDevice>(of.timing->behaviour);
-  either(on_request,
-         [&] {
-           any_order(served, [&](int i) {
-             Slot& request = s_.slots[ix(of.requests[ix(i)])];
-             const int event = request.serving_event;
-             request.serving_event = -1;
-             const int channel = network_.channels[ix(of.requests[ix(i)])].answer.value;
-             Slot& slot = s_.slots[ix(channel)];
-             if (slot.unwanted > 0) {
-               --slot.unwanted;
-               return;
-             }
-             const bool lost = slot.full;
-             put(channel, -1, process, event);
-             if (!lost) offer(channel);
-           });
-         },
-         [&] {
-           if (on_request) next_request(process);
-         });
+  either(
+      on_request,
+      [&] {
+        any_order(served, [&](int i) {
+          Slot& request = s_.slots[ix(of.requests[ix(i)])];
+          const int event = request.serving_event;
+          request.serving_event = -1;
+          const int channel = network_.channels[ix(of.requests[ix(i)])].answer.value;
+          Slot& slot = s_.slots[ix(channel)];
+          if (slot.unwanted > 0) {
+            --slot.unwanted;
+            return;
+          }
+          const bool lost = slot.full;
+          put(channel, -1, process, event);
+          if (!lost) offer(channel);
+        });
+      },
+      [&] {
+        if (on_request) next_request(process);
+      });
 }
 
 // States.
@@ -1237,7 +1239,7 @@ Seen AllRuns::enumerate(std::size_t most) {
         arrived(index, each);
       } while (each.next());
     }
-    seen.complete = todo.empty();
+    seen.complete = todo.empty() && !sporadic();
   } catch (const TooMuch&) {
     seen.complete = false;
   }
@@ -1259,6 +1261,15 @@ Seen AllRuns::enumerate(std::size_t most) {
   }
   telling_ = false;
   return seen;
+}
+
+/// Whether a device may wait for ever: then not all runs can be tried.
+bool AllRuns::sporadic() const {
+  for (const DeviceTiming& timing : environment_.devices) {
+    const auto* event = std::get_if<EventDevice>(&timing.behaviour);
+    if (event != nullptr && event->sporadic) return true;
+  }
+  return false;
 }
 
 Seen AllRuns::walk(Decisions& decisions, int things) {

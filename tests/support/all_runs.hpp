@@ -1,5 +1,6 @@
-// What a skill does, read off docs/execution-model.md once more: it walks the graphs of the modules themselves and shares
-// nothing with the analyzer, not even its steps. Whole units of time, every order, every outcome. Slow and small.
+// What a skill does, read off docs/execution-model.md once more: it walks the graphs of the modules
+// themselves and shares nothing with the analyzer, not even its steps. Whole units of time, every order,
+// every outcome. Slow and small.
 #pragma once
 
 #include <cstdint>
@@ -36,8 +37,8 @@ class Lottery final : public Decisions {
 /// What is measured: an age or a response.
 struct Wanted {
   std::string name;
-  int condition = -1;  // age
-  int event = -1;      // response: channel
+  int condition = -1;                // age
+  int event = -1;                    // response: channel
   std::set<std::pair<int, int>> at;  // module, node
 };
 
@@ -169,8 +170,8 @@ class AllRuns {
   bool somebody_sends(int channel) const;
   void take(int channel, int thread);
   void send_done(int thread);
-  void drop(int channel);
-  void withdraw(int request);
+  void withdraw(int request, std::vector<int>& freed);
+  bool sporadic() const;
   void open(int process);
   void take_request(int process, int channel);
   void next_request(int process);

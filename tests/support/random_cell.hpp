@@ -1,5 +1,5 @@
-// Skills by chance that nobody would write: every statement of the language in every place, and workcells of every kind
-// with times so small that all of their runs can be tried.
+// Skills by chance that nobody would write: every statement of the language in every place, and workcells of
+// every kind with times so small that all of their runs can be tried.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace pal::test {
 
-/// The text of a skill and its environment; all times are whole milliseconds, none above `longest`. The same seed gives
-/// the same text. `deep` bounds how far statements stand inside one another.
+/// The text of a skill and its environment; all times are whole milliseconds, none above `longest`. The same
+/// seed gives the same text. `deep` bounds how far statements stand inside one another.
 class RandomCell {
  public:
   RandomCell(std::uint64_t seed, int longest, int deep = 2) : engine_(seed), longest_(longest), deep_(deep) {}
@@ -27,14 +27,18 @@ class RandomCell {
     if (sensor_ == 3) out += "DEVICE gauge\n";
     out += "SKILL random\n";
     if (!lonely_) out += "  SENSOR DRIVER SD1\n  LOGICAL SENSOR LS1\n";
-    out += "  MACHINE CONTROLLER MC1\n  SKILL METHOD SM1\n  CONTINGENCY 1 \"no\" METHOD CM1\n  COMPLETION 0 NORMAL\n  COMPLETION 1 ERROR\n"
-           "  REQUIREMENT age-c : AGE OF c AT TXM( motion to MC1 ) IN SM1 AT MOST " + limit +
-           "  REQUIREMENT age-d : AGE OF d AT think IN SM1 AT MOST " + limit;
+    out +=
+        "  MACHINE CONTROLLER MC1\n  SKILL METHOD SM1\n  CONTINGENCY 1 \"no\" METHOD CM1\n  COMPLETION 0 "
+        "NORMAL\n  COMPLETION 1 ERROR\n"
+        "  REQUIREMENT age-c : AGE OF c AT TXM( motion to MC1 ) IN SM1 AT MOST " +
+        limit + "  REQUIREMENT age-d : AGE OF d AT think IN SM1 AT MOST " + limit;
     if (controller_) {
-      out += "  REQUIREMENT answer : RESPONSE FROM tick OF robot TO TXM( correction to robot ) AT MOST " + limit;
+      out +=
+          "  REQUIREMENT answer : RESPONSE FROM tick OF robot TO TXM( correction to robot ) AT MOST " + limit;
       out += "  REQUIREMENT through : RESPONSE FROM tick OF robot TO TXM( motion to MC1 ) AT MOST " + limit;
     } else {
-      out += "  REQUIREMENT answer : RESPONSE FROM motion request OF MC1 TO TXM( motion to MC1 ) AT MOST " + limit;
+      out += "  REQUIREMENT answer : RESPONSE FROM motion request OF MC1 TO TXM( motion to MC1 ) AT MOST " +
+             limit;
     }
     if (!lonely_ && sensor_ == 2)
       out += "  REQUIREMENT sensed : RESPONSE FROM raw OF SD1 TO TXM( force to SM1 ) AT MOST " + limit;
@@ -77,7 +81,8 @@ class RandomCell {
   std::string wait(const std::string& what, int deeper) {
     if (chance(4) != 0) return "WTM( " + what + " )\n";
     const int limit = chance(3) == 0 ? 0 : between(0, longest_);
-    return "WTM( " + what + " ) WITHIN " + ms(limit) + "\n" + few(deeper) + "ELSE\n" + few(deeper) + "END WTM\n";
+    return "WTM( " + what + " ) WITHIN " + ms(limit) + "\n" + few(deeper) + "ELSE\n" + few(deeper) +
+           "END WTM\n";
   }
 
   std::string few(int deeper) {
@@ -127,7 +132,8 @@ class RandomCell {
       case 12: {
         if (waits_.size() < 2) return wait(waits_.front(), deeper - 1);
         const bool limited = chance(2) == 0;
-        std::string out = "WTM FIRST" + (limited ? " WITHIN " + ms(between(0, longest_)) : std::string()) + "\n";
+        std::string out =
+            "WTM FIRST" + (limited ? " WITHIN " + ms(between(0, longest_)) : std::string()) + "\n";
         const std::size_t first = static_cast<std::size_t>(chance(2));
         for (const std::size_t w : {first, 1 - first}) out += "( " + waits_[w] + " ):\n" + few(deeper - 1);
         return out + (limited ? "ELSE\n" + few(deeper - 1) : "") + "END WTM\n";
@@ -154,9 +160,13 @@ class RandomCell {
     sets_ = executes_ = false;
     if (!lonely_) {
       if (sensor_ == 3) {
-        begin({"filter"}, {"request raw from gauge", "raw to LS1"}, {"raw from gauge", "request raw from LS1"});
-        backbone_ = {"WTM( request raw from LS1 )\nTXM( request raw from gauge )\nWTM( raw from gauge )\nTXM( raw to LS1 )\n"};
-        out += "Sensor Driver: SD1\nACTIVITY filter\nBEGIN\nREPEAT\n" + mixed(backbone_) + "UNTIL( forever )\nEND\n";
+        begin({"filter"}, {"request raw from gauge", "raw to LS1"},
+              {"raw from gauge", "request raw from LS1"});
+        backbone_ = {
+            "WTM( request raw from LS1 )\nTXM( request raw from gauge )\nWTM( raw from gauge )\nTXM( raw to "
+            "LS1 )\n"};
+        out += "Sensor Driver: SD1\nACTIVITY filter\nBEGIN\nREPEAT\n" + mixed(backbone_) +
+               "UNTIL( forever )\nEND\n";
       } else {
         out += "Sensor Driver: SD1\n";
       }
@@ -167,26 +177,32 @@ class RandomCell {
       if (sensor_ == 4) {
         sends_.push_back("request extra from SD1");
         waits_.push_back("extra from SD1");
-        get = "TXM( request raw from SD1 )\nTXM( request extra from SD1 )\nWTM( raw from SD1 )\nWTM( extra from SD1 )\n";
+        get =
+            "TXM( request raw from SD1 )\nTXM( request extra from SD1 )\nWTM( raw from SD1 )\nWTM( extra "
+            "from SD1 )\n";
       }
       backbone_ = {get, "extract\n"};
       Lines lines = chance(3) == 0 ? Lines{get, "WTM( request force from SM1 )\n", "TXM( force to SM1 )\n"}
                                    : Lines{"WTM( request force from SM1 )\n", get, "TXM( force to SM1 )\n"};
-      out += "Logical Sensor: LS1\nACTIVITY extract\nBEGIN\nREPEAT\n" + mixed(lines) + "UNTIL( forever )\nEND\n";
+      out +=
+          "Logical Sensor: LS1\nACTIVITY extract\nBEGIN\nREPEAT\n" + mixed(lines) + "UNTIL( forever )\nEND\n";
     }
     out += "Machine Controller: MC1\n";
     if (controller_) {
-      begin({"obey"}, {"correction to robot", "request motion from SM1"}, {"motion from SM1", "tick from robot"});
-      backbone_ = {"TXM( request motion from SM1 )\nWTM( motion from SM1 )\n", "TXM( correction to robot )\n"};
-      Lines lines = {"WTM( tick from robot )\n", "TXM( request motion from SM1 )\n", wait("motion from SM1", 1),
-                     "TXM( correction to robot )\n"};
+      begin({"obey"}, {"correction to robot", "request motion from SM1"},
+            {"motion from SM1", "tick from robot"});
+      backbone_ = {"TXM( request motion from SM1 )\nWTM( motion from SM1 )\n",
+                   "TXM( correction to robot )\n"};
+      Lines lines = {"WTM( tick from robot )\n", "TXM( request motion from SM1 )\n",
+                     wait("motion from SM1", 1), "TXM( correction to robot )\n"};
       out += "ACTIVITY obey\nBEGIN\nREPEAT\n" + mixed(lines) + "UNTIL( forever )\nEND\n";
     }
     sets_ = executes_ = true;
     begin({"think", "prepare"}, {"motion to MC1"}, {"request motion from MC1"});
-    const std::string act = std::string(chance(2) == 0 ? "RPC( c )\n" : "") + "WTM( request motion from MC1 )\n" +
-                            (chance(2) == 0 ? "CASE\n( c ):\nSPC( d = TRUE )\n( c = FALSE ):\nDo Nothing\nEND CASE\n" : "") +
-                            "TXM( motion to MC1 )\n";
+    const std::string act =
+        std::string(chance(2) == 0 ? "RPC( c )\n" : "") + "WTM( request motion from MC1 )\n" +
+        (chance(2) == 0 ? "CASE\n( c ):\nSPC( d = TRUE )\n( c = FALSE ):\nDo Nothing\nEND CASE\n" : "") +
+        "TXM( motion to MC1 )\n";
     std::string sense = "SPC( c )\n";
     if (!lonely_) {
       sends_.push_back("request force from LS1");
@@ -196,7 +212,8 @@ class RandomCell {
     backbone_ = {act, sense};
     executes_ = false;
     activities_ = {"recover"};
-    const std::string executed = "Contingency Module: CM1\nACTIVITY recover\nBEGIN\nrecover\n" + mixed({act}) + "END\n";
+    const std::string executed =
+        "Contingency Module: CM1\nACTIVITY recover\nBEGIN\nrecover\n" + mixed({act}) + "END\n";
     executes_ = true;
     activities_ = {"think", "prepare"};
     std::string method;
@@ -208,7 +225,9 @@ class RandomCell {
     }
     if (chance(3) == 0) method = few(deep_) + method;
     if (chance(3) == 0) method += few(deep_);
-    out += executed + "Skill Module: SM1\nACTIVITY think\nACTIVITY prepare\nBEGIN\nWTM( Coordinator )\nExecute CM1\nthink\n" +
+    out += executed +
+           "Skill Module: SM1\nACTIVITY think\nACTIVITY prepare\nBEGIN\nWTM( Coordinator )\nExecute "
+           "CM1\nthink\n" +
            method + (chance(5) != 0 ? "TXM( Completion Protocol 0 )\n" : "") + "END\n";
     return out;
   }
@@ -228,7 +247,8 @@ class RandomCell {
   std::string event(const std::string& device, const std::string& message, bool answer) {
     const int period = between(longest_ / 2 + 1, longest_);
     const bool sporadic = chance(8) == 0;
-    std::string out = "  DEVICE " + device + " EVENT " + message + (sporadic ? " SPORADIC " : " EVERY ") + ms(period);
+    std::string out =
+        "  DEVICE " + device + " EVENT " + message + (sporadic ? " SPORADIC " : " EVERY ") + ms(period);
     if (chance(4) == 0 && period > 1) out += " JITTER " + ms(between(1, period - 1));
     if (!sporadic && chance(3) == 0) out += " PHASE " + ms(between(0, period - 1));
     if (answer && chance(3) == 0) out += " ANSWER correction WITHIN " + ms(longest_);
@@ -247,7 +267,8 @@ class RandomCell {
         const std::string device = sensor_ == 3 ? "gauge" : "SD1";
         if (sensor_ == 1 || chance(3) == 0) {
           const int period = between(1, longest_);
-          out += "  DEVICE " + device + " FRAMES EVERY " + ms(period) + " COLLECTING " + ms(between(1, period)) +
+          out += "  DEVICE " + device + " FRAMES EVERY " + ms(period) + " COLLECTING " +
+                 ms(between(1, period)) +
                  (chance(3) == 0 ? " PHASE " + ms(between(0, period - 1)) : std::string()) + "\n";
         } else {
           out += "  DEVICE " + device + " ON REQUEST " + interval(0, longest_ / 2) + "\n";
