@@ -13,6 +13,7 @@ Gauge::Gauge(const Problem& problem, const Requirement* requirement)
       conditions_(problem.conditions.size(), none),
       busy_since_(problem.processors.size()),
       paused_(problem.processors.size(), -1),
+      working_(problem.processors.size()),
       occurrence_(problem.channels.size(), none) {
   if (requirement == nullptr || requirement->condition < 0) return;
   // Until the first set, what a condition says dates from the start.
@@ -110,17 +111,22 @@ void Gauge::reads(int index, int condition) {
 }
 
 void Gauge::busy(int processor) {
-  if (!is(Measure::busy)) return;
-  std::vector<Nanoseconds>& since = busy_since_[static_cast<std::size_t>(processor)];
-  if (paused_[static_cast<std::size_t>(processor)] != now_) since.clear();
+  const auto index = static_cast<std::size_t>(processor);
+  if (!is(Measure::busy) || working_[index]) return;
+  working_[index] = true;
+  std::vector<Nanoseconds>& since = busy_since_[index];
+  if (paused_[index] != now_) since.clear();
   if (since.empty() || since.back() != now_) since.push_back(now_);
 }
 
 void Gauge::idle(int processor) {
   const std::vector<int>& watched = requirement_ == nullptr ? std::vector<int>() : requirement_->processors;
   if (!is(Measure::busy) || std::find(watched.begin(), watched.end(), processor) == watched.end()) return;
-  for (const Nanoseconds born : busy_since_[static_cast<std::size_t>(processor)]) show(born, -1);
-  paused_[static_cast<std::size_t>(processor)] = now_;
+  const auto index = static_cast<std::size_t>(processor);
+  if (!working_[index]) return;
+  working_[index] = false;
+  for (const Nanoseconds born : busy_since_[index]) show(born, -1);
+  paused_[index] = now_;
 }
 
 void Gauge::puts(int index, int to, bool along) {

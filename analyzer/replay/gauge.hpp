@@ -79,6 +79,7 @@ class Gauge {
   std::vector<std::vector<Nanoseconds>>
       busy_since_;                   // by processor; several, with pauses of no length between
   std::vector<Nanoseconds> paused_;  // by processor: when it had nothing to do last; -1: never
+  std::vector<bool> working_;        // by processor
   std::vector<bool> lost_;           // by occurrence
   std::vector<int> occurrence_;      // of the message in each channel
   std::vector<Measured> measured_;
