@@ -55,9 +55,13 @@ kind
   | CONTINGENCY MODULE
   ;
 
+// Of a logical sensor also the rest of its template (thesis, section 2.3.5).
 heading
-  : DESCRIPTION STRING
-  | ACTIVITY activityName access*
+  : DESCRIPTION STRING                                                                # moduleDescription
+  | ACTIVITY activityName access*                                                     # activity
+  | SENSOR DRIVER names                                                               # requiredDrivers
+  | METHOD strings                                                                    # sensorMethods
+  | RETURNS names                                                                     # returned
   ;
 
 access : ( READS | WRITES ) name ( COMMA name )* ;
@@ -227,7 +231,7 @@ contextual
   | FOREVER | FRAMES | IN | INTEGER | JITTER | LATENCY | LOAD | METHOD | MODEL | MODULE | MOST
   | NONPREEMPTIVE | NORMAL | NOTHING | OF | ON | PARAMETER | PHASE | PLACE | POSTCONDITION
   | PRECONDITION | PRIORITY | PROCESSOR | PROCESSORS | PROTOCOL | RANGE | READ | READS | REAL
-  | RECEIVE | REQUIREMENT | RESPONSE | SEND | SET | SIGNAL | SPORADIC | TEST | TIME | WITHIN | WRITES
+  | RECEIVE | REQUIREMENT | RESPONSE | RETURNS | SEND | SET | SIGNAL | SPORADIC | TEST | TIME | WITHIN | WRITES
   ;
 
 // The words that begin a unit of a file.
