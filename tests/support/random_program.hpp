@@ -125,11 +125,7 @@ class RandomProgram {
       }
       case 15:
       case 16: {
-        std::string body = list(depth + 1, deeper - 1);
-        if (reachable_ && ended_) {
-          body.clear();
-          ended_ = false;
-        }
+        const std::string body = list(depth + 1, deeper - 1);
         const bool forever = below(2) == 0;
         ended_ = ended_ || forever;
         return line + "REPEAT\n" + body + line + "UNTIL( " + (forever ? "forever" : guard()) + " )\n";

@@ -199,9 +199,15 @@ class DotParser {
   Ends group(const Defaults& defaults, int depth) {
     if (is_word("subgraph")) {
       step();
-      if (!is_sign("{")) identifier();
+      if (!is_sign("{")) name_group(identifier());
     }
     return statements(defaults, depth + 1);
+  }
+
+  /// To Graphviz a second subgraph of one name is the first one again, with all that was in it.
+  void name_group(const DotValue& name) {
+    if (!groups_.insert(name.text).second)
+      throw NotDot{name.where, "a subgraph of this name stands before", "give it another name, or none"};
   }
 
   void port() {
@@ -237,6 +243,7 @@ class DotParser {
   DotToken token_;
   DotGraph graph_;
   std::unordered_map<std::string, std::size_t> index_;
+  std::set<std::string> groups_;
   std::set<std::string> strange_;
 };
 

@@ -37,8 +37,8 @@ const std::vector<DotKind>& kinds() {
 constexpr std::array of_every_node{"pal_kind", "pal_node", "pal_mate"};
 constexpr std::array of_graphs{"pal_format",      "pal_skill",      "pal_module",
                                "pal_module_kind", "pal_activities", "pal_uses"};
-constexpr std::array of_edges{"pal_branch", "pal_thread",      "pal_back",
-                              "pal_stops",  "pal_never_taken", "pal_block_end"};
+constexpr std::array of_edges{"pal_branch",      "pal_thread",    "pal_back",  "pal_stops",
+                              "pal_never_taken", "pal_block_end", "pal_layout"};
 
 template <class List>
 bool holds(const List& list, std::string_view name) {

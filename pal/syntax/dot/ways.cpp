@@ -12,8 +12,10 @@ namespace pal::syntax {
 
 DotWays::DotWays(const DotGraph& graph, Diagnostics& diagnostics)
     : graph_(graph), diagnostics_(diagnostics), out_(graph.nodes.size()), back_(graph.nodes.size()) {
-  for (const DotEdge& edge : graph.edges)
+  for (const DotEdge& edge : graph.edges) {
+    if (edge.values->is_true("pal_layout")) continue;
     (edge.values->is_true("pal_back") ? back_ : out_)[edge.from].push_back(&edge);
+  }
 }
 
 std::size_t DotWays::only(std::size_t from) const {
