@@ -194,9 +194,11 @@ void Recovery::report_unexpected(antlr4::Parser* parser, const antlr4::Token* at
   const auto* before = tokens_.before(at);
   if (before != nullptr && tokens_.first_on_line(at) && !expected.empty() &&
       before->getTokenIndex() >= parser->getContext()->start->getTokenIndex()) {
-    report(parser, before, "expected " + expected + " after " + spelling(*before));
+    report(parser, before, "expected " + expected + " after " + spelling(*before),
+           "write " + expected + " here");
   } else {
-    report(parser, at, "unexpected " + spelling(*at) + (expected.empty() ? "" : ", expected " + expected));
+    report(parser, at, "unexpected " + spelling(*at) + (expected.empty() ? "" : ", expected " + expected),
+           expected.empty() ? "remove it, or correct what stands before it" : "write " + expected + " here");
   }
 }
 
@@ -207,9 +209,9 @@ void Recovery::reportMissingToken(antlr4::Parser* parser) {
   const auto words = spelling(getExpectedTokens(parser));
   const auto* before = tokens_.before(at);
   if (before != nullptr && tokens_.first_on_line(at)) {
-    report(parser, before, "expected " + words + " after " + spelling(*before));
+    report(parser, before, "expected " + words + " after " + spelling(*before), "write " + words + " here");
   } else {
-    report(parser, at, "expected " + words + " before " + spelling(*at));
+    report(parser, at, "expected " + words + " before " + spelling(*at), "write " + words + " here");
   }
 }
 
@@ -288,7 +290,9 @@ void Recovery::sync(antlr4::Parser* parser) {
     report(parser, at,
            is_end ? spelling(*at) + " ends nothing that is open here"
                   : "unexpected " + spelling(*at) + (words.empty() ? "" : ", expected " + words),
-           is_end ? "remove it, or add what it is to end" : "");
+           is_end          ? "remove it, or add what it is to end"
+           : words.empty() ? "remove it, or correct what stands before it"
+                           : "write " + words + " here");
   }
   follow.addAll(begin);
   follow.addAll(own);

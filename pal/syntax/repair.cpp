@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -18,9 +19,9 @@ using Parser = grammar::PalParser;
 constexpr std::size_t sight = 30;
 constexpr std::size_t least = 5;
 // Between changes that all get that far, looking further decides.
-constexpr std::size_t far_sight = 400;
+constexpr std::size_t far_sight = 200;
 // From the unit's beginning to the mistake; trying changes in a longer one would take too long.
-constexpr std::size_t longest_unit = 4000;
+constexpr std::size_t longest_unit = 1500;
 
 using Types = std::vector<std::size_t>;
 
@@ -51,6 +52,12 @@ bool is_word(std::size_t type) {
   return !stands_for_many(type) && !spelling_of_type(type).empty();
 }
 
+std::set<std::size_t> all_keywords() {
+  std::set<std::size_t> types;
+  for (std::size_t type = Parser::WTM; type < Parser::LEFT; ++type) types.insert(type);
+  return types;
+}
+
 std::vector<Change> candidates(const Mistake& mistake, const Tokens& tokens) {
   std::vector<Change> result;
   const auto at = mistake.at;
@@ -59,9 +66,13 @@ std::vector<Change> candidates(const Mistake& mistake, const Tokens& tokens) {
   // A misspelled keyword.
   for (const auto where : {at, at - 1}) {
     if (where >= all.size() || all[where]->getType() != Parser::NAME) continue;
-    if (const auto meant = keyword_like(all[where]->getText(), mistake.expected))
-      result.push_back({where, 1, {*meant}});
+    for (const auto& keywords : {mistake.expected, all_keywords()}) {
+      if (const auto meant = keyword_like(all[where]->getText(), keywords))
+        result.push_back({where, 1, {*meant}});
+    }
   }
+  // Between units any name could be made one by a word before it: rather it is too many.
+  if (mistake.expected.contains(Parser::USES) && !last) result.push_back({at, 1, {}});
   // A missing end, word or sign.
   for (const Types& end : ends()) {
     if (mistake.expected.contains(end.front())) result.push_back({at, 0, end});
