@@ -134,29 +134,33 @@ void Firing::effect_wait(int thread) {
     return;
   }
   if (state.choice == ThreadState::gives_up) {
+    std::vector<int> freed;
     for (int channel : step.channels) {
-      if (channel_of(channel).answers >= 0) withdraw(channel_of(channel).answers);
+      if (channel_of(channel).answers >= 0) withdraw(channel_of(channel).answers, freed);
     }
     measure(thread);
-    finish(thread, step.next.back());
+    go_on_and_admit(thread, step.next.back(), freed);
     return;
   }
   const auto branch = static_cast<std::size_t>(state.choice);
   const int channel = step.channels[branch];
   take(channel, thread, -1);
   state.choice = ThreadState::no_choice;
+  clear(channel);
   measure(thread);
-  // Who frees the slot and who goes on may come in either order; it matters only where going on starts
-  // others.
-  const Step::Kind after = problem_.steps[static_cast<std::size_t>(step.next[branch])].kind;
-  const bool either = after == Step::Kind::fork || after == Step::Kind::end;
-  if (either && !state.cancelled && choices_.pick(2) == 1) {
-    finish(thread, step.next[branch]);
-    if (!state_.ended) empty(channel);
-  } else {
-    empty(channel);
-    finish(thread, step.next[branch]);
-  }
+  go_on_and_admit(thread, step.next[branch], {channel});
+}
+
+/// The thread goes on, and the channels are there for senders that are blocked: in either order, where it
+/// matters.
+void Firing::go_on_and_admit(int thread, int next, std::vector<int> channels) {
+  std::erase_if(channels, [this](int channel) { return !somebody_sends(channel); });
+  const Step::Kind after = problem_.steps[static_cast<std::size_t>(next)].kind;
+  const bool matters = after == Step::Kind::wait || after == Step::Kind::fork || after == Step::Kind::end;
+  const bool first = !channels.empty() && matters && !state_of(thread).cancelled && choices_.pick(2) == 1;
+  if (first) finish(thread, next);
+  in_any_order(std::move(channels), [this](int channel) { admit(channel); });
+  if (!first) finish(thread, next);
 }
 
 void Firing::effect_send(int thread) {
@@ -185,18 +189,18 @@ void Firing::effect_send(int thread) {
 void Firing::sent(int thread, bool put_it) {
   const Step& step = step_of(thread);
   const std::uint8_t carries = sent_along(thread);
-  const Step::Kind after = problem_.steps[static_cast<std::size_t>(step.next.front())].kind;
-  const bool either =
-      put_it && carries == tag::none && (after == Step::Kind::fork || after == Step::Kind::end);
-  if (either && !state_of(thread).cancelled && choices_.pick(2) == 1) {
-    measure(thread);
-    finish(thread, step.next.front());
-    if (!state_.ended) put(step.channels.front(), thread, -1, tag::none);
-    return;
-  }
-  if (put_it) put(step.channels.front(), thread, -1, carries);
+  const int channel = step.channels.front();
+  if (put_it) place(channel, thread, -1, carries);
   measure(thread);
-  finish(thread, step.next.front());
+  // Who is to receive it and who has sent it may come to their queues in either order.
+  const Step::Kind after = problem_.steps[static_cast<std::size_t>(step.next.front())].kind;
+  const bool queues =
+      state_of(thread).status != Status::running || after == Step::Kind::fork || after == Step::Kind::end;
+  const bool first =
+      put_it && queues && !state_of(thread).cancelled && somebody_waits(channel) && choices_.pick(2) == 1;
+  if (first) finish(thread, step.next.front());
+  if (put_it) announce(channel);
+  if (!first) finish(thread, step.next.front());
 }
 
 void Firing::effect_set(int thread) {

@@ -42,16 +42,34 @@ class Firing {
   bool read(int thread, int condition);
   std::uint64_t values_for_test(int thread, const Step& step);
   void complete(int thread, int code);
+  void go_on_and_admit(int thread, int next, std::vector<int> channels);
+
+  /// Calls `each` for all of `of`; in every order.
+  template <class Each>
+  void in_any_order(std::vector<int> of, Each each) {
+    while (!of.empty()) {
+      const int chosen = of.size() == 1 ? 0 : choices_.pick(static_cast<int>(of.size()));
+      const int next = of[static_cast<std::size_t>(chosen)];
+      of.erase(of.begin() + chosen);
+      each(next);
+    }
+  }
 
   // Messages and devices (firing_mail.cpp).
   bool put(int channel, int thread, int device, std::uint8_t carries);
+  void place(int channel, int thread, int device, std::uint8_t carries);
+  void announce(int channel);
   bool available(int channel, int thread) const;
   void message_available(int channel);
   void fill(int channel, int processor);
   void take(int channel, int thread, int device);
+  void clear(int channel);
+  void admit(int channel);
+  bool somebody_sends(int channel) const;
+  bool somebody_waits(int channel) const;
   void empty(int channel);
   void drop(int channel);
-  void withdraw(int request);
+  void withdraw(int request, std::vector<int>& freed);
   void abandon(int thread);
   void open_device(int device);
   void arrives_at_device(int channel);
