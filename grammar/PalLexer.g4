@@ -102,6 +102,7 @@ REAL          : R E A L ;
 RECEIVE       : R E C E I V E ;
 REQUIREMENT   : R E Q U I R E M E N T ;
 RESPONSE      : R E S P O N S E ;
+RETURNS       : R E T U R N S ;
 SEND          : S E N D ;
 SET           : S E T ;
 SIGNAL        : S I G N A L ;

@@ -55,9 +55,13 @@ kind
   | CONTINGENCY MODULE
   ;
 
+// Of a logical sensor also the rest of its template (thesis, section 2.3.5).
 heading
-  : DESCRIPTION STRING
-  | ACTIVITY activityName access*
+  : DESCRIPTION STRING                                                                # moduleDescription
+  | ACTIVITY activityName access*                                                     # activity
+  | SENSOR DRIVER names                                                               # requiredDrivers
+  | METHOD strings                                                                    # sensorMethods
+  | RETURNS names                                                                     # returned
   ;
 
 access : ( READS | WRITES ) name ( COMMA name )* ;
@@ -237,7 +241,7 @@ contextual
   | FIRST | FOREVER | FRAMES | IN | INTEGER | INTERVAL | JITTER | LATENCY | LEAST | LOAD | LOSS | METHOD
   | MODEL | MODULE | MOST | NONPREEMPTIVE | NORMAL | NOTHING | OF | ON | PARAMETER | PERIOD | PHASE | PLACE
   | POSTCONDITION | PRECONDITION | PRIORITY | PROCESSOR | PROCESSORS | PROTOCOL | RANGE | REACTION | READ
-  | READS | REAL | RECEIVE | REQUIREMENT | RESPONSE | SEND | SET | SIGNAL | SPORADIC | TEST | TIME | WITHIN | WRITES
+  | READS | REAL | RECEIVE | REQUIREMENT | RESPONSE | RETURNS | SEND | SET | SIGNAL | SPORADIC | TEST | TIME | WITHIN | WRITES
   ;
 
 // The words that begin a unit of a file.

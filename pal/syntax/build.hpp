@@ -33,6 +33,7 @@ class Builder {
   DeviceUnit device_unit(Parser::DeviceUnitContext* context);
   ModuleUnit module_unit(Parser::ModuleUnitContext* context);
   void add_heading(ModuleUnit& module, Parser::HeadingContext* context);
+  void add_sensor_slot(SensorTemplate& sensor, Parser::HeadingContext* context);
 
   // statements: build_statements.cpp
   Statements statements(Parser::StatementsContext* context);

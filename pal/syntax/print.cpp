@@ -44,6 +44,10 @@ std::string list(const std::vector<Name>& names) {
   return result;
 }
 
+std::string list_or_none(const std::vector<Name>& names) {
+  return names.empty() ? "NONE" : list(names);
+}
+
 std::string with_text(const std::string& text) {
   return text.empty() ? std::string() : " " + quoted(text);
 }
@@ -72,6 +76,10 @@ class Printer {
   void operator()(const ModuleUnit& module) {
     line(title(module.kind) + ": " + module.name.text);
     for (const auto& text : module.descriptions) line("DESCRIPTION " + quoted(text));
+    const auto& sensor = module.sensor;
+    if (sensor.drivers) line("SENSOR DRIVER " + list_or_none(sensor.drivers->names));
+    texts("METHOD", sensor.methods);
+    if (sensor.returns) line("RETURNS " + list_or_none(sensor.returns->names));
     for (const auto& activity : module.activities) {
       line("ACTIVITY " + activity.name.text +
            (activity.reads.empty() ? "" : " READS " + list(activity.reads)) +

@@ -52,12 +52,27 @@ struct ActivityHeading {
   SourceSpan where;
 };
 
+/// A slot of a template that lists names: SENSOR DRIVER SD1, SD2; or NONE.
+struct NameSlot {
+  std::vector<Name> names;
+  SourceSpan where;
+};
+
+/// What the template of a logical sensor says beside its description (thesis, section 2.3.5).
+struct SensorTemplate {
+  std::optional<NameSlot> drivers;
+  std::vector<std::string> methods;
+  std::optional<NameSlot> returns;
+  SourceSpan where;  // of the first slot; invalid if there is none
+};
+
 /// Kind: name … BEGIN … END
 struct ModuleUnit {
   pan::ModuleKind kind = pan::ModuleKind::skill_module;
   Name name;
   std::vector<std::string> descriptions;
   std::vector<ActivityHeading> activities;
+  SensorTemplate sensor;
   bool has_body = false;
   Statements body;
   SourceSpan where;  // from the kind to the name
