@@ -47,6 +47,9 @@ class Diagnostics {
   /// Reports with the severity that the table gives the code.
   Diagnostic& report(Code code, SourceSpan where, std::string message, std::string hint = {});
 
+  /// What is found from now on to begin in `place` only follows from what was reported there, and is dropped.
+  void distrust(SourceSpan place) { distrusted_.push_back(place); }
+
   std::size_t errors() const { return errors_; }
   bool has_errors() const { return errors_ != 0; }
 
@@ -58,6 +61,8 @@ class Diagnostics {
 
  private:
   std::vector<Diagnostic> all_;
+  std::vector<SourceSpan> distrusted_;
+  std::vector<Diagnostic> dropped_;  // the last one dropped, which its finder may still be writing to
   std::size_t errors_ = 0;
 };
 
