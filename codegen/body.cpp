@@ -152,7 +152,7 @@ class BodyPlanner {
       if (found == nullptr || found->module.empty()) found = &time;
     }
     if (found != nullptr) return found->time;
-    diagnostics_.report(Code::PAL0902, environment_.where,
+    diagnostics_.report(Code::PAL0725, environment_.where,
                         "environment " + environment_.name + " does not say how long " + activity.name +
                             " of " + planned_.pal_name + " takes",
                         "add TIME " + activity.name + " OF " + planned_.pal_name + " : … to the environment");

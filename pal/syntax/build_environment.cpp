@@ -83,7 +83,8 @@ pan::EventDevice Builder::event_device(Parser::EventDeviceContext* context) {
   for (auto* clause : context->eventClause()) {
     const auto once = [&](bool given) {
       if (given)
-        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them");
+        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them").fix = {
+            {span(clause), ""}};
     };
     if (clause->EVERY() != nullptr || clause->SPORADIC() != nullptr) {
       once(has_period);
@@ -117,7 +118,8 @@ pan::FrameDevice Builder::frame_device(Parser::FrameDeviceContext* context) {
   for (auto* clause : context->frameClause()) {
     const auto once = [&](bool given) {
       if (given)
-        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them");
+        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them").fix = {
+            {span(clause), ""}};
     };
     if (clause->EVERY() != nullptr) {
       once(has_period);

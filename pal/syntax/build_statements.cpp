@@ -72,8 +72,13 @@ std::optional<Statement> Builder::wait(Parser::WaitContext* context) {
     }
     wait.otherwise = statements(c->statements());
     if (c->WITHIN() != nullptr && c->ELSE() == nullptr && c->exception == nullptr) {
-      diagnostics_.report(Code::PAL0108, head, "this wait gives up, but does not say what to do then",
-                          "add ELSE before END WTM");
+      auto& finding =
+          diagnostics_.report(Code::PAL0108, head, "this wait gives up, but does not say what to do then",
+                              "add ELSE before END WTM");
+      auto before = span(c->END_WTM());
+      before.end = before.begin;
+      const std::string indent(c->END_WTM()->getSymbol()->getCharPositionInLine(), ' ');
+      finding.fix = {{before, "ELSE\n" + indent + "  Do Nothing\n" + indent}};
     }
     if (c->WITHIN() == nullptr && c->ELSE() != nullptr) {
       diagnostics_.report(Code::PAL0109, span(c->ELSE()),
@@ -96,9 +101,14 @@ std::optional<Statement> Builder::send(Parser::SendContext* context) {
   if (auto* c = dynamic_cast<Parser::AskContext*>(context)) {
     Send send{message(c->message()), party(c->party())};
     if (!send.message.request && !send.message.name.text.empty() && c->exception == nullptr) {
-      diagnostics_.report(Code::PAL0110, span(c->FROM()), "only a request can be sent FROM somebody",
-                          "write TXM( request " + send.message.name.text + " from " + send.to.name.text +
-                              " ), or TXM( " + send.message.name.text + " to " + send.to.name.text + " )");
+      send.message.request = true;  // as is rather meant than the other way round
+      auto& finding = diagnostics_.report(
+          Code::PAL0110, span(c->FROM()), "only a request can be sent FROM somebody",
+          "write TXM( request " + send.message.name.text + " from " + send.to.name.text + " ), or TXM( " +
+              send.message.name.text + " to " + send.to.name.text + " )");
+      auto before = span(c->message());
+      before.end = before.begin;
+      finding.fix = {{before, "request "}};
     }
     return Statement{std::move(send), where, {}};
   }
