@@ -74,7 +74,12 @@ class Analyzer {
       verdict.states += graph.classes().size();
       const bool bounded = watch.least && graph.peak().value >= 0;
       const bool beyond = !bounded && (graph.over_cap() || graph.never_answered());
-      if (complete && beyond && !graph.failure() && graph.stuck() < 0 && attempt < 2) continue;
+      // A greater cap may find a bound; of what fails already it is asked only where there is likely to be
+      // one.
+      const bool broken = breaks(requirement, graph.peak().value) || graph.growing();
+      const bool decided =
+          graph.failure() || graph.stuck() >= 0 || (broken && watch.kind != Watch::Kind::age);
+      if (complete && beyond && !decided && attempt < 2) continue;
       judge(requirement, machine, graph, complete, cap, verdict);
       return;
     }
