@@ -86,7 +86,7 @@ statement
 wait
   : WTM LEFT COORDINATOR RIGHT                                                        # waitForStart
   | WTM source                                                                        # waitForOne
-  | WTM source WITHIN duration statements ELSE statements END_WTM WTM                 # waitWithin
+  | WTM source WITHIN duration statements ( ELSE statements )? END_WTM WTM            # waitWithin
   | WTM FIRST ( WITHIN duration )? waitArm+ ( ELSE statements )? END_WTM WTM          # waitForFirst
   ;
 

@@ -40,6 +40,7 @@ class Builder {
   std::optional<Statement> statement(Parser::StatementContext* context);
   std::optional<Statement> wait(Parser::WaitContext* context);
   std::optional<Statement> send(Parser::SendContext* context);
+  void report_no_else(SourceSpan wait);
   Statement choose(Parser::ChooseContext* context);
   Statement repeat(Parser::RepeatContext* context);
   Statement concurrent(Parser::ConcurrentContext* context);

@@ -42,6 +42,11 @@ Source Builder::source(Parser::SourceContext* context) {
   return {message(context->message()), party(context->party())};
 }
 
+void Builder::report_no_else(SourceSpan wait) {
+  diagnostics_.report(Code::PAL0108, wait, "this wait gives up, but does not say what to do then",
+                      "add ELSE before END WTM");
+}
+
 std::optional<Statement> Builder::wait(Parser::WaitContext* context) {
   const auto where = span(context);
   if (dynamic_cast<Parser::WaitForStartContext*>(context) != nullptr) {
@@ -56,6 +61,7 @@ std::optional<Statement> Builder::wait(Parser::WaitContext* context) {
     wait.within = duration(c->duration());
     wait.otherwise = statements(c->statements(1));
     const auto head = span(span(c->WTM(0)), span(c->duration()));
+    if (c->ELSE() == nullptr && c->exception == nullptr) report_no_else(head);
     return Statement{std::move(wait), head, span(c->END_WTM(), c->WTM(1))};
   }
   if (auto* c = dynamic_cast<Parser::WaitForFirstContext*>(context)) {
@@ -72,8 +78,7 @@ std::optional<Statement> Builder::wait(Parser::WaitContext* context) {
     }
     wait.otherwise = statements(c->statements());
     if (c->WITHIN() != nullptr && c->ELSE() == nullptr && c->exception == nullptr) {
-      diagnostics_.report(Code::PAL0108, head, "this wait gives up, but does not say what to do then",
-                          "add ELSE before END WTM");
+      report_no_else(head);
     }
     if (c->WITHIN() == nullptr && c->ELSE() != nullptr) {
       diagnostics_.report(Code::PAL0109, span(c->ELSE()),
