@@ -77,7 +77,8 @@ void add_pan(CLI::App& app, PanOptions& options) {
   command->add_flag("--dot", options.dot, "write Graphviz DOT instead of SVG");
   command->add_flag("--letters", options.letters,
                     "statements as letters and conditions as c1, c2, … with a key");
-  command->add_flag("--pal", options.pal, "print the modules as PAL instead");
+  command->add_flag("--pal", options.pal,
+                    "print the modules as PAL instead, also those drawn as DOT (FILE.dot)");
   command->footer(statuses);
 }
 
