@@ -67,6 +67,7 @@ class Builder {
 
   // environments: build_environment.cpp
   EnvironmentUnit environment_unit(Parser::EnvironmentUnitContext* context);
+  bool add_resource(Resources& resources, Parser::ItemContext* context);
   void add_item(EnvironmentUnit& environment, Parser::ItemContext* context);
   pan::EventDevice event_device(Parser::EventDeviceContext* context);
   pan::FrameDevice frame_device(Parser::FrameDeviceContext* context);
