@@ -4,6 +4,7 @@
 
 #include "analyzer/explain.hpp"
 #include "analyzer/load.hpp"
+#include "analyzer/story.hpp"
 
 namespace pal::analyzer {
 namespace {

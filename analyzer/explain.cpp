@@ -1,159 +1,9 @@
 #include "analyzer/explain.hpp"
 
-#include <algorithm>
-#include <map>
-
-#include "runtime/trace/slices.hpp"
-
 namespace pal::analyzer {
 namespace {
 
 using trace::Kind;
-using trace::Slice;
-
-struct Story {
-  const Problem& problem;
-  const trace::Trace& trace;
-  std::vector<Slice> slices = trace::slices(trace);
-
-  const trace::Statement& statement(int index) const {
-    return trace.statements[static_cast<std::size_t>(index)];
-  }
-
-  Reason reason(Nanoseconds from, Nanoseconds to, int actor, std::string what, int of) const {
-    Reason made{
-        from, to, actor < 0 ? "" : trace.actors[static_cast<std::size_t>(actor)].name, std::move(what),
-        "",   0};
-    if (of >= 0) {
-      made.file = statement(of).file;
-      made.line = statement(of).line;
-    }
-    return made;
-  }
-
-  std::string doing(const Slice& slice) const {
-    const std::string text = slice.statement < 0 ? "" : statement(slice.statement).text;
-    switch (slice.state) {
-      case trace::State::running:
-        return slice.ending == trace::Ending::preempted ? "runs " + text + " until it is preempted"
-                                                        : "runs " + text;
-      case trace::State::ready:
-        return "is kept from its processor at " + text;
-      case trace::State::waiting:
-        return "waits at " + text;
-      case trace::State::serving:
-        return "serves";
-    }
-    return {};
-  }
-
-  /// What a thread did in [from, to], without gaps.
-  void tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out) const {
-    Nanoseconds at = from;
-    for (const Slice& slice : slices) {
-      if (slice.actor != thread || slice.to_ns <= at || slice.from_ns >= to) continue;
-      if (slice.from_ns > at) out.push_back(reason(at, slice.from_ns, thread, "has not begun", -1));
-      const Nanoseconds end = std::min<Nanoseconds>(slice.to_ns, to);
-      out.push_back(
-          reason(std::max<Nanoseconds>(slice.from_ns, at), end, thread, doing(slice), slice.statement));
-      at = end;
-    }
-    if (at < to) out.push_back(reason(at, to, thread, "waits for its blocks", -1));
-  }
-
-  /// The event at which the measured statement had its effect; the number of events if there is none.
-  std::size_t used_at(const Measurement& measured) const {
-    const int of = problem.steps[static_cast<std::size_t>(measured.step)].statement;
-    for (std::size_t e = trace.events.size(); e-- > 0;) {
-      const trace::Event& event = trace.events[e];
-      if (event.kind == Kind::done && event.statement == of && event.time_ns == measured.at &&
-          event.actor >= 0)
-        return e;
-    }
-    return trace.events.size();
-  }
-
-  int parent(int thread) const { return problem.threads[static_cast<std::size_t>(thread)].parent; }
-
-  /// The read whose value counts for `thread` at the event with index `before`: its own last, or its
-  /// parent's.
-  std::size_t last_read(int thread, std::size_t before, int condition) const {
-    for (int of = thread; of >= 0; of = parent(of)) {
-      for (std::size_t e = before + 1; e-- > 0;) {
-        const trace::Event& event = trace.events[e];
-        if (event.kind == Kind::read && event.actor == of && event.subject == condition) return e;
-      }
-    }
-    return trace.events.size();
-  }
-
-  void age(const Requirement& requirement, const Measurement& measured, std::vector<Reason>& out) const {
-    const std::size_t use = used_at(measured);
-    if (use == trace.events.size()) return;
-    const int thread = trace.events[use].actor;
-    const std::size_t read = last_read(thread, use, requirement.condition);
-    if (read == trace.events.size()) return;
-    const trace::Event& reading = trace.events[read];
-    const std::string condition = trace.conditions[static_cast<std::size_t>(requirement.condition)];
-    std::string what = condition + " has had its value since the start";
-    int setter = -1;
-    int set_statement = -1;
-    for (std::size_t e = read; e-- > 0;) {
-      const trace::Event& event = trace.events[e];
-      if (event.kind != Kind::set || event.subject != requirement.condition) continue;
-      if (event.time_ns != measured.born) continue;
-      setter = event.actor;
-      set_statement = event.statement;
-      what = statement(event.statement).text + " gave " + condition + " its value; it ages until " +
-             statement(reading.statement).text + " reads it";
-      break;
-    }
-    if (reading.time_ns > measured.born) {
-      out.push_back(reason(measured.born, reading.time_ns, setter, what, set_statement));
-    }
-    tell(thread, reading.time_ns, measured.at, out);
-  }
-
-  /// The way back from a thread at an instant to the event: through the message that last came from another
-  /// thread.
-  void response(const Requirement& requirement, int thread, std::size_t event, const Measurement& measured,
-                std::vector<Reason>& out, int depth) const {
-    const Nanoseconds to = trace.events[event].time_ns;
-    std::size_t last = trace.events.size();
-    std::size_t put = 0;
-    for (std::size_t e = event + 1; e-- > 0;) {
-      const trace::Event& taking = trace.events[e];
-      if (taking.time_ns < measured.born) break;
-      if (taking.kind != Kind::take || taking.actor != thread) continue;
-      std::size_t from = trace.events.size();
-      for (std::size_t p = e; p-- > 0;) {
-        const trace::Event& putting = trace.events[p];
-        if (putting.kind == Kind::put && putting.subject == taking.subject && putting.value == taking.value) {
-          from = p;
-          break;
-        }
-      }
-      if (from == trace.events.size()) continue;
-      const trace::Event& putting = trace.events[from];
-      if (putting.subject == requirement.event && putting.time_ns == measured.born) {
-        tell(thread, measured.born, to, out);
-        return;
-      }
-      const bool by_thread =
-          putting.actor >= 0 && !trace.actors[static_cast<std::size_t>(putting.actor)].device;
-      if (last == trace.events.size() && by_thread && putting.time_ns >= measured.born) {
-        last = e;
-        put = from;
-      }
-    }
-    if (last == trace.events.size() || depth == 0) {
-      tell(thread, measured.born, to, out);
-      return;
-    }
-    response(requirement, trace.events[put].actor, put, measured, out, depth - 1);
-    tell(thread, trace.events[put].time_ns, to, out);
-  }
-};
 
 std::string place(const Reason& reason) {
   return reason.line == 0 ? "" : " (line " + std::to_string(reason.line) + ")";
@@ -161,12 +11,14 @@ std::string place(const Reason& reason) {
 
 std::string list(const std::vector<Reason>& reasons) {
   std::string text;
+  Nanoseconds sum = 0;
   for (const Reason& reason : reasons) {
-    if (!text.empty()) text += "; ";
+    if (!text.empty()) text += "; + ";
     text += milliseconds(reason.to - reason.from) + ": " + (reason.actor.empty() ? "" : reason.actor + " ") +
             reason.what + place(reason);
+    sum += reason.to - reason.from;
   }
-  return text;
+  return text + (reasons.size() > 1 ? "; = " + milliseconds(sum) : "");
 }
 
 /// "TXM( motion to MC1 ) (line 57)"
@@ -184,33 +36,6 @@ std::string milliseconds(Nanoseconds time) {
   digits.insert(0, 6 - digits.size(), '0');
   while (!digits.empty() && digits.back() == '0') digits.pop_back();
   return text + (digits.empty() ? "" : "." + digits) + " ms";
-}
-
-std::vector<Reason> reasons(const Problem& problem, const Requirement& requirement, const Witness& witness) {
-  std::vector<Reason> out;
-  if (witness.measured.step < 0 || witness.failed) return out;
-  const Story story{problem, witness.trace};
-  const std::size_t use = story.used_at(witness.measured);
-  if (use == witness.trace.events.size()) return out;
-  const int thread = witness.trace.events[use].actor;
-  switch (requirement.measure) {
-    case Requirement::Measure::age:
-      story.age(requirement, witness.measured, out);
-      break;
-    case Requirement::Measure::response:
-      story.response(requirement, thread, use, witness.measured, out, 32);
-      break;
-    case Requirement::Measure::interval:
-    case Requirement::Measure::duration:
-      story.tell(thread, witness.measured.born, witness.measured.at, out);
-      break;
-    case Requirement::Measure::reaction:
-    case Requirement::Measure::loss:
-    case Requirement::Measure::load:
-    case Requirement::Measure::busy:
-      break;
-  }
-  return out;
 }
 
 namespace {

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
+#include "analyzer/linear_times.hpp"
+
 namespace pal::analyzer {
 namespace {
 
-/// t[to] - t[from] <= bound.
-struct Constraint {
-  std::size_t from;
-  std::size_t to;
-  Nanoseconds bound;
-};
+using Constraint = Difference;
 
 constexpr Nanoseconds none = Range::unbounded;
 
@@ -36,8 +33,9 @@ std::optional<std::vector<Nanoseconds>> distances(const std::vector<Constraint>&
 /// The path as constraints on the times of its events.
 class Schedule {
  public:
-  /// How long an action takes that preempts others and whose time is not fixed.
-  enum class Pin { worst, best };
+  /// How long an action takes that preempts others and whose time is not fixed: any time within its interval
+  /// (open), or one that makes differences of all constraints.
+  enum class Pin { open, worst, best };
 
   /// `growing`: the observer after the last event whose value is in question; -1: what the last event
   /// measures.
@@ -57,6 +55,7 @@ class Schedule {
   /// Times of all events such that what was measured at the last is as great, or as small, as it can be;
   /// nothing if impossible. A value that can grow without end is made greater than `enough`.
   std::optional<std::vector<Nanoseconds>> solve(Aim aim, Nanoseconds enough = none) {
+    if (pin_ == Pin::open) return linear_times(count_, constraints_, works_, goal_of(aim, enough));
     std::vector<Constraint> constraints = constraints_;
     if (aim == Aim::greatest) {
       if (births_at_end_.empty()) return std::nullopt;
@@ -105,7 +104,22 @@ class Schedule {
     Nanoseconds owed = 0;  // processor time that others had while this one was frozen
     bool frozen = false;
     std::size_t froze = 0;
+    std::size_t resumed = 0;
+    std::vector<std::pair<std::size_t, std::size_t>> pieces;  // that are over
   };
+
+  std::optional<Goal> goal_of(Aim aim, Nanoseconds enough) const {
+    if (aim == Aim::any || births_at_end_.empty()) return std::nullopt;
+    const std::size_t born = births_at_end_.front();
+    if (aim == Aim::least) return Goal{count_ - 1, born, none};
+    return Goal{born, count_ - 1, enough};
+  }
+
+  /// A life that was interrupted: what it has worked in all, up to event `until`.
+  void worked(Life life, std::size_t until, bool over) {
+    if (!life.frozen) life.pieces.emplace_back(life.resumed, until);
+    works_.push_back({life.pieces, {over ? life.range.best : 0, life.range.worst}});
+  }
 
   void between(std::size_t from, std::size_t to, Nanoseconds least, Nanoseconds most) {
     constraints_.push_back({to, from, -least});
@@ -128,9 +142,13 @@ class Schedule {
         if (!life.active || life.frozen) return false;
         Range range{life.range.best, life.range.worst};
         const int processor = machine_.processor_of(before, timer);
-        if (processor >= 0) pay(processor, timer, range);
-        between(life.started, k, range.best + life.owed,
-                range.worst >= none ? none : range.worst + life.owed);
+        if (pin_ == Pin::open && !life.pieces.empty()) {
+          worked(life, k, true);
+        } else {
+          if (processor >= 0) pay(processor, timer, range);
+          between(life.started, k, range.best + life.owed,
+                  range.worst >= none ? none : range.worst + life.owed);
+        }
         life = {};
         if (!clockwork_.fire(timer, 0, choices)) return false;
       }
@@ -153,11 +171,13 @@ class Schedule {
   }
 
   void still_open(const Life& life, std::size_t until) {
+    if (pin_ == Pin::open && !life.pieces.empty()) return worked(life, until, false);
     if (life.range.worst < none) constraints_.push_back({life.started, until, life.range.worst + life.owed});
   }
 
   /// An action ends: the ones that it preempted are owed its time, which is fixed for that purpose.
   void pay(int processor, int timer, Range& range) {
+    if (pin_ == Pin::open) return;
     for (std::size_t t = 0; t < machine_.problem().threads.size(); ++t) {
       if (static_cast<int>(t) == timer || !lives_[t].active || !lives_[t].frozen) continue;
       if (machine_.problem().threads[t].processor != processor) continue;
@@ -171,7 +191,7 @@ class Schedule {
       Life& life = lives_[static_cast<std::size_t>(change.timer)];
       switch (change.kind) {
         case TimerChange::Kind::start:
-          life = {true, k, change.range, 0, false, 0};
+          life = {true, k, change.range, 0, false, 0, k, {}};
           break;
         case TimerChange::Kind::stop:
           still_open(life, k);
@@ -181,9 +201,11 @@ class Schedule {
           still_open(life, k);
           life.frozen = true;
           life.froze = k;
+          life.pieces.emplace_back(life.resumed, k);
           break;
         case TimerChange::Kind::resume:
           life.frozen = false;
+          life.resumed = k;
           break;
       }
     }
@@ -195,6 +217,7 @@ class Schedule {
   Pin pin_;
   int growing_;
   std::vector<Constraint> constraints_;
+  std::vector<Work> works_;  // without pins: of what was interrupted
   std::vector<std::size_t> births_at_end_;
   std::size_t count_ = 0;
   bool feasible_ = false;
@@ -295,7 +318,9 @@ std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph
                             : watch.least ? Schedule::Aim::least
                                           : Schedule::Aim::greatest;
   std::optional<Witness> best;
-  for (const Schedule::Pin pin : {Schedule::Pin::worst, Schedule::Pin::best}) {
+  // With what all times can be at once, if that is asked for at all; then with fixed ones.
+  for (const Schedule::Pin pin : {Schedule::Pin::open, Schedule::Pin::worst, Schedule::Pin::best}) {
+    if (pin == Schedule::Pin::open && !peak.relaxed) continue;
     Schedule schedule(machine, path, pin, peak.grows ? peak.measured : -1);
     if (!schedule.feasible()) continue;
     const auto times = schedule.solve(aim, peak.grows ? watch.limit + 1 : none);
@@ -306,7 +331,7 @@ std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph
     const bool better = !best || (watch.least ? made->measured.value < best->measured.value
                                               : made->measured.value > best->measured.value);
     if (better) best = std::move(made);
-    if (!peak.relaxed) break;
+    if (!peak.relaxed || pin == Schedule::Pin::open) break;
   }
   return best;
 }
