@@ -12,7 +12,8 @@ namespace pal::frontend {
 namespace {
 
 constexpr std::size_t most_states = 50'000;
-constexpr std::size_t most_conditions = 10;  // in one test: 2^10 ways to read them
+constexpr std::size_t most_parts = 2'000'000;  // threads, calls and values of all states: some 200 MB
+constexpr std::size_t most_conditions = 10;    // in one test: 2^10 ways to read them
 
 struct Place {
   pan::ModuleId module;
@@ -90,13 +91,14 @@ class Explorer {
 
   ConditionRuns run() {
     while (!open_.empty()) {
-      if (seen_.size() > most_states) {
+      if (seen_.size() > most_states || parts_ > most_parts) {
         give_up();
         break;
       }
       const State& state = *open_.front();
       open_.pop_front();
       for (const auto& thread : state.threads) {
+        if (parts_ > most_parts) break;
         if (!thread.ended && !thread.waits_for_blocks) step(state, thread);
       }
     }
@@ -135,7 +137,10 @@ class Explorer {
 
   void reach(State state, const State* from, std::optional<RunStep> step) {
     const auto [entry, fresh] = seen_.emplace(std::move(state), Origin{from, std::move(step)});
-    if (fresh) open_.push_back(&entry->first);
+    if (!fresh) return;
+    open_.push_back(&entry->first);
+    parts_ += entry->first.threads.size() + entry->first.values.size();
+    for (const auto& thread : entry->first.threads) parts_ += thread.calls.size() + thread.latched.size();
   }
 
   /// Does reaching the statement at `place` and what it does concern no condition, and is there one way on?
@@ -413,6 +418,7 @@ class Explorer {
   std::set<pan::ConditionId> own_;
   std::set<pan::ConditionId> tested_;
   std::map<State, Origin> seen_;
+  std::size_t parts_ = 0;
   std::deque<const State*> open_;
   ConditionRuns result_;
 };

@@ -45,6 +45,7 @@ Tokens::Tokens(FileId file, std::string_view text, Diagnostics& diagnostics)
   all_ = stream_.getTokens();
   tell_ends_apart();
   tell_headers_apart();
+  report_length(diagnostics);
   report_strays(diagnostics);
   bound_nesting(diagnostics);
 }
@@ -126,26 +127,45 @@ void Tokens::tell_headers_apart() {
   }
 }
 
+void Tokens::report_length(Diagnostics& diagnostics) {
+  if (!lexer_.is_cut()) return;
+  diagnostics.report(Code::PAL0111, span(all_[all_.size() - 2]),
+                     "the file cannot be read from here on: it has more than " + std::to_string(most_tokens) +
+                         " words and signs",
+                     "divide it into files that one of them USES");
+  parseable_ = false;
+  has_errors_ = true;
+}
+
 void Tokens::report_strays(Diagnostics& diagnostics) {
+  constexpr std::size_t most = 100;
+  std::size_t found = 0;
   for (std::size_t i = 0; i < all_.size(); ++i) {
     const auto type = all_[i]->getType();
+    if (type != Lexer::OPEN_STRING && type != Lexer::STRAY) continue;
+    has_errors_ = true;
+    if (++found == most) {
+      diagnostics.report(Code::PAL0104, span(all_[i]),
+                         "too many characters that mean nothing; the rest of this file is not reported",
+                         "is this file PAL?");
+      parseable_ = false;
+      return;
+    }
     if (type == Lexer::OPEN_STRING) {
       diagnostics.report(Code::PAL0103, span(all_[i]), "the text has no closing quote on its line",
                          "end the text with \"");
-      has_errors_ = true;
-    } else if (type == Lexer::STRAY) {
-      auto last = i;
-      while (last + 1 < all_.size() && all_[last + 1]->getType() == Lexer::STRAY &&
-             all_[last + 1]->getStartIndex() == all_[last]->getStopIndex() + 1) {
-        ++last;
-      }
-      diagnostics.report(
-          Code::PAL0102, span(all_[i], all_[last]),
-          last == i ? "this character means nothing in PAL" : "these characters mean nothing in PAL",
-          "remove it; a comment begins with #");
-      has_errors_ = true;
-      i = last;
+      continue;
     }
+    auto last = i;
+    while (last + 1 < all_.size() && all_[last + 1]->getType() == Lexer::STRAY &&
+           all_[last + 1]->getStartIndex() == all_[last]->getStopIndex() + 1) {
+      ++last;
+    }
+    diagnostics.report(
+        Code::PAL0102, span(all_[i], all_[last]),
+        last == i ? "this character means nothing in PAL" : "these characters mean nothing in PAL",
+        "remove it; a comment begins with #");
+    i = last;
   }
 }
 
