@@ -55,7 +55,10 @@ void Referee::follow() {
   for (at_ = 0; at_ < events_.size(); ++at_) {
     const Event& event = events_[at_];
     demand(event.time_ns >= now_, "time runs backwards");
-    if (event.time_ns > now_) leave_instant(event.time_ns);
+    if (event.time_ns > now_) {
+      leave_instant(event.time_ns);
+      passed_.clear();
+    }
     now_ = event.time_ns;
     demand(!ended_, "something happens after the skill has ended");
     handle(event);
@@ -75,9 +78,14 @@ void Referee::handle(const Event& event) {
     drop(event);
     return;
   }
+  const auto passed = std::find(passed_.begin(), passed_.end(), std::pair(event.actor, event.statement));
+  if (event.kind == Kind::block && event.subject < 0 && passed != passed_.end()) {
+    passed_.erase(passed);
+    return;
+  }
   const Party& of = party(event.actor);
   demand(of.mode != Mode::off, name(event.actor) + " acts without being there");
-  demand(event.statement == step_of(event.actor).statement,
+  demand(event.statement == (of.step < 0 ? -1 : step_of(event.actor).statement),
          name(event.actor) + " is at another statement than the event");
   demand(!completed_ || event.kind == Kind::done, "something happens after the skill has ended");
   switch (event.kind) {
@@ -158,9 +166,13 @@ void Referee::begin_blocks(int thread) {
     party(block).read_born = party(thread).read_born;
     party(block).event = party(thread).event;
   }
+  const int statement = step_of(thread).statement;
   for (int block : blocks) {
-    if (party(block).mode != Mode::off) reach(block, thread_of(block).entry);
+    // One that is cancelled before it begins has come to nothing.
+    if (party(block).mode != Mode::off && !party(block).must_stop) reach(block, thread_of(block).entry);
   }
+  // Blocks with nothing in them are over before the run says that somebody waits for them.
+  if (party(thread).mode != Mode::joining) passed_.emplace_back(thread, statement);
 }
 
 /// A block has ended or stopped: when all that can end have, the others are cancelled.
