@@ -101,3 +101,48 @@ END
                    "  PROCESSOR P\n  PROCESSOR Q\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON Q PRIORITY 1\n"
                    "  TIME hold : 3 ms\n  DEVICE robot EVENT tick EVERY 20 ms PHASE 5 ms\n")) == 3);
 }
+
+TEST_CASE("a module that begins with blocks comes to their queues in any order with other modules") {
+  // SM1's block (3 ms), MC1 (1 ms) and nobody else are on P: c, from the start, is 4 ms old if MC1 was first.
+  CHECK(
+      bound(cell("AGE OF c AT TXM( motion to MC1 ) IN SM1", R"(Skill Module: SM1
+  ACTIVITY long
+BEGIN
+  WTM( Coordinator )
+  CONCURRENT
+  BEGIN
+    long
+    RPC( c )
+    TXM( motion to MC1 )
+  END
+  END CONCURRENT
+  TXM( Completion Protocol 0 )
+END
+Machine Controller: MC1
+  ACTIVITY short
+BEGIN
+  short
+  WTM( motion from SM1 )
+END
+)",
+                 "  PROCESSOR P\n  PROCESSOR Q\n  PLACE SM1 ON Q PRIORITY 1\n  PLACE SM1.1 ON P PRIORITY 1\n"
+                 "  PLACE MC1 ON P PRIORITY 1\n  TIME short : 1 ms\n  TIME long : 3 ms\n")) == 4);
+}
+
+TEST_CASE("times near the limit do not overflow") {
+  // The condition is set once, before a loop without end: its age has no bound.
+  std::string modules =
+      "Machine Controller: MC1\nBEGIN\n  REPEAT\n    WTM( motion from SM1 )\n  UNTIL( forever )\nEND\n"
+      "Skill Module: SM1\n  ACTIVITY long\nBEGIN\n  WTM( Coordinator )\n  SPC( c = TRUE )\n  REPEAT\n";
+  for (int i = 0; i < 60; ++i) modules += "    long\n";
+  modules += "    RPC( c )\n    TXM( motion to MC1 )\n  UNTIL( forever )\nEND\n";
+  const auto skill = test::any_skill(cell(
+      "AGE OF c AT TXM( motion to MC1 ) IN SM1", modules,
+      "  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 2\n  PLACE MC1 ON P PRIORITY 1\n  TIME long : 1000000 s\n"));
+  REQUIRE(skill->problem);
+  const Analysis analysis = analyze(*skill->problem);
+  const Verdict& verdict = analysis.verdicts.front();
+  INFO(verdict.explanation);
+  CHECK_FALSE(verdict.bound);
+  CHECK(verdict.state != Verdict::State::holds);
+}
