@@ -10,7 +10,9 @@ import sys
 LAYERS = {
     "runtime/trace": [],
     "pal/support": [],
+    "pal/explain": ["pal/support"],
     "pal/pan": ["pal/support"],
+    "pal/doc": ["pal/support", "pal/pan"],
     "grammar": [],
     "pal/syntax": ["pal/support", "pal/pan", "grammar"],
     "pal/check": ["pal/support", "pal/pan", "pal/syntax"],
@@ -18,7 +20,7 @@ LAYERS = {
     "analyzer": ["pal/support", "pal/pan", "runtime/trace"],
     "analyzer/replay": ["analyzer", "pal/support", "pal/pan", "runtime/trace"],
     "codegen": ["pal/support", "pal/pan"],
-    "pal/driver": ["pal/support", "pal/pan", "pal/syntax", "pal/check", "analyzer", "analyzer/chart",
+    "pal/driver": ["pal/support", "pal/explain", "pal/doc", "pal/pan", "pal/syntax", "pal/check", "analyzer", "analyzer/chart",
                    "analyzer/replay", "codegen", "runtime/trace"],
     "runtime": ["runtime/trace"],
     "runtime/drivers": ["runtime", "runtime/trace"],
