@@ -34,6 +34,7 @@ std::optional<Problem> ProblemBuilder::build() {
   requirements();
   limits();
   if (diagnostics_.errors() != before) return std::nullopt;
+  overload();
   return std::move(problem_);
 }
 

@@ -39,6 +39,9 @@ class ProblemBuilder final : public TimesAndPlaces {
   void time(Duration value, SourceSpan where, const std::string& what, bool positive = false);
   void interval(const Interval& value, SourceSpan where, const std::string& what);
 
+  // More work than time (problem_overload.cpp).
+  void overload();
+
   // The world (problem_devices.cpp).
   struct World {
     std::string name;

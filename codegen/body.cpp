@@ -332,8 +332,11 @@ bool can_pass(Plan& plan, const PlannedStatement& statement, int depth) {
   switch (statement.kind) {
     case Kind::complete:
       return false;
-    case Kind::loop:
-      return !statement.guards.empty() && can_end(plan, statement.branches.front(), depth);
+    case Kind::loop: {
+      // Also of a loop that goes on for ever: the blocks in it are to be known.
+      const bool ends = can_end(plan, statement.branches.front(), depth);
+      return ends && !statement.guards.empty();
+    }
     case Kind::wait:
     case Kind::choose: {
       bool any = statement.branches.empty();

@@ -21,7 +21,27 @@ EnvironmentUnit Builder::environment_unit(Parser::EnvironmentUnitContext* contex
   return result;
 }
 
+bool Builder::add_resource(Resources& resources, Parser::ItemContext* context) {
+  const auto add = [&](std::optional<NameSlot>& slot, Parser::NamesContext* listed) {
+    if (!slot) slot = NameSlot{{}, span(context)};
+    for (auto& name : names(listed)) slot->names.push_back(std::move(name));
+    return true;
+  };
+  if (auto* d = dynamic_cast<Parser::AvailableDriversContext*>(context)) {
+    return add(resources.sensor_drivers, d->names());
+  }
+  if (auto* s = dynamic_cast<Parser::AvailableSensorsContext*>(context)) {
+    return add(resources.logical_sensors, s->names());
+  }
+  if (auto* m = dynamic_cast<Parser::AvailableMachinesContext*>(context)) {
+    return add(resources.machine_controllers, m->names());
+  }
+  if (auto* g = dynamic_cast<Parser::AvailableSkillsContext*>(context)) return add(resources.skills, g->names());
+  return false;
+}
+
 void Builder::add_item(EnvironmentUnit& environment, Parser::ItemContext* context) {
+  if (add_resource(environment.resources, context)) return;
   const auto where = span(context);
   if (auto* c = dynamic_cast<Parser::EnvironmentDescriptionContext*>(context)) {
     environment.descriptions.push_back(text(c->STRING()));

@@ -41,6 +41,7 @@ Tokens::Tokens(FileId file, std::string_view text, Diagnostics& diagnostics)
       lexer_(&input_) {
   lexer_.removeErrorListeners();  // every character is a token, so there is nothing to listen to
   read(lexer_);
+  report_length(diagnostics);
   report_strays(diagnostics);
   if (has_errors_) drop_strays();
   bound_nesting(diagnostics);
@@ -104,31 +105,50 @@ bool Tokens::first_on_line(const antlr4::Token* token) const {
   return previous == nullptr || previous->getLine() != token->getLine();
 }
 
+void Tokens::report_length(Diagnostics& diagnostics) {
+  if (!lexer_.is_cut()) return;
+  diagnostics.report(Code::PAL0111, span(all_[all_.size() - 2]),
+                     "the file cannot be read from here on: it has more than " + std::to_string(most_tokens) +
+                         " words and signs",
+                     "divide it into files that one of them USES");
+  parseable_ = false;
+  has_errors_ = true;
+}
+
 void Tokens::report_strays(Diagnostics& diagnostics) {
+  constexpr std::size_t most = 100;
+  std::size_t found = 0;
   for (std::size_t i = 0; i < all_.size(); ++i) {
     const auto type = all_[i]->getType();
+    if (type != Lexer::OPEN_STRING && type != Lexer::STRAY) continue;
+    has_errors_ = true;
+    if (++found == most) {
+      diagnostics.report(Code::PAL0104, span(all_[i]),
+                         "too many characters that mean nothing; the rest of this file is not reported",
+                         "is this file PAL?");
+      parseable_ = false;
+      return;
+    }
     if (type == Lexer::OPEN_STRING) {
       const auto end = span(all_[i]).end;
       diagnostics
           .report(Code::PAL0103, span(all_[i]), "the text has no closing quote on its line",
                   "end the text with \"")
           .fix = {{{file_, end, end}, "\""}};
-      has_errors_ = true;
-    } else if (type == Lexer::STRAY) {
-      auto last = i;
-      while (last + 1 < all_.size() && all_[last + 1]->getType() == Lexer::STRAY &&
-             all_[last + 1]->getStartIndex() == all_[last]->getStopIndex() + 1) {
-        ++last;
-      }
-      const auto where = span(all_[i], all_[last]);
-      diagnostics
-          .report(Code::PAL0102, where,
-                  last == i ? "this character means nothing in PAL" : "these characters mean nothing in PAL",
-                  "remove it; a comment begins with #")
-          .fix = {{where, ""}};
-      has_errors_ = true;
-      i = last;
+      continue;
     }
+    auto last = i;
+    while (last + 1 < all_.size() && all_[last + 1]->getType() == Lexer::STRAY &&
+           all_[last + 1]->getStartIndex() == all_[last]->getStopIndex() + 1) {
+      ++last;
+    }
+    const auto where = span(all_[i], all_[last]);
+    diagnostics
+        .report(Code::PAL0102, where,
+                last == i ? "this character means nothing in PAL" : "these characters mean nothing in PAL",
+                "remove it; a comment begins with #")
+        .fix = {{where, ""}};
+    i = last;
   }
 }
 
