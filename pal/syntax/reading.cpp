@@ -26,7 +26,7 @@ Parser::FileContext* parse_quickly(Parser& parser) {
 
 // Mending tries many changes at each mistake. A file with more mistakes, or of more tokens, would take too
 // long.
-constexpr std::size_t most_mended = 10;
+constexpr std::size_t most_mended = 4;
 constexpr std::size_t most_tokens = 50'000;
 
 /// Reports and mends one mistake after the other, as long as they can be mended. How many there were.
