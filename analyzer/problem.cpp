@@ -93,14 +93,14 @@ void ProblemBuilder::processors() {
     const bool added =
         processor_.emplace(processor.name, static_cast<int>(problem_.processors.size())).second;
     if (!added) {
-      diagnostics_.report(Code::PAL0728, processor.where,
-                          "processor " + processor.name + " is declared twice");
+      diagnostics_.report(Code::PAL0711, processor.where, "processor " + processor.name + " is given twice",
+                          "remove one of them");
       continue;
     }
     problem_.processors.push_back(processor);
   }
   if (problem_.processors.empty()) {
-    diagnostics_.report(Code::PAL0721, environment_.where,
+    diagnostics_.report(Code::PAL0714, environment_.where,
                         "environment " + environment_.name + " has no processor", "add PROCESSOR P0");
   }
 }
@@ -119,25 +119,31 @@ void ProblemBuilder::known_names() {
   std::set<std::string> placed;
   for (const Placement& placement : environment_.placements) {
     if (!processor_.contains(placement.processor)) {
-      diagnostics_.report(Code::PAL0722, placement.where, "there is no processor " + placement.processor);
+      diagnostics_.report(Code::PAL0713, placement.where, "there is no processor " + placement.processor,
+                          "add PROCESSOR " + placement.processor);
     }
     if (!placed.insert(placement.thread).second) {
-      diagnostics_.report(Code::PAL0728, placement.where, placement.thread + " is placed twice");
+      diagnostics_.report(Code::PAL0711, placement.where,
+                          "the place of " + placement.thread + " is given twice", "remove one of them");
     }
     if (executed_.contains(placement.thread)) {
-      diagnostics_.report(Code::PAL0723, placement.where,
-                          placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
-                          "leave the placement out");
+      diagnostics_
+          .report(Code::PAL0723, placement.where,
+                  placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
+                  "leave the placement out")
+          .fix = {{placement.where, ""}};
     } else if (modules.contains(placement.thread.substr(0, placement.thread.find('.'))) &&
                !threads.contains(placement.thread)) {
       diagnostics_.report(Code::PAL0723, placement.where,
-                          "skill " + network_.skill.name + " has no block " + placement.thread);
+                          "skill " + network_.skill.name + " has no block " + placement.thread,
+                          "count the blocks of CONCURRENT in the order of the text, from 1");
     }
   }
   std::set<std::pair<std::string, std::string>> timed;
   for (const ActivityTime& time : environment_.activities) {
     if (!timed.insert({time.activity, time.module}).second) {
-      diagnostics_.report(Code::PAL0728, time.where, "activity " + time.activity + " is given a time twice");
+      diagnostics_.report(Code::PAL0711, time.where, "the time of " + time.activity + " is given twice",
+                          "remove one of them");
     }
     interval(time.time, time.where, "activity " + time.activity);
   }
@@ -145,13 +151,14 @@ void ProblemBuilder::known_names() {
 
 void ProblemBuilder::time(Duration value, SourceSpan where, const std::string& what, bool positive) {
   if (value.count() < 0) {
-    diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is negative");
+    diagnostics_.report(Code::PAL0701, where, "the time of " + what + " is negative",
+                        "write a time from 0 on");
   } else if (positive && value.count() == 0) {
-    diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is zero",
+    diagnostics_.report(Code::PAL0708, where, "the time of " + what + " is zero",
                         "give it a time above zero");
   } else if (value.count() > longest_time) {
-    diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is too long to reckon with",
-                        "the longest time is 1000000 s");
+    diagnostics_.report(Code::PAL0704, where, "the time of " + what + " is too long to reckon with",
+                        "write a time of at most 1000000 s");
   }
 }
 
@@ -159,7 +166,7 @@ void ProblemBuilder::interval(const Interval& value, SourceSpan where, const std
   time(value.best, where, what);
   time(value.worst, where, what);
   if (value.best > value.worst) {
-    diagnostics_.report(Code::PAL0726, where, "the best time of " + what + " is longer than its worst",
+    diagnostics_.report(Code::PAL0705, where, "the best time of " + what + " is longer than its worst",
                         "write the shorter time first");
   }
 }

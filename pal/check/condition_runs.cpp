@@ -12,7 +12,8 @@ namespace pal::frontend {
 namespace {
 
 constexpr std::size_t most_states = 50'000;
-constexpr std::size_t most_conditions = 10;  // in one test: 2^10 ways to read them
+constexpr std::size_t most_parts = 2'000'000;  // threads, calls and values of all states: some 200 MB
+constexpr std::size_t most_conditions = 10;    // in one test: 2^10 ways to read them
 
 struct Place {
   pan::ModuleId module;
@@ -90,13 +91,14 @@ class Explorer {
 
   ConditionRuns run() {
     while (!open_.empty()) {
-      if (seen_.size() > most_states) {
+      if (seen_.size() > most_states || parts_ > most_parts) {
         give_up();
         break;
       }
       const State& state = *open_.front();
       open_.pop_front();
       for (const auto& thread : state.threads) {
+        if (parts_ > most_parts) break;
         if (!thread.ended && !thread.waits_for_blocks) step(state, thread);
       }
     }
@@ -135,7 +137,39 @@ class Explorer {
 
   void reach(State state, const State* from, std::optional<RunStep> step) {
     const auto [entry, fresh] = seen_.emplace(std::move(state), Origin{from, std::move(step)});
-    if (fresh) open_.push_back(&entry->first);
+    if (!fresh) return;
+    open_.push_back(&entry->first);
+    parts_ += entry->first.threads.size() + entry->first.values.size();
+    for (const auto& thread : entry->first.threads) parts_ += thread.calls.size() + thread.latched.size();
+  }
+
+  /// Does reaching the statement at `place` and what it does concern no condition, and is there one way on?
+  /// Then nobody can tell whether a thread is there or already behind it.
+  bool is_silent(const Place& place) const {
+    const auto& content = node(place).content;
+    if (const auto* set = std::get_if<pan::Set>(&content)) return !own_.contains(set->condition);
+    if (const auto* read = std::get_if<pan::Read>(&content)) return !tested_.contains(read->condition);
+    if (const auto* until = std::get_if<pan::Until>(&content)) return !until->guard;
+    if (const auto* execute = std::get_if<pan::Execute>(&content))
+      return network_.modules[execute->module.index()].body.empty();
+    const bool matters =
+        std::holds_alternative<pan::Complete>(content) || std::holds_alternative<pan::End>(content) ||
+        std::holds_alternative<pan::Fork>(content) || std::holds_alternative<pan::Choose>(content);
+    return !matters && node(place).out.size() == 1;
+  }
+
+  /// The next place from here that concerns conditions; this one if the thread goes round for ever without
+  /// one.
+  Place settled(const Place& from) const {
+    Place place = from;
+    for (std::size_t steps = network_.modules[from.module.index()].body.nodes.size(); is_silent(place);
+         --steps) {
+      if (steps == 0) return from;
+      const auto& here = node(place);
+      const bool goes_back = std::holds_alternative<pan::Until>(here.content);
+      place.node = goes_back ? here.mate : here.out.front();
+    }
+    return place;
   }
 
   /// `thread` of a copy of the state.
@@ -145,7 +179,9 @@ class Explorer {
 
   void go(const State& from, State state, const Thread& thread, pan::NodeId to, std::optional<RunStep> step) {
     if (!to.valid()) return;
-    at(state, thread).at.node = to;
+    auto& place = at(state, thread).at;
+    place.node = to;
+    place = settled(place);
     reach(std::move(state), &from, std::move(step));
   }
 
@@ -163,7 +199,7 @@ class Explorer {
         State next = state;
         auto& caller = at(next, thread);
         caller.calls.push_back(thread.at);
-        caller.at = {execute->module, pan::NodeId(0)};
+        caller.at = settled({execute->module, pan::NodeId(0)});
         return reach(std::move(next), &state, std::nullopt);
       }
     }
@@ -293,7 +329,7 @@ class Explorer {
       block.module = thread.at.module;
       block.name = fork.threads[i];
       block.can_end = flow_.block_can_end(thread.at.module, here.out[i]);
-      block.at = {thread.at.module, here.out[i]};
+      block.at = settled({thread.at.module, here.out[i]});
       block.latched = thread.latched;
       next.threads.push_back(std::move(block));
     }
@@ -358,6 +394,7 @@ class Explorer {
     auto& owner = state.threads[static_cast<std::size_t>(renumbered.at(parent))];
     owner.waits_for_blocks = false;
     owner.at.node = node(owner.at).mate;
+    owner.at = settled(owner.at);
     for (auto& ending : endings) {
       State next = state;
       next.values = std::move(ending.values);
@@ -381,6 +418,7 @@ class Explorer {
   std::set<pan::ConditionId> own_;
   std::set<pan::ConditionId> tested_;
   std::map<State, Origin> seen_;
+  std::size_t parts_ = 0;
   std::deque<const State*> open_;
   ConditionRuns result_;
 };

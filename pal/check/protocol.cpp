@@ -33,7 +33,7 @@ void check_start(const pan::Network& network, Diagnostics& diagnostics) {
       if (module.kind != pan::ModuleKind::skill_module) {
         diagnostics.report(Code::PAL0507, node.where,
                            "a " + kind_text(module.kind) + " is not started by the coordinator",
-                           "only the skill method waits for it");
+                           "remove it: only the skill method waits for the coordinator");
       } else if (n != 1) {
         diagnostics.report(Code::PAL0507, node.where,
                            "the coordinator starts a skill once, before anything else",
@@ -71,9 +71,11 @@ void check_codes(const pan::Network& network, Diagnostics& diagnostics) {
   }
   for (const auto& completion : network.skill.completions) {
     if (completion.kind == pan::Completion::Kind::error || sent.contains(completion.code)) continue;
-    diagnostics.report(Code::PAL0612, completion.where,
-                       "nothing sends completion " + std::to_string(completion.code),
-                       "send it where the skill ends in this way, or remove it");
+    diagnostics
+        .report(Code::PAL0612, completion.where,
+                "nothing sends completion " + std::to_string(completion.code),
+                "send it where the skill ends in this way, or remove it")
+        .fix = {{completion.where, ""}};
   }
 }
 

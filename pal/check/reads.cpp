@@ -223,9 +223,15 @@ pan::ModuleId root_of(const pan::Network& network, pan::ModuleId module) {
 }  // namespace
 
 void check_reads(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics) {
-  for (std::size_t c = 0; c < network.conditions.size(); ++c) {
-    const pan::ConditionId condition(c);
-    const auto writer = network.conditions[c].writer;
+  std::set<pan::ConditionId> read;
+  for (const auto& module : network.modules) {
+    for (const auto& node : module.body.nodes) {
+      const auto here = read_at(node.content);
+      read.insert(here.begin(), here.end());
+    }
+  }
+  for (const auto condition : read) {
+    const auto writer = network.conditions[condition.index()].writer;
     std::optional<Follower> follower;
     if (writer.valid()) {
       follower.emplace(network, flow, condition);

@@ -20,8 +20,9 @@ void report_twice(Diagnostics& diagnostics, const std::string& what, const synta
 void report_unknown(Diagnostics& diagnostics, Code code, const std::string& what, const syntax::Name& name,
                     const std::vector<std::string>& known, const std::string& otherwise) {
   const auto meant = nearest(name.text, known);
-  diagnostics.report(code, name.where, "there is no " + what + " " + quoted(name.text),
-                     meant ? "did you mean " + quoted(*meant) + "?" : otherwise);
+  auto& finding = diagnostics.report(code, name.where, "there is no " + what + " " + quoted(name.text),
+                                     meant ? "did you mean " + quoted(*meant) + "?" : otherwise);
+  if (meant) finding.fix = {{name.where, *meant}};
 }
 
 }  // namespace pal::frontend

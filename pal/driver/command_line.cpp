@@ -42,9 +42,9 @@ void add_check(CLI::App& app, CheckOptions& options) {
       app.add_subcommand("check", "Finds what is wrong, and proves or refutes every requirement");
   add_selection(*command, options.selection);
   add_limits(*command, options.limits);
-  command->add_option("--format", options.format, "text or json")
+  command->add_option("--format", options.format, "text, json or sarif (2.1.0)")
       ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Format>{{"text", Format::text}, {"json", Format::json}}))
+          std::map<std::string, Format>{{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}}))
       ->type_name("FORMAT");
   command->add_option("--emit", options.emit, "also print what stands between two stages: tree or pan")
       ->transform(

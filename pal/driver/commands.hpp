@@ -12,7 +12,7 @@
 
 namespace pal::driver {
 
-enum class Format { text, json };
+enum class Format { text, json, sarif };
 /// A value between two stages, to look at.
 enum class Stage { none, tree, pan };
 

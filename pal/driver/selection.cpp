@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <sstream>
 
 #include "pal/check/load.hpp"
 #include "pal/support/diagnostic_code.hpp"
@@ -60,7 +61,10 @@ ExitStatus status_of_findings(const Session& session) {
 }
 
 void show_findings(const Session& session, const Console& console) {
-  render_text(session.diagnostics.sorted(), session.sources, console.err);
+  // The stream may be one that writes each piece at once.
+  std::ostringstream text;
+  render_text(session.diagnostics.sorted(), session.sources, text);
+  console.err << text.str();
 }
 
 }  // namespace pal::driver

@@ -49,9 +49,7 @@ std::vector<Code> codes_near(std::string_view text) {
   if (const auto number = number_in(text)) {
     const auto distance = [&](Code code) { return std::abs(number_of(code) - *number); };
     std::stable_sort(codes.begin(), codes.end(), [&](Code a, Code b) { return distance(a) < distance(b); });
-    codes.resize(std::min<std::size_t>(codes.size(), 2));
-    std::sort(codes.begin(), codes.end());
-    return codes;
+    return {std::min(codes.at(0), codes.at(1)), std::max(codes.at(0), codes.at(1))};
   }
   const auto wanted = in_lower_case(text);
   std::vector<Code> found;

@@ -39,6 +39,7 @@ std::variant<std::string, FileError> DiskFileSystem::read(const std::string& pat
   }
   if (in.bad()) return FileError{"reading it failed"};
   if (text.size() > largest_file) return FileError{too_large()};
+  text.shrink_to_fit();  // of thousands of small files the pieces would be most
   return text;
 }
 

@@ -17,7 +17,7 @@ struct FileError {
 };
 
 /// What every text must satisfy, wherever it comes from.
-constexpr std::size_t largest_file = std::size_t{64} << 20;
+constexpr std::size_t largest_file = std::size_t{16} << 20;
 
 class FileSystem {
  public:

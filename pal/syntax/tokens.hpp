@@ -11,8 +11,31 @@
 #include "PalLexer.h"
 #include "pal/support/diagnostic.hpp"
 #include "pal/support/source.hpp"
+#include "pal/syntax/token_list.hpp"
 
 namespace pal::syntax {
+
+/// The most words and signs of one file that are read: some 300,000 lines.
+constexpr std::size_t most_tokens = 2'000'000;
+
+/// The lexer of the grammar, which ends the text after `most_tokens`.
+class BoundedLexer : public grammar::PalLexer {
+ public:
+  using grammar::PalLexer::PalLexer;
+
+  std::unique_ptr<antlr4::Token> nextToken() override {
+    if (count_++ >= most_tokens && !hitEOF) {
+      is_cut_ = true;
+      hitEOF = true;
+    }
+    return grammar::PalLexer::nextToken();
+  }
+  bool is_cut() const { return is_cut_; }
+
+ private:
+  std::size_t count_ = 0;
+  bool is_cut_ = false;
+};
 
 /// Owns the text as ANTLR wants it, the lexer and the tokens; maps tokens to bytes of the text.
 class Tokens {
@@ -24,9 +47,12 @@ class Tokens {
   bool parseable() const { return parseable_; }
   bool has_errors() const { return has_errors_; }
 
-  antlr4::CommonTokenStream& stream() { return stream_; }
+  antlr4::CommonTokenStream& stream() { return *stream_; }
   /// In the order of the text; the last is the end of the file.
   const std::vector<antlr4::Token*>& all() const { return all_; }
+  antlr4::TokenSource& text() { return lexer_; }
+  /// Makes a change, with a stream anew: what was had of the one before is gone.
+  void apply(const Change& change);
   FileId file() const { return file_; }
 
   /// Of a token, also the one for the end of the file. Of one that the parser made up: the end of the token
@@ -40,8 +66,9 @@ class Tokens {
 
  private:
   std::uint32_t byte(std::size_t code_point) const;
-  void tell_ends_apart();
-  void tell_headers_apart();
+  void read(antlr4::TokenSource& source);
+  void drop_strays();
+  void report_length(Diagnostics& diagnostics);
   void report_strays(Diagnostics& diagnostics);
   void bound_nesting(Diagnostics& diagnostics);
 
@@ -50,8 +77,9 @@ class Tokens {
   std::uint32_t mark_bytes_;                 // of a byte order mark, which ANTLR does not count
   std::vector<std::uint32_t> byte_offsets_;  // of each code point; empty if all are one byte
   antlr4::ANTLRInputStream input_;
-  grammar::PalLexer lexer_;
-  antlr4::CommonTokenStream stream_;
+  BoundedLexer lexer_;
+  std::unique_ptr<TokenList> changed_;  // where the stream comes from after a change
+  std::unique_ptr<antlr4::CommonTokenStream> stream_;
   std::vector<antlr4::Token*> all_;
   bool parseable_ = true;
   bool has_errors_ = false;

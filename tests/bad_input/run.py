@@ -1,0 +1,64 @@
+"""Runs `pal check` on extreme and broken inputs: run.py PAL [WORD] (only inputs whose description has the word).
+
+Each runs in a process of its own that may take so much memory and time and no more, and must end by itself with the
+status and the findings that its input asks for.
+"""
+import os
+import pathlib
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from inputs import INPUTS
+
+MEMORY = 2 << 30  # bytes of address space
+SECONDS = 10      # of the processor
+
+
+def limit():
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+
+
+def run(pal, an_input):
+    """A line on what happened, and whether it should have."""
+    with tempfile.TemporaryDirectory() as folder:
+        arguments, status, codes = an_input(pathlib.Path(folder))
+        output = pathlib.Path(folder) / "output"
+        begin = time.perf_counter()
+        with open(output, "wb") as out:
+            process = subprocess.Popen([pal, "check", *arguments], stdout=out, stderr=out, preexec_fn=limit)
+            _, ended, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(ended)
+        seconds = usage.ru_utime + usage.ru_stime
+        text = output.read_bytes()
+    what = []
+    if process.returncode < 0:
+        what.append(f"killed by signal {-process.returncode}")
+    elif process.returncode > 2 or (status is not None and process.returncode != status):
+        what.append(f"ended with {process.returncode}, not {status}")
+    what += [f"did not say {code}" for code in codes if code.encode() not in text]
+    if len(text) > 8 << 20:
+        what.append("said too much")
+    figures = f"{seconds:5.2f} s {usage.ru_maxrss / 1024:5.0f} MB {len(text) / 1024:6.0f} KB said, status {process.returncode}"
+    complaint = ": " + ", ".join(what) + "\n" + text[-600:].decode(errors="replace") if what else ""
+    return f"{'WRONG ' if what else 'right '}{figures}  {an_input.__doc__}{complaint}", not what
+
+
+def main():
+    pal = sys.argv[1]
+    word = sys.argv[2] if len(sys.argv) > 2 else ""
+    good = True
+    for an_input in INPUTS:
+        if word not in an_input.__doc__:
+            continue
+        line, right = run(pal, an_input)
+        print(line, flush=True)
+        good = good and right
+    sys.exit(0 if good else 1)
+
+
+main()
