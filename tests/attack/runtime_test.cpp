@@ -244,3 +244,17 @@ END ENVIRONMENT
           (thread.pal_name != "MC1" && thread.pal_name != "MC1.2" && thread.pal_name != "SM1"));
   }
 }
+
+TEST_CASE("a block within a block begins with what that block had read") {
+  using trace::Kind;
+  trace::Trace run;
+  run.actors = {{"SM1", false, "P", 1}, {"SM1.1", false, "P", 1}, {"SM1.2", false, "P", 1}};
+  run.statements = {{"SM1", "CONCURRENT", "", 1}, {"SM1", "RPC( c )", "", 2}, {"SM1", "think", "", 3}};
+  run.conditions = {"c"};
+  run.events = {{0, Kind::block, 0, 0, -1, 0}, {0, Kind::start, 1, 1, -1, 0}, {5, Kind::read, 1, 1, 0, 0},
+                {5, Kind::done, 1, 1, -1, 0},  {5, Kind::block, 1, 0, -1, 0}, {5, Kind::start, 2, 2, -1, 0},
+                {9, Kind::done, 2, 2, -1, 0}};
+  const auto found = trace::ages(run, "c", {{"SM1", "think", 3}});
+  REQUIRE(found.size() == 1);
+  CHECK(found.front().length_ns() == 9);
+}
