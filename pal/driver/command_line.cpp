@@ -128,6 +128,23 @@ void add_format(CLI::App& app, FormatOptions& options) {
       "2 bad usage, or a file could not be read or written.");
 }
 
+void add_sequence(CLI::App& app, SequenceOptions& options) {
+  CLI::App* command = app.add_subcommand("sequence", "Draws the runs into deadlocks as message sequence charts");
+  add_selection(*command, options.selection);
+  command->add_option("-o,--output", options.output, "folder for SKILL.N.sequence.svg")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+}
+
+void add_resources(CLI::App& app, ResourcesOptions& options) {
+  CLI::App* command = app.add_subcommand("resources", "Lists what skills need, and what environments lack of it");
+  add_selection(*command, options.selection);
+  command->add_option("--format", options.format, "text or json")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Format>{{"text", Format::text}, {"json", Format::json}}))
+      ->type_name("FORMAT");
+}
+
 void add_explain(CLI::App& app, ExplainOptions& options) {
   CLI::App* command = app.add_subcommand("explain", "Explains findings: what they mean, an example, a cure");
   command->add_option("codes", options.codes, "codes, such as PAL0101")->type_name("CODE");
@@ -164,6 +181,8 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   ReplayOptions replay_options;
   FormatOptions format_options;
   ExplainOptions explain_options;
+  SequenceOptions sequence_options;
+  ResourcesOptions resources_options;
   add_check(app, check_options);
   add_replay(app, replay_options);
   add_pan(app, pan_options);
@@ -171,6 +190,8 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   add_generate(app, generate_options);
   add_format(app, format_options);
   add_explain(app, explain_options);
+  add_sequence(app, sequence_options);
+  add_resources(app, resources_options);
 
   if (!is_known_command(app, arguments, console.err)) return ExitStatus::usage;
   try {
@@ -185,6 +206,8 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   if (app.got_subcommand("pan")) return draw_pan(pan_options, console);
   if (app.got_subcommand("atc")) return draw_atc(atc_options, console);
   if (app.got_subcommand("fmt")) return format(format_options, console);
+  if (app.got_subcommand("sequence")) return draw_sequences(sequence_options, console);
+  if (app.got_subcommand("resources")) return show_resources(resources_options, console);
   if (app.got_subcommand("explain")) return explain_code(explain_options, console);
   return generate(generate_options, console);
 }
