@@ -39,7 +39,9 @@ class Analyzer {
       verdict.measure = requirement.measure;
       verdict.limit = Duration(requirement.limit);
       verdict.where = requirement.where;
-      if (requirement.measure == Requirement::Measure::load) {
+      if (!fits_exploration(problem_)) {
+        verdict.explanation = "The skill has too many threads or channels for the exact analysis.";
+      } else if (requirement.measure == Requirement::Measure::load) {
         load(requirement, verdict);
       } else {
         timed(requirement, verdict);

@@ -14,6 +14,10 @@ namespace pal::analyzer {
 
 enum class VerdictState { holds, fails, undecided };
 
+/// Which analysis a verdict comes from: the exploration of all runs, or the sum of what parts can do to each
+/// other.
+enum class Method { exact, compositional };
+
 /// A piece of the time that a bound is made of.
 struct Reason {
   Nanoseconds from = 0;
@@ -29,6 +33,7 @@ struct Verdict {
   std::string requirement;
   Requirement::Measure measure = Requirement::Measure::age;
   State state = State::undecided;
+  Method method = Method::exact;
   Duration limit{};
   /// Least value that no run exceeds, as far as is known; load: nanoseconds of work in a second, rounded up.
   /// Nothing: unbounded, or not known to be bounded.
@@ -48,5 +53,7 @@ struct Verdict {
 const char* name(Verdict::State state);
 /// "age", "response", "load".
 const char* name(Requirement::Measure measure);
+/// "exact", "compositional".
+const char* name(Method method);
 
 }  // namespace pal::analyzer
