@@ -14,7 +14,7 @@ using Kind = Step::Kind;
 class Ageing {
  public:
   Ageing(const View& view, const Requirement& requirement)
-      : view_(view), problem_(view.problem), requirement_(requirement), reliable_(reliable_threads(view)) {
+      : view_(view), problem_(view.problem), requirement_(requirement) {
     before_.resize(problem_.steps.size());
     for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
       for (int next : problem_.steps[s].next)
@@ -273,7 +273,7 @@ class Ageing {
     const int source = source_of_rounds(setter);
     const auto s = static_cast<std::size_t>(source);
     const bool alive = !of.may_be_cancelled || siblings(setter, reader);
-    if (!reliable_[static_cast<std::size_t>(setter)] || !alive || source < 0 || !regular(setter) ||
+    if (!view_.reliable[static_cast<std::size_t>(setter)] || !alive || source < 0 || !regular(setter) ||
         !sets_in_every_round(setter)) {
       why_ = view_.times.trouble[static_cast<std::size_t>(setter)];
       if (why_.empty())
@@ -360,7 +360,6 @@ class Ageing {
   const View& view_;
   const Problem& problem_;
   const Requirement& requirement_;
-  std::vector<bool> reliable_;
   std::vector<std::vector<int>> before_;
   std::set<int> setters_;
   std::set<int> latching_;

@@ -61,7 +61,8 @@ Analysis analyze_compositionally(const Problem& problem, const Options& options)
     if (times.interrupted) {
       refusal = "it was interrupted";
     } else {
-      const View view{problem, forest, conduct, times};
+      const std::vector<bool> reliable = reliable_threads(problem, forest, conduct, times);
+      const View view{problem, forest, conduct, times, reliable};
       for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
         judge(bound_of(view, problem.requirements[r]), analysis.verdicts[r]);
       }

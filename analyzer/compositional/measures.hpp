@@ -18,6 +18,9 @@ struct View {
   const Forest& forest;
   const Conduct& conduct;
   const Times& times;
+  /// By thread: it comes home from every round, whatever the run, as long as the skill lasts and it is not
+  /// cancelled.
+  const std::vector<bool>& reliable;
 };
 
 Bound response_bound(const View& view, const Requirement& requirement);
@@ -25,7 +28,8 @@ Bound age_bound(const View& view, const Requirement& requirement);
 /// Nanoseconds of work in a second; of the processor that has most.
 Bound load_bound(const View& view, const Requirement& requirement);
 
-/// By thread: it comes home from every round, whatever the run, as long as the skill lasts.
-std::vector<bool> reliable_threads(const View& view);
+/// What View::reliable holds.
+std::vector<bool> reliable_threads(const Problem& problem, const Forest& forest, const Conduct& conduct,
+                                   const Times& times);
 
 }  // namespace pal::analyzer::compositional

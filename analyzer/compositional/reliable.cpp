@@ -48,6 +48,17 @@ class Reliability {
       const Node& node = view_.forest.nodes[static_cast<std::size_t>(n)];
       for (const Segment::Arrival& wait : view_.forest.segment_of(node).waits) waits.insert(wait.step);
     }
+    for (int n : of.nodes) {
+      const Node& node = view_.forest.nodes[static_cast<std::size_t>(n)];
+      for (int effect : node.effects) {
+        // A message that nobody takes would stop its sender, sooner or later.
+        const Node& taker = view_.forest.nodes[static_cast<std::size_t>(effect)];
+        if (taker.release != Node::Release::message || taker.device >= 0) continue;
+        const int channel = step_at(taker.sends.front()).channels.front();
+        if (view_.conduct.never_full[static_cast<std::size_t>(channel)]) continue;
+        relies.push_back(view_.forest.thread_of(effect));
+      }
+    }
     for (int wait : waits) {
       const Step& step = step_at(wait);
       if (step.within || (wait == of.home && !goes_on_by_itself(of))) continue;
@@ -120,15 +131,17 @@ class Reliability {
     return true;
   }
 
-  const View& view_;
+  const View view_;
   const Problem& problem_;
   std::vector<bool> reliable_;
 };
 
 }  // namespace
 
-std::vector<bool> reliable_threads(const View& view) {
-  return Reliability(view).run();
+std::vector<bool> reliable_threads(const Problem& problem, const Forest& forest, const Conduct& conduct,
+                                   const Times& times) {
+  const std::vector<bool> none;
+  return Reliability({problem, forest, conduct, times, none}).run();
 }
 
 }  // namespace pal::analyzer::compositional

@@ -13,7 +13,7 @@ using Release = Node::Release;
 class Pursuit {
  public:
   Pursuit(const View& view, const Requirement& requirement)
-      : view_(view), problem_(view.problem), requirement_(requirement), reliable_(reliable_threads(view)) {}
+      : view_(view), problem_(view.problem), requirement_(requirement) {}
 
   Bound run() {
     const int source = source_of();
@@ -56,7 +56,7 @@ class Pursuit {
 
   bool certain(int n) {
     const auto thread = static_cast<std::size_t>(view_.forest.thread_of(n));
-    if (reliable_[thread] && !view_.conduct.threads[thread].may_be_cancelled) return true;
+    if (view_.reliable[thread] && !view_.conduct.threads[thread].may_be_cancelled) return true;
     if (why_.empty()) {
       why_ = view_.times.trouble[thread];
       if (why_.empty()) why_ = problem_.threads[thread].name + " may leave its round, or wait in it for ever";
@@ -161,7 +161,6 @@ class Pursuit {
   const View& view_;
   const Problem& problem_;
   const Requirement& requirement_;
-  std::vector<bool> reliable_;
   std::map<int, Nanoseconds> nodes_;
   std::map<std::pair<int, int>, Nanoseconds> steps_;
   std::string why_;

@@ -270,7 +270,8 @@ class Solver {
       case Release::root: {
         if (source(n).kind != Source::Kind::event) return 0;
         // The device is closed until its one taker is at home.
-        return source(n).roots.size() == 1 ? source(n).jitter : std::max(source(n).jitter, ready(thread));
+        return std::max(
+            {source(n).jitter, held_back(thread), source(n).roots.size() == 1 ? 0 : ready(thread)});
       }
       case Release::fork:
         return begins.kind == Beginning::Kind::joined ? never : arrival(of.cause, of.cause_step);
@@ -282,7 +283,7 @@ class Solver {
     Nanoseconds latest = plus(latest_send(of.cause, of.sends), way(n).worst);
     if (of.device >= 0) latest = plus(latest, device_queue(n));
     const auto& previous = conduct_.previous[static_cast<std::size_t>(n)];
-    if (previous.empty()) return round == n ? std::max(latest, ready(thread)) : never;
+    if (previous.empty()) return round == n ? std::max({latest, ready(thread), held_back(thread)}) : never;
     for (int before : previous) latest = std::max(latest, arrival(before, begins.step));
     return latest;
   }
@@ -304,6 +305,35 @@ class Solver {
     return may_withdraw(request) ? behaviour->answer.worst.count() : 0;
   }
 
+  /// Until when a send may have to wait for its slot: the message before it is taken a period earlier than
+  /// its own.
+  Nanoseconds held(int n, int send) const {
+    const Nanoseconds period = source(n).period;
+    if (step_at(send).kind != Kind::send || period == never) return 0;
+    const int channel = step_at(send).channels.front();
+    if (conduct_.never_full[static_cast<std::size_t>(channel)]) return 0;
+    Nanoseconds latest = 0;
+    for (int effect : node(n).effects) {
+      const auto& sends = node(effect).sends;
+      if (node(effect).device >= 0 || std::find(sends.begin(), sends.end(), send) == sends.end()) continue;
+      const Nanoseconds taken = times_.nodes[static_cast<std::size_t>(effect)].effects.front();
+      latest = std::max(latest, taken >= never ? never : taken - period);
+    }
+    return latest;
+  }
+
+  /// A thread that was held in the last send of its round is at home that much later.
+  Nanoseconds held_back(int thread) const {
+    Nanoseconds latest = 0;
+    for (int n : conduct(thread).nodes) {
+      for (const Segment::Passed& passed : segment(n).steps) {
+        const Nanoseconds until = held(n, passed.step);
+        latest = std::max(latest, until >= never ? never : until - source(n).period);
+      }
+    }
+    return latest;
+  }
+
   bool update(int n) {
     NodeTimes& mine = times(n);
     const NodeTimes before = mine;
@@ -323,8 +353,8 @@ class Solver {
       return place->second;
     };
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
-      if (mine.effects[s] != NodeTimes::unknown)
-        mine.effects[s] = std::max(mine.effects[s], done(of.steps[s].worst));
+      if (mine.effects[s] == NodeTimes::unknown) continue;
+      mine.effects[s] = std::max({mine.effects[s], done(of.steps[s].worst), held(n, of.steps[s].step)});
     }
     for (std::size_t w = 0; w < of.waits.size(); ++w) {
       mine.arrivals[w] = std::max(mine.arrivals[w], done(of.waits[w].worst));
@@ -412,7 +442,8 @@ class Solver {
         const auto& sends = node(effect).sends;
         if (std::find(sends.begin(), sends.end(), put.step) == sends.end()) continue;
         taken = true;
-        if (!take_in_time(effect, earliest_effect(forest_, times_, n, put.step))) return false;
+        const bool in_time = take_in_time(effect, earliest_effect(forest_, times_, n, put.step));
+        if (!in_time && !may_be_held(n, put.step, effect)) return false;
       }
       if (!taken) return false;
       for (const Put& other : puts) {
@@ -420,6 +451,15 @@ class Solver {
       }
     }
     return true;
+  }
+
+  /// Whether it is known what a wait for the slot does: the send ends its thread's only kind of round.
+  bool may_be_held(int n, int send, int taker) const {
+    const ThreadConduct& of = conduct(forest_.thread_of(n));
+    const Step& step = step_at(send);
+    return times_.nodes[static_cast<std::size_t>(taker)].effects.front() < never && of.rounds.size() == 1 &&
+           !of.waits_within && conduct_.round[static_cast<std::size_t>(n)] == of.rounds.front() &&
+           step.next.front() == of.home;
   }
 
   /// Whether the round that `n` begins is over before the next one is asked for.
