@@ -9,7 +9,8 @@ Firing::Firing(const Machine& machine, Choices& choices, bool record, Outcome& o
       choices_(choices),
       record_(record),
       outcome_(outcome),
-      state_(outcome.state) {
+      state_(outcome.state),
+      old_observers_(outcome.state.observers) {
   start_tracking();
 }
 
@@ -35,6 +36,7 @@ void Firing::emit_device(Kind kind, int device, int subject, int value) {
 }
 
 void Firing::fire(int timer) {
+  const bool was_busy = watched_busy();
   if (timer < machine_.flight_timer(0)) {
     if (state_of(timer).status == Status::waiting) {
       emit(Kind::give_up, timer, step_of(timer).channels.front());
@@ -57,6 +59,7 @@ void Firing::fire(int timer) {
     }
   }
   if (!state_.ended) dispatch();
+  track_busy(was_busy);
   settle();
 }
 
@@ -113,6 +116,7 @@ void Firing::finish(int thread, int next) {
 }
 
 void Firing::complete(int thread, int code) {
+  has_completed(thread, code);
   emit(Kind::complete, thread, -1, code);
   emit(Kind::done, thread);
   state_.ended = true;
@@ -130,29 +134,33 @@ void Firing::effect_wait(int thread) {
     return;
   }
   if (state.choice == ThreadState::gives_up) {
+    std::vector<int> freed;
     for (int channel : step.channels) {
-      if (channel_of(channel).answers >= 0) withdraw(channel_of(channel).answers);
+      if (channel_of(channel).answers >= 0) withdraw(channel_of(channel).answers, freed);
     }
     measure(thread);
-    finish(thread, step.next.back());
+    go_on_and_admit(thread, step.next.back(), freed);
     return;
   }
   const auto branch = static_cast<std::size_t>(state.choice);
   const int channel = step.channels[branch];
   take(channel, thread, -1);
   state.choice = ThreadState::no_choice;
+  clear(channel);
   measure(thread);
-  // Who frees the slot and who goes on may come in either order; it matters only where going on starts
-  // others.
-  const Step::Kind after = problem_.steps[static_cast<std::size_t>(step.next[branch])].kind;
-  const bool either = after == Step::Kind::fork || after == Step::Kind::end;
-  if (either && !state.cancelled && choices_.pick(2) == 1) {
-    finish(thread, step.next[branch]);
-    if (!state_.ended) empty(channel);
-  } else {
-    empty(channel);
-    finish(thread, step.next[branch]);
-  }
+  go_on_and_admit(thread, step.next[branch], {channel});
+}
+
+/// The thread goes on, and the channels are there for senders that are blocked: in either order, where it
+/// matters.
+void Firing::go_on_and_admit(int thread, int next, std::vector<int> channels) {
+  std::erase_if(channels, [this](int channel) { return !somebody_sends(channel); });
+  const Step::Kind after = problem_.steps[static_cast<std::size_t>(next)].kind;
+  const bool matters = after == Step::Kind::wait || after == Step::Kind::fork || after == Step::Kind::end;
+  const bool first = !channels.empty() && matters && !state_of(thread).cancelled && choices_.pick(2) == 1;
+  if (first) finish(thread, next);
+  in_any_order(std::move(channels), [this](int channel) { admit(channel); });
+  if (!first) finish(thread, next);
 }
 
 void Firing::effect_send(int thread) {
@@ -180,19 +188,19 @@ void Firing::effect_send(int thread) {
 /// The effect of a send: of the thread that has just done it, or of one that was blocked in it.
 void Firing::sent(int thread, bool put_it) {
   const Step& step = step_of(thread);
-  const std::uint8_t carries = watch_.kind == Watch::Kind::response ? state_of(thread).carries : tag::none;
-  const Step::Kind after = problem_.steps[static_cast<std::size_t>(step.next.front())].kind;
-  const bool either =
-      put_it && carries == tag::none && (after == Step::Kind::fork || after == Step::Kind::end);
-  if (either && !state_of(thread).cancelled && choices_.pick(2) == 1) {
-    measure(thread);
-    finish(thread, step.next.front());
-    if (!state_.ended) put(step.channels.front(), thread, -1, tag::none);
-    return;
-  }
-  if (put_it) put(step.channels.front(), thread, -1, carries);
+  const std::uint8_t carries = sent_along(thread);
+  const int channel = step.channels.front();
+  if (put_it) place(channel, thread, -1, carries);
   measure(thread);
-  finish(thread, step.next.front());
+  // Who is to receive it and who has sent it may come to their queues in either order.
+  const Step::Kind after = problem_.steps[static_cast<std::size_t>(step.next.front())].kind;
+  const bool queues =
+      state_of(thread).status != Status::running || after == Step::Kind::fork || after == Step::Kind::end;
+  const bool first =
+      put_it && queues && !state_of(thread).cancelled && somebody_waits(channel) && choices_.pick(2) == 1;
+  if (first) finish(thread, step.next.front());
+  if (put_it) announce(channel);
+  if (!first) finish(thread, step.next.front());
 }
 
 void Firing::effect_set(int thread) {
@@ -201,7 +209,7 @@ void Firing::effect_set(int thread) {
   const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(step.condition);
   state_.conditions = value ? state_.conditions | bit : state_.conditions & ~bit;
   emit(Kind::set, thread, step.condition, value ? 1 : 0);
-  has_set(step.condition);
+  has_set(thread, step.condition);
   measure(thread);
   finish(thread, step.next.front());
 }

@@ -42,16 +42,34 @@ class Firing {
   bool read(int thread, int condition);
   std::uint64_t values_for_test(int thread, const Step& step);
   void complete(int thread, int code);
+  void go_on_and_admit(int thread, int next, std::vector<int> channels);
+
+  /// Calls `each` for all of `of`; in every order.
+  template <class Each>
+  void in_any_order(std::vector<int> of, Each each) {
+    while (!of.empty()) {
+      const int chosen = of.size() == 1 ? 0 : choices_.pick(static_cast<int>(of.size()));
+      const int next = of[static_cast<std::size_t>(chosen)];
+      of.erase(of.begin() + chosen);
+      each(next);
+    }
+  }
 
   // Messages and devices (firing_mail.cpp).
   bool put(int channel, int thread, int device, std::uint8_t carries);
+  void place(int channel, int thread, int device, std::uint8_t carries);
+  void announce(int channel);
   bool available(int channel, int thread) const;
   void message_available(int channel);
   void fill(int channel, int processor);
   void take(int channel, int thread, int device);
+  void clear(int channel);
+  void admit(int channel);
+  bool somebody_sends(int channel) const;
+  bool somebody_waits(int channel) const;
   void empty(int channel);
   void drop(int channel);
-  void withdraw(int request);
+  void withdraw(int request, std::vector<int>& freed);
   void abandon(int thread);
   void open_device(int device);
   void arrives_at_device(int channel);
@@ -63,14 +81,31 @@ class Firing {
   // Measuring (firing_measure.cpp).
   void measure(int thread);
   void has_read(int thread, int condition);
-  void has_set(int condition);
+  void has_set(int thread, int condition);
   void has_taken(int thread, std::uint8_t carries);
+  std::uint8_t sent_along(int thread) const;
+  std::uint8_t sampled(int request);
   std::uint8_t new_event(int channel);
+  void has_completed(int thread, int code);
   void answered(std::uint8_t event);
+  void measure_from(std::uint8_t observer, int step);
   void start_tracking();
+  void track_busy(bool was_busy);
+  bool watched_busy() const;
+
+  // Losses (firing_losses.cpp).
+  bool counts_losses(int device) const;
+  bool arrives(int device, std::uint32_t served) const;
+  void occurrence(int device, bool lost);
+  void lost_after_all(int channel);
+  void count_losses();
+
+  // What is forgotten, and in which order the rest is numbered (settle.cpp).
   void settle();
   void settle_age();
   void settle_response();
+  void settle_ordered();
+  bool any_live() const;
 
   ThreadState& state_of(int thread) { return state_.threads[static_cast<std::size_t>(thread)]; }
   const ThreadState& state_of(int thread) const { return state_.threads[static_cast<std::size_t>(thread)]; }
@@ -96,8 +131,8 @@ class Firing {
   bool record_;
   Outcome& outcome_;
   State& state_;
+  int old_observers_;
   std::vector<int> pending_origin_;
-  int old_observers_ = 0;
   std::vector<int> queued_;  // threads that became ready
 };
 

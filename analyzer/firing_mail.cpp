@@ -1,4 +1,6 @@
 // Messages and the devices at the other end of them.
+#include <algorithm>
+
 #include "analyzer/firing.hpp"
 
 namespace pal::analyzer {
@@ -9,8 +11,15 @@ constexpr int most_open = 20;  // requests of one channel at a time, before the 
 
 /// False: the slot of the channel was full (only for devices).
 bool Firing::put(int channel, int thread, int device, std::uint8_t carries) {
+  if (slot(channel).fill != SlotState::Fill::empty) return false;
+  place(channel, thread, device, carries);
+  announce(channel);
+  return true;
+}
+
+/// The message is in its slot; announce() is still to be called.
+void Firing::place(int channel, int thread, int device, std::uint8_t carries) {
   SlotState& to = slot(channel);
-  if (to.fill != SlotState::Fill::empty) return false;
   fill(channel, thread < 0 ? -1 : thread_of(thread).processor);
   to.carries = carries;
   if (device >= 0) {
@@ -27,12 +36,14 @@ bool Firing::put(int channel, int thread, int device, std::uint8_t carries) {
     }
     to.owner = static_cast<std::int8_t>(thread);
   }
-  if (of.receiver_device >= 0) {
+}
+
+void Firing::announce(int channel) {
+  if (channel_of(channel).receiver_device >= 0) {
     arrives_at_device(channel);
-    return true;
+  } else {
+    message_available(channel);
   }
-  message_available(channel);
-  return true;
 }
 
 /// The message sets out for the processors on which somebody waits for it.
@@ -98,6 +109,12 @@ void Firing::take(int channel, int thread, int device) {
 
 /// Frees the slot, for a sender that is blocked perhaps.
 void Firing::empty(int channel) {
+  clear(channel);
+  admit(channel);
+}
+
+/// The slot is free; admit() is still to be called.
+void Firing::clear(int channel) {
   SlotState& of = slot(channel);
   if (of.near == SlotState::Way::flying) stop_timer(machine_.flight_timer(channel));
   if (of.far == SlotState::Way::flying) stop_timer(machine_.flight_timer(channel) + 1);
@@ -105,6 +122,31 @@ void Firing::empty(int channel) {
   of.near = of.far = SlotState::Way::none;
   of.from = -1;
   of.carries = tag::none;
+}
+
+bool Firing::somebody_sends(int channel) const {
+  for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
+    if (state_.threads[t].status == Status::sending &&
+        step_of(static_cast<int>(t)).channels.front() == channel)
+      return true;
+  }
+  return false;
+}
+
+/// Whether a thread will take the message of the channel as soon as it is announced.
+bool Firing::somebody_waits(int channel) const {
+  for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
+    if (state_.threads[t].status != Status::waiting || !available(channel, static_cast<int>(t))) continue;
+    const std::vector<int>& channels = step_of(static_cast<int>(t)).channels;
+    if (std::find(channels.begin(), channels.end(), channel) != channels.end()) return true;
+  }
+  return false;
+}
+
+/// The slot is there for a sender that is blocked, unless somebody else has filled it.
+void Firing::admit(int channel) {
+  SlotState& of = slot(channel);
+  if (of.fill != SlotState::Fill::empty) return;
   std::vector<int> senders;
   for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
     if (state_.threads[t].status == Status::sending &&
@@ -120,6 +162,7 @@ void Firing::empty(int channel) {
     --of.unwanted;
     emit(Kind::drop, sender, channel);
     sent(sender, false);
+    admit(channel);
     return;
   }
   sent(sender, true);
@@ -139,10 +182,12 @@ void Firing::drop(int channel) {
     }
   }
   if (record_) outcome_.events.push_back({0, Kind::drop, -1, -1, channel, 0});
-  empty(channel);
+  lost_after_all(channel);
+  clear(channel);
 }
 
-void Firing::withdraw(int request) {
+/// Withdraws all that is open of a request. admit() is still to be called for the channels that `freed` gets.
+void Firing::withdraw(int request, std::vector<int>& freed) {
   SlotState& of = slot(request);
   const int answer = channel_of(request).answer;
   if (of.open == 0) return;
@@ -157,8 +202,11 @@ void Firing::withdraw(int request) {
   }
   of.open = 0;
   of.owner = -1;
-  if (asking) drop(request);
-  if (answered) drop(answer);
+  for (const auto& [there, channel] : {std::pair{asking, request}, std::pair{answered, answer}}) {
+    if (!there) continue;
+    drop(channel);
+    freed.push_back(channel);
+  }
 }
 
 /// A stopped thread leaves nothing behind: what it was to take is there for others, what it asked for is not.
@@ -172,9 +220,11 @@ void Firing::abandon(int thread) {
       message_available(channel);
     }
   }
+  std::vector<int> freed;
   for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
-    if (state_.slots[c].open > 0 && state_.slots[c].owner == thread) withdraw(static_cast<int>(c));
+    if (state_.slots[c].open > 0 && state_.slots[c].owner == thread) withdraw(static_cast<int>(c), freed);
   }
+  in_any_order(std::move(freed), [this](int channel) { admit(channel); });
 }
 
 void Firing::open_device(int device) {
@@ -215,11 +265,14 @@ void Firing::take_pending(int device) {
     pending = {pending[static_cast<std::size_t>(choices_.pick(static_cast<int>(pending.size())))]};
   }
   if (request == nullptr) emit_device(Kind::busy, device);
-  if (pending.empty()) return;
+  if (pending.empty()) {
+    if (request == nullptr && state_.counting) occurrence(device, true);
+    return;
+  }
   if (request != nullptr) emit_device(Kind::busy, device);
   for (std::size_t i : pending) {
     state_.devices[static_cast<std::size_t>(device)].serving |= std::uint32_t{1} << i;
-    slot(of.requests[i]).serving_carries = slot(of.requests[i]).carries;
+    slot(of.requests[i]).serving_carries = sampled(of.requests[i]);
     take(of.requests[i], -1, device);
   }
   if (request != nullptr) {
@@ -261,10 +314,11 @@ void Firing::device_service(int device) {
   const std::uint32_t served = state.serving;
   state.serving = 0;
   emit_device(Kind::idle, device);
+  if (counts_losses(device)) occurrence(device, !arrives(device, served));
   for (std::size_t i = 0; i < of.requests.size(); ++i) {
     if ((served >> i & 1U) == 0) continue;
     SlotState& request = slot(of.requests[i]);
-    const std::uint8_t carries = request.serving_carries;
+    const std::uint8_t carries = counts_losses(device) ? std::uint8_t{0} : request.serving_carries;
     request.serving_carries = tag::none;
     const int answer = channel_of(of.requests[i]).answer;
     if (slot(answer).unwanted > 0) {
@@ -282,9 +336,11 @@ void Firing::event_occurs(int device) {
   if (channel < 0) return;
   if (slot(channel).fill != SlotState::Fill::empty) {
     emit_device(Kind::overrun, device, channel);
+    occurrence(device, true);
     if (watch_.kind == Watch::Kind::response && watch_.event == channel) state_.failed = true;
     return;
   }
+  occurrence(device, false);
   put(channel, -1, device, new_event(channel));
 }
 

@@ -7,6 +7,10 @@ namespace pal::analyzer {
 
 /// At time 0 every module becomes ready; those that share a queue may come in any order.
 void Firing::begin() {
+  if (watch_.kind == Watch::Kind::age) state_.condition_carries = 0;
+  if (watch_.kind == Watch::Kind::duration || (watch_.kind == Watch::Kind::age && watch_.reaction)) {
+    state_.reference = 0;
+  }
   for (std::size_t d = 0; d < problem_.devices.size(); ++d) {
     const auto* frames = std::get_if<pan::FrameDevice>(&problem_.devices[d].behaviour);
     if (frames == nullptr) continue;
@@ -40,6 +44,7 @@ void Firing::begin() {
     reach(thread, thread_of(thread).entry);
   }
   dispatch();
+  track_busy(false);
   settle();
 }
 
@@ -145,7 +150,7 @@ void Firing::end(int thread) {
 void Firing::child_ended(int parent) {
   ThreadState& state = state_of(parent);
   if (state.status != Status::joining) return;
-  const std::vector<int> blocks = step_of(parent).threads;
+  std::vector<int> blocks = step_of(parent).threads;
   bool alive = false;
   bool goes_on = false;
   bool can_end = false;
@@ -155,15 +160,17 @@ void Firing::child_ended(int parent) {
     goes_on = goes_on || (here && thread_of(block).can_end);
     can_end = can_end || thread_of(block).can_end;
   }
-  if (alive && !state.cancelled && (goes_on || !can_end)) return;
-  for (int block : blocks) {
-    // Stopping the last block lets the parent go on, and perhaps come back here.
-    if (state.status != Status::joining) return;
-    if (state_of(block).status != Status::off && !state_of(block).cancelled) cancel(block);
-  }
-  if (state.status != Status::joining) return;
-  for (int block : blocks) {
-    if (state_of(block).status != Status::off) return;
+  if (alive) {
+    if (!state.cancelled && (goes_on || !can_end)) return;
+    std::erase_if(blocks, [this](int block) {
+      return state_of(block).status == Status::off || state_of(block).cancelled;
+    });
+    for (int block : blocks) state_of(block).cancelled = true;
+    // Stopping the last one lets the parent go on, perhaps to blocks that begin: those are not meant.
+    for (int block : blocks) {
+      if (state_of(block).status != Status::off && state_of(block).cancelled) cancel(block);
+    }
+    return;
   }
   state.status = Status::ready;
   if (state.cancelled) {
@@ -173,9 +180,9 @@ void Firing::child_ended(int parent) {
   }
 }
 
+/// A thread that is cancelled stops, or will when it has finished its statement.
 void Firing::cancel(int thread) {
-  ThreadState& state = state_of(thread);
-  state.cancelled = true;
+  const ThreadState& state = state_of(thread);
   if (state.status == Status::joining) {
     child_ended(thread);
     return;

@@ -1,6 +1,7 @@
 // What an analysis says of a requirement.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +13,8 @@
 
 namespace pal::analyzer {
 
-enum class VerdictState { holds, fails, undecided };
+/// never: no run has anything to measure; what is required says nothing.
+enum class VerdictState { holds, fails, undecided, never };
 
 /// Which analysis a verdict comes from: the exploration of all runs, or the sum of what parts can do to each
 /// other.
@@ -34,9 +36,10 @@ struct Verdict {
   Requirement::Measure measure = Requirement::Measure::age;
   State state = State::undecided;
   Method method = Method::exact;
-  Duration limit{};
-  /// Least value that no run exceeds, as far as is known; load: nanoseconds of work in a second, rounded up.
-  /// Nothing: unbounded, or not known to be bounded.
+  Duration limit{};       // loss: a number
+  bool at_least = false;  // no run may fall below the limit, and none falls below the bound
+  /// Least value that no run exceeds, as far as is known; load: nanoseconds of work in a second, rounded up;
+  /// loss: a number. Nothing: unbounded, or not known to be bounded.
   std::optional<Duration> bound;
   /// A run that was replayed attains the bound (load: comes as near to it as one likes).
   bool exact = false;
@@ -47,11 +50,13 @@ struct Verdict {
   /// Without gaps from the birth of what is measured to its use; the lengths add up to the witness's value.
   std::vector<Reason> reasons;
   SourceSpan where;
+  std::size_t states = 0;  // that were looked at to decide
+  double seconds = 0;      // that it took, by Options::clock
 };
 
-/// "holds", "fails", "undecided".
+/// "holds", "fails", "undecided", "never".
 const char* name(Verdict::State state);
-/// "age", "response", "load".
+/// "age", "response", "load", "reaction", "interval", "loss", "duration", "busy".
 const char* name(Requirement::Measure measure);
 /// "exact", "compositional".
 const char* name(Method method);

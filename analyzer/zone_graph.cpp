@@ -67,6 +67,7 @@ bool ZoneGraph::explore(const Limits& limits) {
     start.outcome = machine_.initial(choices, false);
     start.choices = choices.taken();
     outgrown_ = outgrown_ || start.outcome.too_many;
+    passed_ = passed_ || start.outcome.passed;
     follow(-1, start, Dbm(1), 0);
   } while (choices.next());
   std::size_t rounds = 0;
@@ -108,7 +109,12 @@ void ZoneGraph::expand(int index) {
   {
     const Place& here = places_[static_cast<std::size_t>(place)];
     if (here.state.ended) return;
-    if (here.timers.empty() && !here.state.pending.empty()) never_answered_ = true;
+    if (here.timers.empty() && machine_.watch().grows() && here.state.observers > 0) {
+      const bool growing =
+          machine_.watch().kind == Watch::Kind::response || here.state.reference != tag::none;
+      if (growing && stuck_ < 0) stuck_ = index;
+      never_answered_ = never_answered_ || growing;
+    }
     if (!here.transitions) compute_transitions(place);
   }
   // Following may add places, and so move them: the transitions are held while it does.
@@ -138,24 +144,47 @@ void ZoneGraph::expand(int index) {
 void ZoneGraph::measure(int from, const Transition& transition, const Dbm& fired, std::size_t variable) {
   const ZoneClass& parent = classes_[static_cast<std::size_t>(from)];
   const std::size_t timers = places_[static_cast<std::size_t>(parent.state)].timers.size();
+  const bool least = machine_.watch().least;
+  const Outcome& outcome = transition.outcome;
+  passed_ = passed_ || outcome.passed;
   Peak peak;
   peak.parent = from;
   peak.timer = transition.timer;
   peak.choices = transition.choices;
   peak.relaxed = parent.relaxed;
-  for (std::size_t i = 0; i < transition.outcome.measured.size(); ++i) {
-    peak.measured = transition.outcome.measured[i];
-    peak.step = transition.outcome.measured_steps[i];
+  for (std::size_t i = 0; i < outcome.measured.size(); ++i) {
+    peak.measured = outcome.measured[i];
+    peak.step = outcome.measured_steps[i];
     if (peak.measured == Outcome::older_than_cap) {
       over_cap_ = true;
       continue;
     }
-    peak.value = peak.measured == Outcome::born_now
-                     ? 0
-                     : fired.at(variable, 1 + timers + static_cast<std::size_t>(peak.measured));
-    if (peak.value > peak_.value) peak_ = peak;
+    const std::size_t observer = 1 + timers + static_cast<std::size_t>(std::max(peak.measured, 0));
+    peak.value = peak.measured == Outcome::born_now ? 0
+                 : least                            ? -fired.at(observer, variable)
+                                                    : fired.at(variable, observer);
+    const bool first = peak_.value < 0;
+    if (first || (least ? peak.value < peak_.value : peak.value > peak_.value)) peak_ = peak;
   }
-  if (transition.outcome.state.failed && !failure_) failure_ = peak;
+  if (outcome.lost > peak_.value) {
+    peak.value = outcome.lost;
+    peak.measured = Outcome::born_now;
+    peak_ = peak;
+  }
+  if (outcome.state.failed && !failure_) failure_ = peak;
+}
+
+/// What grows counts as soon as it is greater than the limit, whether it is ever measured or not.
+void ZoneGraph::observe_growth(int from, const Transition& transition, const ZoneClass& made,
+                               std::size_t timers) {
+  const Watch& watch = machine_.watch();
+  if (growing_ || !watch.grows()) return;
+  for (int o = 0; o < transition.outcome.state.observers; ++o) {
+    const Nanoseconds value = made.zone.at(0, 1 + timers + static_cast<std::size_t>(o));
+    if (value <= watch.limit || !grows(transition.outcome.state, watch, o)) continue;
+    growing_ = Peak{value, from, transition.timer, transition.choices, o, -1, made.relaxed, true};
+    return;
+  }
 }
 
 void ZoneGraph::follow(int from, const Transition& transition, const Dbm& fired, std::size_t variable) {
@@ -242,6 +271,7 @@ void ZoneGraph::follow(int from, const Transition& transition, const Dbm& fired,
       if (timers[k].resumed && !made.zone.constrain(0, k + 1, 0)) return;
     }
   }
+  observe_growth(from, transition, made, timers.size());
   split(from, transition, transition.outcome.state, std::move(numbers), std::move(frozen), std::move(made));
 }
 
@@ -260,7 +290,7 @@ void ZoneGraph::split(int from, const Transition& transition, State state, std::
       beyond.zone = derived(beyond.zone, kept);
       State passed = state;
       pass_cap(passed, machine_.watch(), static_cast<int>(o));
-      if (machine_.watch().kind == Watch::Kind::response) never_answered_ = true;
+      if (grows(state, machine_.watch(), static_cast<int>(o))) never_answered_ = true;
       split(from, transition, std::move(passed), timers, frozen, std::move(beyond));
     }
     if (!made.zone.constrain(0, variable, cap_)) return;

@@ -53,7 +53,8 @@ struct Place {
   std::optional<std::vector<Transition>> transitions;
 };
 
-/// The greatest value measured: at the firing of `timer` in class `parent` with `choices`.
+/// The greatest value measured (the least, if that is watched): at the firing of `timer` in class `parent`
+/// with `choices`.
 struct Peak {
   Nanoseconds value = -1;
   int parent = -1;
@@ -62,6 +63,8 @@ struct Peak {
   int measured = 0;  // observer in the parent's state, or Outcome::born_now
   int step = -1;
   bool relaxed = false;
+  /// Nothing is measured yet: `measured` is the observer, after the firing, from which a value grows.
+  bool grows = false;
 };
 
 struct Edge {
@@ -86,9 +89,15 @@ class ZoneGraph {
   bool over_cap() const { return over_cap_; }
   /// The firing after which an event can have no response any more, if there is one.
   const std::optional<Peak>& failure() const { return failure_; }
-  /// Something is pending longer than the cap, or for ever.
+  /// A value grows beyond the cap, or for ever.
   bool never_answered() const { return never_answered_; }
-  /// Some action with a time that is not fixed was preempted others by.
+  /// The first firing after which a value that still grows can be greater than the limit.
+  const std::optional<Peak>& growing() const { return growing_; }
+  /// A class in which nothing happens any more while a value grows; -1: there is none.
+  int stuck() const { return stuck_; }
+  /// What is watched happens in some run.
+  bool passed() const { return passed_; }
+  /// Some action was preempted by others whose time is not fixed.
   bool relaxed() const { return relaxed_; }
 
  private:
@@ -113,6 +122,11 @@ class ZoneGraph {
   std::vector<Edge> edges_;
   Peak peak_;
   std::optional<Peak> failure_;
+  void observe_growth(int from, const Transition& transition, const ZoneClass& made, std::size_t timers);
+
+  std::optional<Peak> growing_;
+  int stuck_ = -1;
+  bool passed_ = false;
   bool over_cap_ = false;
   bool never_answered_ = false;
   bool outgrown_ = false;

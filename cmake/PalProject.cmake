@@ -4,6 +4,7 @@ include(GNUInstallDirs)
 option(PAL_BUILD_WORKCELL "Build the MuJoCo workcell and the skills that run in it" ON)
 option(PAL_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(PAL_WARNINGS_AS_ERRORS "Treat compiler warnings as errors (set by the presets)" OFF)
+option(PAL_FUZZ "Build the fuzz targets for libFuzzer (clang only; docs/fuzzing.md)" OFF)
 set(PAL_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize= (set by the presets)")
 
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 12)
@@ -19,8 +20,15 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 
 if(PAL_SANITIZE)
-  add_compile_options(-fsanitize=${PAL_SANITIZE} -fno-omit-frame-pointer)
+  add_compile_options(-fsanitize=${PAL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${PAL_SANITIZE})
+endif()
+
+if(PAL_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "PAL_FUZZ needs clang: -DCMAKE_CXX_COMPILER=clang++")
+  endif()
+  add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
 # pal_library(NAME SOURCES … [USES …] [PRIVATE_USES …]): a library pal_NAME with alias pal::NAME.

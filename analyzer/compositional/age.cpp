@@ -29,6 +29,7 @@ class Ageing {
   }
 
   Bound run() {
+    if (requirement_.condition < 0) return {never, "it knows no bound of the age of a sample"};
     Nanoseconds oldest = 0;
     for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
       if (!requirement_.at[s] || owner(static_cast<int>(s)) < 0) continue;

@@ -1,6 +1,7 @@
 #include "analyzer/compositional/busy_window.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -99,21 +100,30 @@ Nanoseconds BusyWindows::finish_once(const Transaction& of, int transaction, int
 
 Nanoseconds BusyWindows::stretch(int processor, int priority, Nanoseconds cost) const {
   if (!preemptive_[static_cast<std::size_t>(processor)]) return cost;
+  return window(processor, priority + 1, cost);
+}
+
+Nanoseconds BusyWindows::busy(int processor) const {
+  return window(processor, std::numeric_limits<int>::min(), 0);
+}
+
+/// The least time in which `cost`, and all that is released in it with at least `priority`, is done.
+Nanoseconds BusyWindows::window(int processor, int priority, Nanoseconds cost) const {
   const auto& groups = by_processor_[static_cast<std::size_t>(processor)];
   for (const Group& group : groups) {
     const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
     for (int t : group.tasks) {
       const Task& task = of.tasks[static_cast<std::size_t>(t)];
-      if (task.priority > priority && (task.cost >= never || (task.jitter >= never && of.period != never)))
+      if (task.priority >= priority && (task.cost >= never || (task.jitter >= never && of.period != never)))
         return never;
     }
   }
-  Nanoseconds window = cost;
+  Nanoseconds length = cost;
   for (int round = 0; round < most_rounds; ++round) {
-    const Nanoseconds next = cost + of_others(groups, -1, priority + 1, window);
-    if (next <= window) return window;
+    const Nanoseconds next = cost + of_others(groups, -1, priority, length);
+    if (next <= length) return length;
     if (next > longest_window) break;
-    window = next;
+    length = next;
   }
   return never;
 }
@@ -174,7 +184,8 @@ Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nan
         const Nanoseconds begins = settle(before);
         if (begins >= never) return never;
         done = begins + part;
-        whole = begins + self.cost;
+        // What came while it ran is still to be done: the window goes on (R. I. Davis and others, 2007).
+        whole = settle(before + self.cost);
         window = 0;
       }
       if (whole >= never) return never;

@@ -64,18 +64,21 @@ class BusyWindows {
   /// priority has nothing left to do when that begins.
   Nanoseconds stretch(int processor, int priority, Nanoseconds cost) const;
 
+  /// The longest that a processor has something to do without a pause.
+  Nanoseconds busy(int processor) const;
+
  private:
   struct Group {
     int transaction;
     std::vector<int> tasks;
   };
-  using Weights = std::vector<const Group*>;
 
   Nanoseconds of_scenario(const Transaction& of, const Group& group, int scenario, int left_out, int priority,
                           Nanoseconds length) const;
   Nanoseconds of_others(const std::vector<Group>& groups, int own, int priority, Nanoseconds length) const;
   Nanoseconds finish_once(const Transaction& of, int transaction, int task, Nanoseconds part,
                           Nanoseconds blocking) const;
+  Nanoseconds window(int processor, int priority, Nanoseconds cost) const;
 
   std::vector<bool> preemptive_;
   std::vector<Transaction> transactions_;

@@ -17,8 +17,16 @@ Bound bound_of(const View& view, const Requirement& requirement) {
       return response_bound(view, requirement);
     case Measure::load:
       return load_bound(view, requirement);
+    case Measure::busy:
+      return busy_bound(view, requirement);
+    case Measure::loss:
+      return loss_bound(view, requirement);
+    case Measure::reaction:
+    case Measure::interval:
+    case Measure::duration:
+      break;
   }
-  return {};
+  return {never, "it knows no bound of this measure"};
 }
 
 void judge(const Bound& bound, Verdict& verdict) {
@@ -51,6 +59,7 @@ Analysis analyze_compositionally(const Problem& problem, const Options& options)
     verdict.measure = requirement.measure;
     verdict.method = Method::compositional;
     verdict.limit = Duration(requirement.limit);
+    verdict.at_least = requirement.at_least;
     verdict.where = requirement.where;
   }
   const Forest forest = forest_of(problem);
@@ -77,10 +86,6 @@ Analysis analyze_compositionally(const Problem& problem, const Options& options)
   }
   if (options.clock) analysis.statistics.seconds = options.clock() - begun;
   return analysis;
-}
-
-const char* name(Method method) {
-  return method == Method::exact ? "exact" : "compositional";
 }
 
 }  // namespace pal::analyzer

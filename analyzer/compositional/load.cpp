@@ -27,4 +27,11 @@ Bound load_bound(const View& view, const Requirement& requirement) {
   return {most, most == second ? "the rates that are known add up to the whole time" : ""};
 }
 
+Bound busy_bound(const View& view, const Requirement& requirement) {
+  Nanoseconds longest = 0;
+  for (int processor : requirement.processors)
+    longest = std::max(longest, view.times.windows.busy(processor));
+  return {longest, "a processor may have work without end"};
+}
+
 }  // namespace pal::analyzer::compositional

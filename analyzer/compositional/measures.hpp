@@ -24,9 +24,12 @@ struct View {
 };
 
 Bound response_bound(const View& view, const Requirement& requirement);
+/// Number of events lost.
+Bound loss_bound(const View& view, const Requirement& requirement);
 Bound age_bound(const View& view, const Requirement& requirement);
 /// Nanoseconds of work in a second; of the processor that has most.
 Bound load_bound(const View& view, const Requirement& requirement);
+Bound busy_bound(const View& view, const Requirement& requirement);
 
 /// What View::reliable holds.
 std::vector<bool> reliable_threads(const Problem& problem, const Forest& forest, const Conduct& conduct,

@@ -35,6 +35,16 @@ class Pursuit {
     return {std::max<Nanoseconds>(latest, 0), ""};
   }
 
+  /// Whether each event of the device is taken before the next one comes.
+  Bound losses() {
+    const int source = source_of();
+    if (source < 0) return {never, "it counts only the events of a device"};
+    const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
+    const bool none = !of.roots.empty() && view_.times.no_overrun[static_cast<std::size_t>(source)] &&
+                      certain(of.roots.front());
+    return {none ? 0 : never, why_.empty() ? "an event may come before the last one was taken" : why_};
+  }
+
  private:
   static constexpr Nanoseconds skill_over = -1;
 
@@ -171,6 +181,10 @@ class Pursuit {
 
 Bound response_bound(const View& view, const Requirement& requirement) {
   return Pursuit(view, requirement).run();
+}
+
+Bound loss_bound(const View& view, const Requirement& requirement) {
+  return Pursuit(view, requirement).losses();
 }
 
 }  // namespace pal::analyzer::compositional

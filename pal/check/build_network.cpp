@@ -9,6 +9,7 @@
 #include "pal/check/calls.hpp"
 #include "pal/check/names.hpp"
 #include "pal/check/requirements.hpp"
+#include "pal/check/sensors.hpp"
 
 namespace pal::frontend {
 
@@ -84,6 +85,7 @@ pan::Network build_network(const Scope& scope, const syntax::SkillUnit& skill, D
   connect_writers(network);
   network.main = waits_for_start(network);
   build_requirements(skill, names, network, diagnostics);
+  check_sensors(names, network, diagnostics);
   return network;
 }
 

@@ -8,6 +8,7 @@
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/text_check.hpp"
 #include "pal/syntax/parse.hpp"
+#include "pal/syntax/parse_dot.hpp"
 
 namespace pal {
 
@@ -52,7 +53,9 @@ class Loader {
     const auto file = sources_.add(path, std::get<std::string>(std::move(read)));
     entry = file;
     if (report_unless_text(sources_, file, diagnostics_)) {
-      trees_.push_back(syntax::parse(sources_, file, diagnostics_));
+      const bool drawn = path.ends_with(".dot") || path.ends_with(".gv");
+      trees_.push_back(drawn ? syntax::parse_dot(sources_, file, diagnostics_)
+                             : syntax::parse(sources_, file, diagnostics_));
     } else {
       trees_.push_back({file, false, {}});
     }

@@ -29,7 +29,8 @@ std::string slot_for(pan::ModuleKind kind, const std::string& name) {
 pan::ModuleId Names::enter_module(const syntax::ModuleUnit& unit) {
   if (const auto known = modules_.find(unit.name.text); known != modules_.end()) return known->second;
   const pan::ModuleId id(network_.modules.size());
-  network_.modules.push_back({unit.name.text, unit.kind, {}, {}, {}, unit.where});
+  network_.modules.push_back(
+      {unit.name.text, unit.kind, {}, {}, {}, unit.where, unit.descriptions, unit.sensor.methods});
   units_.push_back(&unit);
   modules_.emplace(unit.name.text, id);
   return id;
@@ -54,7 +55,8 @@ std::optional<pan::ModuleId> Names::module(const syntax::Name& name, bool listed
   if (trusting_) {
     const auto [entry, added] = modules_.emplace(name.text, pan::ModuleId(network_.modules.size()));
     if (added) {
-      network_.modules.push_back({name.text, pan::ModuleKind::contingency_module, {}, {}, {}, name.where});
+      network_.modules.push_back(
+          {name.text, pan::ModuleKind::contingency_module, {}, {}, {}, name.where, {}, {}});
       units_.push_back(nullptr);
     }
     return entry->second;

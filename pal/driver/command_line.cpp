@@ -85,7 +85,8 @@ void add_pan(CLI::App& app, PanOptions& options) {
   command->add_flag("--dot", options.dot, "write Graphviz DOT instead of SVG");
   command->add_flag("--letters", options.letters,
                     "statements as letters and conditions as c1, c2, … with a key");
-  command->add_flag("--pal", options.pal, "print the modules as PAL instead");
+  command->add_flag("--pal", options.pal,
+                    "print the modules as PAL instead, also those drawn as DOT (FILE.dot)");
   command->footer(statuses);
 }
 
@@ -136,6 +137,18 @@ void add_format(CLI::App& app, FormatOptions& options) {
       "2 bad usage, or a file could not be read or written.");
 }
 
+void add_doc(CLI::App& app, DocOptions& options) {
+  CLI::App* command = app.add_subcommand("doc", "Writes the templates of skills as documents");
+  command->add_option("files", options.selection.files, "PAL files with the skills")->required()->type_name("FILE");
+  command->add_option("-s,--skill", options.selection.skill, "only the skill of this name")->type_name("NAME");
+  command->add_option("--format", options.format, "md or html; without it, as the output is called, else md")
+      ->check(CLI::IsMember({"md", "html"}))
+      ->type_name("FORMAT");
+  command->add_option("-o,--output", options.output, "the document; drawings that it names are written beside it")
+      ->type_name("FILE");
+  command->footer(statuses);
+}
+
 void add_explain(CLI::App& app, ExplainOptions& options) {
   CLI::App* command = app.add_subcommand("explain", "Explains findings: what they mean, an example, a cure");
   command->add_option("codes", options.codes, "codes, such as PAL0101")->type_name("CODE");
@@ -171,6 +184,7 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   GenerateOptions generate_options;
   ReplayOptions replay_options;
   FormatOptions format_options;
+  DocOptions doc_options;
   ExplainOptions explain_options;
   add_check(app, check_options);
   add_replay(app, replay_options);
@@ -178,6 +192,7 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   add_atc(app, atc_options);
   add_generate(app, generate_options);
   add_format(app, format_options);
+  add_doc(app, doc_options);
   add_explain(app, explain_options);
 
   if (!is_known_command(app, arguments, console.err)) return ExitStatus::usage;
@@ -193,6 +208,7 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   if (app.got_subcommand("pan")) return draw_pan(pan_options, console);
   if (app.got_subcommand("atc")) return draw_atc(atc_options, console);
   if (app.got_subcommand("fmt")) return format(format_options, console);
+  if (app.got_subcommand("doc")) return write_doc(doc_options, console);
   if (app.got_subcommand("explain")) return explain_code(explain_options, console);
   return generate(generate_options, console);
 }

@@ -69,6 +69,14 @@ struct FormatOptions {
 };
 ExitStatus format(const FormatOptions& options, const Console& console);
 
+struct DocOptions {
+  Selection selection;
+  std::string format;  // md or html; empty: what the output is called
+  std::string output;  // empty: console.out
+};
+/// The templates of skills as documents.
+ExitStatus write_doc(const DocOptions& options, const Console& console);
+
 struct ExplainOptions {
   std::vector<std::string> codes;
   bool list = false;  // codes and titles instead

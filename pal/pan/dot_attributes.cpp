@@ -1,10 +1,50 @@
 #include "pal/pan/dot_attributes.hpp"
 
+#include <set>
+#include <utility>
+#include <variant>
+
 #include "pal/pan/dump.hpp"
 
 namespace pal::pan {
 
 namespace {
+
+using Activities = std::vector<std::size_t>;
+
+Activities declared(const Network& network, ModuleId module) {
+  Activities result;
+  for (std::size_t i = 0; i < network.activities.size(); ++i) {
+    if (network.activities[i].module == module) result.push_back(i);
+  }
+  return result;
+}
+
+Activities performed(const Network& network, ModuleId module) {
+  Activities result;
+  std::set<std::size_t> seen;
+  for (const Node& node : network.modules[module.index()].body.nodes) {
+    const auto* perform = std::get_if<Perform>(&node.content);
+    if (perform != nullptr && seen.insert(perform->activity.index()).second)
+      result.push_back(perform->activity.index());
+  }
+  return result;
+}
+
+/// "think READS force WRITES motion; look", as the heading of a module has them.
+std::string headings(const Network& network, const Activities& activities) {
+  std::string result;
+  for (const std::size_t i : activities) {
+    const Activity& activity = network.activities[i];
+    result += (result.empty() ? "" : "; ") + activity.name;
+    for (const auto& [word, list] :
+         {std::pair(" READS ", &activity.reads), std::pair(" WRITES ", &activity.writes)}) {
+      for (std::size_t k = 0; k < list->size(); ++k)
+        result += (k == 0 ? word : ", ") + network.messages[(*list)[k].index()].name;
+    }
+  }
+  return result;
+}
 
 struct Describe {
   const Network& network;
@@ -121,6 +161,17 @@ std::string dot_list(const DotAttributes& attributes) {
     result += name + "=" + (html ? value : dot_quoted(value));
   }
   return result + "]";
+}
+
+DotAttributes content_attributes(const Network& network, ModuleId module) {
+  const Module& it = network.modules[module.index()];
+  DotAttributes result = {{"pal_format", "1"},
+                          {"pal_skill", network.skill.name},
+                          {"pal_module", it.name},
+                          {"pal_module_kind", kind_text(it.kind)}};
+  const Activities all = declared(network, module);
+  if (all != performed(network, module)) result.emplace_back("pal_activities", headings(network, all));
+  return result;
 }
 
 DotAttributes content_attributes(const Network& network, const Node& node) {

@@ -22,6 +22,10 @@ std::string dot_list(const DotAttributes& attributes);
 /// With &, <, > and quotes as entities, for HTML-like labels.
 std::string dot_html(std::string_view text);
 
+/// What the graph of a module says of it besides its nodes. Activities are told by the nodes that perform
+/// them, unless one has no node or they are declared in another order.
+DotAttributes content_attributes(const Network& network, ModuleId module);
+
 /// The whole content of a node: pal_kind and what else that kind has (docs/pan.md).
 DotAttributes content_attributes(const Network& network, const Node& node);
 

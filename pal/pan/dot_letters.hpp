@@ -1,6 +1,7 @@
 // Statements as capital letters and conditions as c1, c2, …, as in the thesis.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,9 +20,9 @@ class DotLetters {
   /// A guard with short names: "c1", "not c1", "c1 or c2".
   std::string guard(const Guard& guard) const;
 
-  /// Letters and what they stand for, then conditions.
-  const std::vector<std::pair<std::string, std::string>>& statements() const { return statements_; }
-  const std::vector<std::pair<std::string, std::string>>& conditions() const { return conditions_; }
+  /// Letters and conditions with what they stand for, below `title`: a table in Graphviz' HTML with so many
+  /// columns.
+  std::string key(const std::string& title, std::size_t columns) const;
 
  private:
   void meet(const Guard& guard);

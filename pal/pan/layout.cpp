@@ -33,6 +33,7 @@ std::string svg(const std::string& dot) {
     agerrlevel_t level;
     ~Restore() { agseterr(level); }
   } restore{before};
+  agreseterrors();
 
   const std::unique_ptr<GVC_t, CloseContext> context(gvContext());
   if (!context) fail("Graphviz cannot start");
@@ -45,7 +46,8 @@ std::string svg(const std::string& dot) {
   std::string result = failed == 0 && data != nullptr ? std::string(data, length) : std::string();
   if (data != nullptr) gvFreeRenderData(data);
   gvFreeLayout(context.get(), graph.get());
-  if (failed != 0 || result.empty()) fail("the graph cannot be drawn");
+  // Some errors, such as a label that is no table, only leave their part of the picture out.
+  if (failed != 0 || result.empty() || agerrors() >= AGERR) fail("the graph cannot be drawn");
   return result;
 }
 

@@ -73,6 +73,8 @@ struct Module {
   ModuleId executed_by{};          // valid: runs only by Execute, inside that module
   std::vector<std::string> threads;  // "SM1", then its CONCURRENT blocks "SM1.1", "SM1.2", … in the order of the text
   SourceSpan where;
+  std::vector<std::string> descriptions;  // texts of its template
+  std::vector<std::string> methods;       // of a logical sensor: how it gets what it returns
 };
 
 /// Something outside the skill that sends, answers or takes messages.

@@ -33,6 +33,7 @@ class Builder {
   DeviceUnit device_unit(Parser::DeviceUnitContext* context);
   ModuleUnit module_unit(Parser::ModuleUnitContext* context);
   void add_heading(ModuleUnit& module, Parser::HeadingContext* context);
+  void add_sensor_slot(SensorTemplate& sensor, Parser::HeadingContext* context);
 
   // statements: build_statements.cpp
   Statements statements(Parser::StatementsContext* context);
@@ -54,7 +55,13 @@ class Builder {
   void add_slot(SkillUnit& skill, Parser::SlotContext* context);
   Parameter parameter(Parser::ParameterSlotContext* context);
   std::optional<Completion> completion(Parser::CompletionSlotContext* context);
+
+  // requirements: build_requirement.cpp
   std::optional<Requirement> requirement(Parser::RequirementSlotContext* context);
+  std::optional<Requirement> passes(Requirement result, Parser::StepContext* at,
+                                    Parser::DurationContext* least, Parser::DurationContext* most);
+  Requirement::Loss loss(Parser::LossContext* context);
+  Known known(Parser::KnownContext* context);
   std::optional<Step> step(Parser::StepContext* context);
 
   // environments: build_environment.cpp

@@ -85,18 +85,38 @@ ModuleUnit Builder::module_unit(Parser::ModuleUnitContext* context) {
 }
 
 void Builder::add_heading(ModuleUnit& module, Parser::HeadingContext* context) {
-  if (context->DESCRIPTION() != nullptr) {
-    module.descriptions.push_back(text(context->STRING()));
+  if (auto* c = dynamic_cast<Parser::ModuleDescriptionContext*>(context)) {
+    module.descriptions.push_back(text(c->STRING()));
+    return;
+  }
+  auto* c = dynamic_cast<Parser::ActivityContext*>(context);
+  if (c == nullptr) {
+    add_sensor_slot(module.sensor, context);
     return;
   }
   ActivityHeading activity;
-  activity.name = name(context->activityName());
-  activity.where = span(context);
-  for (auto* access : context->access()) {
+  activity.name = name(c->activityName());
+  activity.where = span(c);
+  for (auto* access : c->access()) {
     auto& list = access->READS() != nullptr ? activity.reads : activity.writes;
     for (auto& message : names(access->name())) list.push_back(std::move(message));
   }
   module.activities.push_back(std::move(activity));
+}
+
+void Builder::add_sensor_slot(SensorTemplate& sensor, Parser::HeadingContext* context) {
+  const auto add = [&](std::optional<NameSlot>& slot, Parser::NamesContext* listed) {
+    if (!slot) slot = NameSlot{{}, span(context)};
+    for (auto& name : names(listed)) slot->names.push_back(std::move(name));
+  };
+  if (!sensor.where.valid()) sensor.where = span(context);
+  if (auto* c = dynamic_cast<Parser::RequiredDriversContext*>(context)) {
+    add(sensor.drivers, c->names());
+  } else if (auto* r = dynamic_cast<Parser::ReturnedContext*>(context)) {
+    add(sensor.returns, r->names());
+  } else if (auto* m = dynamic_cast<Parser::SensorMethodsContext*>(context)) {
+    for (auto& text : texts(m->strings())) sensor.methods.push_back(std::move(text));
+  }
 }
 
 }  // namespace pal::syntax

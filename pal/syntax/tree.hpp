@@ -52,12 +52,27 @@ struct ActivityHeading {
   SourceSpan where;
 };
 
+/// A slot of a template that lists names: SENSOR DRIVER SD1, SD2; or NONE.
+struct NameSlot {
+  std::vector<Name> names;
+  SourceSpan where;
+};
+
+/// What the template of a logical sensor says beside its description (thesis, section 2.3.5).
+struct SensorTemplate {
+  std::optional<NameSlot> drivers;
+  std::vector<std::string> methods;
+  std::optional<NameSlot> returns;
+  SourceSpan where;  // of the first slot; invalid if there is none
+};
+
 /// Kind: name … BEGIN … END
 struct ModuleUnit {
   pan::ModuleKind kind = pan::ModuleKind::skill_module;
   Name name;
   std::vector<std::string> descriptions;
   std::vector<ActivityHeading> activities;
+  SensorTemplate sensor;
   bool has_body = false;
   Statements body;
   SourceSpan where;  // from the kind to the name
@@ -101,6 +116,15 @@ struct Step {
   SourceSpan where;
 };
 
+/// What an age or a reaction is of: a condition, or what a device measures.
+struct Known {
+  struct Sample {
+    MessageName message;
+    PartyName from;
+  };
+  std::variant<Name, Sample> of;
+};
+
 struct Requirement {
   struct Response {
     MessageName event;
@@ -108,15 +132,37 @@ struct Requirement {
     Step to;
   };
   struct Age {
-    Name condition;
+    Known of;
     Step at;
+  };
+  struct Reaction {
+    Known of;
+    Step at;
+  };
+  /// AT MOST, AT LEAST, or both (BETWEEN).
+  struct Passes {
+    Step at;
+    std::optional<Duration> least;
+    std::optional<Duration> most;
+  };
+  struct Loss {
+    PartyName of;
+    int most = 0;
+    int in = 1;
+  };
+  struct Completing {
+    int code = 0;
+    SourceSpan where;
   };
   struct Load {
     std::optional<Name> processor;
   };
+  struct BusyPeriod {
+    std::optional<Name> processor;
+  };
   Name name;
-  std::variant<Response, Age, Load> measure;
-  Duration limit{};  // of a load: nanoseconds of work in a second
+  std::variant<Response, Age, Reaction, Passes, Loss, Completing, Load, BusyPeriod> measure;
+  Duration limit{};  // of a load: nanoseconds of work in a second; of passes and losses: nothing
   SourceSpan where;
 };
 

@@ -1,10 +1,14 @@
-// PAL → PAN → PAL is the identity on programs.
+// PAL → PAN → PAL, and PAL → PAN → DOT → PAN, are the identity on programs.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdint>
+#include <random>
 #include <sstream>
 #include <string>
 
 #include "pal/check/recover.hpp"
+#include "pal/pan/dot.hpp"
+#include "pal/pan/dump.hpp"
 #include "pal/syntax/print.hpp"
 #include "tests/support/random_program.hpp"
 #include "tests/unit/frontend/specification.hpp"
@@ -31,6 +35,12 @@ std::string module_of(const pan::Network& network, const std::string& name) {
   }
   std::ostringstream out;
   syntax::print(tree, out);
+  return out.str();
+}
+
+std::string dump_of(const pan::Network& network) {
+  std::ostringstream out;
+  pan::dump(network, out);
   return out.str();
 }
 
@@ -90,4 +100,76 @@ TEST_CASE("the modules of the touch skill come back from their networks") {
   const auto& other = again.specification.sketches.front();
   for (const auto& module : network.modules)
     CHECK(module_of(other, module.name) == module_of(network, module.name));
+}
+
+TEST_CASE("a module drawn as DOT is read back as the same network") {
+  constexpr std::uint64_t first_seed = 20260712;
+  for (std::uint64_t seed = first_seed; seed < first_seed + 300; ++seed) {
+    CAPTURE(seed);
+    const std::string body = test::RandomProgram(seed).module();
+    const auto checked = test::check_text(test::program_declarations + body);
+    REQUIRE(checked.specification.sketches.size() == 1);
+    const auto& network = checked.specification.sketches.front();
+    const auto module = std::find_if(network.modules.begin(), network.modules.end(),
+                                     [](const pan::Module& it) { return it.name == "SM1"; });
+    REQUIRE(module != network.modules.end());
+    const pan::ModuleId id(static_cast<std::size_t>(module - network.modules.begin()));
+    pan::DotOptions letters;
+    letters.letters = true;
+    letters.direction = pan::DotOptions::Direction::left_to_right;
+    for (const auto& options : {pan::DotOptions(), letters}) {
+      MemoryFileSystem files;
+      const std::string dot = pan::to_dot(network, id, options);
+      files.add("SM1.dot", dot);
+      files.add("a.pal", "USES \"SM1.dot\"\n" + test::program_declarations);
+      const auto again = test::check_files(files, {"a.pal"});
+      CAPTURE(body, dot);
+      REQUIRE(again.specification.sketches.size() == 1);
+      REQUIRE(module_of(again.specification.sketches.front(), "SM1") == body);
+      REQUIRE(dump_of(again.specification.sketches.front()) == dump_of(network));
+    }
+  }
+}
+
+TEST_CASE("DOT texts cut off, doubled and shuffled are survived") {
+  constexpr std::uint64_t seed = 20260713;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  const auto checked = test::check_text(test::source_file("skills_pal/touch/touch_modules.pal"));
+  const auto& network = checked.specification.sketches.front();
+  std::size_t read = 0;
+  for (int round = 0; round < 1000; ++round) {
+    std::string dot;
+    while (dot.empty()) {
+      const pan::ModuleId module(random() % network.modules.size());
+      if (!network.modules[module.index()].body.empty()) dot = pan::to_dot(network, module);
+    }
+    const auto at = [&] { return random() % dot.size(); };
+    switch (round % 5) {
+      case 0:
+        dot.resize(at());
+        break;
+      case 1:
+        dot.erase(at(), random() % 80);
+        break;
+      case 2:
+        dot.insert(at(), dot.substr(at(), random() % 200));
+        break;
+      case 3: {  // a whole line gone: a node or an edge
+        const auto end = dot.find('\n', at());
+        const auto next = end == std::string::npos ? end : dot.find('\n', end + 1);
+        if (next != std::string::npos) dot.erase(end, next - end);
+        break;
+      }
+      default:
+        for (int i = 0; i < 5; ++i) dot[at()] = static_cast<char>(1 + random() % 127);
+    }
+    MemoryFileSystem files;
+    files.add("a.dot", dot);
+    const auto result = test::check_files(files, {"a.dot"});
+    if (!result.diagnostics.has_errors()) ++read;
+    for (const auto& finding : result.diagnostics.all()) CHECK(finding.where.valid());
+  }
+  CHECK(read < 900);
+  CHECK(read > 20);
 }

@@ -5,6 +5,8 @@
 
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/simulate.hpp"
+#include "tests/support/chain_system.hpp"
+#include "tests/support/holistic.hpp"
 #include "tests/support/random_skill.hpp"
 #include "tests/support/skill.hpp"
 
@@ -69,8 +71,8 @@ void compare_with_runs(const Problem& problem, const Analysis& compositional, st
                       : run < 3 ? SimulationOptions::Times::random
                                 : SimulationOptions::Times::extremes;
       options.seed = seed * 100 + run;
-      options.until = 300 * millisecond;
-      options.max_events = 3'000;
+      options.until = 150 * millisecond;
+      options.max_events = 1'500;
       options.record = false;
       const Simulation made = simulate(machine, options);
       INFO(requirement.name << ": compositional " << verdict.bound->count() << ", run " << run);
@@ -80,26 +82,20 @@ void compare_with_runs(const Problem& problem, const Analysis& compositional, st
   }
 }
 
-template <class Text>
-void sandwich(const Text& text_of, std::uint64_t usual_rounds, std::size_t states) {
-  const std::uint64_t first = setting("PAL_SEED", 1);
-  const std::uint64_t rounds = setting("PAL_ROUNDS", usual_rounds);
-  Tally tally;
-  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
-    const std::string text = text_of(seed);
-    const auto skill = test::skill_from_text(text);
-    if (!skill->problem) continue;
-    INFO("seed " << seed << "\n" << text);
-    const Analysis compositional = analyze_compositionally(*skill->problem);
-    ++tally.programs;
-    for (const Verdict& verdict : compositional.verdicts) {
-      if (verdict.measure == Requirement::Measure::load) continue;
-      ++tally.requirements;
-      tally.bounds += verdict.bound ? 1 : 0;
-    }
-    compare_with_runs(*skill->problem, compositional, seed);
-    compare_with_exact(*skill->problem, compositional, setting("PAL_STATES", states), tally);
+void compare(const Problem& problem, std::uint64_t seed, std::size_t states, Tally& tally) {
+  const Analysis compositional = analyze_compositionally(problem);
+  ++tally.programs;
+  for (const Verdict& verdict : compositional.verdicts) {
+    if (verdict.measure == Requirement::Measure::load) continue;
+    ++tally.requirements;
+    tally.bounds += verdict.bound ? 1 : 0;
   }
+  compare_with_runs(problem, compositional, seed);
+  const std::size_t most = setting("PAL_STATES", states);
+  if (most > 0) compare_with_exact(problem, compositional, most, tally);
+}
+
+void say(const Tally& tally) {
   std::cout << tally.programs << " programs with " << tally.requirements << " timed requirements, "
             << tally.bounds << " with a compositional bound; " << tally.compared
             << " bounds compared with exact ones, " << tally.equal << " equal\n";
@@ -109,5 +105,51 @@ void sandwich(const Text& text_of, std::uint64_t usual_rounds, std::size_t state
 }  // namespace
 
 TEST_CASE("simulated, exact and compositional come in this order for skills by chance") {
-  sandwich([](std::uint64_t seed) { return test::RandomSkill(seed, 9).text(); }, 150, 1'500);
+  Tally tally;
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 100); ++seed) {
+    const std::string text = test::RandomSkill(seed, seed % 2 == 0 ? 9 : 40).text();
+    const auto skill = test::skill_from_text(text);
+    if (!skill->problem) continue;
+    INFO("seed " << seed << "\n" << text);
+    compare(*skill->problem, seed, 1'000, tally);
+  }
+  say(tally);
+}
+
+TEST_CASE("simulated, exact and compositional come in this order for chains by chance") {
+  Tally tally;
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 1'000); ++seed) {
+    const test::ChainSystem system = test::small_chains(seed);
+    INFO("seed " << seed << "\n" << test::text_of(system));
+    compare(test::problem_of(system), seed, 400, tally);
+  }
+  say(tally);
+}
+
+TEST_CASE("a system of chains has the same bounds built directly and read from PAL") {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const test::ChainSystem system = test::small_chains(seed);
+    INFO("seed " << seed << "\n" << test::text_of(system));
+    const auto skill = test::sound_skill(test::text_of(system));
+    const Analysis read = analyze_compositionally(*skill->problem);
+    const Analysis built = analyze_compositionally(test::problem_of(system));
+    REQUIRE(read.verdicts.size() == built.verdicts.size());
+    for (std::size_t r = 0; r < read.verdicts.size(); ++r)
+      CHECK(read.verdicts[r].bound == built.verdicts[r].bound);
+  }
+}
+
+TEST_CASE("bounds of chains are at or under those of the holistic analysis") {
+  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+    const test::ChainSystem system = test::random_chains(seed, test::benchmark_shape(seed));
+    const auto holistic = test::holistic(system);
+    const Analysis analysis = analyze_compositionally(test::problem_of(system));
+    for (std::size_t c = 0; c < holistic.size(); ++c) {
+      INFO("seed " << seed << " chain " << c + 1);
+      if (analysis.verdicts[c].bound && holistic[c])
+        CHECK(analysis.verdicts[c].bound->count() <= *holistic[c]);
+    }
+  }
 }

@@ -93,6 +93,29 @@ inline ChainSystem random_chains(std::uint64_t seed, const ChainShape& shape) {
   return made;
 }
 
+/// Small systems of whole milliseconds, so that much falls together: shared priorities, both kinds of
+/// processors, jitter.
+inline ChainSystem small_chains(std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  const auto below = [&engine](int n) { return static_cast<int>(engine() % static_cast<std::uint64_t>(n)); };
+  constexpr analyzer::Nanoseconds millisecond = 1'000'000;
+  ChainSystem made;
+  const int processors = 1 + below(2);
+  for (int p = 0; p < processors; ++p) made.preemptive.push_back(below(3) != 0);
+  made.latency = {0, below(2) * millisecond};
+  for (int chains = 1 + below(3); chains > 0; --chains) {
+    ChainSystem::Chain chain;
+    chain.period = (4 + below(12)) * millisecond;
+    chain.jitter = below(3) == 0 ? millisecond : 0;
+    for (int stages = 1 + below(3); stages > 0; --stages) {
+      const analyzer::Nanoseconds best = below(3) * millisecond;
+      chain.stages.push_back({below(processors), 1 + below(3), best, best + below(2) * millisecond});
+    }
+    made.chains.push_back(std::move(chain));
+  }
+  return made;
+}
+
 /// 2 to 5 processors, 2 to 8 chains of 1 to 6 stages, load 30 to 90 %.
 inline ChainShape benchmark_shape(std::uint64_t seed) {
   std::mt19937_64 engine(seed * 977 + 5);
@@ -202,7 +225,7 @@ inline std::string text_of(const ChainSystem& system) {
   std::string messages = "MESSAGE stop : SIGNAL\nDEVICE button\n";
   std::string modules;
   std::string drivers = "stop-driver";
-  std::string sensors;
+  std::string sensors = "stop-sensor";
   std::string requirements;
   std::string environment = "ENVIRONMENT cell\n  PROCESSOR idle\n";
   for (std::size_t p = 0; p < system.preemptive.size(); ++p) {
@@ -241,14 +264,36 @@ inline std::string text_of(const ChainSystem& system) {
       }
     }
   }
-  return messages + "SKILL chains\n  SENSOR DRIVER " + drivers + "\n  LOGICAL SENSOR " +
-         (sensors.empty() ? "NONE" : sensors) +
-         "\n  MACHINE CONTROLLER NONE\n  MODEL DATA NONE\n  SKILL METHOD SM1\n  COMPLETION 0 NORMAL "
-         "\"done\"\n"
-         "  COMPLETION 1 ERROR \"any other error\"\n" +
-         requirements + "END SKILL\n" + modules +
-         "Sensor Driver: stop-driver\nSkill Module: SM1\nBEGIN\n  WTM( Coordinator )\nEND\n" + environment +
-         "  PLACE SM1 ON idle PRIORITY 1\nEND ENVIRONMENT\n";
+  const std::string skill = "SKILL chains\n  SENSOR DRIVER " + drivers + "\n  LOGICAL SENSOR " + sensors + R"(
+  MACHINE CONTROLLER NONE
+  MODEL DATA NONE
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL "done"
+  COMPLETION 1 ERROR "any other error"
+)" + requirements + "END SKILL\n";
+  const std::string stop = R"(Sensor Driver: stop-driver
+BEGIN
+  WTM( stop from button )
+  TXM( stop to stop-sensor )
+END
+Logical Sensor: stop-sensor
+BEGIN
+  WTM( stop from stop-driver )
+  TXM( stop to SM1 )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  WTM( stop from stop-sensor )
+  TXM( Completion Protocol 0 )
+END
+)";
+  return messages + skill + modules + stop + environment + R"(  DEVICE button EVENT stop SPORADIC 1 ms
+  PLACE stop-driver ON idle PRIORITY 3
+  PLACE stop-sensor ON idle PRIORITY 2
+  PLACE SM1 ON idle PRIORITY 1
+END ENVIRONMENT
+)";
 }
 
 }  // namespace pal::test

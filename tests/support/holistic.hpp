@@ -73,7 +73,18 @@ inline std::vector<std::optional<analyzer::Nanoseconds>> holistic(const ChainSys
       }
       const Time done = preemptive ? window : window + task.cost;
       worst = std::max(worst, done - q * task.period + task.jitter);
-      if (done + task.jitter <= (q + 1) * task.period) break;
+      Time drained = done;  // when all that came meanwhile is done, too
+      for (bool more = !preemptive; more;) {
+        Time next = blocking + (q + 1) * task.cost;
+        for (const Task& other : tasks) {
+          if (&other == &task || other.processor != task.processor || other.priority <= task.priority)
+            continue;
+          next += (other.jitter + drained + other.period - 1) / other.period * other.cost;
+        }
+        more = next > drained && next <= longest;
+        drained = std::max(drained, next);
+      }
+      if (drained + task.jitter <= (q + 1) * task.period) break;
     }
     return worst;
   };

@@ -9,55 +9,106 @@
 
 namespace pal::test {
 
-/// The text of a skill with one sensor, one controller and a method. The same seed gives the same text.
+/// The text of a skill with one or two sensors, a controller and a method. The same seed gives the same text.
 class RandomTalk {
  public:
   explicit RandomTalk(std::uint64_t seed) : engine_(seed) {}
 
   std::string text() {
+    const bool driver = chance(3) == 0;
+    two_ = chance(3) == 0;
     std::string out = R"(DEVICE robot
 MESSAGE force : SIGNAL
+MESSAGE place : SIGNAL
+MESSAGE raw : SIGNAL
 MESSAGE motion : SIGNAL
 MESSAGE tick : SIGNAL
 CONDITION c
 CONDITION d
+CONDITION e
 SKILL s
-  LOGICAL SENSOR LS1
+)";
+    if (driver) out += "  SENSOR DRIVER SD1\n";
+    out += std::string("  LOGICAL SENSOR LS1") + (two_ ? ", LS2" : "") + R"(
   MACHINE CONTROLLER MC1
   SKILL METHOD SM1
+  CONTINGENCY 1 "lost" METHOD CM1
   COMPLETION 0 NORMAL
+  COMPLETION 1 CONTINGENCY 1
   COMPLETION 2 ERROR
 END SKILL
-Logical Sensor: LS1
-BEGIN
-  REPEAT
 )";
-    out += talk({"WTM( request force from SM1 )", "TXM( force to SM1 )"});
-    out += "  UNTIL( forever )\nEND\nMachine Controller: MC1\nBEGIN\n  REPEAT\n";
+    if (driver) {
+      out += "DEVICE probe\nSensor Driver: SD1\nBEGIN\n  REPEAT\n    WTM( request raw from LS1 )\n    TXM( request raw from probe "
+             ")\n    WTM( raw from probe )\n    TXM( raw to LS1 )\n  UNTIL( forever )\nEND\n";
+    }
+    out += "Logical Sensor: LS1\nBEGIN\n  REPEAT\n";
+    if (driver) {
+      out += talk({"WTM( request force from SM1 )", "TXM( request raw from SD1 )", "WTM( raw from SD1 )", "TXM( force to SM1 )"});
+    } else {
+      out += talk({"WTM( request force from SM1 )", "TXM( force to SM1 )"});
+    }
+    out += "  UNTIL( forever )\nEND\n";
+    if (two_) {
+      out += "Logical Sensor: LS2\nBEGIN\n  REPEAT\n";
+      out += talk({"WTM( request place from SM1 )", "TXM( place to SM1 )"}) + "  UNTIL( forever )\nEND\n";
+    }
+    out += "Machine Controller: MC1\nBEGIN\n  REPEAT\n";
     if (chance(2) != 0) out += "    WTM( tick from robot )\n";
     out += talk({"TXM( request motion from SM1 )", waits("motion", "SM1")});
-    out +=
-        "  UNTIL( forever )\nEND\nSkill Module: SM1\nBEGIN\n  WTM( Coordinator )\n  SPC( c )\n  SPC( d )\n";
-    const auto sense = [&] {
-      return talk({"TXM( request force from LS1 )", waits("force", "LS1"), "SPC( c )"});
-    };
-    const auto act = [&] {
-      return talk({"WTM( request motion from MC1 )", "TXM( motion to MC1 )", "SPC( d )"});
-    };
-    if (chance(2) != 0) {
-      out += "  CONCURRENT\n  BEGIN\n  REPEAT\n" + sense() + "  UNTIL( " +
-             (chance(2) != 0 ? "forever" : "d") + " )\n  END\n  BEGIN\n  REPEAT\n" + act() +
-             "  UNTIL( d )\n  END\n  END CONCURRENT\n";
-    } else {
-      out += "  REPEAT\n" + sense() + act() + "  UNTIL( c OR d )\n";
+    out += "  UNTIL( forever )\nEND\nContingency Module: CM1\nBEGIN\n" + talk({"WTM( request motion from MC1 )", "TXM( motion to MC1 )"}) + "END\n";
+    out += "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n  SPC( c )\n  SPC( d )\n  SPC( e = FALSE )\n";
+    switch (chance(5)) {
+      case 0:
+        out += "  REPEAT\n" + sense() + (two_ ? locate() : "") + act() + "  UNTIL( c OR d )\n";
+        break;
+      case 1:
+        out += "  CONCURRENT\n" + block("  REPEAT\n" + inner() + "  UNTIL( forever )\n") + block(looped(act(), "d")) +
+               "  END CONCURRENT\n";
+        break;
+      default:
+        out += "  CONCURRENT\n" + block(looped(sense(), chance(2) != 0 ? "forever" : "d")) +
+               (two_ ? block(looped(locate(), chance(2) != 0 ? "forever" : "e")) : "") + block(looped(act(), "d")) +
+               "  END CONCURRENT\n";
     }
-    if (chance(2) != 0)
-      out += "  CASE\n    ( c = TRUE ):\n" + act() + "    ( c = FALSE ): Do Nothing\n  END CASE\n";
+    if (chance(2) != 0) {
+      out += std::string(chance(3) == 0 ? "  RPC( c )\n" : "") + "  CASE\n    ( c = TRUE ): Execute CM1\n    ( c = FALSE ):\n" +
+             (chance(2) == 0 ? act() : "") + "  END CASE\n";
+    } else {
+      out += "  CASE\n    ( e = TRUE ): Execute CM1\n    ( e = FALSE ): Do Nothing\n  END CASE\n";
+    }
     return out + "  TXM( Completion Protocol 0 )\nEND\n";
   }
 
  private:
   int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
+
+  static std::string block(const std::string& body) { return "  BEGIN\n" + body + "  END\n"; }
+  static std::string looped(const std::string& body, const std::string& until) {
+    return "  REPEAT\n" + body + "  UNTIL( " + until + " )\n";
+  }
+
+  std::string sense() { return talk({"TXM( request force from LS1 )", waits("force", "LS1"), "SPC( c )"}); }
+  std::string locate() { return talk({"TXM( request place from LS2 )", waits("place", "LS2"), "SPC( e )"}); }
+  std::string act() {
+    if (chance(5) == 0) {
+      return "    RPC( c )\n    WTM( request motion from MC1 )\n    CASE\n    ( c = TRUE ): SPC( d = TRUE )\n    ( NOT c ): SPC( d "
+             ")\n    END CASE\n    TXM( motion to MC1 )\n";
+    }
+    return talk({"WTM( request motion from MC1 )", "TXM( motion to MC1 )", "SPC( d )"});
+  }
+  /// What a block that goes on for ever does each time.
+  std::string inner() {
+    if (chance(3) == 0) {
+      const bool within = chance(2) != 0;
+      return "    TXM( request force from LS1 )\n    WTM FIRST" + std::string(within ? " WITHIN 1 ms" : "") +
+             "\n      ( force from LS1 ): SPC( c )\n" + (two_ ? "      ( place from LS2 ): SPC( e )\n" : "") +
+             (within ? "    ELSE\n      Do Nothing\n" : "") + "    END WTM\n" +
+             (two_ ? "    TXM( request place from LS2 )\n" : "");
+    }
+    return "    CONCURRENT\n" + block(sense()) + block(two_ ? looped(locate(), chance(2) != 0 ? "forever" : "e") : "Do Nothing\n") +
+           "    END CONCURRENT\n";
+  }
 
   std::string waits(const std::string& message, const std::string& from) {
     const auto wait = "WTM( " + message + " from " + from + " )";
@@ -67,7 +118,8 @@ BEGIN
 
   /// The statements, mostly in order; now and then two change places, or one comes twice.
   std::string talk(std::vector<std::string> statements) {
-    if (chance(4) == 0) std::swap(statements[0], statements[1]);
+    const auto pick = [&] { return static_cast<std::size_t>(chance(static_cast<int>(statements.size()))); };
+    if (chance(4) == 0) std::swap(statements[pick()], statements[pick()]);
     if (chance(6) == 0) statements.push_back(statements[static_cast<std::size_t>(chance(2))]);
     std::string out;
     for (const auto& statement : statements) out += "    " + statement + "\n";
@@ -75,6 +127,7 @@ BEGIN
   }
 
   std::mt19937_64 engine_;
+  bool two_ = false;
 };
 
 }  // namespace pal::test

@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "pal/check/deadlock/simplify.hpp"
+
 namespace pal::frontend::deadlock {
 
 namespace {
@@ -39,6 +41,7 @@ class Compiler {
       std::visit([&, b = body](const auto& content) { fill(*b, here, content, step); }, here.content);
       result_.steps[index] = std::move(step);
     }
+    simplify(result_);
     return std::move(result_);
   }
 
@@ -69,11 +72,19 @@ class Compiler {
 
   void describe_channels() {
     result_.request_of.resize(network_.channels.size());
+    result_.answer_of.resize(network_.channels.size());
     for (std::size_t i = 0; i < network_.channels.size(); ++i) {
       const auto& channel = network_.channels[i];
-      if (channel.answer.valid()) result_.request_of[channel.answer.index()] = pan::ChannelId(i);
+      if (channel.answer.valid()) {
+        result_.request_of[channel.answer.index()] = pan::ChannelId(i);
+        result_.answer_of[i] = channel.answer;
+      }
       result_.from_device.push_back(is_device(channel.sender));
       result_.to_device.push_back(is_device(channel.receiver));
+      const bool is_request = network_.messages[channel.message.index()].asks_for.valid();
+      const auto* sender = std::get_if<pan::ModuleId>(&channel.sender);
+      result_.command.push_back(!is_request && sender != nullptr && *sender == network_.main &&
+                                !result_.to_device.back());
     }
     result_.bit.resize(network_.conditions.size());
   }
@@ -113,8 +124,6 @@ class Compiler {
 
   bool passed_over(const pan::Content& content) const {
     if (const auto* until = std::get_if<pan::Until>(&content)) return !until->guard;
-    if (const auto* read = std::get_if<pan::Read>(&content)) return !counts(read->condition);
-    if (const auto* set = std::get_if<pan::Set>(&content)) return !counts(set->condition);
     if (const auto* execute = std::get_if<pan::Execute>(&content))
       return network_.modules[execute->module.index()].body.empty();
     return std::holds_alternative<pan::Start>(content) ||
@@ -122,27 +131,6 @@ class Compiler {
            std::holds_alternative<pan::Perform>(content) || std::holds_alternative<pan::Nothing>(content) ||
            std::holds_alternative<pan::Merge>(content) || std::holds_alternative<pan::Loop>(content) ||
            std::holds_alternative<pan::Join>(content);
-  }
-
-  bool counts(pan::ConditionId condition) const { return tested().at(condition.index()); }
-
-  /// Conditions that a guard reads.
-  const std::vector<bool>& tested() const {
-    if (tested_.empty()) {
-      tested_.resize(network_.conditions.size() + 1);
-      std::vector<pan::ConditionId> found;
-      for (const auto& module : network_.modules) {
-        for (const auto& n : module.body.nodes) {
-          if (const auto* choose = std::get_if<pan::Choose>(&n.content)) {
-            for (const auto& guard : choose->guards) conditions_of(guard, found);
-          }
-          if (const auto* until = std::get_if<pan::Until>(&n.content); until != nullptr && until->guard)
-            conditions_of(*until->guard, found);
-        }
-      }
-      for (const auto condition : found) tested_[condition.index()] = true;
-    }
-    return tested_;
   }
 
   /// The first step from `id` on that is one.
@@ -199,8 +187,6 @@ class Compiler {
     step.kind = Step::Kind::set;
     step.condition = set.condition;
     step.value = set.value;
-    auto& bit = result_.bit[set.condition.index()];
-    if (!bit) bit = result_.bits++;
     follow(body, here, step);
   }
 
@@ -252,7 +238,6 @@ class Compiler {
   Automata result_;
   std::deque<Body> bodies_;
   std::vector<Open> open_;
-  mutable std::vector<bool> tested_;
 };
 
 }  // namespace

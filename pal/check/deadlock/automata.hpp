@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "pal/check/deadlock/threads.hpp"
 #include "pal/check/flow.hpp"
 #include "pal/pan/network.hpp"
 
@@ -58,14 +59,19 @@ struct Automata {
   std::vector<Step> steps;
   /// Of a channel: the request that it answers.
   std::vector<std::optional<pan::ChannelId>> request_of;
+  /// Of a channel: the answer that it asks for.
+  std::vector<std::optional<pan::ChannelId>> answer_of;
   std::vector<bool> from_device;
   std::vector<bool> to_device;
+  /// What the skill method sends another module on its own account: no request.
+  std::vector<bool> command;
   /// Conditions that some test reads and some module sets; the others are FALSE for ever, or of no account.
   std::vector<std::optional<std::size_t>> bit;  // by condition
   std::size_t bits = 0;
 };
 
-/// Every module with a body that is not executed by another one is a thread.
+/// Every module with a body that is not executed by another one is a thread. Tests whose outcome makes no
+/// difference to what follows are left out, with the conditions that only they read.
 Automata automata(const pan::Network& network, const Flow& flow);
 
 /// The conditions of a guard, each once.

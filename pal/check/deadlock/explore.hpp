@@ -18,13 +18,21 @@ struct Stuck {
   bool never_asked = false;  // waits for the answer to a request that it has not sent, or not any more
 };
 
-/// A shortest run to where the skill can never complete because its method waits for ever.
+/// A shortest run (search.hpp says of what length) to where the skill can never complete because its method waits for ever.
 struct DeadEnd {
   bool total = false;   // nothing moves any more; otherwise other modules go on
   bool timely = false;  // only if some wait gives up, or a device loses an answer, at the right time
   std::vector<Deed> run;
+  std::size_t decided = 0;  // after so many deeds it can never end; what follows only brings others to a stop
   std::vector<Stuck> stuck;
   std::size_t culprit = 0;  // index in `stuck`: of the skill method
+};
+
+/// A command that is still in its slot when the skill completes, with a shortest run to there.
+struct Undelivered {
+  pan::ChannelId channel;
+  bool timely = false;
+  std::vector<Deed> run;  // the last one completes the skill
 };
 
 struct Limits {
@@ -33,15 +41,15 @@ struct Limits {
 };
 
 struct Findings {
-  bool complete = true;  // false: the limit was reached, and what was not found may be there
+  bool complete = true;  // false: a limit was reached, and what was not found may be there
+  bool overflowed = false;  // … because more requests than can be counted are open, or withdrawn and not yet answered
   std::size_t states = 0;
   std::optional<DeadEnd> total;
   std::optional<DeadEnd> partial;       // not if `total` says as much
   std::vector<pan::ChannelId> untaken;  // some run puts a message there, none ever takes one
+  std::vector<Undelivered> undelivered;
 };
 
-/// Runs with the fewest timely moves come first, then the shortest. `reduced`: see reduction.hpp; without,
-/// every order of moves is followed (for tests).
-Findings explore(const Automata& automata, const Limits& limits = {}, bool reduced = true);
+Findings explore(const Automata& automata, const Limits& limits = {});
 
 }  // namespace pal::frontend::deadlock

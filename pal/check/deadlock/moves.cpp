@@ -17,7 +17,23 @@ char16_t word(std::size_t value) {
 
 }  // namespace
 
-Moves::Moves(const Automata& automata) : automata_(automata) {
+bool is_talk(const Deed& deed) {
+  switch (deed.kind) {
+    case Deed::Kind::takes:
+    case Deed::Kind::sends:
+    case Deed::Kind::discards:
+    case Deed::Kind::gives_up:
+    case Deed::Kind::loses:
+      return true;
+    default:
+      return false;
+  }
+}
+
+Moves::Moves(const Automata& automata)
+    : automata_(automata),
+      to_be_read_(conditions_to_be_read(automata)),
+      latches_to_be_read_(latches_to_be_read(automata)) {
   bit_words_ = (automata.bits + 15) / 16;
   channels_ = automata.threads.size();
   values_ = channels_ + 2 * automata.request_of.size();
@@ -72,6 +88,12 @@ int Moves::open(const State& state, pan::ChannelId request) const {
   return slot(state, request).open;
 }
 
+std::optional<std::size_t> Moves::owner(const State& state, pan::ChannelId request) const {
+  const auto of = slot(state, request);
+  if (of.open == 0 || of.owner == 0) return std::nullopt;
+  return static_cast<std::size_t>(of.owner - 1);
+}
+
 State Moves::first() const {
   State state(words_, 0);
   for (std::size_t t = 0; t < automata_.threads.size(); ++t) state[t] = nowhere;
@@ -81,10 +103,35 @@ State Moves::first() const {
     arrive({{}, state, false, false}, t, automata_.threads[t].first, begun);
     state = std::move(begun.front().state);
   }
+  forget(state);
   return state;
 }
 
 void Moves::of(const State& state, std::size_t thread, std::vector<Move>& result) const {
+  const auto before = result.size();
+  steps_of(state, thread, result);
+  for (auto i = before; i < result.size(); ++i) forget(result[i].state);
+}
+
+void Moves::forget(State& state) const {
+  for (std::size_t w = 0; w < bit_words_; ++w) {
+    unsigned needed = 0;
+    for (std::size_t t = 0; t < automata_.threads.size(); ++t) {
+      if (!active(state, t)) continue;
+      const auto step = static_cast<std::size_t>(state[t] & ~finishing_flag);
+      needed |= to_be_read_.word(step, w);
+      const auto mask = static_cast<unsigned>(latches_to_be_read_.word(step, w));
+      auto& known = state[latched(t) + w];
+      known = static_cast<char16_t>(known & mask);
+      auto& value = state[latched(t) + bit_words_ + w];
+      value = static_cast<char16_t>(value & known);
+    }
+    auto& values = state[values_ + w];
+    values = static_cast<char16_t>(values & needed);
+  }
+}
+
+void Moves::steps_of(const State& state, std::size_t thread, std::vector<Move>& result) const {
   if (!active(state, thread)) return;
   const auto& step = at(state, thread);
   switch (step.kind) {
@@ -190,6 +237,31 @@ void Moves::after_blocks(Move move, std::size_t parent, std::vector<Move>& resul
   result.push_back(std::move(move));
 }
 
+/// A block that is cancelled may finish its statement. What it asks for or has asked for itself is withdrawn at once, so that
+/// finishing such a statement is as good as stopping.
+bool Moves::may_have_begun(const State& state, std::size_t thread) const {
+  const auto& step = at(state, thread);
+  const auto asked_here = [&](pan::ChannelId answer) {
+    const auto& request = automata_.request_of[answer.index()];
+    if (!request || automata_.from_device[answer.index()]) return false;
+    return owner(state, *request) == thread && open(state, *request) > (full(state, *request) ? 1 : 0);
+  };
+  switch (step.kind) {
+    case Step::Kind::set:
+      return true;
+    case Step::Kind::send: {
+      const auto request = step.channels.front();
+      const bool asks = automata_.answer_of[request.index()] && !automata_.to_device[request.index()];
+      return !asks || (open(state, request) > 0 && owner(state, request) != thread);
+    }
+    case Step::Kind::wait:
+      return std::any_of(step.channels.begin(), step.channels.end(),
+                         [&](pan::ChannelId c) { return can_take(state, c) && !asked_here(c); });
+    default:
+      return false;
+  }
+}
+
 /// Every block of `parent` stops, or finishes what it may have begun.
 void Moves::cancel(Move move, std::size_t parent, std::vector<Move>& result) const {
   const auto& blocks = automata_.threads[parent].children;
@@ -199,12 +271,9 @@ void Moves::cancel(Move move, std::size_t parent, std::vector<Move>& result) con
     Move begun = move;
     begun.state[block] |= finishing_flag;
     if (step.kind == Step::Kind::join) return cancel(std::move(begun), block, result);
-    const bool may_have_begun = step.kind == Step::Kind::send || step.kind == Step::Kind::set ||
-                                (step.kind == Step::Kind::wait &&
-                                 std::any_of(step.channels.begin(), step.channels.end(),
-                                             [&](pan::ChannelId c) { return can_take(move.state, c); }));
+    const bool begins = may_have_begun(move.state, block);
     // Stopping may let the parent go on, which ends the matter; otherwise the next block is cancelled.
-    if (may_have_begun) cancel(std::move(begun), parent, result);
+    if (begins) cancel(std::move(begun), parent, result);
     return stop(std::move(move), block, result);
   }
   // All are cancelled already; a parent that is itself cancelled hands on to its siblings.
@@ -245,12 +314,9 @@ void Moves::withdraw(State& state, pan::ChannelId request) const {
     asked.open = 0;
     return put_slot(state, request, asked);
   }
-  pan::ChannelId back{};
-  for (std::size_t c = 0; c < automata_.request_of.size(); ++c) {
-    if (automata_.request_of[c] == request) back = pan::ChannelId(c);
-  }
-  if (!back.valid()) return;
-  auto answer = slot(state, back);
+  const auto& back = automata_.answer_of[request.index()];
+  if (!back) return;
+  auto answer = slot(state, *back);
   for (; asked.open > 0; --asked.open) {
     if (asked.full) {
       asked.full = false;
@@ -261,7 +327,14 @@ void Moves::withdraw(State& state, pan::ChannelId request) const {
     }
   }
   put_slot(state, request, asked);
-  put_slot(state, back, answer);
+  put_slot(state, *back, answer);
+}
+
+State Moves::without_request(const State& state, pan::ChannelId request) const {
+  State result = state;
+  withdraw(result, request);
+  forget(result);
+  return result;
 }
 
 void Moves::abandon(State& state, std::size_t thread) const {
@@ -306,13 +379,10 @@ void Moves::send(const State& state, std::size_t thread, const Step& step, std::
   const auto index = static_cast<std::size_t>(&step - automata_.steps.data());
   const auto channel = step.channels.front();
   auto of = slot(state, channel);
-  pan::ChannelId back{};
-  for (std::size_t c = 0; c < automata_.request_of.size(); ++c) {
-    if (automata_.request_of[c] == channel) back = pan::ChannelId(c);
-  }
+  const bool asks = automata_.answer_of[channel.index()].has_value();
   Move move{{Deed::Kind::sends, thread, index, channel}, state, false, false};
   if (automata_.to_device[channel.index()]) {
-    if (back.valid()) {
+    if (asks) {
       // One in the slot, one being served, one answer not taken: with one more an answer is lost.
       constexpr int most = 3;
       if (of.open == most) {
@@ -337,7 +407,7 @@ void Moves::send(const State& state, std::size_t thread, const Step& step, std::
     return stop(std::move(move), thread, result);
   }
   of.full = true;
-  if (back.valid()) {
+  if (asks) {
     ++of.open;
     of.owner = static_cast<int>(thread) + 1;
   }

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "pal/check/deadlock/automata.hpp"
+#include "pal/check/deadlock/relevance.hpp"
 
 namespace pal::frontend::deadlock {
 
-/// A state of all threads, slots and conditions, as words; Moves knows which is which.
+/// A state of all threads, slots and conditions, as words; Moves knows which is which. What no step to come reads is
+/// forgotten: conditions and latches that only the past has read are FALSE.
 using State = std::u16string;
 
 /// What one move does.
@@ -36,7 +38,12 @@ struct Deed {
   pan::ChannelId channel{};
   bool value = false;      // sets, latches
   std::size_t branch = 0;  // finds
+
+  friend bool operator==(const Deed&, const Deed&) = default;
 };
+
+/// Something is said, heard or given up.
+bool is_talk(const Deed& deed);
 
 struct Move {
   Deed deed;
@@ -47,6 +54,8 @@ struct Move {
 
 class Moves {
  public:
+  static constexpr char16_t nowhere = 0xffff;  // of a thread that is not there
+
   explicit Moves(const Automata& automata);
 
   State first() const;
@@ -60,12 +69,15 @@ class Moves {
   bool finishing(const State& state, std::size_t thread) const;
   bool full(const State& state, pan::ChannelId channel) const;
   int open(const State& state, pan::ChannelId request) const;
+  /// The thread that asked last, if the request is open.
+  std::optional<std::size_t> owner(const State& state, pan::ChannelId request) const;
+  /// What is left when the request is withdrawn.
+  State without_request(const State& state, pan::ChannelId request) const;
   std::size_t words() const { return words_; }
   /// Something was counted that is too large for a state; what was found may not be all.
   bool overflowed() const { return overflowed_; }
 
  private:
-  static constexpr char16_t nowhere = 0xffff;
   struct Slot {
     bool full = false;
     int open = 0;      // requests neither answered nor withdrawn
@@ -79,6 +91,9 @@ class Moves {
   void set_bit(State& state, std::size_t base, std::size_t index, bool value) const;
   std::size_t latched(std::size_t thread) const;
 
+  void forget(State& state) const;
+  void steps_of(const State& state, std::size_t thread, std::vector<Move>& result) const;
+  bool may_have_begun(const State& state, std::size_t thread) const;
   void take(State& state, pan::ChannelId channel) const;
   void withdraw(State& state, pan::ChannelId request) const;
   void abandon(State& state, std::size_t thread) const;
@@ -97,12 +112,43 @@ class Moves {
   void test(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const;
 
   const Automata& automata_;
+  StepSets to_be_read_;
+  StepSets latches_to_be_read_;
   std::size_t channels_ = 0;  // where slots begin
   std::size_t values_ = 0;    // … the conditions' values
   std::size_t latches_ = 0;   // … what each thread has latched: masks, then values
   std::size_t bit_words_ = 0;
   std::size_t words_ = 0;
   mutable bool overflowed_ = false;
+};
+
+/// The moves of every thread in one state, found when they are asked for.
+class Enabled {
+ public:
+  Enabled(const Moves& moves, const State& state, std::size_t threads)
+      : moves_(moves), state_(state), found_(threads), is_found_(threads, false) {}
+
+  std::size_t size() const { return found_.size(); }
+  const std::vector<Move>& operator[](std::size_t thread) const {
+    if (!is_found_[thread]) {
+      is_found_[thread] = true;
+      moves_.of(state_, thread, found_[thread]);
+    }
+    return found_[thread];
+  }
+  Threads can_move() const {
+    Threads result;
+    for (std::size_t t = 0; t < size(); ++t) {
+      if (!(*this)[t].empty()) result.set(t);
+    }
+    return result;
+  }
+
+ private:
+  const Moves& moves_;
+  const State& state_;
+  mutable std::vector<std::vector<Move>> found_;
+  mutable std::vector<bool> is_found_;
 };
 
 }  // namespace pal::frontend::deadlock

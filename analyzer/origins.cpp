@@ -1,0 +1,129 @@
+#include "analyzer/origins.hpp"
+
+#include <algorithm>
+
+namespace pal::analyzer {
+
+using trace::Kind;
+
+Origins::Origins(const Problem& problem, const Requirement& requirement, const trace::Trace& run)
+    : problem_(problem),
+      requirement_(requirement),
+      run_(run),
+      threads_(problem.threads.size()),
+      requests_(problem.channels.size()),
+      conditions_(problem.conditions.size()),
+      sets_(problem.conditions.size()) {
+  if (requirement.condition >= 0) conditions_[static_cast<std::size_t>(requirement.condition)].number = 0;
+  for (std::size_t e = 0; e < run.events.size(); ++e) follow(e);
+}
+
+bool Origins::is_source(int channel) const {
+  const std::vector<int>& samples = requirement_.samples;
+  return channel == requirement_.event || std::find(samples.begin(), samples.end(), channel) != samples.end();
+}
+
+Origin Origins::birth(std::size_t event) {
+  births_.push_back({run_.events[event].time_ns, event, static_cast<int>(births_.size()) + 1});
+  return births_.back();
+}
+
+const Origin& Origins::known(int thread) const {
+  static const Origin nothing;
+  const std::vector<Gained>& all = threads_[static_cast<std::size_t>(thread)];
+  return all.empty() ? nothing : all.back().what;
+}
+
+void Origins::gain(int thread, std::size_t event, const Origin& what) {
+  const bool of_samples = !requirement_.samples.empty();
+  if (what.number < 0 || (of_samples && what.number <= known(thread).number)) return;
+  threads_[static_cast<std::size_t>(thread)].push_back({event, what});
+}
+
+void Origins::follow(std::size_t index) {
+  const trace::Event& event = run_.events[index];
+  const int threads = static_cast<int>(problem_.threads.size());
+  const bool device = event.actor >= threads;
+  const std::pair<int, int> message{event.subject, event.value};
+  switch (event.kind) {
+    case Kind::block: {
+      // The blocks of a CONCURRENT begin with what their parent has.
+      const bool forks = event.subject < 0 && event.actor >= 0 && !device;
+      for (int block = 0; forks && block < threads; ++block) {
+        if (problem_.threads[static_cast<std::size_t>(block)].parent != event.actor) continue;
+        threads_[static_cast<std::size_t>(block)].push_back({index, known(event.actor)});
+      }
+      return;
+    }
+    case Kind::put: {
+      puts_[message] = index;
+      if (!device) {
+        messages_[message] = known(event.actor);
+        return;
+      }
+      const int request = problem_.channels[static_cast<std::size_t>(event.subject)].answers;
+      const bool born_now = is_source(event.subject) && request < 0;
+      messages_[message] = born_now       ? birth(index)
+                           : request >= 0 ? requests_[static_cast<std::size_t>(request)]
+                                          : Origin{};
+      return;
+    }
+    case Kind::take: {
+      const Origin carried = messages_[message];
+      if (!device) {
+        if (puts_.contains(message)) put_of_[index] = puts_[message];
+        gain(event.actor, index, carried);
+        return;
+      }
+      const int answer = problem_.channels[static_cast<std::size_t>(event.subject)].answer;
+      Origin& request = requests_[static_cast<std::size_t>(event.subject)];
+      const bool sample = answer >= 0 && !requirement_.samples.empty() && is_source(answer);
+      request = sample ? birth(index) : requirement_.event >= 0 ? carried : Origin{};
+      return;
+    }
+    case Kind::set: {
+      const auto condition = static_cast<std::size_t>(event.subject);
+      sets_[condition] = index;
+      if (event.subject == requirement_.condition) conditions_[condition] = birth(index);
+      if (!requirement_.samples.empty()) conditions_[condition] = known(event.actor);
+      return;
+    }
+    case Kind::read: {
+      const auto condition = static_cast<std::size_t>(event.subject);
+      set_of_[index] = sets_[condition];
+      const bool watched = event.subject == requirement_.condition || !requirement_.samples.empty();
+      if (watched) gain(event.actor, index, conditions_[condition]);
+      return;
+    }
+    default:
+      return;
+  }
+}
+
+std::optional<Gained> Origins::gained(int thread, std::size_t before) const {
+  const std::vector<Gained>& all = threads_[static_cast<std::size_t>(thread)];
+  for (std::size_t i = all.size(); i-- > 0;) {
+    if (all[i].event > before) continue;
+    return all[i].what.number < 0 ? std::nullopt : std::optional(all[i]);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> Origins::put_of(std::size_t take) const {
+  const auto found = put_of_.find(take);
+  return found == put_of_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<std::size_t> Origins::set_of(std::size_t read) const {
+  const auto found = set_of_.find(read);
+  return found == set_of_.end() ? std::nullopt : found->second;
+}
+
+std::optional<Origin> Origins::next_birth(Nanoseconds born) const {
+  for (const Origin& each : births_) {
+    if (each.born > born) return each;
+  }
+  return std::nullopt;
+}
+
+}  // namespace pal::analyzer

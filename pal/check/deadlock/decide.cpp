@@ -1,0 +1,254 @@
+#include "pal/check/deadlock/decide.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include "pal/check/deadlock/dead.hpp"
+#include "pal/check/deadlock/search.hpp"
+
+namespace pal::frontend::deadlock {
+
+namespace {
+
+constexpr std::uint32_t none = 0xffffffff;
+
+struct Node {
+  const State* state = nullptr;
+  std::uint32_t index = none;    // in the order of the search; none: not begun
+  std::uint32_t lowlink = none;  // … the first of its component that is known
+  std::uint32_t component = none;
+  Threads chosen;       // whose moves from here are followed
+  Threads followed;     // … and on the way to the states that are kept after it
+  Threads moved;        // some run from here moves them
+  bool leaves = false;  // to another component
+};
+
+struct Successor {
+  std::uint32_t to = 0;
+  Threads moved;
+};
+
+/// Moves that follow one another without an alternative.
+struct Chain {
+  std::uint32_t to = none;
+  Threads followed;
+  Threads moved;
+  bool ended = false;
+};
+
+struct Frame {
+  std::uint32_t node = 0;
+  std::vector<Successor> successors;
+  std::size_t next = 0;
+};
+
+/// Depth first, with Tarjan's strong components: what is left out must not be left out for ever, so of a component that no run
+/// leaves every move is followed somewhere (Valmari).
+class Decider {
+ public:
+  Decider(const Automata& automata, const Moves& moves, const Independence& independence, std::size_t most)
+      : automata_(automata), moves_(moves), independence_(independence), most_(most) {
+    const auto channels = automata.request_of.size();
+    result_.put.resize(channels);
+    result_.taken.resize(channels);
+    result_.undelivered.resize(channels);
+  }
+
+  Decision run() {
+    begin(node_of(moves_.first()));
+    while (!frames_.empty() && result_.complete) {
+      auto& frame = frames_.back();
+      if (frame.next < frame.successors.size()) {
+        follow(frame.node, frame.successors[frame.next++]);
+      } else {
+        leave();
+      }
+      if (nodes_.size() > most_ || moves_.overflowed()) result_.complete = false;
+    }
+    result_.states = nodes_.size();
+    return std::move(result_);
+  }
+
+ private:
+  std::uint32_t node_of(State state) {
+    const auto [entry, fresh] = seen_.emplace(std::move(state), static_cast<std::uint32_t>(nodes_.size()));
+    if (fresh) {
+      nodes_.emplace_back();
+      nodes_.back().state = &entry->first;
+    }
+    return entry->second;
+  }
+
+  void begin(std::uint32_t id) {
+    {
+      auto& node = nodes_[id];
+      node.index = node.lowlink = count_++;
+    }
+    stack_.push_back(id);
+    const State& state = *nodes_[id].state;
+    const Enabled enabled(moves_, state, automata_.threads.size());
+    const auto chosen = choose(independence_, state, enabled, {});
+    if (chosen.none()) result_.total = true;
+    frames_.push_back({id, {}, 0});
+    add_successors(chosen, enabled);
+  }
+
+  /// To the frame on top.
+  void add_successors(const Threads& chosen, const Enabled& enabled) {
+    const auto id = frames_.back().node;
+    nodes_[id].chosen |= chosen;
+    for (std::size_t t = 0; t < enabled.size(); ++t) {
+      if (!chosen.test(t)) continue;
+      for (const auto& move : enabled[t]) add_successor(id, move);
+    }
+  }
+
+  void add_successor(std::uint32_t from, const Move& move) {
+    note(*nodes_[from].state, move);
+    nodes_[from].followed.set(move.deed.thread);
+    if (move.ended) {
+      nodes_[from].leaves = true;
+      nodes_[from].moved.set();
+      return;
+    }
+    const auto& chain = chain_from(move.state, move.deed.thread);
+    nodes_[from].followed |= chain.followed;
+    if (chain.ended) {
+      nodes_[from].leaves = true;
+      nodes_[from].moved.set();
+      return;
+    }
+    Successor successor{chain.to, chain.moved};
+    add_moved(*nodes_[from].state, move, successor.moved);
+    frames_.back().successors.push_back(successor);
+  }
+
+  /// Follows what comes next without an alternative: the states in between are not kept.
+  const Chain& chain_from(const State& first, std::size_t thread) {
+    constexpr std::size_t most_at_once = 100;
+    const auto [entry, fresh] = chains_.emplace(first, Chain());
+    auto& chain = entry->second;
+    if (!fresh) return chain;
+    State state = first;
+    for (std::size_t i = 0; i < most_at_once; ++i) {
+      const Enabled enabled(moves_, state, automata_.threads.size());
+      const auto chosen = choose(independence_, state, enabled, {}, thread);
+      if (chosen.count() != 1) break;
+      for (thread = 0; !chosen.test(thread);) ++thread;
+      if (enabled[thread].size() != 1) break;
+      const auto& move = enabled[thread].front();
+      note(state, move);
+      chain.followed.set(thread);
+      add_moved(state, move, chain.moved);
+      chain.ended = move.ended;
+      if (chain.ended) return chain;
+      state = State(move.state);
+    }
+    chain.to = node_of(std::move(state));
+    return chain;
+  }
+
+  void add_moved(const State& before, const Move& move, Threads& moved) const {
+    moved.set(move.deed.thread);
+    for (std::size_t t = 0; t < automata_.threads.size(); ++t) {
+      if (before[t] != move.state[t]) moved.set(t);
+    }
+  }
+
+  void note(const State& state, const Move& move) {
+    const auto channel = move.deed.channel;
+    if (move.deed.kind == Deed::Kind::sends) result_.put[channel.index()] = true;
+    if (move.deed.kind == Deed::Kind::takes) result_.taken[channel.index()] = true;
+    if (move.deed.kind != Deed::Kind::completes) return;
+    for (std::size_t c = 0; c < automata_.command.size(); ++c) {
+      if (automata_.command[c] && moves_.full(state, pan::ChannelId(c))) result_.undelivered[c] = true;
+    }
+  }
+
+  void follow(std::uint32_t from, const Successor& successor) {
+    nodes_[from].moved |= successor.moved;
+    const auto to = successor.to;
+    if (nodes_[to].index == none) return begin(to);
+    join(from, to);
+  }
+
+  /// After `to` is known: its component is complete, or it is one with that of `from`.
+  void join(std::uint32_t from, std::uint32_t to) {
+    nodes_[from].moved |= nodes_[to].moved;
+    if (nodes_[to].component != none) {
+      nodes_[from].leaves = true;
+    } else {
+      nodes_[from].lowlink = std::min(nodes_[from].lowlink, nodes_[to].lowlink);
+      nodes_[from].leaves = nodes_[from].leaves || nodes_[to].leaves;
+    }
+  }
+
+  /// The frame on top has no more to follow.
+  void leave() {
+    const auto id = frames_.back().node;
+    if (nodes_[id].lowlink == nodes_[id].index) {
+      if (!nodes_[id].leaves && extend(id)) return;
+      complete_component(id);
+    }
+    frames_.pop_back();
+    if (!frames_.empty() && frames_.back().node != id) join(frames_.back().node, id);
+  }
+
+  /// A component that no run leaves: follows what it has left out, if there is something.
+  bool extend(std::uint32_t root) {
+    const auto begin_of = first_of(root);
+    Threads followed;
+    for (auto i = begin_of; i < stack_.size(); ++i) followed |= nodes_[stack_[i]].followed;
+    for (auto i = begin_of; i < stack_.size(); ++i) {
+      const auto id = stack_[i];
+      const Enabled enabled(moves_, *nodes_[id].state, automata_.threads.size());
+      if ((enabled.can_move() & ~followed).none()) continue;
+      frames_.push_back({id, {}, 0});
+      add_successors(enabled.can_move() & ~nodes_[id].chosen, enabled);
+      return true;
+    }
+    return false;
+  }
+
+  /// Where the component begins on the stack.
+  std::size_t first_of(std::uint32_t root) const {
+    auto at = stack_.size();
+    while (at > 0 && nodes_[stack_[at - 1]].index >= nodes_[root].index) --at;
+    return at;
+  }
+
+  void complete_component(std::uint32_t root) {
+    const auto begin_of = first_of(root);
+    Threads moved;
+    for (auto i = begin_of; i < stack_.size(); ++i) moved |= nodes_[stack_[i]].moved;
+    for (auto i = begin_of; i < stack_.size(); ++i) {
+      auto& node = nodes_[stack_[i]];
+      node.component = root;
+      node.moved = moved;
+      const auto never_moves = [&](std::size_t thread) { return !moved.test(thread); };
+      result_.partial = result_.partial || dead(automata_, moves_, *node.state, 0, never_moves);
+    }
+    stack_.resize(begin_of);
+  }
+
+  const Automata& automata_;
+  const Moves& moves_;
+  const Independence& independence_;
+  std::size_t most_;
+  std::unordered_map<State, std::uint32_t> seen_;
+  std::unordered_map<State, Chain> chains_;  // by the state that they begin in
+  std::vector<Node> nodes_;
+  std::vector<Frame> frames_;
+  std::vector<std::uint32_t> stack_;
+  std::uint32_t count_ = 0;
+  Decision result_;
+};
+
+}  // namespace
+
+Decision decide(const Automata& automata, const Moves& moves, const Independence& independence, std::size_t most_states) {
+  return Decider(automata, moves, independence, most_states).run();
+}
+
+}  // namespace pal::frontend::deadlock

@@ -1,0 +1,45 @@
+// What the steps that can still come make of a thread's past: which conditions will be read, and what will be used.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "pal/check/deadlock/automata.hpp"
+
+namespace pal::frontend::deadlock {
+
+/// Sets of numbers below a size, one a step; as wide as they must be.
+class StepSets {
+ public:
+  StepSets(std::size_t steps, std::size_t size) : words_((size + 15) / 16), bits_(steps * words_, 0) {}
+
+  bool has(std::size_t step, std::size_t index) const {
+    return (bits_[step * words_ + index / 16] >> index % 16 & 1) != 0;
+  }
+  void add(std::size_t step, std::size_t index) {
+    auto& word = bits_[step * words_ + index / 16];
+    word = static_cast<char16_t>(word | 1U << index % 16);
+  }
+  /// Sixteen numbers at a time.
+  char16_t word(std::size_t step, std::size_t word) const { return bits_[step * words_ + word]; }
+  std::size_t words() const { return words_; }
+  /// Adds to `step` what `from` has and `without` has not. True: there was something to add.
+  bool join(std::size_t step, std::size_t from, const StepSets* without = nullptr);
+
+ private:
+  std::size_t words_;
+  std::vector<char16_t> bits_;
+};
+
+/// By step: the conditions (by bit) whose value some run of the thread from there on reads before it sets it.
+StepSets conditions_to_be_read(const Automata& automata);
+
+/// By step: the conditions (by bit) that the next test from there on reads without reading them anew.
+StepSets latches_to_be_read(const Automata& automata);
+
+/// Adds to every step what the steps that can follow it have: those of blocks that it begins, and after a
+/// CONCURRENT what follows that.
+void close_over_future(const Automata& automata, StepSets& sets);
+
+}  // namespace pal::frontend::deadlock

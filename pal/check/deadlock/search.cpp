@@ -1,0 +1,141 @@
+#include "pal/check/deadlock/search.hpp"
+
+#include <algorithm>
+#include <queue>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+namespace pal::frontend::deadlock {
+
+namespace {
+
+constexpr std::uint32_t none = 0xffffffff;
+
+struct Node {
+  const State* state = nullptr;  // none: the goal
+  std::uint32_t from = none;
+  Length length;
+  Deed deed;
+  bool done = false;
+};
+
+class Searcher {
+ public:
+  Searcher(const Moves& moves, const Independence& independence, std::size_t threads, const Goal& goal, std::size_t most)
+      : moves_(moves), independence_(independence), threads_(threads), goal_(goal), most_(most) {}
+
+  Found run(const State& from) {
+    reach(from, none, {}, {});
+    while (!open_.empty()) {
+      const auto at = std::get<1>(open_.top());
+      open_.pop();
+      if (nodes_[at].done) continue;
+      nodes_[at].done = true;
+      if (nodes_[at].state == nullptr) return {way_to(at, goal_state_), true};
+      if (nodes_.size() > most_) return {std::nullopt, false};
+      const Enabled enabled(moves_, *nodes_[at].state, threads_);
+      if (goal_.state && goal_.state(*nodes_[at].state, enabled)) return {way_to(at, *nodes_[at].state), true};
+      expand(at, enabled);
+    }
+    return {};
+  }
+
+ private:
+  void reach(const State& state, std::uint32_t from, const Length& length, const Deed& deed) {
+    const auto [entry, fresh] = seen_.emplace(state, static_cast<std::uint32_t>(nodes_.size()));
+    if (fresh) {
+      nodes_.push_back({&entry->first, from, length, deed, false});
+    } else {
+      auto& node = nodes_[entry->second];
+      if (node.done || node.length <= length) return;
+      node.from = from;
+      node.length = length;
+      node.deed = deed;
+    }
+    open_.emplace(length, entry->second);
+  }
+
+  void reach_goal(const State& state, std::uint32_t from, const Length& length, const Deed& deed) {
+    if (goal_node_ != none && nodes_[goal_node_].length <= length) return;
+    goal_node_ = static_cast<std::uint32_t>(nodes_.size());
+    goal_state_ = state;
+    nodes_.push_back({nullptr, from, length, deed, false});
+    open_.emplace(length, goal_node_);
+  }
+
+  void expand(std::uint32_t at, const Enabled& enabled) {
+    const State& state = *nodes_[at].state;
+    const auto needed = goal_.needed ? goal_.needed(state, enabled) : Threads();
+    if (goal_.needed && needed.none()) return;
+    const auto chosen = choose(independence_, state, enabled, needed);
+    for (std::size_t t = 0; t < threads_; ++t) {
+      if (!chosen.test(t)) continue;
+      for (const auto& move : enabled[t]) {
+        const auto length = nodes_[at].length.after(move);
+        if (goal_.move && goal_.move(state, move)) {
+          reach_goal(move.state, at, length, move.deed);
+        } else if (!move.ended) {
+          reach(move.state, at, length, move.deed);
+        }
+      }
+    }
+  }
+
+  Way way_to(std::uint32_t at, const State& state) const {
+    Way way{{}, state, nodes_[at].length};
+    for (; nodes_[at].from != none; at = nodes_[at].from) way.run.push_back(nodes_[at].deed);
+    std::reverse(way.run.begin(), way.run.end());
+    return way;
+  }
+
+  const Moves& moves_;
+  const Independence& independence_;
+  std::size_t threads_;
+  const Goal& goal_;
+  std::size_t most_;
+  std::unordered_map<State, std::uint32_t> seen_;
+  std::vector<Node> nodes_;
+  using Entry = std::tuple<Length, std::uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
+  std::uint32_t goal_node_ = none;
+  State goal_state_;
+};
+
+}  // namespace
+
+Threads choose(const Independence& independence, const State& state, const Enabled& enabled, const Threads& needed,
+               std::size_t first) {
+  const auto movable = [&](const std::optional<Threads>& some) {
+    if (!some) return enabled.can_move();
+    Threads result;
+    for (std::size_t t = 0; t < enabled.size(); ++t) {
+      if (some->test(t) && !enabled[t].empty()) result.set(t);
+    }
+    return result;
+  };
+  if (needed.any()) return movable(independence.closure(state, enabled, needed));
+  // Those that wait for an event of a device come last: there is always a next one.
+  const auto is_driven = [&](std::size_t t) {
+    const auto& deed = enabled[t].front().deed;
+    return deed.kind == Deed::Kind::takes && independence.from_device(deed.channel);
+  };
+  std::optional<Threads> best;
+  for (const bool driven : {false, true}) {
+    for (std::size_t i = 0; i < enabled.size(); ++i) {
+      const auto t = (first + i) % enabled.size();
+      if (enabled[t].empty() || is_driven(t) != driven) continue;
+      const auto some = movable(independence.closure(state, enabled, Threads().set(t)));
+      if (!best || some.count() < best->count()) best = some;
+      if (best->count() == 1) return *best;
+    }
+  }
+  return best.value_or(Threads());
+}
+
+Found search(const Moves& moves, const Independence& independence, std::size_t threads, const State& from, const Goal& goal,
+             std::size_t most_states) {
+  return Searcher(moves, independence, threads, goal, most_states).run(from);
+}
+
+}  // namespace pal::frontend::deadlock

@@ -1,0 +1,14 @@
+// Sets of threads of a skill.
+#pragma once
+
+#include <bitset>
+#include <cstddef>
+
+namespace pal::frontend::deadlock {
+
+/// A skill with more threads is not searched.
+inline constexpr std::size_t most_threads = 256;
+
+using Threads = std::bitset<most_threads>;
+
+}  // namespace pal::frontend::deadlock

@@ -1,0 +1,53 @@
+// Looks for the shortest run to where a thread can never come to its end.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "pal/check/deadlock/search.hpp"
+
+namespace pal::frontend::deadlock {
+
+/// For each state and each thread on which the end of the first thread depends: some way on for it. A run to a state without one
+/// must at some time get into the way of the way on that there is now.
+class WaysOn {
+ public:
+  WaysOn(const Automata& automata, const Moves& moves, const Independence& independence, std::size_t most_states)
+      : automata_(automata), moves_(moves), independence_(independence), most_states_(most_states) {}
+
+  /// The thread can never move again.
+  bool never_moves(const State& state, std::size_t thread);
+  /// The first thread can never come to its end.
+  bool dead(const State& state);
+  /// Threads of which one must move before the first thread is dead.
+  Threads in_the_way(const State& state);
+  /// After `move` from `before` to `after` most ways are what they were.
+  void inherit(const State& before, const Move& move);
+
+  /// Some way was not found, nor found to be missing.
+  bool complete() const { return complete_; }
+
+ private:
+  struct Way {
+    std::vector<Deed> run;  // empty: there is none
+    Threads in_the_way;
+  };
+  using ByThread = std::map<std::size_t, std::shared_ptr<const Way>>;
+
+  const Way& way(const State& state, std::size_t thread);
+  bool follows(const State& state, std::size_t thread, const std::vector<Deed>& run) const;
+  std::shared_ptr<const Way> described(const State& state, std::size_t thread, std::vector<Deed> run) const;
+
+  const Automata& automata_;
+  const Moves& moves_;
+  const Independence& independence_;
+  std::size_t most_states_;
+  bool complete_ = true;
+  std::unordered_map<State, ByThread> ways_;
+};
+
+}  // namespace pal::frontend::deadlock

@@ -1,0 +1,51 @@
+// What of a module's body is drawn, and what follows what beyond the ways that the flow takes.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "pal/pan/graph.hpp"
+
+namespace pal::pan {
+
+class DotFlow {
+ public:
+  /// The CONCURRENT whose block ends somewhere, and the block's number.
+  struct Block {
+    std::size_t fork;
+    std::size_t number;
+  };
+
+  /// The body of a module; it must outlive this.
+  explicit DotFlow(const Graph& body);
+
+  /// Has the node a place in the picture? Ends of blocks have none: the bar shows them. Where no flow comes
+  /// is drawn only if a statement stands there.
+  bool drawn(std::size_t node) const { return (reached_[node] || whole_) && !ends_[node]; }
+  /// Does some flow come here?
+  bool reached(std::size_t node) const { return reached_[node]; }
+  std::optional<Block> block_ended_by(std::size_t node) const { return ends_[node]; }
+  /// Behind an UNTIL( forever ): what stands there, if that is drawn.
+  std::optional<std::size_t> behind(std::size_t until) const;
+  /// Nodes that follow each other without a branch between have one column: they are drawn on one straight
+  /// line.
+  std::size_t column(std::size_t node) const { return columns_[node]; }
+
+ private:
+  void find_ends();
+  void find_reached();
+  void find_columns();
+  bool goes_on_forever(std::size_t node) const;
+  /// What follows `until` in the text: not the next arm, but where the arms meet.
+  std::size_t next_in_text(std::size_t until) const;
+
+  const Graph& body_;
+  std::vector<std::optional<Block>> ends_;
+  std::vector<NodeId> meets_;  // of the first node of an arm, if it is not the first arm: where the arms meet
+  std::vector<bool> reached_;
+  bool whole_ = false;
+  std::vector<std::size_t> columns_;
+};
+
+}  // namespace pal::pan

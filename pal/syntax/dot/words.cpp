@@ -1,0 +1,162 @@
+#include "pal/syntax/dot/words.hpp"
+
+#include <charconv>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "PalLexer.h"
+#include "pal/pan/dump.hpp"
+#include "pal/support/diagnostic_code.hpp"
+#include "pal/syntax/parse.hpp"
+
+namespace pal::syntax {
+
+namespace {
+
+using Lexer = grammar::PalLexer;
+
+/// Longer texts are no names that anybody gave.
+constexpr std::size_t longest_shown = 60;
+
+std::string shown(const std::string& text) {
+  return text.size() <= longest_shown ? "'" + text + "'" : "this text";
+}
+
+/// What kind of token the whole text is; EOF if it is not one alone.
+std::size_t only_token(const std::string& text) {
+  antlr4::ANTLRInputStream input(text);
+  Lexer lexer(&input);
+  lexer.removeErrorListeners();
+  const auto first = lexer.nextToken();
+  const bool whole = first->getStartIndex() == 0 && lexer.nextToken()->getType() == antlr4::Token::EOF &&
+                     first->getStopIndex() + 1 == input.size();
+  return whole ? first->getType() : antlr4::Token::EOF;
+}
+
+bool opens_unit(std::size_t type) {
+  return type >= Lexer::USES && type <= Lexer::ENVIRONMENT;
+}
+bool means_something_in_places(std::size_t type) {
+  return type >= Lexer::ACTIVITY && type <= Lexer::WRITES;
+}
+
+/// PAL's own parser reads what PAL's grammar describes, inside a module made for it.
+std::optional<ModuleUnit> module_of(const std::string& text) {
+  SourceManager sources;
+  Diagnostics findings;
+  const FileId file = sources.add("attribute", "Skill Module: M\n" + text);
+  Tree tree = parse(sources, file, findings);
+  if (!tree.complete || tree.units.size() != 1) return std::nullopt;
+  auto* module = std::get_if<ModuleUnit>(&tree.units.front());
+  if (module == nullptr) return std::nullopt;
+  return std::move(*module);
+}
+
+void place(Guard& guard, SourceSpan where) {
+  guard.condition.where = where;
+  for (Guard& term : guard.terms) place(term, where);
+}
+
+}  // namespace
+
+std::vector<DotValue> dot_parts(const DotValue& value) {
+  std::vector<DotValue> result;
+  std::size_t begin = 0;
+  while (true) {
+    const std::size_t end = value.text.find(';', begin);
+    result.push_back({value.text.substr(begin, end - begin), value.where});
+    if (end == std::string::npos) return result;
+    begin = end + 1;
+  }
+}
+
+void DotWords::fail(const DotValue& at, std::string message, std::string hint) {
+  diagnostics_.report(Code::PAL0115, at.where, std::move(message), std::move(hint));
+  throw Reported{};
+}
+
+Name DotWords::name(const DotValue& from) {
+  const auto type = only_token(from.text);
+  if (type != Lexer::NAME && !opens_unit(type) && !means_something_in_places(type)) {
+    fail(from, shown(from.text) + " is no name",
+         "a name begins with a letter and goes on with letters, digits, '_' and inner hyphens; words such as "
+         "CASE name "
+         "nothing");
+  }
+  return {from.text, from.where};
+}
+
+Name DotWords::activity_name(const DotValue& from) {
+  const auto type = only_token(from.text);
+  if (opens_unit(type))
+    fail(from, shown(from.text) + " begins a unit of PAL and names no activity", "choose another name");
+  return name(from);
+}
+
+MessageName DotWords::message(const DotValue& from) {
+  constexpr std::string_view request = "request ";
+  const bool asks = from.text.starts_with(request);
+  return {asks, name({asks ? from.text.substr(request.size()) : from.text, from.where}), from.where};
+}
+
+PartyName DotWords::party(const DotValue& from) {
+  return {std::nullopt, name(from), from.where};
+}
+
+bool DotWords::truth(const DotValue& from) {
+  if (from.text == "TRUE" || from.text == "true") return true;
+  if (from.text == "FALSE" || from.text == "false") return false;
+  fail(from, shown(from.text) + " is neither TRUE nor FALSE", "write TRUE or FALSE");
+}
+
+std::int64_t DotWords::number(const DotValue& from, std::int64_t most) {
+  std::int64_t result = 0;
+  const char* end = from.text.data() + from.text.size();
+  const auto read = std::from_chars(from.text.data(), end, result);
+  if (read.ec != std::errc() || read.ptr != end || result < 0 || result > most) {
+    fail(from, shown(from.text) + " is no number that fits here",
+         "write a whole number from 0 to " + std::to_string(most));
+  }
+  return result;
+}
+
+Guard DotWords::guard(const DotValue& from) {
+  auto module = module_of("BEGIN\nREPEAT\nUNTIL( " + from.text + "\n)\nEND\n");
+  if (module && module->body.size() == 1) {
+    auto* repeat = std::get_if<Repeat>(&module->body.front().content);
+    if (repeat != nullptr && repeat->until) {
+      place(*repeat->until, from.where);
+      return std::move(*repeat->until);
+    }
+  }
+  fail(from, shown(from.text) + " is no condition of PAL", "write for example \"pc-force OR NOT pc-reach\"");
+}
+
+ActivityHeading DotWords::activity(const DotValue& from) {
+  auto module = module_of("ACTIVITY " + from.text + "\n");
+  if (!module || module->activities.size() != 1 || !module->descriptions.empty() || module->has_body) {
+    fail(from, shown(from.text) + " is no activity",
+         "write for example \"think READS force WRITES motion; look\"");
+  }
+  ActivityHeading heading = std::move(module->activities.front());
+  heading.where = from.where;
+  heading.name.where = from.where;
+  for (auto* list : {&heading.reads, &heading.writes}) {
+    for (Name& it : *list) it.where = from.where;
+  }
+  return heading;
+}
+
+pan::ModuleKind DotWords::module_kind(const DotValue& from) {
+  for (const auto kind :
+       {pan::ModuleKind::sensor_driver, pan::ModuleKind::logical_sensor, pan::ModuleKind::machine_controller,
+        pan::ModuleKind::skill_module, pan::ModuleKind::contingency_module}) {
+    if (pan::kind_text(kind) == from.text) return kind;
+  }
+  fail(from, shown(from.text) + " is no kind of module",
+       "write 'sensor driver', 'logical sensor', 'machine controller', 'skill module' or 'contingency "
+       "module'");
+}
+
+}  // namespace pal::syntax

@@ -1,0 +1,67 @@
+#include "pal/syntax/parse_dot.hpp"
+
+#include <utility>
+
+#include "pal/support/diagnostic_code.hpp"
+#include "pal/syntax/dot/contents.hpp"
+#include "pal/syntax/dot/graph.hpp"
+#include "pal/syntax/dot/structure.hpp"
+#include "pal/syntax/dot/words.hpp"
+
+namespace pal::syntax {
+
+namespace {
+
+constexpr const char* known_format = "1";
+
+void check_format(const DotGraph& graph, Diagnostics& diagnostics) {
+  const DotValue* format = graph.values.find("pal_format");
+  if (format == nullptr || format->text == known_format) return;
+  diagnostics.report(
+      Code::PAL0118, format->where, "this graph has a format that is not known here",
+      std::string("remove pal_format, or draw the graph as format ") + known_format + " has it");
+  throw Reported{};
+}
+
+ModuleUnit read_module(const DotGraph& graph, Diagnostics& diagnostics) {
+  check_format(graph, diagnostics);
+  DotWords words(diagnostics);
+  ModuleUnit unit;
+  const DotValue* name = graph.values.find("pal_module");
+  if (name == nullptr) {
+    diagnostics.report(Code::PAL0115, graph.where, "the graph does not name its module",
+                       "add pal_module=NAME to the graph");
+    throw Reported{};
+  }
+  unit.name = words.name(*name);
+  if (const DotValue* kind = graph.values.find("pal_module_kind")) unit.kind = words.module_kind(*kind);
+  unit.has_body = true;
+  unit.where = graph.where;
+  unit.end = graph.where;
+  DotContents contents = read_contents(graph, diagnostics);
+  unit.activities = std::move(contents.activities);
+  unit.body = read_structure(graph, contents, diagnostics);
+  return unit;
+}
+
+}  // namespace
+
+Tree parse_dot(const SourceManager& sources, FileId file, Diagnostics& diagnostics) {
+  const auto errors_before = diagnostics.errors();
+  Tree tree;
+  tree.file = file;
+  if (const auto graph = read_dot(sources, file, diagnostics)) {
+    if (const DotValue* uses = graph->values.find("pal_uses")) {
+      for (const DotValue& path : dot_parts(*uses)) tree.units.emplace_back(Uses{path.text, path.where, {}});
+    }
+    try {
+      tree.units.emplace_back(read_module(*graph, diagnostics));
+    } catch (const Reported&) {
+      // What is wrong has been said.
+    }
+  }
+  tree.complete = diagnostics.errors() == errors_before;
+  return tree;
+}
+
+}  // namespace pal::syntax

@@ -1,0 +1,117 @@
+// The analyzer against runs that are made without it: straight from docs/execution-model.md
+// (tests/support/all_runs.hpp).
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <iostream>
+
+#include "analyzer/exact.hpp"
+#include "tests/support/all_runs.hpp"
+#include "tests/support/any_skill.hpp"
+#include "tests/support/random_cell.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+
+namespace {
+
+constexpr Duration millisecond{1'000'000};
+
+/// PAL_SEED and PAL_ROUNDS in the environment make a run longer, or another one.
+std::uint64_t setting(const char* name, std::uint64_t usual) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? usual : std::strtoull(value, nullptr, 10);
+}
+
+struct Counts {
+  std::size_t skills = 0;
+  std::size_t timed = 0;
+  std::size_t bounded = 0;
+  std::size_t exact = 0;
+  std::size_t complete = 0;
+  std::size_t equal = 0;
+};
+
+/// `seen` of the requirement against its verdict; what contradicts, or nothing.
+std::string contradiction(const test::Seen& seen, const Verdict& verdict, int cap) {
+  const Nanoseconds greatest = seen.greatest * millisecond.count();
+  if (seen.failed && (verdict.bound || verdict.state == Verdict::State::holds))
+    return "an event stays without a response";
+  if (verdict.bound && seen.greatest <= cap && greatest > verdict.bound->count())
+    return "a run attains " + std::to_string(seen.greatest) + " ms";
+  if (verdict.state == Verdict::State::holds && greatest > verdict.limit.count())
+    return "a run exceeds the limit";
+  if (!seen.complete || !verdict.exact || seen.greatest >= cap) return {};
+  if (verdict.bound && std::max<Nanoseconds>(greatest, 0) != verdict.bound->count())
+    return "no run attains more than " + std::to_string(seen.greatest) + " ms";
+  if (!verdict.bound && !seen.failed) return "no run leaves an event without a response";
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("no run that follows the execution model exceeds what was proved") {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 60);
+  const std::uint64_t states = setting("PAL_STATES", 20'000);
+  const int longest = static_cast<int>(setting("PAL_LONGEST", 4));
+  const int walks = static_cast<int>(setting("PAL_WALKS", 40));
+  constexpr int cap = 100;
+  std::map<std::string, int> refused;
+  Counts counts;
+  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
+    const std::string text = test::RandomCell(seed, longest, static_cast<int>(seed % 3)).text();
+    const auto skill = test::any_skill(text, &refused);
+    if (!skill->problem) continue;
+    ++counts.skills;
+    const pan::Network& network = skill->specification.skills.front();
+    const pan::Environment& environment = skill->specification.environments.front();
+    Options options;
+    options.max_states = setting("PAL_CLASSES", 4'000);
+    const Analysis analysis = analyze(*skill->problem, options);
+    for (const test::Wanted& wanted : test::wanted(network, environment)) {
+      const auto found = std::find_if(analysis.verdicts.begin(), analysis.verdicts.end(),
+                                      [&](const Verdict& each) { return each.requirement == wanted.name; });
+      REQUIRE(found != analysis.verdicts.end());
+      const Verdict& verdict = *found;
+      ++counts.timed;
+      counts.bounded += verdict.bound ? 1 : 0;
+      counts.exact += verdict.exact ? 1 : 0;
+      test::AllRuns runs(network, environment, wanted, millisecond, cap);
+      test::Seen seen = runs.enumerate(verdict.exact ? states : 0);
+      std::string wrong = contradiction(seen, verdict, cap);
+      counts.complete += seen.complete ? 1 : 0;
+      counts.equal += seen.complete && verdict.exact ? 1 : 0;
+      for (int walk = 0; walk < walks && wrong.empty() && !seen.complete; ++walk) {
+        test::Lottery lottery(seed * 1000 + static_cast<std::uint64_t>(walk));
+        test::Seen one = runs.walk(lottery, 1500);
+        one.complete = false;
+        wrong = contradiction(one, verdict, cap);
+        if (wrong.empty()) continue;
+        test::Lottery again(seed * 1000 + static_cast<std::uint64_t>(walk));
+        runs.tell = true;
+        runs.walk(again, 1500);
+      }
+      if (!wrong.empty() && seen.states > 0) {
+        runs.tell = true;
+        runs.enumerate(states);
+      }
+      std::string story;
+      for (const std::string& line : runs.story) story += line + "\n";
+      INFO("seed " << seed << " " << wanted.name << ": " << name(verdict.state) << ", " << verdict.explanation
+                   << "\n"
+                   << text << story);
+      CHECK(wrong == "");
+      if (!wrong.empty())
+        std::cout << "seed " << seed << " " << wanted.name << " " << name(verdict.state) << " "
+                  << (verdict.bound ? verdict.bound->count() / 1000000 : -1)
+                  << (verdict.exact ? " exact" : "") << ": " << wrong << (seen.complete ? " (complete)" : "")
+                  << std::endl;
+    }
+  }
+  std::cout << counts.skills << " skills, " << counts.timed << " requirements, " << counts.bounded
+            << " bounded, " << counts.exact << " exact, all runs seen of " << counts.complete << ", compared "
+            << counts.equal << "\n";
+  if (std::getenv("PAL_REFUSED") != nullptr)
+    for (const auto& [what, count] : refused) std::cout << count << " " << what << "\n";
+  CHECK(counts.skills > 0);
+}
