@@ -42,7 +42,9 @@ class Analyzer {
     for (const Requirement& requirement : problem_.requirements) {
       const double before = now();
       Verdict& verdict = analysis_.verdicts.emplace_back(blank(requirement));
-      if (requirement.measure == Requirement::Measure::load) {
+      if (!fits_exploration(problem_)) {
+        verdict.explanation = "The skill has too many threads or channels for the exact analysis.";
+      } else if (requirement.measure == Requirement::Measure::load) {
         load(requirement, verdict);
       } else if (requirement.measure == Requirement::Measure::busy) {
         busy(requirement, verdict);

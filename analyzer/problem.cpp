@@ -1,5 +1,7 @@
 #include "analyzer/problem.hpp"
 
+#include <unordered_set>
+
 #include "analyzer/problem_builder.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
@@ -9,9 +11,11 @@ using namespace pan;
 
 namespace {
 
-constexpr int most_threads = 100;
+constexpr int most_threads = 20'000;
 constexpr int most_conditions = 64;
-constexpr int most_channels = 120;
+constexpr int most_channels = 40'000;
+constexpr int most_explored_threads = 100;
+constexpr int most_explored_channels = 120;
 
 }  // namespace
 
@@ -213,37 +217,35 @@ void ProblemBuilder::latencies() {
   const Interval& between = environment_.latency.between_processors;
   problem_.within_processor = {within.best.count(), within.worst.count()};
   problem_.between_processors = {between.best.count(), between.worst.count()};
+  const std::vector<std::set<int>> takers_of = takers();
   for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
-    const std::set<int> processors = processors_of(static_cast<int>(c));
+    const std::set<int>& processors = takers_of[c];
     problem_.channels[c].receiver_processors.assign(processors.begin(), processors.end());
   }
 }
 
 /// Steps that a thread can reach, its blocks' steps left out.
 std::vector<std::size_t> ProblemBuilder::steps_of(const Thread& thread) const {
-  std::vector<bool> seen(problem_.steps.size());
+  std::unordered_set<std::size_t> seen;
   std::vector<std::size_t> found;
   std::vector<int> open{thread.entry};
   while (!open.empty()) {
     const auto at = static_cast<std::size_t>(open.back());
     open.pop_back();
-    if (seen[at]) continue;
-    seen[at] = true;
+    if (!seen.insert(at).second) continue;
     found.push_back(at);
     open.insert(open.end(), problem_.steps[at].next.begin(), problem_.steps[at].next.end());
   }
   return found;
 }
 
-std::set<int> ProblemBuilder::processors_of(int channel) const {
-  std::set<int> found;
+std::vector<std::set<int>> ProblemBuilder::takers() const {
+  std::vector<std::set<int>> found(problem_.channels.size());
   for (const Thread& thread : problem_.threads) {
     for (std::size_t s : steps_of(thread)) {
       const Step& step = problem_.steps[s];
       if (step.kind != Step::Kind::wait) continue;
-      for (int c : step.channels) {
-        if (c == channel) found.insert(thread.processor);
-      }
+      for (int c : step.channels) found[static_cast<std::size_t>(c)].insert(thread.processor);
     }
   }
   return found;
@@ -257,13 +259,18 @@ void ProblemBuilder::limits() {
   if (!fits) {
     diagnostics_.report(Code::PAL0730, network_.skill.where,
                         "skill " + network_.skill.name + " is too large to analyse",
-                        "it may have 100 threads, 120 channels, 64 conditions and 30000 statements");
+                        "it may have 20000 threads, 40000 channels, 64 conditions and 30000 statements");
   }
 }
 
 std::optional<Problem> make_problem(const Network& network, const Environment& environment,
                                     Diagnostics& diagnostics, const SourceManager* sources) {
   return ProblemBuilder(network, environment, diagnostics, sources).build();
+}
+
+bool fits_exploration(const Problem& problem) {
+  return static_cast<int>(problem.threads.size()) <= most_explored_threads &&
+         static_cast<int>(problem.channels.size()) <= most_explored_channels;
 }
 
 }  // namespace pal::analyzer

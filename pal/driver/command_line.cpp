@@ -42,6 +42,14 @@ void add_check(CLI::App& app, CheckOptions& options) {
       app.add_subcommand("check", "Finds what is wrong, and proves or refutes every requirement");
   add_selection(*command, options.selection);
   add_limits(*command, options.limits);
+  using Choice = analyzer::AnalysisChoice;
+  command
+      ->add_option("--analysis", options.limits.analysis,
+                   "exact, compositional (bounds, however large the skill), or auto: exact, and compositional for "
+                   "what that leaves undecided")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Choice>{
+          {"exact", Choice::exact}, {"compositional", Choice::compositional}, {"auto", Choice::automatic}}))
+      ->type_name("ANALYSIS");
   command->add_option("--format", options.format, "text, json or sarif (2.1.0)")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, Format>{{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}}))

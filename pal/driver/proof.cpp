@@ -46,7 +46,7 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits) {
       frontend::check_resources(skill, environment, session.diagnostics);
       auto problem = analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
       if (!problem) continue;
-      analyzer::Analysis analysis = analyzer::analyze(*problem, options);
+      analyzer::Analysis analysis = analyzer::analyze(*problem, limits.analysis, options);
       proofs.push_back({std::move(*problem), std::move(analysis)});
     }
   }
