@@ -61,6 +61,11 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, in
     if (group.transaction == own) continue;
     const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
     Nanoseconds most = 0;
+    if (group.tasks.size() == 1) {  // the usual case; one candidate, whose phase cancels out
+      const Task& task = of.tasks[static_cast<std::size_t>(group.tasks.front())];
+      if (task.priority >= priority && task.cost > 0) work += releases(of, task, length) * task.cost;
+      continue;
+    }
     for (int t : group.tasks) {
       const Task& task = of.tasks[static_cast<std::size_t>(t)];
       if (task.priority < priority || task.cost == 0) continue;
