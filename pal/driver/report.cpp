@@ -78,7 +78,7 @@ std::string json(const std::vector<Proof>& proofs, const Session& session) {
       row["name"] = verdict.requirement;
       row["skill"] = proof.problem.skill;
       row["environment"] = proof.problem.environment;
-      row["measure"] = analyzer::name(verdict.measure);
+      row["measure"] = verdict.at_least ? "least_interval" : analyzer::name(verdict.measure);
       row["limit_ns"] = verdict.limit.count();
       row["bound_ns"] =
           verdict.bound ? nlohmann::ordered_json(verdict.bound->count()) : nlohmann::ordered_json();

@@ -139,8 +139,8 @@ TEST_CASE("the bound is what trying every run gives") {
       if (all.failed || all.grown) CHECK(verdict.state != Verdict::State::holds);
       if (verdict.state == Verdict::State::never) CHECK(found < 0);
       if (!all.complete || all.greatest >= cap || all.grown) continue;
-      if (verdict.state == Verdict::State::fails && !verdict.bound)
-        CHECK((all.failed || found > requirement.limit));
+      const bool broken = requirement.at_least ? found < requirement.limit : found > requirement.limit;
+      if (verdict.state == Verdict::State::fails && !verdict.bound) CHECK((all.failed || broken));
       if (!verdict.exact) continue;
       ++compared;
       if (verdict.bound) {
