@@ -121,7 +121,7 @@ std::optional<pan::Party> Names::party(const syntax::PartyName& name) {
     return enter_device(name.name, device);
   }
   auto known = scope_.modules.names();
-  for (auto& other : scope_.devices.names()) known.push_back(std::move(other));
+  for (const auto& other : scope_.devices.names()) known.push_back(other);
   report_unknown(diagnostics_, Code::PAL0201, "module or device", name.name, known,
                  "declare it, or name the file that does in a USES");
   return std::nullopt;

@@ -20,6 +20,7 @@ class Declarations {
     const auto [entry, added] = by_name_.emplace(unit.name.text, &unit);
     if (!added) return entry->second;
     in_order_.push_back(&unit);
+    names_.push_back(unit.name.text);
     return nullptr;
   }
   const Unit* find(std::string_view name) const {
@@ -27,15 +28,12 @@ class Declarations {
     return found == by_name_.end() ? nullptr : found->second;
   }
   const std::vector<const Unit*>& all() const { return in_order_; }
-  std::vector<std::string> names() const {
-    std::vector<std::string> result;
-    for (const auto* unit : in_order_) result.push_back(unit->name.text);
-    return result;
-  }
+  const std::vector<std::string>& names() const { return names_; }
 
  private:
   std::map<std::string, const Unit*, std::less<>> by_name_;
   std::vector<const Unit*> in_order_;
+  std::vector<std::string> names_;  // in the same order
 };
 
 struct Scope {
