@@ -51,8 +51,14 @@ class Collector {
   void module(pan::ModuleId id) {
     const auto& module = network_.modules[id.index()];
     if (module.executed_by.valid()) return;  // runs in its caller's place
+    if (module.body.empty() && !sends(id)) return;  // takes what comes; how it behaves does not matter
     const auto kind = module.body.empty() ? Resource::Kind::device : Resource::Kind::processor;
     add(group_of(module.kind), kind, module.name, module.name, module.where);
+  }
+
+  bool sends(const pan::Party& party) const {
+    return std::any_of(network_.channels.begin(), network_.channels.end(),
+                       [&](const pan::Channel& channel) { return channel.sender == party; });
   }
 
   /// A device belongs to the module that drives it.
@@ -61,7 +67,7 @@ class Collector {
          {std::pair(channel.sender, channel.receiver), std::pair(channel.receiver, channel.sender)}) {
       const auto* device = std::get_if<pan::DeviceId>(&party);
       const auto* driver = std::get_if<pan::ModuleId>(&other);
-      if (device == nullptr || driver == nullptr) continue;
+      if (device == nullptr || driver == nullptr || !sends(party)) continue;
       const auto& module = network_.modules[driver->index()];
       const auto& found = network_.devices[device->index()];
       add(group_of(module.kind), Resource::Kind::device, found.name, module.name, found.where);

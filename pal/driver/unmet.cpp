@@ -25,12 +25,13 @@ std::string figure_of(const analyzer::Verdict& verdict) {
   return (verdict.state == State::undecided ? sound : "") + figure_text(verdict.measure, *verdict.bound);
 }
 
-/// The longest piece of the time in which the thread that decided did nothing but wait, after it had read.
+/// The longest piece of the time in which the thread that decided, the last of the story, did nothing but wait
+/// after it had read.
 const analyzer::Reason* longest_wait_after_read(const analyzer::Verdict& verdict) {
   const analyzer::Reason* longest = nullptr;
   for (std::size_t i = 1; i < verdict.reasons.size(); ++i) {
     const analyzer::Reason& reason = verdict.reasons[i];
-    if (reason.what.find("waits at ") != 0) continue;
+    if (reason.actor != verdict.reasons.back().actor || reason.what.find("waits at ") != 0) continue;
     if (longest == nullptr || reason.to - reason.from > longest->to - longest->from) longest = &reason;
   }
   return longest;

@@ -25,11 +25,14 @@ struct Outcome {
   bool errors = false;
 };
 
-/// Options of `pal check` that a golden asks for in its first line: "# --max-states 10".
+/// Options of `pal check` that a golden asks for in its first line: "# --max-states 10", of the exact analysis
+/// alone.
 pal::driver::ProofLimits limits_in(std::string_view text) {
   pal::driver::ProofLimits limits;
   constexpr std::string_view option = "# --max-states ";
-  if (text.starts_with(option)) limits.max_states = std::stoul(std::string(text.substr(option.size(), 10)));
+  if (!text.starts_with(option)) return limits;
+  limits.max_states = std::stoul(std::string(text.substr(option.size(), 10)));
+  limits.analysis = pal::analyzer::AnalysisChoice::exact;
   return limits;
 }
 
