@@ -47,6 +47,7 @@ enum Statement {
   s_case,
   s_taken,
   s_done,
+  s_gone_back,
   s_gave_up,  // SM1, after
   c_wait,
   c_retreat,
@@ -105,9 +106,10 @@ WrittenTouch::WrittenTouch(bool read_first) : read_first_(read_first) {
                        runtime::Time worst) { statement(module, text, ++line, best, worst); };
   const auto fixed = [&](std::string_view module, std::string_view text) { add(module, text, cost, cost); };
   add("SM1", "WTM( Coordinator )", 0us, 0us);
-  for (const char* text : {"TXM( request Zforce from LS1 )", "WTM( Zforce from LS1 )", "SPC( pc-force )",
-                           "SPC( pc-reach = FALSE )", "TXM( request Zforce from LS1 )", "WTM( Zforce from LS1 )", "SPC( pc-force )",
-                           "WTM( motion request from MC1 )", "RPC( pc-force )", "CASE"})
+  for (const char* text :
+       {"TXM( request Zforce from LS1 )", "WTM( Zforce from LS1 )", "SPC( pc-force )",
+        "SPC( pc-reach = FALSE )", "TXM( request Zforce from LS1 )", "WTM( Zforce from LS1 )",
+        "SPC( pc-force )", "WTM( motion request from MC1 )", "RPC( pc-force )", "CASE"})
     fixed("SM1", text);
   add("SM1", "stand-still", 100us, 100us);
   add("SM1", "advance", 100us, 300us);
@@ -115,7 +117,7 @@ WrittenTouch::WrittenTouch(bool read_first) : read_first_(read_first) {
     fixed("SM1", text);
   add("SM1", "CONCURRENT", 0us, 0us);
   for (const char* text : {"CASE", "WTM( motion request from MC1 )", "TXM( Completion Protocol 0 )",
-                           "TXM( Completion Protocol 1 )"})
+                           "WTM( motion request from MC1 )", "TXM( Completion Protocol 1 )"})
     fixed("SM1", text);
   fixed("CM1", "WTM( motion request from MC1 )");
   add("CM1", "retreat", 100us, 300us);
@@ -198,6 +200,7 @@ Task WrittenTouch::sm1(Thread& thread) {
     co_await thread.complete(s_done, 0);
   } else {
     co_await cm1(thread);
+    co_await thread.wait(s_gone_back, runtime::from(ask_motion));
     co_await thread.complete(s_gave_up, 1);
   }
 }
