@@ -94,7 +94,8 @@ class Compiler {
 
   int inlined(Place& place, const Node& node, const Execute& execute) {
     if (place.depth > 32) {
-      diagnostics_.report(Code::PAL0729, node.where, "modules execute one another without end");
+      diagnostics_.report(Code::PAL0730, node.where, "modules execute one another more than 32 deep",
+                          "execute fewer modules within one another");
       return end_step();
     }
     // Each place of an Execute has its own copy, kept alive as long as its steps may still be asked for.

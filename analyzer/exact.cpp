@@ -11,6 +11,9 @@ namespace {
 
 using Is = Verdict::State;
 
+/// Sums of two such values stay below what counts as unbounded.
+constexpr Nanoseconds most_cap = Range::unbounded / 4;
+
 /// More than any value that is not growing without end is likely to be: a few times all that the problem says
 /// of time.
 Nanoseconds first_cap(const Problem& problem, Nanoseconds limit) {
@@ -24,8 +27,10 @@ Nanoseconds first_cap(const Problem& problem, Nanoseconds limit) {
       sum += frames->period.count() + frames->collecting.count();
     }
   }
-  for (const Step& step : problem.steps) sum += step.cost.worst + step.within.value_or(0);
-  return 4 * sum;
+  for (const Step& step : problem.steps) {
+    sum = std::min(sum + step.cost.worst + step.within.value_or(0), most_cap);
+  }
+  return std::min(4 * sum, most_cap);
 }
 
 class Analyzer {
@@ -37,7 +42,9 @@ class Analyzer {
     for (const Requirement& requirement : problem_.requirements) {
       const double before = now();
       Verdict& verdict = analysis_.verdicts.emplace_back(blank(requirement));
-      if (requirement.measure == Requirement::Measure::load) {
+      if (!fits_exploration(problem_)) {
+        verdict.explanation = "The skill has too many threads or channels for the exact analysis.";
+      } else if (requirement.measure == Requirement::Measure::load) {
         load(requirement, verdict);
       } else if (requirement.measure == Requirement::Measure::busy) {
         busy(requirement, verdict);
@@ -68,13 +75,18 @@ class Analyzer {
   void timed(const Requirement& requirement, const Watch& watch, Verdict& verdict) {
     const Machine machine(problem_, watch);
     Nanoseconds cap = first_cap(problem_, requirement.limit);
-    for (int attempt = 0;; ++attempt, cap *= 8) {
+    for (int attempt = 0;; ++attempt, cap = std::min(8 * cap, most_cap)) {
       ZoneGraph graph(machine, cap, false);
       const bool complete = graph.explore(limits());
       verdict.states += graph.classes().size();
       const bool bounded = watch.least && graph.peak().value >= 0;
       const bool beyond = !bounded && (graph.over_cap() || graph.never_answered());
-      if (complete && beyond && !graph.failure() && graph.stuck() < 0 && attempt < 2) continue;
+      // A greater cap may find a bound; of what fails already it is asked only where there is likely to be
+      // one.
+      const bool broken = breaks(requirement, graph.peak().value) || graph.growing();
+      const bool decided =
+          graph.failure() || graph.stuck() >= 0 || (broken && watch.kind != Watch::Kind::age);
+      if (complete && beyond && !decided && attempt < 2) continue;
       judge(requirement, machine, graph, complete, cap, verdict);
       return;
     }

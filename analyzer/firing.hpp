@@ -1,6 +1,10 @@
 // One event of the machine, from the timer that fires to the threads that run afterwards.
 #pragma once
 
+#include <set>
+#include <utility>
+#include <vector>
+
 #include "analyzer/machine.hpp"
 
 namespace pal::analyzer {
@@ -17,6 +21,8 @@ class Firing {
   using Kind = trace::Kind;
 
   // Threads and processors (firing_threads.cpp).
+  void first_queues(int thread, std::set<std::pair<int, int>>& queues) const;
+  std::vector<std::size_t> rivals_of_first(const std::vector<int>& modules) const;
   void reach(int thread, int step);
   void reach_wait(int thread);
   void fork(int thread);

@@ -315,19 +315,21 @@ void Firing::device_service(int device) {
   state.serving = 0;
   emit_device(Kind::idle, device);
   if (counts_losses(device)) occurrence(device, !arrives(device, served));
+  std::vector<int> requests;
   for (std::size_t i = 0; i < of.requests.size(); ++i) {
-    if ((served >> i & 1U) == 0) continue;
-    SlotState& request = slot(of.requests[i]);
-    const std::uint8_t carries = counts_losses(device) ? std::uint8_t{0} : request.serving_carries;
-    request.serving_carries = tag::none;
-    const int answer = channel_of(of.requests[i]).answer;
+    if ((served >> i & 1U) != 0) requests.push_back(of.requests[i]);
+  }
+  in_any_order(std::move(requests), [&](int request) {
+    const std::uint8_t carries = counts_losses(device) ? std::uint8_t{0} : slot(request).serving_carries;
+    slot(request).serving_carries = tag::none;
+    const int answer = channel_of(request).answer;
     if (slot(answer).unwanted > 0) {
       --slot(answer).unwanted;
       emit_device(Kind::drop, device, answer);
     } else if (!put(answer, -1, device, carries)) {
       emit_device(Kind::overrun, device, answer);
     }
-  }
+  });
   if (std::holds_alternative<pan::RequestDevice>(of.behaviour)) take_pending(device);
 }
 

@@ -24,20 +24,9 @@ void Firing::begin() {
     if (problem_.threads[t].parent < 0) modules.push_back(static_cast<int>(t));
   }
   while (!modules.empty()) {
-    const Thread& first = thread_of(modules.front());
-    std::vector<std::size_t> rivals;
-    for (std::size_t i = 0; i < modules.size(); ++i) {
-      const Thread& other = thread_of(modules[i]);
-      const Step::Kind kind = problem_.steps[static_cast<std::size_t>(other.entry)].kind;
-      const bool queues = kind != Step::Kind::wait || i == 0;
-      if (queues && other.processor == first.processor && other.priority == first.priority)
-        rivals.push_back(i);
-    }
-    const Step::Kind kind = problem_.steps[static_cast<std::size_t>(first.entry)].kind;
-    const std::size_t chosen =
-        kind == Step::Kind::wait
-            ? 0
-            : rivals[static_cast<std::size_t>(choices_.pick(static_cast<int>(rivals.size())))];
+    const std::vector<std::size_t> rivals = rivals_of_first(modules);
+    const std::size_t chosen = rivals[static_cast<std::size_t>(
+        rivals.size() == 1 ? 0 : choices_.pick(static_cast<int>(rivals.size())))];
     const int thread = modules[chosen];
     modules.erase(modules.begin() + static_cast<std::ptrdiff_t>(chosen));
     state_of(thread).status = Status::ready;
@@ -46,6 +35,40 @@ void Firing::begin() {
   dispatch();
   track_busy(false);
   settle();
+}
+
+/// The queues that a thread, or its blocks, comes to as it begins: none if it waits.
+void Firing::first_queues(int thread, std::set<std::pair<int, int>>& queues) const {
+  const Step& entry = problem_.steps[static_cast<std::size_t>(thread_of(thread).entry)];
+  const bool waits = entry.kind == Step::Kind::wait && !(entry.within && *entry.within == 0);
+  if (waits) return;
+  if (entry.kind == Step::Kind::fork) {
+    for (int block : entry.threads) first_queues(block, queues);
+  }
+  // After blocks that are over at once the thread itself goes on.
+  queues.emplace(thread_of(thread).processor, thread_of(thread).priority);
+}
+
+/// Which of `modules` may become ready before the first of them, if that matters to somebody: positions, the
+/// first's too.
+std::vector<std::size_t> Firing::rivals_of_first(const std::vector<int>& modules) const {
+  std::vector<std::set<std::pair<int, int>>> queues(modules.size());
+  for (std::size_t i = 0; i < modules.size(); ++i) first_queues(modules[i], queues[i]);
+  std::set<std::pair<int, int>> shared = queues.front();
+  std::vector<std::size_t> rivals{0};
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (std::size_t i = 1; i < modules.size(); ++i) {
+      if (std::find(rivals.begin(), rivals.end(), i) != rivals.end()) continue;
+      const bool meets = std::any_of(queues[i].begin(), queues[i].end(),
+                                     [&shared](const auto& queue) { return shared.contains(queue); });
+      if (!meets) continue;
+      rivals.push_back(i);
+      shared.insert(queues[i].begin(), queues[i].end());
+      grown = true;
+    }
+  }
+  return rivals;
 }
 
 /// The thread comes to a statement. That needs no processor and is one with what led to it.

@@ -1,5 +1,7 @@
 #include "analyzer/problem.hpp"
 
+#include <unordered_set>
+
 #include "analyzer/problem_builder.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
@@ -9,9 +11,11 @@ using namespace pan;
 
 namespace {
 
-constexpr int most_threads = 100;
+constexpr int most_threads = 20'000;
 constexpr int most_conditions = 64;
-constexpr int most_channels = 120;
+constexpr int most_channels = 40'000;
+constexpr int most_explored_threads = 100;
+constexpr int most_explored_channels = 120;
 
 }  // namespace
 
@@ -34,6 +38,7 @@ std::optional<Problem> ProblemBuilder::build() {
   requirements();
   limits();
   if (diagnostics_.errors() != before) return std::nullopt;
+  overload();
   return std::move(problem_);
 }
 
@@ -92,14 +97,14 @@ void ProblemBuilder::processors() {
     const bool added =
         processor_.emplace(processor.name, static_cast<int>(problem_.processors.size())).second;
     if (!added) {
-      diagnostics_.report(Code::PAL0728, processor.where,
-                          "processor " + processor.name + " is declared twice");
+      diagnostics_.report(Code::PAL0711, processor.where, "processor " + processor.name + " is given twice",
+                          "remove one of them");
       continue;
     }
     problem_.processors.push_back(processor);
   }
   if (problem_.processors.empty()) {
-    diagnostics_.report(Code::PAL0721, environment_.where,
+    diagnostics_.report(Code::PAL0714, environment_.where,
                         "environment " + environment_.name + " has no processor", "add PROCESSOR P0");
   }
 }
@@ -118,25 +123,31 @@ void ProblemBuilder::known_names() {
   std::set<std::string> placed;
   for (const Placement& placement : environment_.placements) {
     if (!processor_.contains(placement.processor)) {
-      diagnostics_.report(Code::PAL0722, placement.where, "there is no processor " + placement.processor);
+      diagnostics_.report(Code::PAL0713, placement.where, "there is no processor " + placement.processor,
+                          "add PROCESSOR " + placement.processor);
     }
     if (!placed.insert(placement.thread).second) {
-      diagnostics_.report(Code::PAL0728, placement.where, placement.thread + " is placed twice");
+      diagnostics_.report(Code::PAL0711, placement.where,
+                          "the place of " + placement.thread + " is given twice", "remove one of them");
     }
     if (executed_.contains(placement.thread)) {
-      diagnostics_.report(Code::PAL0723, placement.where,
-                          placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
-                          "leave the placement out");
+      diagnostics_
+          .report(Code::PAL0723, placement.where,
+                  placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
+                  "leave the placement out")
+          .fix = {{placement.where, ""}};
     } else if (modules.contains(placement.thread.substr(0, placement.thread.find('.'))) &&
                !threads.contains(placement.thread)) {
       diagnostics_.report(Code::PAL0723, placement.where,
-                          "skill " + network_.skill.name + " has no block " + placement.thread);
+                          "skill " + network_.skill.name + " has no block " + placement.thread,
+                          "count the blocks of CONCURRENT in the order of the text, from 1");
     }
   }
   std::set<std::pair<std::string, std::string>> timed;
   for (const ActivityTime& time : environment_.activities) {
     if (!timed.insert({time.activity, time.module}).second) {
-      diagnostics_.report(Code::PAL0728, time.where, "activity " + time.activity + " is given a time twice");
+      diagnostics_.report(Code::PAL0711, time.where, "the time of " + time.activity + " is given twice",
+                          "remove one of them");
     }
     interval(time.time, time.where, "activity " + time.activity);
   }
@@ -144,13 +155,14 @@ void ProblemBuilder::known_names() {
 
 void ProblemBuilder::time(Duration value, SourceSpan where, const std::string& what, bool positive) {
   if (value.count() < 0) {
-    diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is negative");
+    diagnostics_.report(Code::PAL0701, where, "the time of " + what + " is negative",
+                        "write a time from 0 on");
   } else if (positive && value.count() == 0) {
-    diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is zero",
+    diagnostics_.report(Code::PAL0708, where, "the time of " + what + " is zero",
                         "give it a time above zero");
   } else if (value.count() > longest_time) {
-    diagnostics_.report(Code::PAL0726, where, "the time of " + what + " is too long to reckon with",
-                        "the longest time is 1000000 s");
+    diagnostics_.report(Code::PAL0704, where, "the time of " + what + " is too long to reckon with",
+                        "write a time of at most 1000000 s");
   }
 }
 
@@ -158,7 +170,7 @@ void ProblemBuilder::interval(const Interval& value, SourceSpan where, const std
   time(value.best, where, what);
   time(value.worst, where, what);
   if (value.best > value.worst) {
-    diagnostics_.report(Code::PAL0726, where, "the best time of " + what + " is longer than its worst",
+    diagnostics_.report(Code::PAL0705, where, "the best time of " + what + " is longer than its worst",
                         "write the shorter time first");
   }
 }
@@ -205,37 +217,35 @@ void ProblemBuilder::latencies() {
   const Interval& between = environment_.latency.between_processors;
   problem_.within_processor = {within.best.count(), within.worst.count()};
   problem_.between_processors = {between.best.count(), between.worst.count()};
+  const std::vector<std::set<int>> takers_of = takers();
   for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
-    const std::set<int> processors = processors_of(static_cast<int>(c));
+    const std::set<int>& processors = takers_of[c];
     problem_.channels[c].receiver_processors.assign(processors.begin(), processors.end());
   }
 }
 
 /// Steps that a thread can reach, its blocks' steps left out.
 std::vector<std::size_t> ProblemBuilder::steps_of(const Thread& thread) const {
-  std::vector<bool> seen(problem_.steps.size());
+  std::unordered_set<std::size_t> seen;
   std::vector<std::size_t> found;
   std::vector<int> open{thread.entry};
   while (!open.empty()) {
     const auto at = static_cast<std::size_t>(open.back());
     open.pop_back();
-    if (seen[at]) continue;
-    seen[at] = true;
+    if (!seen.insert(at).second) continue;
     found.push_back(at);
     open.insert(open.end(), problem_.steps[at].next.begin(), problem_.steps[at].next.end());
   }
   return found;
 }
 
-std::set<int> ProblemBuilder::processors_of(int channel) const {
-  std::set<int> found;
+std::vector<std::set<int>> ProblemBuilder::takers() const {
+  std::vector<std::set<int>> found(problem_.channels.size());
   for (const Thread& thread : problem_.threads) {
     for (std::size_t s : steps_of(thread)) {
       const Step& step = problem_.steps[s];
       if (step.kind != Step::Kind::wait) continue;
-      for (int c : step.channels) {
-        if (c == channel) found.insert(thread.processor);
-      }
+      for (int c : step.channels) found[static_cast<std::size_t>(c)].insert(thread.processor);
     }
   }
   return found;
@@ -249,13 +259,18 @@ void ProblemBuilder::limits() {
   if (!fits) {
     diagnostics_.report(Code::PAL0730, network_.skill.where,
                         "skill " + network_.skill.name + " is too large to analyse",
-                        "it may have 100 threads, 120 channels, 64 conditions and 30000 statements");
+                        "it may have 20000 threads, 40000 channels, 64 conditions and 30000 statements");
   }
 }
 
 std::optional<Problem> make_problem(const Network& network, const Environment& environment,
                                     Diagnostics& diagnostics, const SourceManager* sources) {
   return ProblemBuilder(network, environment, diagnostics, sources).build();
+}
+
+bool fits_exploration(const Problem& problem) {
+  return static_cast<int>(problem.threads.size()) <= most_explored_threads &&
+         static_cast<int>(problem.channels.size()) <= most_explored_channels;
 }
 
 }  // namespace pal::analyzer

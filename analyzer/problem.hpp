@@ -129,4 +129,7 @@ struct Problem {
 std::optional<Problem> make_problem(const pan::Network& network, const pan::Environment& environment,
                                     Diagnostics& diagnostics, const SourceManager* sources = nullptr);
 
+/// Whether the problem is small enough for the exact analysis and the simulation: 100 threads, 120 channels.
+bool fits_exploration(const Problem& problem);
+
 }  // namespace pal::analyzer

@@ -34,10 +34,14 @@ class ProblemBuilder final : public TimesAndPlaces {
   void channels();
   void latencies();
   std::vector<std::size_t> steps_of(const Thread& thread) const;
-  std::set<int> processors_of(int channel) const;
+  /// By channel: the processors of the threads that wait for it.
+  std::vector<std::set<int>> takers() const;
   void limits();
   void time(Duration value, SourceSpan where, const std::string& what, bool positive = false);
   void interval(const Interval& value, SourceSpan where, const std::string& what);
+
+  // More work than time (problem_overload.cpp).
+  void overload();
 
   // The world (problem_devices.cpp).
   struct World {

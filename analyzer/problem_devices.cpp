@@ -15,7 +15,8 @@ void ProblemBuilder::devices() {
   std::set<std::string> described;
   for (const DeviceTiming& timing : environment_.devices) {
     if (!described.insert(timing.device).second) {
-      diagnostics_.report(Code::PAL0728, timing.where, "device " + timing.device + " is described twice");
+      diagnostics_.report(Code::PAL0711, timing.where, "device " + timing.device + " is given twice",
+                          "remove one of them");
     }
   }
   for (std::size_t d = 0; d < world.size(); ++d) device(world[d], static_cast<int>(d));
@@ -53,7 +54,8 @@ void ProblemBuilder::device(const World& thing, int index) {
     diagnostics_.report(Code::PAL0727, timing->where,
                         thing.name + " never sends " +
                             problem_.channels[static_cast<std::size_t>(c)].message +
-                            ", which the skill waits for");
+                            ", which the skill waits for",
+                        "describe " + thing.name + " as a device that sends it, or do not wait for it");
   }
   problem_.devices.push_back(std::move(made));
 }
@@ -65,13 +67,15 @@ void ProblemBuilder::event_device(const EventDevice& event, const DeviceTiming& 
   time(event.jitter, timing.where, "the jitter of " + made.name);
   if (event.jitter >= event.period && event.period.count() > 0) {
     diagnostics_.report(Code::PAL0726, timing.where,
-                        "the jitter of " + made.name + " is not shorter than its period");
+                        "the jitter of " + made.name + " is not shorter than its period",
+                        "make JITTER shorter than EVERY: a later event does not overtake an earlier one");
   }
   if (event.phase) {
     time(*event.phase, timing.where, "the phase of " + made.name);
     if (*event.phase > event.period) {
-      diagnostics_.report(Code::PAL0726, timing.where,
-                          "the phase of " + made.name + " is longer than its period");
+      diagnostics_.report(Code::PAL0709, timing.where,
+                          "the phase of " + made.name + " is longer than its period",
+                          "write the phase within one period");
     }
   }
   for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
@@ -84,7 +88,9 @@ void ProblemBuilder::event_device(const EventDevice& event, const DeviceTiming& 
   if (made.event < 0) {
     diagnostics_.report(
         Code::PAL0727, timing.where,
-        "nothing in skill " + network_.skill.name + " waits for " + event.message + " from " + made.name);
+        "nothing in skill " + network_.skill.name + " waits for " + event.message + " from " + made.name,
+        "add WTM( " + event.message + " from " + made.name +
+            " ), or name the event that the skill waits for");
   }
 }
 
@@ -98,14 +104,16 @@ void ProblemBuilder::served_device(const DeviceTiming& timing, int index, std::s
     time(frames.period, timing.where, "the period of " + made.name, true);
     time(frames.collecting, timing.where, "collecting a frame of " + made.name);
     if (frames.collecting > frames.period) {
-      diagnostics_.report(Code::PAL0726, timing.where,
-                          made.name + " collects a frame for longer than its period");
+      diagnostics_.report(Code::PAL0710, timing.where,
+                          made.name + " collects a frame for longer than its period",
+                          "make COLLECTING at most EVERY");
     }
     if (frames.phase) {
       time(*frames.phase, timing.where, "the phase of " + made.name);
       if (*frames.phase > frames.period) {
-        diagnostics_.report(Code::PAL0726, timing.where,
-                            "the phase of " + made.name + " is longer than its period");
+        diagnostics_.report(Code::PAL0709, timing.where,
+                            "the phase of " + made.name + " is longer than its period",
+                            "write the phase within one period");
       }
     }
   }

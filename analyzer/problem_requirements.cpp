@@ -22,7 +22,8 @@ std::vector<bool> ProblemBuilder::steps_at(const std::vector<StatementRef>& at,
   if (!any) {
     diagnostics_.report(
         Code::PAL0811, requirement.where,
-        "requirement " + requirement.name + " is about a statement that no thread ever reaches");
+        "requirement " + requirement.name + " is about a statement that no thread ever reaches",
+        "name a statement that can be reached, or make a way to this one");
   }
   return steps;
 }
@@ -39,10 +40,7 @@ void ProblemBuilder::requirements() {
 }
 
 void ProblemBuilder::require(Requirement made) {
-  if (made.limit < 0 || made.limit > longest_time) {
-    diagnostics_.report(Code::PAL0814, made.where, "the limit of " + made.name + " is impossible",
-                        "the longest time is 1000000 s");
-  }
+  time(Duration(made.limit), made.where, "the limit of " + made.name);
   problem_.requirements.push_back(std::move(made));
 }
 
@@ -135,7 +133,8 @@ std::vector<int> ProblemBuilder::processors_named(const std::string& name,
   }
   if (found.empty()) {
     diagnostics_.report(Code::PAL0813, requirement.where,
-                        "environment " + environment_.name + " has no processor " + name);
+                        "environment " + environment_.name + " has no processor " + name,
+                        "name one that it has, or write LOAD OF EACH PROCESSOR");
   }
   return found;
 }
@@ -178,7 +177,8 @@ void ProblemBuilder::demanded_answer(int d) {
   if (!any) {
     diagnostics_.report(
         Code::PAL0727, where,
-        "nothing in skill " + network_.skill.name + " sends " + event->answer + " to " + device.name);
+        "nothing in skill " + network_.skill.name + " sends " + event->answer + " to " + device.name,
+        "add TXM( " + event->answer + " to " + device.name + " ), or name the answer that the skill sends");
     return;
   }
   if (!event->answer_within) return;

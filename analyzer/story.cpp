@@ -49,6 +49,23 @@ struct Story {
     return {};
   }
 
+  /// Who kept a thread from its processor in [from, to], piece by piece.
+  void interference(const Slice& kept, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out) const {
+    const int processor = problem.threads[static_cast<std::size_t>(kept.actor)].processor;
+    for (const Slice& slice : slices) {
+      const bool here = slice.state == trace::State::running && slice.actor != kept.actor &&
+                        problem.threads[static_cast<std::size_t>(slice.actor)].processor == processor;
+      if (!here || slice.to_ns <= from || slice.from_ns > from || from >= to) continue;
+      const Nanoseconds end = std::min<Nanoseconds>(slice.to_ns, to);
+      const std::string by = trace.actors[static_cast<std::size_t>(slice.actor)].name;
+      out.push_back(reason(from, end, kept.actor,
+                           "is kept from its processor by " + by + ", which " + doing(slice),
+                           slice.statement));
+      from = end;
+    }
+    if (from < to) out.push_back(reason(from, to, kept.actor, doing(kept), kept.statement));
+  }
+
   /// What a thread did in [from, to], without gaps.
   void tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out) const {
     Nanoseconds at = from;
@@ -56,8 +73,12 @@ struct Story {
       if (slice.actor != thread || slice.to_ns <= at || slice.from_ns >= to) continue;
       if (slice.from_ns > at) out.push_back(reason(at, slice.from_ns, thread, "has not begun", -1));
       const Nanoseconds end = std::min<Nanoseconds>(slice.to_ns, to);
-      out.push_back(
-          reason(std::max<Nanoseconds>(slice.from_ns, at), end, thread, doing(slice), slice.statement));
+      const Nanoseconds begin = std::max<Nanoseconds>(slice.from_ns, at);
+      if (slice.state == trace::State::ready) {
+        interference(slice, begin, end, out);
+      } else {
+        out.push_back(reason(begin, end, thread, doing(slice), slice.statement));
+      }
       at = end;
     }
     if (at < to) out.push_back(reason(at, to, thread, "waits for its blocks", -1));

@@ -38,4 +38,8 @@ const char* name(Requirement::Measure measure) {
   return "";
 }
 
+const char* name(Method method) {
+  return method == Method::exact ? "exact" : "compositional";
+}
+
 }  // namespace pal::analyzer

@@ -16,6 +16,10 @@ namespace pal::analyzer {
 /// never: no run has anything to measure; what is required says nothing.
 enum class VerdictState { holds, fails, undecided, never };
 
+/// Which analysis a verdict comes from: the exploration of all runs, or the sum of what parts can do to each
+/// other.
+enum class Method { exact, compositional };
+
 /// A piece of the time that a bound is made of.
 struct Reason {
   Nanoseconds from = 0;
@@ -31,6 +35,7 @@ struct Verdict {
   std::string requirement;
   Requirement::Measure measure = Requirement::Measure::age;
   State state = State::undecided;
+  Method method = Method::exact;
   Duration limit{};       // loss: a number
   bool at_least = false;  // no run may fall below the limit, and none falls below the bound
   /// Least value that no run exceeds, as far as is known; load: nanoseconds of work in a second, rounded up;
@@ -53,5 +58,7 @@ struct Verdict {
 const char* name(Verdict::State state);
 /// "age", "response", "load", "reaction", "interval", "loss", "duration", "busy".
 const char* name(Requirement::Measure measure);
+/// "exact", "compositional".
+const char* name(Method method);
 
 }  // namespace pal::analyzer

@@ -200,51 +200,59 @@ void ZoneGraph::follow(int from, const Transition& transition, const Dbm& fired,
     int timer;
     Source source;
     bool frozen;
-    Range owed;
-    bool resumed;
   };
   std::vector<Timer> timers;
   for (std::size_t k = 0; k < old_timers.size(); ++k) {
     if (old_timers[k] == transition.timer) continue;
-    const Range owed = classes_[static_cast<std::size_t>(from)].owed[k];
-    timers.push_back({old_timers[k], {k + 1, 0, 0}, old_frozen[k], owed, false});
+    timers.push_back({old_timers[k], {k + 1, 0, 0}, old_frozen[k]});
   }
-  // An action that ends has kept its processor from those that were preempted there.
+  // An action that ends gives back its time to those that were preempted on its processor: they have as much
+  // left as before.
+  bool relaxed = from >= 0 && classes_[static_cast<std::size_t>(from)].relaxed;
+  std::vector<std::pair<int, Range>> repaid;  // timer, what it can have left
   const int processor =
       place < 0 ? -1
                 : machine_.processor_of(places_[static_cast<std::size_t>(place)].state, transition.timer);
   if (processor >= 0) {
-    const Range cost = machine_.cost(places_[static_cast<std::size_t>(place)].state, transition.timer);
+    const State& state = places_[static_cast<std::size_t>(place)].state;
+    const Range cost = machine_.cost(state, transition.timer);
+    const auto priority = [this](int timer) {
+      return machine_.problem().threads[static_cast<std::size_t>(timer)].priority;
+    };
+    std::vector<int> preempted;
     for (Timer& timer : timers) {
       if (!timer.frozen ||
           machine_.problem().threads[static_cast<std::size_t>(timer.timer)].processor != processor)
         continue;
-      timer.owed.best += cost.best;
-      timer.owed.worst += cost.worst;
+      timer.source.low += cost.best;
+      timer.source.high += cost.worst;
+      if (cost.best != cost.worst) preempted.push_back(timer.timer);
+    }
+    for (int timer : preempted) {
+      relaxed = relaxed_ = true;
+      // Those that interrupted it, and were interrupted themselves, have not given back theirs yet.
+      Range left{0, machine_.cost(state, timer).worst};
+      for (int other : preempted) {
+        if (priority(other) > priority(timer)) left.best -= machine_.cost(state, other).worst;
+      }
+      repaid.emplace_back(timer, left);
     }
   }
-  bool relaxed = from >= 0 && classes_[static_cast<std::size_t>(from)].relaxed;
   for (const TimerChange& change : transition.outcome.changes) {
     const auto found =
         std::find_if(timers.begin(), timers.end(), [&](const Timer& t) { return t.timer == change.timer; });
     switch (change.kind) {
       case TimerChange::Kind::start:
-        timers.push_back({change.timer, {variable, change.range.best, change.range.worst}, false, {}, false});
+        timers.push_back({change.timer, {variable, change.range.best, change.range.worst}, false});
         break;
       case TimerChange::Kind::stop:
         timers.erase(found);
         break;
       case TimerChange::Kind::freeze:
         found->frozen = true;
-        found->owed = {};
         break;
       case TimerChange::Kind::resume:
-        if (found->owed.best != found->owed.worst) relaxed = relaxed_ = true;
         found->frozen = false;
-        found->source.low += found->owed.best;
-        found->source.high += found->owed.worst;
-        found->owed = {};
-        found->resumed = true;
         break;
     }
   }
@@ -258,7 +266,6 @@ void ZoneGraph::follow(int from, const Transition& transition, const Dbm& fired,
     sources.push_back(timer.source);
     numbers.push_back(timer.timer);
     frozen.push_back(timer.frozen);
-    made.owed.push_back(timer.owed);
   }
   for (int origin : transition.outcome.origin) {
     sources.push_back(
@@ -266,10 +273,9 @@ void ZoneGraph::follow(int from, const Transition& transition, const Dbm& fired,
   }
   made.zone = derived(fired, sources);
   made.relaxed = relaxed;
-  if (relaxed) {
-    for (std::size_t k = 0; k < timers.size(); ++k) {
-      if (timers[k].resumed && !made.zone.constrain(0, k + 1, 0)) return;
-    }
+  for (const auto& [timer, left] : repaid) {
+    const std::size_t v = position(numbers, timer) + 1;
+    if (!made.zone.constrain(0, v, -left.best) || !made.zone.constrain(v, 0, left.worst)) return;
   }
   observe_growth(from, transition, made, timers.size());
   split(from, transition, transition.outcome.state, std::move(numbers), std::move(frozen), std::move(made));
@@ -304,7 +310,7 @@ void ZoneGraph::add(int from, const Transition& transition, int place, ZoneClass
   const int number = static_cast<int>(classes_.size());
   for (int other : known) {
     const ZoneClass& there = classes_[static_cast<std::size_t>(other)];
-    if (there.owed == made.owed && there.zone.includes(made.zone) && (!there.relaxed || made.relaxed)) {
+    if (there.zone.includes(made.zone) && (!there.relaxed || made.relaxed)) {
       if (keep_edges_ && from >= 0) edges_.push_back({from, other, transition.timer});
       return;
     }
@@ -315,8 +321,7 @@ void ZoneGraph::add(int from, const Transition& transition, int place, ZoneClass
   made.choices = transition.choices;
   std::erase_if(known, [&](int other) {
     ZoneClass& there = classes_[static_cast<std::size_t>(other)];
-    if (there.owed != made.owed || !made.zone.includes(there.zone) || (made.relaxed && !there.relaxed))
-      return false;
+    if (!made.zone.includes(there.zone) || (made.relaxed && !there.relaxed)) return false;
     there.replaced_by = number;
     return true;
   });

@@ -4,7 +4,7 @@
 // State classes of time Petri nets (B. Berthomieu, M. Diaz, Modeling and verification of time dependent
 // systems using time Petri nets, 1991), over the times that the active timers still have to go. Instants that
 // are being measured are variables too: how far they lie back. Actions of preempted threads run on below zero
-// and get back, when they are resumed, the processor time that others had meanwhile (exact where that time is
+// and get back, whenever one that others had the processor for ends, the time of that (exact where it is
 // fixed; E. Fersman, P. Krcal, P. Pettersson, W. Yi, Task automata, 2007).
 #pragma once
 
@@ -29,8 +29,7 @@ struct Limits {
 
 struct ZoneClass {
   int state = -1;
-  Dbm zone;                 // variables: 0, the state's timers, its observers
-  std::vector<Range> owed;  // to each timer of the state, if it is frozen: processor time that others had
+  Dbm zone;  // variables: 0, the state's timers, its observers
   int parent = -1;
   int timer = -1;  // whose firing led here from the parent
   std::vector<std::uint8_t> choices;

@@ -152,7 +152,7 @@ class BodyPlanner {
       if (found == nullptr || found->module.empty()) found = &time;
     }
     if (found != nullptr) return found->time;
-    diagnostics_.report(Code::PAL0902, environment_.where,
+    diagnostics_.report(Code::PAL0725, environment_.where,
                         "environment " + environment_.name + " does not say how long " + activity.name +
                             " of " + planned_.pal_name + " takes",
                         "add TIME " + activity.name + " OF " + planned_.pal_name + " : … to the environment");
@@ -332,8 +332,11 @@ bool can_pass(Plan& plan, const PlannedStatement& statement, int depth) {
   switch (statement.kind) {
     case Kind::complete:
       return false;
-    case Kind::loop:
-      return !statement.guards.empty() && can_end(plan, statement.branches.front(), depth);
+    case Kind::loop: {
+      // Also of a loop that goes on for ever: the blocks in it are to be known.
+      const bool ends = can_end(plan, statement.branches.front(), depth);
+      return ends && !statement.guards.empty();
+    }
     case Kind::wait:
     case Kind::choose: {
       bool any = statement.branches.empty();

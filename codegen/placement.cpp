@@ -38,7 +38,7 @@ void place_threads(const pan::Network& network, const pan::Environment& environm
     const pan::Placement* place = place_of(network, environment, thread.pal_name);
     if (place == nullptr) {
       diagnostics.report(
-          Code::PAL0901, environment.where,
+          Code::PAL0721, environment.where,
           "environment " + environment.name + " does not say where " + thread.pal_name + " runs",
           "add PLACE " + thread.pal_name + " ON … to the environment");
       continue;
@@ -47,7 +47,7 @@ void place_threads(const pan::Network& network, const pan::Environment& environm
         std::find_if(environment.processors.begin(), environment.processors.end(),
                      [&](const pan::Processor& candidate) { return candidate.name == place->processor; });
     if (processor == environment.processors.end()) {
-      diagnostics.report(Code::PAL0901, place->where,
+      diagnostics.report(Code::PAL0713, place->where,
                          "environment " + environment.name + " has no processor " + place->processor,
                          "add PROCESSOR " + place->processor + " to the environment");
       continue;

@@ -67,6 +67,7 @@ EVERY         : E V E R Y ;
 FIRST         : F I R S T ;
 FOREVER       : F O R E V E R ;
 FRAMES        : F R A M E S ;
+GENERIC       : G E N E R I C ;
 IN            : I N ;
 INTEGER       : I N T E G E R ;
 INTERVAL      : I N T E R V A L ;

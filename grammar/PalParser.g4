@@ -86,7 +86,7 @@ statement
 wait
   : WTM LEFT COORDINATOR RIGHT                                                        # waitForStart
   | WTM source                                                                        # waitForOne
-  | WTM source WITHIN duration statements ELSE statements END_WTM WTM                 # waitWithin
+  | WTM source WITHIN duration statements ( ELSE statements )? END_WTM WTM            # waitWithin
   | WTM FIRST ( WITHIN duration )? waitArm+ ( ELSE statements )? END_WTM WTM          # waitForFirst
   ;
 
@@ -197,6 +197,10 @@ environmentUnit : ENVIRONMENT name item* END ENVIRONMENT ;
 
 item
   : DESCRIPTION STRING                                                                # environmentDescription
+  | SENSOR DRIVER names                                                               # availableDrivers
+  | LOGICAL SENSOR names                                                              # availableSensors
+  | MACHINE CONTROLLER names                                                          # availableMachines
+  | GENERIC SKILL names                                                               # availableSkills
   | PROCESSOR name NONPREEMPTIVE?                                                     # processor
   | DEVICE name EVENT message eventClause+                                            # eventDevice
   | DEVICE name ON REQUEST interval                                                   # requestDevice
@@ -238,7 +242,7 @@ name
 contextual
   : ACTIVITY | AGE | ANSWER | AT | BETWEEN | BOOLEAN | BUSY | COLLECTING | COMPLETION | CONTROLLER
   | COORDINATOR | COST | DATA | DEFAULT | DESCRIPTION | DRIVER | DURATION | EACH | ERROR | EVENT | EVERY
-  | FIRST | FOREVER | FRAMES | IN | INTEGER | INTERVAL | JITTER | LATENCY | LEAST | LOAD | LOSS | METHOD
+  | FIRST | FOREVER | FRAMES | GENERIC | IN | INTEGER | INTERVAL | JITTER | LATENCY | LEAST | LOAD | LOSS | METHOD
   | MODEL | MODULE | MOST | NONPREEMPTIVE | NORMAL | NOTHING | OF | ON | PARAMETER | PERIOD | PHASE | PLACE
   | POSTCONDITION | PRECONDITION | PRIORITY | PROCESSOR | PROCESSORS | PROTOCOL | RANGE | REACTION | READ
   | READS | REAL | RECEIVE | REQUIREMENT | RESPONSE | RETURNS | SEND | SET | SIGNAL | SPORADIC | TEST | TIME | WITHIN | WRITES

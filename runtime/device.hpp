@@ -50,8 +50,8 @@ class DeviceHost {
   virtual bool deliver(std::size_t port, std::span<const double> fields) = 0;
 
   /// Marks the device busy or idle in the trace. Becoming busy takes the oldest request that the device has
-  /// received and not taken yet out of its slot; a device that never marks itself busy takes a request when
-  /// it answers it.
+  /// received and not taken yet out of its slot; being marked busy once more the next one (a frame is for all
+  /// of them). A device that never marks itself busy takes a request when it answers it.
   virtual void mark_busy(bool busy) = 0;
 
   /// Ends the skill with its error completion; `reason` goes into the result and the trace.
@@ -68,7 +68,8 @@ class Device {
   /// Called once, before each run.
   virtual void attach(DeviceHost& host) = 0;
 
-  /// The skill waits for this device, or sends to it, for the first time in this run.
+  /// The skill waits for this device for the first time in this run, or sends to it, if it is no device that
+  /// sends what it was not asked for: events come from the first wait on.
   virtual void open() = 0;
 
   /// A message for port `port`. Called at the instant at which it arrives.

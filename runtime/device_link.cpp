@@ -34,8 +34,9 @@ bool DeviceLink::deliver(std::size_t port, std::span<const double> fields) {
 
 void DeviceLink::mark_busy(bool busy) {
   if (run_.over()) return;
+  if (busy != busy_) run_.record_device(busy ? trace::Kind::busy : trace::Kind::idle, index_);
   busy_ = busy;
-  run_.record_device(busy ? trace::Kind::busy : trace::Kind::idle, index_);
+  marks_itself_ = true;
   if (busy) run_.mail().device_takes_request(index_);
 }
 

@@ -25,7 +25,8 @@ class DeviceLink final : public DeviceHost {
 
   Device& device() const { return device_; }
   void open();
-  bool busy() const { return busy_; }
+  /// Whether the device says when it takes its requests.
+  bool marks_itself() const { return marks_itself_; }
 
  private:
   Run& run_;
@@ -34,6 +35,7 @@ class DeviceLink final : public DeviceHost {
   std::vector<int> channels_;
   bool opened_ = false;
   bool busy_ = false;
+  bool marks_itself_ = false;
 };
 
 }  // namespace pal::runtime

@@ -89,11 +89,11 @@ void Mail::finish(WaitOperation& wait) {
   Thread& thread = wait.thread();
   const auto targets = wait.targets();
   if (wait.chosen < 0) {
-    run_.record(Kind::done, thread);
     for (const Target& target : targets) {
       const int request = at(target.channel).request_of;
       if (request >= 0) withdraw(at(request));
     }
+    run_.record(Kind::done, thread);
     run_.proceed(thread);
     return;
   }
@@ -108,11 +108,11 @@ void Mail::finish(WaitOperation& wait) {
     return;
   }
   if (target.store != nullptr) target.store(target.message, slot.fields);
-  run_.record(Kind::done, thread);
   run_.record(Kind::take, thread, target.channel, slot.serial);
   if (slot.request_of >= 0 && at(slot.request_of).open > 0) --at(slot.request_of).open;
-  run_.proceed(thread);
   empty(slot);
+  run_.record(Kind::done, thread);
+  run_.proceed(thread);
 }
 
 void Mail::message_available(int channel) {
@@ -144,10 +144,7 @@ void Mail::send(SendOperation& send) {
   Thread& thread = send.thread();
   Slot& slot = at(send.channel());
   if (slot.unwanted > 0) {
-    --slot.unwanted;
-    run_.record(Kind::done, thread);
-    run_.record(Kind::drop, thread, send.channel(), ++serials_);
-    run_.proceed(thread);
+    discard(send);
     return;
   }
   if (slot.full) {
@@ -162,12 +159,25 @@ void Mail::send(SendOperation& send) {
   put_done(send);
 }
 
-void Mail::put_done(SendOperation& send) {
+/// Nobody wants the message any more.
+void Mail::discard(SendOperation& send) {
   Thread& thread = send.thread();
   thread.control.sending = nullptr;
+  --at(send.channel()).unwanted;
+  run_.record(Kind::drop, thread, send.channel(), ++serials_);
   run_.record(Kind::done, thread);
   run_.proceed(thread);
-  put(at(send.channel()), thread, send.payload());
+}
+
+void Mail::put_done(SendOperation& send) {
+  Thread& thread = send.thread();
+  Slot& slot = at(send.channel());
+  thread.control.sending = nullptr;
+  fill(slot, send.payload());
+  run_.record(Kind::put, thread, send.channel(), slot.serial);
+  run_.record(Kind::done, thread);
+  run_.proceed(thread);
+  set_out(slot, thread);
 }
 
 void Mail::fill(Slot& slot, std::span<const double> fields) {
@@ -178,16 +188,15 @@ void Mail::fill(Slot& slot, std::span<const double> fields) {
   std::copy(fields.begin(), fields.end(), slot.fields.begin());
 }
 
-void Mail::put(Slot& slot, const Thread& sender, std::span<const double> fields) {
+/// What was put goes on its way.
+void Mail::set_out(Slot& slot, const Thread& sender) {
   const int channel = index(slot);
-  fill(slot, fields);
-  run_.record(Kind::put, sender, channel, slot.serial);
   if (slot.spec->request) {
     ++slot.open;
     slot.requester = &sender;
   }
   if (slot.spec->to_device) {
-    run_.open_device(slot.device);
+    if (!sends_events(slot.device)) run_.open_device(slot.device);
     if (slot.spec->request) {
       // As an event of its own: the device may be in the middle of taking the request before this one.
       run_.queue().push(run_.now(), Event::Kind::request_arrives, channel,
@@ -209,6 +218,13 @@ void Mail::put(Slot& slot, const Thread& sender, std::span<const double> fields)
   message_available(channel);
 }
 
+/// Whether the device sends what it was not asked for: that it does from when somebody first waits for it.
+bool Mail::sends_events(int device) const {
+  return std::any_of(slots_.begin(), slots_.end(), [device](const Slot& slot) {
+    return slot.device == device && slot.spec->from_device && slot.request_of < 0;
+  });
+}
+
 void Mail::empty(Slot& slot) {
   slot.full = false;
   slot.claimed = nullptr;
@@ -218,7 +234,13 @@ void Mail::empty(Slot& slot) {
     if (control.sending == nullptr || control.sending->channel() != index(slot)) continue;
     if (longest == nullptr || control.blocked_order < longest->control.blocked_order) longest = &thread;
   }
-  if (longest != nullptr) put_done(*longest->control.sending);
+  if (longest == nullptr) return;
+  if (slot.unwanted > 0) {
+    discard(*longest->control.sending);
+    empty(slot);
+  } else {
+    put_done(*longest->control.sending);
+  }
 }
 
 // Withdrawing.
@@ -229,20 +251,19 @@ void Mail::drop(Slot& slot) {
 }
 
 void Mail::withdraw(Slot& request) {
-  if (request.spec->answer < 0) return;
+  if (request.spec->answer < 0 || request.open == 0) return;
   Slot& answer = at(request.spec->answer);
-  while (request.open > 0) {
-    --request.open;
-    if (request.full) {
-      const bool forgotten = !request.handed || run_.withdraw_from_device(request.device, request.port);
-      if (!forgotten) ++answer.unwanted;
-      drop(request);
-    } else if (answer.full) {
-      drop(answer);
-    } else {
-      ++answer.unwanted;
-    }
-  }
+  // What a blocked sender puts from here on is not meant.
+  const bool asking = request.full;
+  const bool answered = answer.full && request.open > (asking ? 1 : 0);
+  const bool forgotten =
+      asking && (!request.handed || run_.withdraw_from_device(request.device, request.port));
+  answer.unwanted += request.open - (asking ? 1 : 0) - (answered ? 1 : 0);
+  if (asking && !forgotten) ++answer.unwanted;
+  request.open = 0;
+  request.requester = nullptr;
+  if (asking) drop(request);
+  if (answered) drop(answer);
 }
 
 void Mail::abandon(Thread& thread) {
@@ -285,7 +306,7 @@ bool Mail::deliver(int channel, std::span<const double> fields) {
     return true;
   }
   // A device that does not mark itself busy takes a request when it answers it.
-  if (slot.request_of >= 0 && !run_.device_is_busy(slot.device)) {
+  if (slot.request_of >= 0 && !run_.device_marks_itself(slot.device)) {
     Slot& request = at(slot.request_of);
     if (request.full && request.handed) taken_by_device(request);
   }

@@ -66,8 +66,10 @@ class Mail {
   void look(WaitOperation& wait);
   void claim(WaitOperation& wait, int target);
   void give_up(WaitOperation& wait);
-  void put(Slot& slot, const Thread& sender, std::span<const double> fields);
+  void set_out(Slot& slot, const Thread& sender);
+  bool sends_events(int device) const;
   void put_done(SendOperation& send);
+  void discard(SendOperation& send);
   void fill(Slot& slot, std::span<const double> fields);
   void empty(Slot& slot);
   void drop(Slot& slot);

@@ -20,8 +20,8 @@ void Step::reach() {
 
 void Step::work_done() {
   Run& run = thread().run();
-  run.record(Kind::done, thread());
   effect();
+  run.record(Kind::done, thread());
   run.proceed(thread());
 }
 

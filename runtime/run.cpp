@@ -1,5 +1,6 @@
 #include "runtime/run.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -167,11 +168,15 @@ void Run::settle() {
     Thread& thread = *resuming_.front();
     resuming_.erase(resuming_.begin());
     thread.control.resuming = false;
+    const auto others = static_cast<std::ptrdiff_t>(resuming_.size());
     if (thread.control.cancelled) {
       blocks_.stop(thread);
     } else {
       thread.control.resume_point.resume();
     }
+    // Reaching a statement is one with what leads to it: the blocks of a CONCURRENT begin before others go
+    // on.
+    std::rotate(resuming_.begin(), resuming_.begin() + others, resuming_.end());
   }
   if (!over_) scheduler_.dispatch();
 }
@@ -273,6 +278,7 @@ int Run::error_code() const {
 void Run::complete(Thread& thread, int code) {
   if (over_) return;
   record(Kind::complete, thread, -1, code);
+  record(Kind::done, thread);
   over_ = true;
   outcome_.code = code;
 }

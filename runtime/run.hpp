@@ -66,7 +66,9 @@ class Run {
 
   // Devices.
   void open_device(int device);
-  bool device_is_busy(int device) const { return devices_[static_cast<std::size_t>(device)].busy(); }
+  bool device_marks_itself(int device) const {
+    return devices_[static_cast<std::size_t>(device)].marks_itself();
+  }
   void hand_to_device(int device, std::size_t port, std::span<const double> fields);
   bool withdraw_from_device(int device, std::size_t port);
 

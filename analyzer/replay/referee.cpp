@@ -31,7 +31,10 @@ void Referee::follow(std::optional<Nanoseconds> until) {
   for (at_ = 0; at_ < events_.size(); ++at_) {
     const Event& event = events_[at_];
     demand(event.time_ns >= now_, "time runs backwards");
-    if (event.time_ns > now_) leave_instant(event.time_ns);
+    if (event.time_ns > now_) {
+      leave_instant(event.time_ns);
+      passed_.clear();
+    }
     now_ = event.time_ns;
     gauge_.at(now_);
     demand(!ended_, "something happens after the skill has ended");
@@ -52,9 +55,14 @@ void Referee::handle(const Event& event) {
     drop(event);
     return;
   }
+  const auto passed = std::find(passed_.begin(), passed_.end(), std::pair(event.actor, event.statement));
+  if (event.kind == Kind::block && event.subject < 0 && passed != passed_.end()) {
+    passed_.erase(passed);
+    return;
+  }
   const Party& of = party(event.actor);
   demand(of.mode != Mode::off, name(event.actor) + " acts without being there");
-  demand(event.statement == step_of(event.actor).statement,
+  demand(event.statement == (of.step < 0 ? -1 : step_of(event.actor).statement),
          name(event.actor) + " is at another statement than the event");
   demand(!completed_ || event.kind == Kind::done, "something happens after the skill has ended");
   switch (event.kind) {

@@ -116,6 +116,9 @@ void Referee::busy(int device) {
   } else {
     demand(std::holds_alternative<pan::RequestDevice>(described.behaviour),
            described.name + " serves nothing");
+    const bool asked = std::any_of(described.requests.begin(), described.requests.end(),
+                                   [this](int request) { return slot(request).full; });
+    demand(asked, described.name + " serves before it is asked");
   }
 }
 

@@ -23,6 +23,14 @@ bool Referee::surely_there(int channel, int thread) const {
 
 /// A thread goes on as if the channel had nothing for it: what is there must still be on its way.
 void Referee::not_there_yet(int channel, int thread) {
+  // Unless it is there for another thread, which goes on with it at this instant.
+  for (std::size_t t = 0; t < threads_.size() && surely_there(channel, thread); ++t) {
+    const int other = static_cast<int>(t);
+    const bool waits = threads_[t].mode == Mode::arrived || threads_[t].mode == Mode::waiting;
+    if (!waits || other == thread || !goes_on(other)) continue;
+    const std::vector<int>& channels = step_of(other).channels;
+    if (std::find(channels.begin(), channels.end(), channel) != channels.end()) resolve(other);
+  }
   demand(!surely_there(channel, thread), name(thread) + " passes over a message that is there");
   const Slot& of = slot(channel);
   if (of.full && !of.claimed) arrival(channel, thread).lo = std::max(arrival(channel, thread).lo, now_);

@@ -67,9 +67,14 @@ void Referee::begin_blocks(int thread) {
     party(block).mode = Mode::arrived;
     gauge_.begins(block, thread);
   }
+  const int fork = party(thread).step;
   for (int block : blocks) {
-    if (party(block).mode != Mode::off) reach(block, thread_of(block).entry);
+    // One that is cancelled before it begins has come to nothing.
+    if (party(block).mode != Mode::off && !party(block).must_stop) reach(block, thread_of(block).entry);
   }
+  // Blocks with nothing in them are over before the run says that somebody waits for them.
+  const bool waits = party(thread).mode == Mode::joining && party(thread).step == fork;
+  if (!waits) passed_.emplace_back(thread, problem_.steps[static_cast<std::size_t>(fork)].statement);
 }
 
 /// A block has ended or stopped: when all that can end have, the others are cancelled.

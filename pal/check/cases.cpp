@@ -39,6 +39,16 @@ void report_dead_arms(const pan::Graph& graph, const pan::Node& node, const std:
   }
 }
 
+void report_endless(const pan::Node& until, const pan::Graph& graph, const pan::Network& network,
+                    Diagnostics& diagnostics) {
+  const auto& guard = *std::get<pan::Until>(until.content).guard;
+  auto& finding = diagnostics.report(
+      Code::PAL0503, until.where,
+      "this loop never ends: no run makes " + guard_text(network, guard) + " hold here",
+      "set what it waits for inside the loop, or write UNTIL( forever ) if it is never to end");
+  finding.notes.push_back({graph[until.mate].where, "the loop begins here"});
+}
+
 }  // namespace
 
 void check_cases(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics) {
@@ -52,6 +62,10 @@ void check_cases(const pan::Network& network, const Flow& flow, Diagnostics& dia
       if (runs.complete)
         report_dead_arms(network.modules[place.first.index()].body, node, outcome.taken, network,
                          diagnostics);
+    }
+    for (const auto& [place, ends] : runs.loops) {
+      const auto& body = network.modules[place.first.index()].body;
+      if (runs.complete && !ends) report_endless(body[place.second], body, network, diagnostics);
     }
   }
 }

@@ -310,7 +310,9 @@ class Explorer {
     std::set<pan::ConditionId> conditions;
     conditions_of(*until.guard, conditions);
     if (conditions.size() > most_conditions) return give_up();
+    auto& ends = result_.loops[std::pair(thread.at.module, thread.at.node)];
     for (const auto& reading : readings(state, thread, conditions)) {
+      ends = ends || holds(*until.guard, reading);
       const auto to = holds(*until.guard, reading) ? here.out.front() : here.mate;
       State next = state;
       at(next, thread).latched.clear();

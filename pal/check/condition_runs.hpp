@@ -29,6 +29,7 @@ struct CaseOutcome {
 struct ConditionRuns {
   bool complete = true;  // false: there were too many states, and arms not taken prove nothing
   std::map<std::pair<pan::ModuleId, pan::NodeId>, CaseOutcome> cases;  // those that were reached
+  std::map<std::pair<pan::ModuleId, pan::NodeId>, bool> loops;         // UNTILs that were reached: some run ends there
 };
 
 /// Explores every interleaving. Waits may always go on: talk with others is left out, so that there are more

@@ -35,6 +35,13 @@ Interval& place_of(pan::Environment& environment, syntax::CostItem::Kind kind) {
   return environment.costs.send;
 }
 
+pan::Resources::List names_of(const std::optional<syntax::NameSlot>& slot) {
+  if (!slot) return std::nullopt;
+  std::vector<std::string> names;
+  for (const auto& name : slot->names) names.push_back(name.text);
+  return names;
+}
+
 /// Reports keys that come a second time.
 template <class Key>
 class Once {
@@ -47,6 +54,7 @@ class Once {
     auto& finding =
         diagnostics_.report(Code::PAL0711, where, what_ + shown + " is given twice", "remove one of them");
     finding.notes.push_back({first->second, "it is also given here"});
+    finding.fix = {{where, ""}};
   }
 
  private:
@@ -141,6 +149,8 @@ pan::Environment build_environment(const syntax::EnvironmentUnit& written, Diagn
   result.placements = written.placements;
   result.activities = written.activities;
   result.where = written.where;
+  result.resources = {names_of(written.resources.sensor_drivers), names_of(written.resources.logical_sensors),
+                      names_of(written.resources.machine_controllers), names_of(written.resources.skills)};
   for (const auto& cost : written.costs) place_of(result, cost.kind) = cost.time;
   check_twice(written, diagnostics);
   check_placements(result, diagnostics);

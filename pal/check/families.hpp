@@ -15,10 +15,12 @@ void check_channels(const pan::Network& network, Diagnostics& diagnostics);
 void check_writers(const pan::Network& network, Diagnostics& diagnostics);
 /// Conditions that are read before they are set.
 void check_reads(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
-/// CASE with no arm that holds, and arms that never do.
+/// CASE with no arm that holds, arms that never do, and loops whose end never holds.
 void check_cases(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
 /// Statements that are never reached, loops that spin.
 void check_flow(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
+/// Activities and conditions that read a message which never comes, or has not come yet.
+void check_readers(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
 /// The start of the skill and its completions; contingency methods that nothing executes.
 void check_protocol(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
 

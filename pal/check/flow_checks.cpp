@@ -44,7 +44,8 @@ class FlowCheck {
     const bool ended = cause != nullptr && std::holds_alternative<pan::Complete>(cause->content);
     if (ended && std::holds_alternative<pan::Complete>(node.content)) {
       auto& finding = diagnostics_.report(
-          Code::PAL0505, node.where, "the skill has sent its completion already", "remove one of the two");
+          Code::PAL0505, node.where, "the skill has sent its completion already", "remove it");
+      finding.fix = {{node.where, ""}};
       finding.notes.push_back({cause->where, "it ends here"});
       return;
     }

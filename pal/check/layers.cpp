@@ -56,15 +56,15 @@ std::string described(const pan::Network& network, const pan::Party& party) {
 std::string partners(Layer layer) {
   switch (layer) {
     case Layer::skill:
-      return "skill and contingency modules talk with logical sensors and machine controllers";
+      return "go by way of a neighbour: skill and contingency modules talk with logical sensors and machine controllers";
     case Layer::logical_sensor:
-      return "logical sensors talk with sensor drivers below and skill modules above";
+      return "go by way of a neighbour: logical sensors talk with sensor drivers below and skill modules above";
     case Layer::machine_controller:
-      return "machine controllers talk with skill modules and with devices";
+      return "go by way of a neighbour: machine controllers talk with skill modules and with devices";
     case Layer::sensor_driver:
-      return "sensor drivers talk with logical sensors and with devices";
+      return "go by way of a neighbour: sensor drivers talk with logical sensors and with devices";
     case Layer::device:
-      return "only sensor drivers and machine controllers talk with devices";
+      return "go by way of a neighbour: only sensor drivers and machine controllers talk with devices";
   }
   return {};
 }
@@ -80,7 +80,7 @@ void check_layers(const pan::Network& network, Diagnostics& diagnostics) {
     if (channel.sender == channel.receiver) {
       diagnostics.report(Code::PAL0305, channel.where,
                          quoted(party_name(network, channel.sender)) + " sends itself a message",
-                         "what a module knows it need not be told");
+                         "remove it: what a module knows it need not be told");
       continue;
     }
     const auto from = layer(network, channel.sender);

@@ -87,6 +87,7 @@ void Names::check_kind(const syntax::PartyName& name, pan::ModuleId module) {
       Code::PAL0206, name.where,
       quoted(name.name.text) + " is a " + kind_text(found.kind) + ", not a " + kind_text(*name.kind),
       "write " + quoted(kind_text(found.kind) + " " + name.name.text) + ", or its name alone");
+  finding.fix = {{name.where, kind_text(found.kind) + " " + name.name.text}};
   finding.notes.push_back({found.where, "it is declared here"});
 }
 
@@ -112,9 +113,10 @@ std::optional<pan::Party> Names::party(const syntax::PartyName& name) {
   const auto* device = scope_.devices.find(name.name.text);
   if (device != nullptr || trusting_) {
     if (device != nullptr && name.kind) {
-      diagnostics_.report(Code::PAL0206, name.where,
-                          quoted(name.name.text) + " is a device, not a " + kind_text(*name.kind),
-                          "write its name alone");
+      auto& finding = diagnostics_.report(
+          Code::PAL0206, name.where, quoted(name.name.text) + " is a device, not a " + kind_text(*name.kind),
+          "write its name alone");
+      finding.fix = {{name.where, name.name.text}};
     }
     return enter_device(name.name, device);
   }

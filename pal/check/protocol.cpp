@@ -33,7 +33,7 @@ void check_start(const pan::Network& network, Diagnostics& diagnostics) {
       if (module.kind != pan::ModuleKind::skill_module) {
         diagnostics.report(Code::PAL0507, node.where,
                            "a " + kind_text(module.kind) + " is not started by the coordinator",
-                           "only the skill method waits for it");
+                           "remove it: only the skill method waits for the coordinator");
       } else if (n != 1) {
         diagnostics.report(Code::PAL0507, node.where,
                            "the coordinator starts a skill once, before anything else",
@@ -71,9 +71,11 @@ void check_codes(const pan::Network& network, Diagnostics& diagnostics) {
   }
   for (const auto& completion : network.skill.completions) {
     if (completion.kind == pan::Completion::Kind::error || sent.contains(completion.code)) continue;
-    diagnostics.report(Code::PAL0612, completion.where,
-                       "nothing sends completion " + std::to_string(completion.code),
-                       "send it where the skill ends in this way, or remove it");
+    diagnostics
+        .report(Code::PAL0612, completion.where,
+                "nothing sends completion " + std::to_string(completion.code),
+                "send it where the skill ends in this way, or remove it")
+        .fix = {{completion.where, ""}};
   }
 }
 
@@ -104,6 +106,32 @@ void check_end(const pan::Network& network, const Flow& flow, Diagnostics& diagn
   }
 }
 
+/// No way through the method, or through what it executes, gets to a completion.
+void check_completes(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics) {
+  if (!network.main.valid()) return;
+  const pan::Node* endless = nullptr;
+  for (std::size_t m = 0; m < network.modules.size(); ++m) {
+    const auto& body = network.modules[m].body;
+    for (std::size_t n = 0; n < body.nodes.size(); ++n) {
+      if (!flow.reached(pan::ModuleId(m), pan::NodeId(n))) continue;
+      const auto& node = body.nodes[n];
+      if (std::holds_alternative<pan::Complete>(node.content)) return;
+      // Its end is where the flow stops, if it gets that far.
+      if (pan::ModuleId(m) == network.main && std::holds_alternative<pan::End>(node.content) &&
+          n + 1 == body.nodes.size())
+        return;
+      const auto* until = std::get_if<pan::Until>(&node.content);
+      if (pan::ModuleId(m) == network.main && until != nullptr && !until->guard) endless = &node;
+    }
+  }
+  auto& finding =
+      diagnostics.report(Code::PAL0512, network.modules[network.main.index()].where,
+                         "skill " + quoted(network.skill.name) + " never completes: no way through " +
+                             quoted(network.modules[network.main.index()].name) + " gets to a completion",
+                         "let the loop end, or stand in a block of CONCURRENT beside one that ends");
+  if (endless != nullptr) finding.notes.push_back({endless->where, "this loop never ends"});
+}
+
 void check_contingencies(const pan::Network& network, Diagnostics& diagnostics) {
   for (const auto& module : network.modules) {
     if (module.kind != pan::ModuleKind::contingency_module || module.body.empty() ||
@@ -123,6 +151,7 @@ void check_protocol(const pan::Network& network, const Flow& flow, Diagnostics& 
   check_start(network, diagnostics);
   check_codes(network, diagnostics);
   check_end(network, flow, diagnostics);
+  check_completes(network, flow, diagnostics);
   check_contingencies(network, diagnostics);
 }
 

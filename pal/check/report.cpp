@@ -22,8 +22,9 @@ void report_unknown(Diagnostics& diagnostics, Code code, const std::string& what
   // Where hundreds of names are unknown none is a slip of the fingers, and comparing all with all takes long.
   constexpr std::size_t most_guesses = 200;
   const auto meant = diagnostics.errors() < most_guesses ? nearest(name.text, known) : std::nullopt;
-  diagnostics.report(code, name.where, "there is no " + what + " " + quoted(name.text),
-                     meant ? "did you mean " + quoted(*meant) + "?" : otherwise);
+  auto& finding = diagnostics.report(code, name.where, "there is no " + what + " " + quoted(name.text),
+                                     meant ? "did you mean " + quoted(*meant) + "?" : otherwise);
+  if (meant) finding.fix = {{name.where, *meant}};
 }
 
 }  // namespace pal::frontend

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
+#include <type_traits>
 
 #include "pal/check/report.hpp"
+#include "pal/support/diagnostic_code.hpp"
+#include "pal/units/unit.hpp"
 
 namespace pal::frontend {
 
@@ -25,6 +29,42 @@ std::vector<std::size_t> seen_from(const std::vector<syntax::Tree>& trees, std::
   return order;
 }
 
+std::string unit_text(const std::string& unit) {
+  return unit.empty() ? "a plain number" : quoted(unit);
+}
+
+/// How one unit relates to another, if both can be compared: "1 cm is 10 mm".
+std::string relation(const std::string& left, const std::string& right) {
+  const auto from = units::parse_unit(left);
+  const auto to = units::parse_unit(right);
+  if (!from || !to) return {};
+  const auto factor = units::factor(*from, *to);
+  if (!factor) return from->dimension == to->dimension ? "" : ": they measure different things";
+  if (factor->over == factor->under) return ": they are the same unit";
+  return ": 1 " + left + " is " + std::to_string(factor->over) +
+         (factor->under == 1 ? "" : "/" + std::to_string(factor->under)) + " " + right;
+}
+
+/// Two declarations of one message: what passes between those who use one and those who use the other would
+/// change its meaning on the way.
+void report_two_messages(const syntax::MessageUnit& second, const syntax::MessageUnit& first,
+                         Diagnostics& diagnostics) {
+  std::string differences;
+  for (std::size_t i = 0; i < std::min(first.fields.size(), second.fields.size()); ++i) {
+    const auto& a = first.fields[i];
+    const auto& b = second.fields[i];
+    if (a.unit == b.unit) continue;
+    differences += "; " + quoted(b.name) + " is in " + unit_text(b.unit) + " here and in " +
+                   unit_text(a.unit) + " there" + relation(b.unit, a.unit);
+  }
+  auto& finding = diagnostics.report(
+      Code::PAL0205, second.name.where,
+      "message " + quoted(second.name.text) + " is declared twice" + differences,
+      differences.empty() ? "rename one of them, or remove it"
+                          : "keep one declaration, in a file that both use, and let activities convert");
+  finding.notes.push_back({first.name.where, "it is also declared here"});
+}
+
 }  // namespace
 
 Scope scope_of(const std::vector<syntax::Tree>& trees, std::size_t root, Diagnostics& diagnostics) {
@@ -35,6 +75,9 @@ Scope scope_of(const std::vector<syntax::Tree>& trees, std::size_t root, Diagnos
     if (const auto* first = declarations.add(unit)) {
       // Of two files the one that uses the other is to be changed.
       const bool same_file = first->name.where.file == unit.name.where.file;
+      if constexpr (std::is_same_v<std::decay_t<decltype(unit)>, syntax::MessageUnit>) {
+        return report_two_messages(same_file ? unit : *first, same_file ? *first : unit, diagnostics);
+      }
       report_twice(diagnostics, what, same_file ? unit.name : first->name,
                    same_file ? first->name : unit.name);
     }

@@ -4,6 +4,7 @@
 #include "pal/check/load.hpp"
 #include "pal/driver/commands.hpp"
 #include "pal/driver/report.hpp"
+#include "pal/driver/sarif.hpp"
 #include "pal/driver/witness.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/output.hpp"
@@ -56,8 +57,11 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
   const bool wrong = found != ExitStatus::all_hold;
   report_unmet(proofs, session);
 
+  const ExitStatus status = wrong ? found : all_hold(proofs) ? ExitStatus::all_hold : ExitStatus::not_met;
   if (options.format == Format::json) {
     console.out << json(proofs, session);
+  } else if (options.format == Format::sarif) {
+    console.out << sarif(proofs, session, status);
   } else {
     show_findings(session, console);
     if (!wrong) say_what_was_not_proved(session, console.err);
@@ -70,8 +74,7 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
       return ExitStatus::usage;
     }
   }
-  if (wrong) return found;
-  return all_hold(proofs) ? ExitStatus::all_hold : ExitStatus::not_met;
+  return status;
 }
 
 }  // namespace pal::driver

@@ -42,9 +42,17 @@ void add_check(CLI::App& app, CheckOptions& options) {
       app.add_subcommand("check", "Finds what is wrong, and proves or refutes every requirement");
   add_selection(*command, options.selection);
   add_limits(*command, options.limits);
-  command->add_option("--format", options.format, "text or json")
+  using Choice = analyzer::AnalysisChoice;
+  command
+      ->add_option("--analysis", options.limits.analysis,
+                   "exact, compositional (bounds, however large the skill), or auto: exact, and compositional for "
+                   "what that leaves undecided")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Choice>{
+          {"exact", Choice::exact}, {"compositional", Choice::compositional}, {"auto", Choice::automatic}}))
+      ->type_name("ANALYSIS");
+  command->add_option("--format", options.format, "text, json or sarif (2.1.0)")
       ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Format>{{"text", Format::text}, {"json", Format::json}}))
+          std::map<std::string, Format>{{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}}))
       ->type_name("FORMAT");
   command->add_option("--emit", options.emit, "also print what stands between two stages: tree or pan")
       ->transform(
@@ -129,6 +137,23 @@ void add_format(CLI::App& app, FormatOptions& options) {
       "2 bad usage, or a file could not be read or written.");
 }
 
+void add_sequence(CLI::App& app, SequenceOptions& options) {
+  CLI::App* command = app.add_subcommand("sequence", "Draws the runs into deadlocks as message sequence charts");
+  add_selection(*command, options.selection);
+  command->add_option("-o,--output", options.output, "folder for SKILL.N.sequence.svg")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+}
+
+void add_resources(CLI::App& app, ResourcesOptions& options) {
+  CLI::App* command = app.add_subcommand("resources", "Lists what skills need, and what environments lack of it");
+  add_selection(*command, options.selection);
+  command->add_option("--format", options.format, "text or json")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Format>{{"text", Format::text}, {"json", Format::json}}))
+      ->type_name("FORMAT");
+}
+
 void add_doc(CLI::App& app, DocOptions& options) {
   CLI::App* command = app.add_subcommand("doc", "Writes the templates of skills as documents");
   command->add_option("files", options.selection.files, "PAL files with the skills")->required()->type_name("FILE");
@@ -178,6 +203,8 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   FormatOptions format_options;
   DocOptions doc_options;
   ExplainOptions explain_options;
+  SequenceOptions sequence_options;
+  ResourcesOptions resources_options;
   add_check(app, check_options);
   add_replay(app, replay_options);
   add_pan(app, pan_options);
@@ -186,6 +213,8 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   add_format(app, format_options);
   add_doc(app, doc_options);
   add_explain(app, explain_options);
+  add_sequence(app, sequence_options);
+  add_resources(app, resources_options);
 
   if (!is_known_command(app, arguments, console.err)) return ExitStatus::usage;
   try {
@@ -200,6 +229,8 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   if (app.got_subcommand("pan")) return draw_pan(pan_options, console);
   if (app.got_subcommand("atc")) return draw_atc(atc_options, console);
   if (app.got_subcommand("fmt")) return format(format_options, console);
+  if (app.got_subcommand("sequence")) return draw_sequences(sequence_options, console);
+  if (app.got_subcommand("resources")) return show_resources(resources_options, console);
   if (app.got_subcommand("doc")) return write_doc(doc_options, console);
   if (app.got_subcommand("explain")) return explain_code(explain_options, console);
   return generate(generate_options, console);

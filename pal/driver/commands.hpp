@@ -12,7 +12,7 @@
 
 namespace pal::driver {
 
-enum class Format { text, json };
+enum class Format { text, json, sarif };
 /// A value between two stages, to look at.
 enum class Stage { none, tree, pan };
 
@@ -84,5 +84,19 @@ struct ExplainOptions {
 };
 /// Prints the pages on findings.
 ExitStatus explain_code(const ExplainOptions& options, const Console& console);
+
+struct SequenceOptions {
+  Selection selection;
+  std::string output = ".";
+};
+/// Draws the runs into deadlocks, and those that leave a command undelivered, as message sequence charts.
+ExitStatus draw_sequences(const SequenceOptions& options, const Console& console);
+
+struct ResourcesOptions {
+  Selection selection;
+  Format format = Format::text;
+};
+/// Prints what each skill needs, and what the environments have not. wrong_specification: something is missing.
+ExitStatus show_resources(const ResourcesOptions& options, const Console& console);
 
 }  // namespace pal::driver

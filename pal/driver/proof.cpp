@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "pal/check/resources.hpp"
 #include "pal/support/duration_text.hpp"
 
 namespace pal::driver {
@@ -42,9 +43,10 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits) {
   std::vector<Proof> proofs;
   for (const pan::Network& skill : session.specification.skills) {
     for (const pan::Environment& environment : session.specification.environments) {
+      frontend::check_resources(skill, environment, session.diagnostics);
       auto problem = analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
       if (!problem) continue;
-      analyzer::Analysis analysis = analyzer::analyze(*problem, options);
+      analyzer::Analysis analysis = analyzer::analyze(*problem, limits.analysis, options);
       proofs.push_back({std::move(*problem), std::move(analysis)});
     }
   }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/exact.hpp"
+#include "analyzer/analysis.hpp"
 #include "analyzer/problem.hpp"
 #include "pal/driver/selection.hpp"
 
@@ -20,6 +20,7 @@ struct Proof {
 struct ProofLimits {
   std::size_t max_states = 1'000'000;  // a requirement
   double seconds = 0;                  // of everything together; 0: as long as it takes
+  analyzer::AnalysisChoice analysis = analyzer::AnalysisChoice::automatic;
 };
 
 /// Proves every skill of the session in every one of its environments. What keeps a model from being built is

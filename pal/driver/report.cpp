@@ -35,6 +35,11 @@ std::string bound_text(const analyzer::Verdict& verdict) {
          figure_text(verdict.measure, *verdict.bound);
 }
 
+/// Nothing for the exact analysis, which is the usual one.
+std::string method_text(const analyzer::Verdict& verdict) {
+  return verdict.method == analyzer::Method::exact ? "" : "  (compositional)";
+}
+
 }  // namespace
 
 void write_table(const std::vector<Proof>& proofs, std::ostream& out) {
@@ -47,10 +52,10 @@ void write_table(const std::vector<Proof>& proofs, std::ostream& out) {
     out << proof.problem.skill << " in " << proof.problem.environment << "\n";
     for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
       const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
-      out << fmt::format("  {:9}  {:{}}  {:{}}  {:>11}  of {:>7}  {}\n", analyzer::name(verdict.state),
+      out << fmt::format("  {:9}  {:{}}  {:{}}  {:>11}  of {:>7}  {}{}\n", analyzer::name(verdict.state),
                          verdict.requirement, name_width, measure_text(proof, i), measure_width,
                          bound_text(verdict), figure_text(verdict.measure, verdict.limit),
-                         margin_text(verdict));
+                         margin_text(verdict), method_text(verdict));
     }
   }
 }
@@ -78,6 +83,7 @@ std::string json(const std::vector<Proof>& proofs, const Session& session) {
       row["bound_ns"] =
           verdict.bound ? nlohmann::ordered_json(verdict.bound->count()) : nlohmann::ordered_json();
       row["exact"] = verdict.exact;
+      row["analysis"] = analyzer::name(verdict.method);
       row["verdict"] = analyzer::name(verdict.state);
       document["requirements"].push_back(std::move(row));
     }

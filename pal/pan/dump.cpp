@@ -219,6 +219,16 @@ void dump(const Network& network, std::ostream& out) {
 void dump(const Environment& environment, std::ostream& out) {
   out << "environment " << environment.name << '\n';
   dump_texts("description", environment.descriptions, out);
+  const auto resources = [&](const char* what, const Resources::List& names) {
+    if (!names) return;
+    out << "  has " << what;
+    for (const auto& each : *names) out << ' ' << each;
+    out << '\n';
+  };
+  resources("sensor drivers", environment.resources.sensor_drivers);
+  resources("logical sensors", environment.resources.logical_sensors);
+  resources("machine controllers", environment.resources.machine_controllers);
+  resources("skills", environment.resources.skills);
   for (const auto& p : environment.processors) {
     out << "  processor " << p.name << (p.preemptive ? "" : " nonpreemptive") << '\n';
   }

@@ -77,6 +77,16 @@ struct Latency {
   Interval within_processor, between_processors;
 };
 
+/// What the environment has for skills to use (thesis, section 2.3.3: SEC = {SD, LS, RM, GS}), by name. A list that is
+/// not given says nothing; one that is given is all there is.
+struct Resources {
+  using List = std::optional<std::vector<std::string>>;
+  List sensor_drivers;
+  List logical_sensors;
+  List machine_controllers;
+  List skills;
+};
+
 struct Environment {
   std::string name;
   std::vector<std::string> descriptions;
@@ -87,6 +97,7 @@ struct Environment {
   Costs costs;
   Latency latency;
   SourceSpan where;
+  Resources resources;
 };
 
 }  // namespace pal::pan

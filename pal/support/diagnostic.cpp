@@ -60,8 +60,13 @@ std::string_view name(Severity severity) {
 
 Diagnostic& Diagnostics::report(Code code, SourceSpan where, std::string message, std::string hint) {
   const auto level = severity(code);
-  if (level == Severity::error) ++errors_;
-  return all_.emplace_back(Diagnostic{code, level, where, std::move(message), {}, std::move(hint)});
+  const auto follows = std::any_of(distrusted_.begin(), distrusted_.end(), [&](const SourceSpan& place) {
+    return place.file == where.file && place.begin <= where.begin && where.begin < place.end;
+  });
+  if (!follows && level == Severity::error) ++errors_;
+  if (follows) dropped_.clear();
+  return (follows ? dropped_ : all_)
+      .emplace_back(Diagnostic{code, level, where, std::move(message), {}, std::move(hint), {}});
 }
 
 std::vector<Diagnostic> Diagnostics::sorted() const {

@@ -22,8 +22,15 @@ struct Note {
   std::string text;
 };
 
+/// A piece of text, maybe of no length, and what is to stand there instead.
+struct Edit {
+  SourceSpan where;
+  std::string text;
+};
+
 /// One finding. `message` is lower case without a full stop and says what is wrong at `where`, the narrowest
-/// place there is; `hint` says what to do about it, and following it makes the finding go away.
+/// place there is; `hint` says what to do about it, and following it makes the finding go away. Where a
+/// program can follow it, `fix` has the edits, all of them to be made; else it is empty.
 struct Diagnostic {
   Code code;
   Severity severity;
@@ -31,6 +38,7 @@ struct Diagnostic {
   std::string message;
   std::vector<Note> notes;
   std::string hint;
+  std::vector<Edit> fix;
 };
 
 /// Where stages leave their findings. Stages go on after an error as far as they can.
@@ -38,6 +46,9 @@ class Diagnostics {
  public:
   /// Reports with the severity that the table gives the code.
   Diagnostic& report(Code code, SourceSpan where, std::string message, std::string hint = {});
+
+  /// What is found from now on to begin in `place` only follows from what was reported there, and is dropped.
+  void distrust(SourceSpan place) { distrusted_.push_back(place); }
 
   std::size_t errors() const { return errors_; }
   bool has_errors() const { return errors_ != 0; }
@@ -50,6 +61,8 @@ class Diagnostics {
 
  private:
   std::vector<Diagnostic> all_;
+  std::vector<SourceSpan> distrusted_;
+  std::vector<Diagnostic> dropped_;  // the last one dropped, which its finder may still be writing to
   std::size_t errors_ = 0;
 };
 

@@ -11,13 +11,13 @@
 namespace pal {
 
 /// Writes each finding with its code, its place as file:line:column, the line it stands on with carets below
-/// the place, the notes at their own places, and the hint. Ends with a line that counts errors and warnings,
+/// the place, the notes at their own places, the hint, and what its fix changes. Ends with a line that counts errors and warnings,
 /// if any. `findings` as Diagnostics::sorted() gives them.
 void render_text(const std::vector<Diagnostic>& findings, const SourceManager& sources, std::ostream& out);
 
 /// A JSON array of one object each: {"code", "severity", "file", "line", "column", "end_line", "end_column",
-/// "message", "hint", "notes": [{"file", "line", "column", "message"}]}. A finding without a place has "" and
-/// 0.
+/// "message", "hint", "notes": [{"file", "line", "column", "end_line", "end_column", "message"}],
+/// "fix": [{"file", "line", "column", "end_line", "end_column", "text"}]}. What has no place has "" and 0.
 std::string render_json(const std::vector<Diagnostic>& findings, const SourceManager& sources);
 
 }  // namespace pal

@@ -17,9 +17,24 @@ void add_place(Json& object, const SourceSpan& where, const SourceManager& sourc
   object["column"] = at.column;
 }
 
+void add_end(Json& object, const SourceSpan& where, const SourceManager& sources) {
+  const auto end = where.valid() ? sources.line_column(where.file, where.end) : LineColumn{};
+  object["end_line"] = end.line;
+  object["end_column"] = end.column;
+}
+
+Json to_json(const Edit& edit, const SourceManager& sources) {
+  Json object;
+  add_place(object, edit.where, sources);
+  add_end(object, edit.where, sources);
+  object["text"] = edit.text;
+  return object;
+}
+
 Json to_json(const Note& note, const SourceManager& sources) {
   Json object;
   add_place(object, note.where, sources);
+  add_end(object, note.where, sources);
   object["message"] = note.text;
   return object;
 }
@@ -29,14 +44,13 @@ Json to_json(const Diagnostic& finding, const SourceManager& sources) {
   object["code"] = name(finding.code);
   object["severity"] = name(finding.severity);
   add_place(object, finding.where, sources);
-  const auto end =
-      finding.where.valid() ? sources.line_column(finding.where.file, finding.where.end) : LineColumn{};
-  object["end_line"] = end.line;
-  object["end_column"] = end.column;
+  add_end(object, finding.where, sources);
   object["message"] = finding.message;
   object["hint"] = finding.hint;
   object["notes"] = Json::array();
   for (const auto& note : finding.notes) object["notes"].push_back(to_json(note, sources));
+  object["fix"] = Json::array();
+  for (const auto& edit : finding.fix) object["fix"].push_back(to_json(edit, sources));
   return object;
 }
 

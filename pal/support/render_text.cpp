@@ -3,53 +3,39 @@
 #include <string_view>
 
 #include "pal/support/diagnostic_code.hpp"
+#include "pal/support/excerpt.hpp"
 #include "pal/support/render.hpp"
+#include "pal/support/suggestion.hpp"
 #include "pal/support/text_width.hpp"
-#include "pal/support/utf8.hpp"
 
 namespace pal {
 
 namespace {
 
-// Of a line longer than this only the part around the place is shown.
-constexpr std::size_t excerpt_bytes = 160;
-constexpr std::size_t excerpt_lead = 60;
-
-/// The shown part of a line, cut at code points, and the place inside it.
-struct Excerpt {
-  std::string text;
-  int caret_column = 0;
-  int caret_width = 1;
-};
-
-std::size_t back_to_code_point(std::string_view line, std::size_t at) {
-  while (at > 0 && at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0) == 0x80) --at;
-  return at;
+void write_marked(const std::string& number, const std::string& gutter, std::string_view line,
+                  std::size_t begin, std::size_t end, char mark, std::ostream& out) {
+  const auto shown = excerpt(line, begin, end);
+  out << number << gutter.substr(number.size()) << " | " << shown.text << '\n';
+  out << gutter << " | " << std::string(static_cast<std::size_t>(shown.caret_column), ' ')
+      << std::string(static_cast<std::size_t>(shown.caret_width), mark) << '\n';
 }
 
-Excerpt excerpt(std::string_view line, std::size_t begin, std::size_t end) {
-  begin = std::min(begin, line.size());
-  end = std::clamp(end, begin, line.size());
-  std::size_t first = 0;
-  std::size_t last = line.size();
-  if (line.size() > excerpt_bytes) {
-    first = back_to_code_point(line, begin > excerpt_lead ? begin - excerpt_lead : 0);
-    last = back_to_code_point(line, std::min(line.size(), first + excerpt_bytes));
-    end = std::clamp(end, begin, last);
-  }
-  const std::string_view lead = first > 0 ? "..." : "";
-  const std::string_view tail = last < line.size() ? "..." : "";
-  const auto before = std::string(lead) + std::string(line.substr(first, begin - first));
-  const auto through = before + std::string(line.substr(begin, end - begin));
-  const auto shown = through + std::string(line.substr(end, last - end));
-  const int column = width(before);
-  return {printable(shown) + std::string(tail), column, std::max(1, width(through) - column)};
+/// The line on which a place of several lines ends, marked from its first word.
+void write_last_line(const SourceSpan& where, int line, const std::string& gutter,
+                     const SourceManager& sources, char mark, std::ostream& out) {
+  const auto text = sources.line_text(where.file, line);
+  const auto start = static_cast<std::size_t>(text.data() - sources.text(where.file).data());
+  const auto first_word = std::min(text.find_first_not_of(" \t"), text.size());
+  if (line > sources.line_column(where.file, where.begin).line + 1) out << gutter << "...\n";
+  write_marked(std::to_string(line), gutter, text, first_word, where.end - start, mark, out);
 }
 
 void write_place(const SourceSpan& where, const SourceManager& sources, char mark, std::ostream& out) {
   const auto [line, column] = sources.line_column(where.file, where.begin);
   const auto number = std::to_string(line);
-  const std::string gutter(number.size(), ' ');
+  const auto last_byte = where.end > where.begin ? where.end - 1 : where.begin;
+  const int last = sources.line_column(where.file, last_byte).line;
+  const std::string gutter(std::to_string(last).size(), ' ');
   out << gutter << "--> " << sources.name(where.file) << ':' << line << ':' << column << '\n';
 
   const auto text = sources.line_text(where.file, line);
@@ -57,11 +43,9 @@ void write_place(const SourceSpan& where, const SourceManager& sources, char mar
   if (text.empty()) return;
   const auto begin = std::max<std::size_t>(where.begin, start) - start;
   const auto end = std::max<std::size_t>(where.end, start) - start;
-  const auto shown = excerpt(text, begin, end);
   out << gutter << " |\n";
-  out << number << " | " << shown.text << '\n';
-  out << gutter << " | " << std::string(static_cast<std::size_t>(shown.caret_column), ' ')
-      << std::string(static_cast<std::size_t>(shown.caret_width), mark) << '\n';
+  write_marked(number, gutter, text, begin, end, mark, out);
+  if (last > line) write_last_line(where, last, gutter, sources, mark, out);
 }
 
 void write_count(std::size_t count, std::string_view noun, std::ostream& out) {
@@ -93,6 +77,7 @@ void render_text(const std::vector<Diagnostic>& findings, const SourceManager& s
       if (note.where.valid()) write_place(note.where, sources, '-', out);
     }
     if (!finding.hint.empty()) out << "hint: " << printable(finding.hint) << '\n';
+    write_suggestion(finding.fix, sources, out);
     out << '\n';
   }
   write_summary(findings, out);

@@ -40,6 +40,7 @@ class Builder {
   std::optional<Statement> statement(Parser::StatementContext* context);
   std::optional<Statement> wait(Parser::WaitContext* context);
   std::optional<Statement> send(Parser::SendContext* context);
+  void report_no_else(SourceSpan wait, antlr4::tree::TerminalNode* end);
   Statement choose(Parser::ChooseContext* context);
   Statement repeat(Parser::RepeatContext* context);
   Statement concurrent(Parser::ConcurrentContext* context);
@@ -66,6 +67,7 @@ class Builder {
 
   // environments: build_environment.cpp
   EnvironmentUnit environment_unit(Parser::EnvironmentUnitContext* context);
+  bool add_resource(Resources& resources, Parser::ItemContext* context);
   void add_item(EnvironmentUnit& environment, Parser::ItemContext* context);
   pan::EventDevice event_device(Parser::EventDeviceContext* context);
   pan::FrameDevice frame_device(Parser::FrameDeviceContext* context);

@@ -21,7 +21,27 @@ EnvironmentUnit Builder::environment_unit(Parser::EnvironmentUnitContext* contex
   return result;
 }
 
+bool Builder::add_resource(Resources& resources, Parser::ItemContext* context) {
+  const auto add = [&](std::optional<NameSlot>& slot, Parser::NamesContext* listed) {
+    if (!slot) slot = NameSlot{{}, span(context)};
+    for (auto& name : names(listed)) slot->names.push_back(std::move(name));
+    return true;
+  };
+  if (auto* d = dynamic_cast<Parser::AvailableDriversContext*>(context)) {
+    return add(resources.sensor_drivers, d->names());
+  }
+  if (auto* s = dynamic_cast<Parser::AvailableSensorsContext*>(context)) {
+    return add(resources.logical_sensors, s->names());
+  }
+  if (auto* m = dynamic_cast<Parser::AvailableMachinesContext*>(context)) {
+    return add(resources.machine_controllers, m->names());
+  }
+  if (auto* g = dynamic_cast<Parser::AvailableSkillsContext*>(context)) return add(resources.skills, g->names());
+  return false;
+}
+
 void Builder::add_item(EnvironmentUnit& environment, Parser::ItemContext* context) {
+  if (add_resource(environment.resources, context)) return;
   const auto where = span(context);
   if (auto* c = dynamic_cast<Parser::EnvironmentDescriptionContext*>(context)) {
     environment.descriptions.push_back(text(c->STRING()));
@@ -83,7 +103,8 @@ pan::EventDevice Builder::event_device(Parser::EventDeviceContext* context) {
   for (auto* clause : context->eventClause()) {
     const auto once = [&](bool given) {
       if (given)
-        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them");
+        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them").fix = {
+            {span(clause), ""}};
     };
     if (clause->EVERY() != nullptr || clause->SPORADIC() != nullptr) {
       once(has_period);
@@ -117,7 +138,8 @@ pan::FrameDevice Builder::frame_device(Parser::FrameDeviceContext* context) {
   for (auto* clause : context->frameClause()) {
     const auto once = [&](bool given) {
       if (given)
-        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them");
+        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them").fix = {
+            {span(clause), ""}};
     };
     if (clause->EVERY() != nullptr) {
       once(has_period);

@@ -59,7 +59,8 @@ std::optional<Requirement> Builder::requirement(Parser::RequirementSlotContext* 
     result.measure = std::move(load);
     const auto percent = real(c->NUMBER());
     if (percent && (*percent < 0 || *percent > 100)) {
-      diagnostics_.report(Code::PAL0801, span(c->NUMBER(), c->PERCENT()), "a load is between 0 % and 100 %");
+      diagnostics_.report(Code::PAL0801, span(c->NUMBER(), c->PERCENT()), "a load is between 0 % and 100 %",
+                          "write a part of the processor's time, such as 80 %");
     } else if (percent) {
       constexpr double nanoseconds_per_percent = 1e7;  // of work in a second
       result.limit = Duration{std::llround(*percent * nanoseconds_per_percent)};

@@ -42,6 +42,15 @@ Source Builder::source(Parser::SourceContext* context) {
   return {message(context->message()), party(context->party())};
 }
 
+void Builder::report_no_else(SourceSpan wait, antlr4::tree::TerminalNode* end) {
+  auto& finding = diagnostics_.report(
+      Code::PAL0108, wait, "this wait gives up, but does not say what to do then", "add ELSE before END WTM");
+  auto before = span(end);
+  before.end = before.begin;
+  const std::string indent(end->getSymbol()->getCharPositionInLine(), ' ');
+  finding.fix = {{before, "ELSE\n" + indent + "  Do Nothing\n" + indent}};
+}
+
 std::optional<Statement> Builder::wait(Parser::WaitContext* context) {
   const auto where = span(context);
   if (dynamic_cast<Parser::WaitForStartContext*>(context) != nullptr) {
@@ -56,6 +65,7 @@ std::optional<Statement> Builder::wait(Parser::WaitContext* context) {
     wait.within = duration(c->duration());
     wait.otherwise = statements(c->statements(1));
     const auto head = span(span(c->WTM(0)), span(c->duration()));
+    if (c->ELSE() == nullptr && c->exception == nullptr) report_no_else(head, c->END_WTM());
     return Statement{std::move(wait), head, span(c->END_WTM(), c->WTM(1))};
   }
   if (auto* c = dynamic_cast<Parser::WaitForFirstContext*>(context)) {
@@ -72,8 +82,7 @@ std::optional<Statement> Builder::wait(Parser::WaitContext* context) {
     }
     wait.otherwise = statements(c->statements());
     if (c->WITHIN() != nullptr && c->ELSE() == nullptr && c->exception == nullptr) {
-      diagnostics_.report(Code::PAL0108, head, "this wait gives up, but does not say what to do then",
-                          "add ELSE before END WTM");
+      report_no_else(head, c->END_WTM());
     }
     if (c->WITHIN() == nullptr && c->ELSE() != nullptr) {
       diagnostics_.report(Code::PAL0109, span(c->ELSE()),
@@ -96,9 +105,14 @@ std::optional<Statement> Builder::send(Parser::SendContext* context) {
   if (auto* c = dynamic_cast<Parser::AskContext*>(context)) {
     Send send{message(c->message()), party(c->party())};
     if (!send.message.request && !send.message.name.text.empty() && c->exception == nullptr) {
-      diagnostics_.report(Code::PAL0110, span(c->FROM()), "only a request can be sent FROM somebody",
-                          "write TXM( request " + send.message.name.text + " from " + send.to.name.text +
-                              " ), or TXM( " + send.message.name.text + " to " + send.to.name.text + " )");
+      send.message.request = true;  // as is rather meant than the other way round
+      auto& finding = diagnostics_.report(
+          Code::PAL0110, span(c->FROM()), "only a request can be sent FROM somebody",
+          "write TXM( request " + send.message.name.text + " from " + send.to.name.text + " ), or TXM( " +
+              send.message.name.text + " to " + send.to.name.text + " )");
+      auto before = span(c->message());
+      before.end = before.begin;
+      finding.fix = {{before, "request "}};
     }
     return Statement{std::move(send), where, {}};
   }

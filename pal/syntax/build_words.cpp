@@ -9,6 +9,7 @@
 #include "pal/support/duration_text.hpp"
 #include "pal/syntax/build.hpp"
 #include "pal/syntax/physical_unit.hpp"
+#include "pal/syntax/token_list.hpp"
 
 namespace pal::syntax {
 
@@ -36,7 +37,7 @@ Name Builder::name(antlr4::ParserRuleContext* context) const {
   if (context == nullptr || context->start == nullptr || context->exception != nullptr)
     return {{}, span(context)};
   // A token that the parser made up stands for no text.
-  if (context->start->getTokenIndex() == INVALID_INDEX) return {{}, span(context)};
+  if (is_made_up(context->start)) return {{}, span(context)};
   return {context->start->getText(), span(context)};
 }
 
@@ -52,15 +53,18 @@ std::vector<Name> Builder::names(Parser::NamesContext* context) const {
 }
 
 std::string Builder::text(antlr4::tree::TerminalNode* string) {
-  if (string == nullptr || string->getSymbol()->getTokenIndex() == INVALID_INDEX) return {};
+  if (string == nullptr || is_made_up(string->getSymbol())) return {};
   const auto quoted = string->getText();
   std::string result;
   for (std::size_t i = 1; i + 1 < quoted.size(); ++i) {
     if (quoted[i] == '\\' && i + 2 < quoted.size()) {
       ++i;
       if (quoted[i] != '"' && quoted[i] != '\\') {
-        diagnostics_.report(Code::PAL0106, span(string), "in a text, \\ stands before \" and \\ only",
-                            "write \\\\ for one \\");
+        auto& finding =
+            diagnostics_.report(Code::PAL0106, span(string), "in a text, \\ stands before \" and \\ only",
+                                "write \\\\ for one \\");
+        const auto at = span(string).begin + static_cast<std::uint32_t>(i) - 1;
+        finding.fix = {{{tokens_.file(), at, at}, "\\"}};
       }
     }
     result += quoted[i];
@@ -76,26 +80,28 @@ std::vector<std::string> Builder::texts(Parser::StringsContext* context) {
 }
 
 std::optional<int> Builder::integer(antlr4::tree::TerminalNode* number) {
-  if (number == nullptr || number->getSymbol()->getTokenIndex() == INVALID_INDEX) return std::nullopt;
+  if (number == nullptr || is_made_up(number->getSymbol())) return std::nullopt;
   const auto digits = number->getText();
   int value = 0;
   const auto end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, value);
   if (error != std::errc{} || stop != end) {
     diagnostics_.report(Code::PAL0107, span(number),
-                        "this must be a whole number between -2147483648 and 2147483647");
+                        "this must be a whole number between -2147483648 and 2147483647",
+                        "write a whole number in this range");
     return std::nullopt;
   }
   return value;
 }
 
 std::optional<double> Builder::real(antlr4::tree::TerminalNode* number) {
-  if (number == nullptr || number->getSymbol()->getTokenIndex() == INVALID_INDEX) return std::nullopt;
+  if (number == nullptr || is_made_up(number->getSymbol())) return std::nullopt;
   const auto digits = number->getText();
   double value = 0;
   const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{}) {
-    diagnostics_.report(Code::PAL0107, span(number), "this number is out of the range of numbers");
+    diagnostics_.report(Code::PAL0107, span(number), "this number is out of the range of numbers",
+                        "write a number below 1e308");
     return 0;
   }
   return value;
@@ -116,7 +122,8 @@ Duration Builder::duration(antlr4::tree::TerminalNode* number, antlr4::tree::Ter
   const auto parsed = parse_duration(number->getText(), unit->getText());
   if (const auto* value = std::get_if<Duration>(&parsed)) {
     if (*value < Duration{}) {
-      diagnostics_.report(Code::PAL0701, span(number, unit), "a time cannot be negative");
+      diagnostics_.report(Code::PAL0701, span(number, unit), "a time cannot be negative",
+                          "write a time from 0 on");
       return Duration{};
     }
     return *value;
@@ -128,11 +135,11 @@ Duration Builder::duration(antlr4::tree::TerminalNode* number, antlr4::tree::Ter
       break;
     case DurationError::not_whole:
       diagnostics_.report(Code::PAL0703, span(number, unit), "this is no whole number of nanoseconds",
-                          "all times are counted in nanoseconds");
+                          "round it: up if it is a worst time, down if it is a best one");
       break;
     default:
       diagnostics_.report(Code::PAL0704, span(number, unit), "this time is too long",
-                          "the longest is 9223372036.854775807 s");
+                          "write a time of at most 9223372036.854775807 s");
   }
   return Duration{};
 }
@@ -156,8 +163,10 @@ Interval Builder::interval(Parser::IntervalContext* context) {
   auto* last = context->NAME(1) != nullptr ? context->NAME(1) : unit;
   const Interval result{duration(best, unit), duration(worst, last)};
   if (result.best > result.worst) {
-    diagnostics_.report(Code::PAL0705, span(context), "this interval runs backwards",
-                        "write the best time first: " + to_text(Interval{result.worst, result.best}));
+    const auto turned = to_text(Interval{result.worst, result.best});
+    diagnostics_
+        .report(Code::PAL0705, span(context), "this interval runs backwards", "write the best time first")
+        .fix = {{span(context), turned}};
   }
   return result;
 }

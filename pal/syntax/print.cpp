@@ -120,6 +120,11 @@ class Printer {
   void operator()(const EnvironmentUnit& environment) {
     line("ENVIRONMENT " + environment.name.text);
     texts("DESCRIPTION", environment.descriptions);
+    const auto& has = environment.resources;
+    if (has.sensor_drivers) line("SENSOR DRIVER " + list_or_none(has.sensor_drivers->names));
+    if (has.logical_sensors) line("LOGICAL SENSOR " + list_or_none(has.logical_sensors->names));
+    if (has.machine_controllers) line("MACHINE CONTROLLER " + list_or_none(has.machine_controllers->names));
+    if (has.skills) line("GENERIC SKILL " + list_or_none(has.skills->names));
     for (const auto& p : environment.processors)
       line("PROCESSOR " + p.name + (p.preemptive ? "" : " NONPREEMPTIVE"));
     for (const auto& d : environment.devices) {

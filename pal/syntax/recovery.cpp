@@ -13,9 +13,6 @@ namespace {
 
 using Parser = grammar::PalParser;
 
-// A file that is not PAL at all needs no more than this to see it.
-constexpr std::size_t most_reports = 100;
-
 bool is_reserved(std::size_t type) {
   return type >= Parser::WTM && type <= Parser::REQUEST;
 }
@@ -116,18 +113,20 @@ const antlr4::ParserRuleContext* parent(const antlr4::ParserRuleContext* context
 
 }  // namespace
 
+void report_too_many(Diagnostics& diagnostics, SourceSpan where) {
+  diagnostics.report(Code::PAL0104, where, "too many syntax errors; the rest of this file is not reported",
+                     "correct the first of them, and see that this file is PAL");
+}
+
 Diagnostic* Recovery::report(antlr4::Parser* parser, const antlr4::Token* at, std::string message,
                              std::string hint) {
   beginErrorCondition(parser);
   ++reported_;
-  if (reported_ > most_reports) return nullptr;
-  if (reported_ == most_reports) {
-    diagnostics_.report(Code::PAL0104, tokens_.span(at),
-                        "too many syntax errors; the rest of this file is not reported", "is this file PAL?");
+  if (reported_ > most_reports + 1) return nullptr;
+  if (reported_ == most_reports + 1) {
+    report_too_many(diagnostics_, tokens_.span(at));
     return nullptr;
   }
-  // What is no token at all was reported when the tokens were read.
-  if (at->getType() == Parser::STRAY || at->getType() == Parser::OPEN_STRING) return nullptr;
   return &diagnostics_.report(Code::PAL0101, tokens_.span(at), std::move(message), std::move(hint));
 }
 
@@ -195,9 +194,11 @@ void Recovery::report_unexpected(antlr4::Parser* parser, const antlr4::Token* at
   const auto* before = tokens_.before(at);
   if (before != nullptr && tokens_.first_on_line(at) && !expected.empty() &&
       before->getTokenIndex() >= parser->getContext()->start->getTokenIndex()) {
-    report(parser, before, "expected " + expected + " after " + spelling(*before));
+    report(parser, before, "expected " + expected + " after " + spelling(*before),
+           "write " + expected + " here");
   } else {
-    report(parser, at, "unexpected " + spelling(*at) + (expected.empty() ? "" : ", expected " + expected));
+    report(parser, at, "unexpected " + spelling(*at) + (expected.empty() ? "" : ", expected " + expected),
+           expected.empty() ? "remove it, or correct what stands before it" : "write " + expected + " here");
   }
 }
 
@@ -208,9 +209,9 @@ void Recovery::reportMissingToken(antlr4::Parser* parser) {
   const auto words = spelling(getExpectedTokens(parser));
   const auto* before = tokens_.before(at);
   if (before != nullptr && tokens_.first_on_line(at)) {
-    report(parser, before, "expected " + words + " after " + spelling(*before));
+    report(parser, before, "expected " + words + " after " + spelling(*before), "write " + words + " here");
   } else {
-    report(parser, at, "expected " + words + " before " + spelling(*at));
+    report(parser, at, "expected " + words + " before " + spelling(*at), "write " + words + " here");
   }
 }
 
@@ -289,7 +290,9 @@ void Recovery::sync(antlr4::Parser* parser) {
     report(parser, at,
            is_end ? spelling(*at) + " ends nothing that is open here"
                   : "unexpected " + spelling(*at) + (words.empty() ? "" : ", expected " + words),
-           is_end ? "remove it, or add what it is to end" : "");
+           is_end          ? "remove it, or add what it is to end"
+           : words.empty() ? "remove it, or correct what stands before it"
+                           : "write " + words + " here");
   }
   follow.addAll(begin);
   follow.addAll(own);

@@ -11,6 +11,12 @@
 
 namespace pal::syntax {
 
+// A file that is not PAL at all needs no more than this to see it.
+constexpr std::size_t most_reports = 20;
+
+/// Says that no more mistakes of this file are told.
+void report_too_many(Diagnostics& diagnostics, SourceSpan where);
+
 /// Says each mistake once, and goes on at the next statement, slot or unit:
 /// - A word that is in the way is dropped, one that is missing is made up, if the rest then fits.
 /// - Otherwise the statement is given up, and the next line that can go on here is looked for. A reserved
@@ -18,7 +24,9 @@ namespace pal::syntax {
 ///   belongs to a statement around this one is left to it: a forgotten END CASE costs that statement only.
 class Recovery : public antlr4::DefaultErrorStrategy {
  public:
-  Recovery(const Tokens& tokens, Diagnostics& diagnostics) : tokens_(tokens), diagnostics_(diagnostics) {}
+  /// `reported` mistakes of this file were told before; after `most_reports` of them no more are.
+  Recovery(const Tokens& tokens, Diagnostics& diagnostics, std::size_t reported = 0)
+      : tokens_(tokens), diagnostics_(diagnostics), reported_(reported) {}
 
   void recover(antlr4::Parser* parser, std::exception_ptr error) override;
   void sync(antlr4::Parser* parser) override;
@@ -32,8 +40,8 @@ class Recovery : public antlr4::DefaultErrorStrategy {
 
  private:
   /// Nothing is returned, and nothing reported, of what was reported before.
-  Diagnostic* report(antlr4::Parser* parser, const antlr4::Token* at, std::string message,
-                     std::string hint = {});
+  virtual Diagnostic* report(antlr4::Parser* parser, const antlr4::Token* at, std::string message,
+                             std::string hint = {});
   /// The next word is not what has to come: says so where it is missing.
   void report_unexpected(antlr4::Parser* parser, const antlr4::Token* at, const std::string& expected);
   /// If a compound statement or a unit lacks its end here: says so and returns true.

@@ -1,11 +1,13 @@
 #include "pal/syntax/spelling.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 #include <vector>
 
 #include "PalParser.h"
+#include "pal/support/nearest.hpp"
 
 namespace pal::syntax {
 
@@ -78,6 +80,32 @@ std::string spelling_of_type(std::size_t type) {
     return parser.getVocabulary();
   }();
   return "'" + vocabulary.getSymbolicName(type) + "'";
+}
+
+std::string word_of_type(std::size_t type) {
+  switch (type) {
+    case Parser::END_CASE:
+    case Parser::END_CONCURRENT:
+    case Parser::END_WTM:
+      return "END";
+    default:
+      break;
+  }
+  const auto quoted = spelling_of_type(type);
+  return quoted.starts_with("'") ? quoted.substr(1, quoted.size() - 2) : quoted;
+}
+
+std::optional<std::size_t> keyword_like(const std::string& word, const std::set<std::size_t>& types) {
+  std::string capitals = word;
+  for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  std::vector<std::string> words;
+  for (const auto type : types) {
+    if (is_keyword(type)) words.push_back(word_of_type(type));
+  }
+  const auto meant = nearest(capitals, words);
+  if (!meant) return std::nullopt;
+  return *std::find_if(types.begin(), types.end(),
+                       [&](std::size_t type) { return word_of_type(type) == *meant; });
 }
 
 std::string spelling(const antlr4::Token& token) {

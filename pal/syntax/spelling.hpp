@@ -3,6 +3,9 @@
 
 #include <antlr4-runtime.h>
 
+#include <cstddef>
+#include <optional>
+#include <set>
 #include <string>
 
 namespace pal::syntax {
@@ -16,5 +19,11 @@ std::string spelling(const antlr4::misc::IntervalSet& expected);
 
 /// One kind of token: "'UNTIL'", "a name", "a number".
 std::string spelling_of_type(std::size_t type);
+
+/// The same without quotes, as it is written: "UNTIL", "END", "(".
+std::string word_of_type(std::size_t type);
+
+/// Of the keywords among `types` the one that a slip of the fingers turns into `word`.
+std::optional<std::size_t> keyword_like(const std::string& word, const std::set<std::size_t>& types);
 
 }  // namespace pal::syntax

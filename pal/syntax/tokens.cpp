@@ -38,16 +38,37 @@ Tokens::Tokens(FileId file, std::string_view text, Diagnostics& diagnostics)
       mark_bytes_(static_cast<std::uint32_t>(text.size() - without_mark(text).size())),
       byte_offsets_(code_point_offsets(without_mark(text))),
       input_(std::string(without_mark(text))),
-      lexer_(&input_),
-      stream_(&lexer_) {
+      lexer_(&input_) {
   lexer_.removeErrorListeners();  // every character is a token, so there is nothing to listen to
-  stream_.fill();
-  all_ = stream_.getTokens();
-  tell_ends_apart();
-  tell_headers_apart();
+  read(lexer_);
   report_length(diagnostics);
   report_strays(diagnostics);
+  if (has_errors_) drop_strays();
   bound_nesting(diagnostics);
+}
+
+void Tokens::read(antlr4::TokenSource& source) {
+  stream_ = std::make_unique<antlr4::CommonTokenStream>(&source);
+  stream_->fill();
+  all_ = stream_->getTokens();
+  tell_words_apart(all_);
+}
+
+void Tokens::apply(const Change& change) {
+  auto list = std::make_unique<TokenList>(copy(all_, 0, all_.size() - 1, &change), lexer_);
+  read(*list);
+  changed_ = std::move(list);
+}
+
+void Tokens::drop_strays() {
+  auto tokens = copy(all_, 0, all_.size() - 1, nullptr);
+  std::erase_if(tokens, [](const auto& token) { return token->getType() == Lexer::STRAY; });
+  for (const auto& token : tokens) {
+    if (token->getType() != Lexer::OPEN_STRING) continue;
+    static_cast<antlr4::CommonToken*>(token.get())->setType(Lexer::STRING);
+  }
+  changed_ = std::make_unique<TokenList>(std::move(tokens), lexer_);
+  read(*changed_);
 }
 
 std::uint32_t Tokens::byte(std::size_t code_point) const {
@@ -84,49 +105,6 @@ bool Tokens::first_on_line(const antlr4::Token* token) const {
   return previous == nullptr || previous->getLine() != token->getLine();
 }
 
-void Tokens::tell_ends_apart() {
-  for (std::size_t i = 0; i + 1 < all_.size(); ++i) {
-    if (all_[i]->getType() != Lexer::END) continue;
-    auto* end = static_cast<antlr4::CommonToken*>(all_[i]);  // what the lexer's factory makes
-    switch (all_[i + 1]->getType()) {
-      case Lexer::CASE:
-        end->setType(Lexer::END_CASE);
-        break;
-      case Lexer::CONCURRENT:
-        end->setType(Lexer::END_CONCURRENT);
-        break;
-      case Lexer::WTM:
-        end->setType(Lexer::END_WTM);
-        break;
-      default:
-        break;
-    }
-  }
-}
-
-void Tokens::tell_headers_apart() {
-  const auto are_kind_words = [](std::size_t first, std::size_t second) {
-    switch (first) {
-      case Lexer::SENSOR:
-        return second == Lexer::DRIVER;
-      case Lexer::LOGICAL:
-        return second == Lexer::SENSOR;
-      case Lexer::MACHINE:
-        return second == Lexer::CONTROLLER;
-      case Lexer::SKILL:
-      case Lexer::CONTINGENCY:
-        return second == Lexer::MODULE;
-      default:
-        return false;
-    }
-  };
-  for (std::size_t i = 0; i + 2 < all_.size(); ++i) {
-    if (all_[i + 2]->getType() != Lexer::COLON) continue;
-    if (!are_kind_words(all_[i]->getType(), all_[i + 1]->getType())) continue;
-    static_cast<antlr4::CommonToken*>(all_[i])->setType(Lexer::HEADER);
-  }
-}
-
 void Tokens::report_length(Diagnostics& diagnostics) {
   if (!lexer_.is_cut()) return;
   diagnostics.report(Code::PAL0111, span(all_[all_.size() - 2]),
@@ -152,8 +130,11 @@ void Tokens::report_strays(Diagnostics& diagnostics) {
       return;
     }
     if (type == Lexer::OPEN_STRING) {
-      diagnostics.report(Code::PAL0103, span(all_[i]), "the text has no closing quote on its line",
-                         "end the text with \"");
+      const auto end = span(all_[i]).end;
+      diagnostics
+          .report(Code::PAL0103, span(all_[i]), "the text has no closing quote on its line",
+                  "end the text with \"")
+          .fix = {{{file_, end, end}, "\""}};
       continue;
     }
     auto last = i;
@@ -161,10 +142,12 @@ void Tokens::report_strays(Diagnostics& diagnostics) {
            all_[last + 1]->getStartIndex() == all_[last]->getStopIndex() + 1) {
       ++last;
     }
-    diagnostics.report(
-        Code::PAL0102, span(all_[i], all_[last]),
-        last == i ? "this character means nothing in PAL" : "these characters mean nothing in PAL",
-        "remove it; a comment begins with #");
+    const auto where = span(all_[i], all_[last]);
+    diagnostics
+        .report(Code::PAL0102, where,
+                last == i ? "this character means nothing in PAL" : "these characters mean nothing in PAL",
+                "remove it; a comment begins with #")
+        .fix = {{where, ""}};
     i = last;
   }
 }

@@ -11,6 +11,7 @@
 #include "PalLexer.h"
 #include "pal/support/diagnostic.hpp"
 #include "pal/support/source.hpp"
+#include "pal/syntax/token_list.hpp"
 
 namespace pal::syntax {
 
@@ -46,9 +47,12 @@ class Tokens {
   bool parseable() const { return parseable_; }
   bool has_errors() const { return has_errors_; }
 
-  antlr4::CommonTokenStream& stream() { return stream_; }
+  antlr4::CommonTokenStream& stream() { return *stream_; }
   /// In the order of the text; the last is the end of the file.
   const std::vector<antlr4::Token*>& all() const { return all_; }
+  antlr4::TokenSource& text() { return lexer_; }
+  /// Makes a change, with a stream anew: what was had of the one before is gone.
+  void apply(const Change& change);
   FileId file() const { return file_; }
 
   /// Of a token, also the one for the end of the file. Of one that the parser made up: the end of the token
@@ -62,8 +66,8 @@ class Tokens {
 
  private:
   std::uint32_t byte(std::size_t code_point) const;
-  void tell_ends_apart();
-  void tell_headers_apart();
+  void read(antlr4::TokenSource& source);
+  void drop_strays();
   void report_length(Diagnostics& diagnostics);
   void report_strays(Diagnostics& diagnostics);
   void bound_nesting(Diagnostics& diagnostics);
@@ -74,7 +78,8 @@ class Tokens {
   std::vector<std::uint32_t> byte_offsets_;  // of each code point; empty if all are one byte
   antlr4::ANTLRInputStream input_;
   BoundedLexer lexer_;
-  antlr4::CommonTokenStream stream_;
+  std::unique_ptr<TokenList> changed_;  // where the stream comes from after a change
+  std::unique_ptr<antlr4::CommonTokenStream> stream_;
   std::vector<antlr4::Token*> all_;
   bool parseable_ = true;
   bool has_errors_ = false;

@@ -192,11 +192,21 @@ struct CostItem {
   SourceSpan where;
 };
 
+/// SENSOR DRIVER, LOGICAL SENSOR, MACHINE CONTROLLER and GENERIC SKILL of an environment; a slot that is not given says
+/// nothing.
+struct Resources {
+  std::optional<NameSlot> sensor_drivers;
+  std::optional<NameSlot> logical_sensors;
+  std::optional<NameSlot> machine_controllers;
+  std::optional<NameSlot> skills;
+};
+
 /// ENVIRONMENT name … END ENVIRONMENT. Its parts need no names looked up, and are what pan::Environment
 /// holds.
 struct EnvironmentUnit {
   Name name;
   std::vector<std::string> descriptions;
+  Resources resources;
   std::vector<pan::Processor> processors;
   std::vector<pan::DeviceTiming> devices;
   std::vector<pan::Placement> placements;

@@ -1,20 +1,7 @@
 #include "runtime/trace/inheritance.hpp"
 
-#include <algorithm>
-
 namespace pal::trace {
 namespace {
-
-/// Block "SM1.2" belongs to "SM1", the thread whose name is the longest proper prefix that ends before a dot;
-/// a nested block too, since its true parent is the thread of its module or a block named like one.
-std::int32_t parent_of(const Trace& trace, const Actor& block) {
-  const auto dot = block.name.rfind('.');
-  if (block.device || dot == std::string::npos) return -1;
-  const std::string prefix = block.name.substr(0, dot);
-  const auto found = std::find_if(trace.actors.begin(), trace.actors.end(),
-                                  [&](const Actor& actor) { return !actor.device && actor.name == prefix; });
-  return found == trace.actors.end() ? -1 : static_cast<std::int32_t>(found - trace.actors.begin());
-}
 
 bool is_progress(Kind kind) {
   return kind == Kind::ready || kind == Kind::start || kind == Kind::done;
@@ -22,23 +9,51 @@ bool is_progress(Kind kind) {
 
 }  // namespace
 
-Inheritance::Inheritance(const Trace& trace) : alive_(trace.actors.size(), false) {
-  for (const Actor& actor : trace.actors) parent_.push_back(parent_of(trace, actor));
+Inheritance::Inheritance(const Trace& trace) {
+  for (const Actor& actor : trace.actors) {
+    const auto dot = actor.name.find('.');
+    threads_.push_back({actor.name.substr(0, dot), !actor.device && dot != std::string::npos});
+  }
+}
+
+/// Of those that have come to a CONCURRENT at this instant the last; of the block's own module, if there is
+/// one: a module that is run by Execute has its blocks in another's thread.
+std::int32_t Inheritance::parent_of(std::int32_t block, std::int64_t now) const {
+  std::int32_t found = -1;
+  bool own = false;
+  for (std::size_t t = 0; t < threads_.size(); ++t) {
+    const Thread& other = threads_[t];
+    if (other.forked_at != now || static_cast<std::int32_t>(t) == block) continue;
+    const bool same = other.module == threads_[static_cast<std::size_t>(block)].module;
+    const bool better = found < 0 || (same && !own) ||
+                        (same == own && other.forked > threads_[static_cast<std::size_t>(found)].forked);
+    if (!better) continue;
+    found = static_cast<std::int32_t>(t);
+    own = same;
+  }
+  return found;
 }
 
 std::int32_t Inheritance::begins(const Event& event) {
   if (event.actor < 0) return -1;
-  const auto actor = static_cast<std::size_t>(event.actor);
-  if (event.kind == Kind::cancel) alive_[actor] = false;
+  Thread& actor = threads_[static_cast<std::size_t>(event.actor)];
+  if (event.kind == Kind::cancel) actor.alive = false;
   if (is_progress(event.kind)) {
     // A parent that goes on has no blocks left.
-    for (std::size_t i = 0; i < parent_.size(); ++i) {
-      if (parent_[i] == event.actor) alive_[i] = false;
+    for (Thread& other : threads_) {
+      if (other.parent == event.actor) other.alive = false;
     }
   }
-  if (event.kind == Kind::cancel || alive_[actor] || parent_[actor] < 0) return -1;
-  alive_[actor] = true;
-  return parent_[actor];
+  std::int32_t parent = -1;
+  if (event.kind != Kind::cancel && !actor.alive && actor.block) {
+    parent = actor.parent = parent_of(event.actor, event.time_ns);
+    actor.alive = true;
+  }
+  if (event.kind == Kind::block && event.subject < 0) {
+    actor.forked_at = event.time_ns;
+    actor.forked = ++forks_;
+  }
+  return parent;
 }
 
 }  // namespace pal::trace

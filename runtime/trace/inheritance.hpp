@@ -2,13 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "runtime/trace/trace.hpp"
 
 namespace pal::trace {
 
-/// Follows a trace event by event and tells when a block begins.
+/// Follows a trace event by event and tells when a block begins. The blocks of a module are numbered through,
+/// those of a block as well: the parent is whoever has just come to a CONCURRENT.
 class Inheritance {
  public:
   explicit Inheritance(const Trace& trace);
@@ -18,8 +20,19 @@ class Inheritance {
   std::int32_t begins(const Event& event);
 
  private:
-  std::vector<std::int32_t> parent_;  // by actor; -1: a module's own thread, or a device
-  std::vector<bool> alive_;
+  struct Thread {
+    std::string module;  // of its name
+    bool block = false;
+    bool alive = false;
+    std::int32_t parent = -1;     // while it is alive
+    std::int64_t forked_at = -1;  // when it last came to a CONCURRENT
+    std::int64_t forked = 0;      // before whom, at that instant
+  };
+
+  std::int32_t parent_of(std::int32_t block, std::int64_t now) const;
+
+  std::vector<Thread> threads_;  // by actor
+  std::int64_t forks_ = 0;
 };
 
 }  // namespace pal::trace

@@ -57,7 +57,8 @@ class Causes {
 
   void take(const Event& event) {
     const auto found = on_message_.find(event.value);
-    if (found != on_message_.end() && found->second && event.actor >= 0) {
+    // An event that was answered is carried no further: the thread keeps the one that it has.
+    if (found != on_message_.end() && found->second && !answered_[*found->second] && event.actor >= 0) {
       carried_[static_cast<std::size_t>(event.actor)] = found->second;
     }
   }

@@ -101,3 +101,132 @@ END
                    "  PROCESSOR P\n  PROCESSOR Q\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON Q PRIORITY 1\n"
                    "  TIME hold : 3 ms\n  DEVICE robot EVENT tick EVERY 20 ms PHASE 5 ms\n")) == 3);
 }
+
+TEST_CASE("a module that begins with blocks comes to their queues in any order with other modules") {
+  // SM1's block (3 ms), MC1 (1 ms) and nobody else are on P: c, from the start, is 4 ms old if MC1 was first.
+  CHECK(
+      bound(cell("AGE OF c AT TXM( motion to MC1 ) IN SM1", R"(Skill Module: SM1
+  ACTIVITY long
+BEGIN
+  WTM( Coordinator )
+  CONCURRENT
+  BEGIN
+    long
+    RPC( c )
+    TXM( motion to MC1 )
+  END
+  END CONCURRENT
+  TXM( Completion Protocol 0 )
+END
+Machine Controller: MC1
+  ACTIVITY short
+BEGIN
+  short
+  WTM( motion from SM1 )
+END
+)",
+                 "  PROCESSOR P\n  PROCESSOR Q\n  PLACE SM1 ON Q PRIORITY 1\n  PLACE SM1.1 ON P PRIORITY 1\n"
+                 "  PLACE MC1 ON P PRIORITY 1\n  TIME short : 1 ms\n  TIME long : 3 ms\n")) == 4);
+}
+
+TEST_CASE("times near the limit do not overflow") {
+  // The condition is set once, before a loop without end: its age has no bound.
+  std::string modules =
+      "Machine Controller: MC1\nBEGIN\n  REPEAT\n    WTM( motion from SM1 )\n  UNTIL( forever )\nEND\n"
+      "Skill Module: SM1\n  ACTIVITY long\nBEGIN\n  WTM( Coordinator )\n  SPC( c = TRUE )\n  REPEAT\n";
+  for (int i = 0; i < 60; ++i) modules += "    long\n";
+  modules += "    RPC( c )\n    TXM( motion to MC1 )\n  UNTIL( forever )\nEND\n";
+  const auto skill = test::any_skill(cell(
+      "AGE OF c AT TXM( motion to MC1 ) IN SM1", modules,
+      "  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 2\n  PLACE MC1 ON P PRIORITY 1\n  TIME long : 1000000 s\n"));
+  REQUIRE(skill->problem);
+  const Analysis analysis = analyze(*skill->problem);
+  const Verdict& verdict = analysis.verdicts.front();
+  INFO(verdict.explanation);
+  CHECK_FALSE(verdict.bound);
+  CHECK(verdict.state != Verdict::State::holds);
+}
+
+namespace {
+
+/// SM1 interrupts MC1 1 ms after that has begun to obey, and never lets it go on.
+std::string starving(const std::string& think) {
+  return cell("AGE OF c AT think IN SM1", R"(Machine Controller: MC1
+  ACTIVITY obey
+BEGIN
+  TXM( request motion from SM1 )
+  obey
+  WTM( motion from SM1 )
+END
+Skill Module: SM1
+  ACTIVITY think
+BEGIN
+  WTM( Coordinator )
+  WTM( request motion from MC1 )
+  TXM( motion to MC1 )
+  REPEAT
+    SPC( c )
+    RPC( c )
+    think
+  UNTIL( forever )
+END
+)",
+              "  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 2\n  PLACE MC1 ON P PRIORITY 1\n  TIME obey : 10 ms\n"
+              "  TIME think : " +
+                  think + "\n  LATENCY WITHIN PROCESSOR 1 ms\n");
+}
+
+}  // namespace
+
+TEST_CASE("a thread that is interrupted for ever does not keep the exploration from its end") {
+  CHECK(bound(starving("1 ms")) == 1);
+  CHECK(bound(starving("1 TO 3 ms")) == 3);
+}
+
+TEST_CASE("an interrupted thread that interrupts another still owes it its time") {
+  // MC1.1 obeys from 0; SM1.1 interrupts it at 1 for 5 ms, and is interrupted at 4 by MC1.2 for up to 2.
+  // MC1.1 has its last millisecond from 8 on.
+  CHECK(
+      bound(cell("AGE OF c AT TXM( correction to robot )", R"(Machine Controller: MC1
+  ACTIVITY obey
+  ACTIVITY hold
+BEGIN
+  CONCURRENT
+  BEGIN
+    RPC( c )
+    obey
+    TXM( correction to robot )
+  END
+  BEGIN
+    REPEAT
+      WTM( tick from robot )
+      hold
+    UNTIL( forever )
+  END
+  END CONCURRENT
+  WTM( motion from SM1 )
+END
+Skill Module: SM1
+  ACTIVITY start
+  ACTIVITY think
+  ACTIVITY rest
+BEGIN
+  WTM( Coordinator )
+  start
+  CONCURRENT
+  BEGIN
+    think
+  END
+  END CONCURRENT
+  rest
+  TXM( motion to MC1 )
+  TXM( Completion Protocol 0 )
+END
+)",
+                 "  PROCESSOR P\n  PROCESSOR Q\n  PLACE SM1 ON Q PRIORITY 2\n  PLACE SM1.1 ON P PRIORITY 2\n"
+                 "  PLACE MC1 ON P PRIORITY 1\n  PLACE MC1.2 ON P PRIORITY 3\n  TIME start : 1 ms\n  TIME "
+                 "rest : 50 ms\n  TIME "
+                 "think : 5 ms\n"
+                 "  TIME obey : 2 ms\n  TIME hold : 1 TO 2 ms\n"
+                 "  DEVICE robot EVENT tick EVERY 100 ms PHASE 4 ms\n")) == 9);
+}

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/exact.hpp"
+#include "tests/support/confirm.hpp"
 #include "tests/support/skill.hpp"
 
 using namespace pal;
@@ -95,6 +96,7 @@ void check_exact(const Analysis& analysis, const std::string& requirement, Durat
   CHECK(found.state == state);
   REQUIRE(found.witness);
   CHECK(found.witness->measured.value == bound.count());
+  CHECK(test::unexplained(found) == "");
 }
 
 constexpr VerdictState holds = VerdictState::holds;
@@ -145,6 +147,13 @@ TEST_CASE(
   const Analysis after = analyze(*sound_skill(range_finder(asks_after, "10 TO 15 ms", ages))->problem);
   check_exact(after, "fresh", 91ms, holds);
   check_exact(after, "reaction", 247ms, fails);  // 2 · 78 + 76 + 15
+}
+
+TEST_CASE("case 3: the referee confirms the runs behind all of this") {
+  for (const char* body : {asks_after, asks_before}) {
+    const auto skill = sound_skill(range_finder(body, "10 TO 15 ms", losses_and_pace));
+    CHECK(test::unconfirmed(*skill->problem, analyze(*skill->problem)) == "");
+  }
 }
 
 TEST_CASE("the skill may end whenever the robot stops it, and never with an error") {

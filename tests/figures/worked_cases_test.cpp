@@ -5,6 +5,7 @@
 
 #include "analyzer/exact.hpp"
 #include "analyzer/simulate.hpp"
+#include "tests/support/confirm.hpp"
 #include "tests/support/skill.hpp"
 
 using namespace pal;
@@ -327,6 +328,15 @@ TEST_CASE("case 3: asking after interpreting loses every second frame, asking be
     TXM( request profile from finder )
     interpret
   UNTIL( forever ))") == std::set<Nanoseconds>{78'000'000});
+}
+
+TEST_CASE("the referee confirms the runs behind the worked cases") {
+  for (const std::string& text :
+       {figure_3_6(as_printed), figure_3_6(corrected), one_sequence("FRAMES EVERY 6 ms COLLECTING 6 ms"),
+        one_sequence("ON REQUEST 6 ms"), std::string(three_drivers)}) {
+    const auto skill = sound_skill(text);
+    CHECK(test::unconfirmed(*skill->problem, analyze(*skill->problem)) == "");
+  }
 }
 
 TEST_CASE("case 4: three periodic drivers on one processor answer within 3, 6 and 20 ms") {

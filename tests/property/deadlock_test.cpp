@@ -17,7 +17,8 @@ namespace {
 test::TalkOracle::Length length(const std::vector<deadlock::Deed>& run, std::size_t deeds) {
   test::TalkOracle::Length result{0, 0};
   for (std::size_t i = 0; i < deeds; ++i) {
-    const bool timely = run[i].kind == deadlock::Deed::Kind::gives_up || run[i].kind == deadlock::Deed::Kind::loses;
+    const bool timely =
+        run[i].kind == deadlock::Deed::Kind::gives_up || run[i].kind == deadlock::Deed::Kind::loses;
     result.first += timely ? 1 : 0;
     result.second += is_talk(run[i]) ? 1 : 0;
   }
@@ -51,7 +52,8 @@ void compare(const pan::Network& network, Seen& seen) {
   for (const auto channel : found.untaken) untaken.insert(channel.index());
   CHECK(untaken == expected.untaken);
   std::map<std::size_t, test::TalkOracle::Length> undelivered;
-  for (const auto& one : found.undelivered) undelivered[one.channel.index()] = length(one.run, one.run.size());
+  for (const auto& one : found.undelivered)
+    undelivered[one.channel.index()] = length(one.run, one.run.size());
   CHECK(undelivered == expected.undelivered);
   seen.untaken += untaken.empty() ? 0 : 1;
   seen.undelivered += undelivered.empty() ? 0 : 1;
@@ -88,5 +90,7 @@ TEST_CASE("leaving out orders of moves changes nothing that is found") {
   CHECK(seen.total > 50);
   CHECK(seen.partial > 10);
   CHECK(seen.undelivered > 10);
-  if (wish != nullptr) WARN("compared " << seen.compared << ", deadlocks " << seen.total << ", waits for ever " << seen.partial << ", undelivered " << seen.undelivered << ", untaken " << seen.untaken);
+  if (wish != nullptr)
+    WARN("compared " << seen.compared << ", deadlocks " << seen.total << ", waits for ever " << seen.partial
+                     << ", undelivered " << seen.undelivered << ", untaken " << seen.untaken);
 }

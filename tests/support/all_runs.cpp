@@ -69,8 +69,8 @@ std::vector<Wanted> wanted(const Network& network, const Environment& environmen
   };
   for (const Requirement& requirement : network.requirements) {
     const auto* age = std::get_if<Age>(&requirement.measure);
-    if (const auto* condition = age == nullptr ? nullptr : std::get_if<ConditionId>(&age->of))
-      all.push_back({requirement.name, condition->value, -1, at(age->at)});
+    const auto* condition = age == nullptr ? nullptr : std::get_if<ConditionId>(&age->of);
+    if (condition != nullptr) all.push_back({requirement.name, condition->value, -1, at(age->at)});
     if (const auto* response = std::get_if<Response>(&requirement.measure))
       all.push_back({requirement.name, -1, response->event.value, at(response->at)});
   }

@@ -42,7 +42,8 @@ struct Wanted {
   std::set<std::pair<int, int>> at;  // module, node
 };
 
-/// The requirements of `network`, and those that the devices of `environment` add; loads left out.
+/// The responses and the ages of conditions that `network` requires, and what the devices of `environment`
+/// add.
 std::vector<Wanted> wanted(const pan::Network& network, const pan::Environment& environment);
 
 struct Seen {

@@ -1,5 +1,6 @@
-// Skills of twelve modules and eight conditions, in the shapes that robot skills have: for measuring, and for what must hold at
-// that size. Ten modules are five logical sensors, each with a driver of its own; the others are the method and the robot.
+// Skills of twelve modules and eight conditions, in the shapes that robot skills have: for measuring, and for
+// what must hold at that size. Ten modules are five logical sensors, each with a driver of its own; the
+// others are the method and the robot.
 #pragma once
 
 #include <string>
@@ -35,7 +36,9 @@ class LargeSkill {
       logical += (i == 1 ? "" : ", ") + ("LS" + n);
     }
     out += "SKILL s\n  SENSOR DRIVER " + drivers + "\n  LOGICAL SENSOR " + logical;
-    out += "\n  MACHINE CONTROLLER MC1\n  SKILL METHOD SM1\n  COMPLETION 0 NORMAL\n  COMPLETION 2 ERROR\nEND SKILL\n";
+    out +=
+        "\n  MACHINE CONTROLLER MC1\n  SKILL METHOD SM1\n  COMPLETION 0 NORMAL\n  COMPLETION 2 ERROR\nEND "
+        "SKILL\n";
     for (int i = 1; i <= sensors; ++i) out += sensor(i);
     return out + controller() + "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n" + initial() + method() +
            "  TXM( Completion Protocol 0 )\nEND\n";
@@ -52,20 +55,24 @@ class LargeSkill {
 
   std::string sensor(int i) const {
     const auto n = std::to_string(i);
-    const auto ask_device = "    TXM( request raw" + n + " from sensor" + n + " )\n    WTM( raw" + n + " from sensor" + n + " )\n";
-    std::string out = "Sensor Driver: SD" + n + "\nBEGIN\n  REPEAT\n    WTM( request raw" + n + " from LS" + n + " )\n" +
-                      ask_device + "    TXM( raw" + n + " to LS" + n + " )\n  UNTIL( forever )\nEND\n";
-    out += "Logical Sensor: LS" + n + "\nBEGIN\n  REPEAT\n    WTM( request value" + n + " from SM1 )\n    TXM( request raw" + n +
-           " from SD" + n + " )\n";
+    const auto ask_device = "    TXM( request raw" + n + " from sensor" + n + " )\n    WTM( raw" + n +
+                            " from sensor" + n + " )\n";
+    std::string out = "Sensor Driver: SD" + n + "\nBEGIN\n  REPEAT\n    WTM( request raw" + n + " from LS" +
+                      n + " )\n" + ask_device + "    TXM( raw" + n + " to LS" + n +
+                      " )\n  UNTIL( forever )\nEND\n";
+    out += "Logical Sensor: LS" + n + "\nBEGIN\n  REPEAT\n    WTM( request value" + n +
+           " from SM1 )\n    TXM( request raw" + n + " from SD" + n + " )\n";
     if (flaw_ && i == 3) out += "    WTM( request value3 from SM1 )\n";
-    return out + "    WTM( raw" + n + " from SD" + n + " )\n    TXM( value" + n + " to SM1 )\n  UNTIL( forever )\nEND\n";
+    return out + "    WTM( raw" + n + " from SD" + n + " )\n    TXM( value" + n +
+           " to SM1 )\n  UNTIL( forever )\nEND\n";
   }
 
   std::string controller() const {
-    return "Machine Controller: MC1\nBEGIN\n  REPEAT\n    WTM( tick from robot )\n    TXM( request motion from SM1 )\n" +
-           std::string(shape_ == Shape::polling
-                           ? "    WTM( motion from SM1 ) WITHIN 4 ms\n      Do Nothing\n    ELSE\n      Do Nothing\n    END WTM\n"
-                           : "    WTM( motion from SM1 )\n") +
+    return "Machine Controller: MC1\nBEGIN\n  REPEAT\n    WTM( tick from robot )\n    TXM( request motion "
+           "from SM1 )\n" +
+           std::string(shape_ == Shape::polling ? "    WTM( motion from SM1 ) WITHIN 4 ms\n      Do "
+                                                  "Nothing\n    ELSE\n      Do Nothing\n    END WTM\n"
+                                                : "    WTM( motion from SM1 )\n") +
            "    TXM( correction to robot )\n  UNTIL( forever )\nEND\n";
   }
 
@@ -86,7 +93,8 @@ class LargeSkill {
            " ) ): SPC( reached )\nEND CASE\nTXM( motion to MC1 )\n";
   }
   static std::string retreat() {
-    return "CASE\n( lost = TRUE ):\nREPEAT\nWTM( motion request from MC1 )\nTXM( motion to MC1 )\nSPC( home )\nUNTIL( home )\n"
+    return "CASE\n( lost = TRUE ):\nREPEAT\nWTM( motion request from MC1 )\nTXM( motion to MC1 )\nSPC( home "
+           ")\nUNTIL( home )\n"
            "( lost = FALSE ): Do Nothing\nEND CASE\n";
   }
 
@@ -111,24 +119,29 @@ class LargeSkill {
         return "CONCURRENT\n" + out + block(moving) + "END CONCURRENT\n" + retreat();
       case Shape::chain:
         for (int i = 1; i <= sensors; ++i) {
-          out += sample(i) + "CASE\n( c" + std::to_string(i) + " = TRUE ): SPC( lost )\n( c" + std::to_string(i) +
-                 " = FALSE ): Do Nothing\nEND CASE\n";
+          out += sample(i) + "CASE\n( c" + std::to_string(i) + " = TRUE ): SPC( lost )\n( c" +
+                 std::to_string(i) + " = FALSE ): Do Nothing\nEND CASE\n";
         }
         return "REPEAT\n" + out + move() + "UNTIL( reached OR lost )\n" + retreat();
       case Shape::couriers:
-        for (int i = 1; i <= sensors; ++i) out += wait(i) + "\n" + ask(i) + "SPC( c" + std::to_string(i) + " )\n";
+        for (int i = 1; i <= sensors; ++i)
+          out += wait(i) + "\n" + ask(i) + "SPC( c" + std::to_string(i) + " )\n";
         return "CONCURRENT\n" + block(asks + for_ever(out)) + block(moving) + "END CONCURRENT\n" + retreat();
       case Shape::polling:
         for (int i = 1; i <= sensors; ++i) {
-          out += ask(i) + wait(i) + " WITHIN 3 ms\nSPC( c" + std::to_string(i) + " )\nELSE\nSPC( lost )\nEND WTM\n";
+          out += ask(i) + wait(i) + " WITHIN 3 ms\nSPC( c" + std::to_string(i) +
+                 " )\nELSE\nSPC( lost )\nEND WTM\n";
         }
         return "REPEAT\n" + out +
-               "WTM( motion request from MC1 ) WITHIN 30 ms\nTXM( motion to MC1 )\nSPC( reached )\nELSE\nDo Nothing\nEND WTM\n"
-               "UNTIL( reached OR lost OR " + any() + " )\n";
+               "WTM( motion request from MC1 ) WITHIN 30 ms\nTXM( motion to MC1 )\nSPC( reached )\nELSE\nDo "
+               "Nothing\nEND WTM\n"
+               "UNTIL( reached OR lost OR " +
+               any() + " )\n";
       case Shape::nested:
         return "CONCURRENT\n" +
                block(for_ever("CONCURRENT\n" + block(sample(1)) + block(sample(2)) + "END CONCURRENT\n")) +
-               block(for_ever("CONCURRENT\n" + block(for_ever(sample(3))) + block(sample(4) + sample(5)) + "END CONCURRENT\n")) +
+               block(for_ever("CONCURRENT\n" + block(for_ever(sample(3))) + block(sample(4) + sample(5)) +
+                              "END CONCURRENT\n")) +
                block(moving) + "END CONCURRENT\n" + retreat();
     }
     return out;

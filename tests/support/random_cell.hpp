@@ -2,6 +2,7 @@
 // every kind with times so small that all of their runs can be tried.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -134,8 +135,11 @@ class RandomCell {
         const bool limited = chance(2) == 0;
         std::string out =
             "WTM FIRST" + (limited ? " WITHIN " + ms(between(0, longest_)) : std::string()) + "\n";
-        const std::size_t first = static_cast<std::size_t>(chance(2));
-        for (const std::size_t w : {first, 1 - first}) out += "( " + waits_[w] + " ):\n" + few(deeper - 1);
+        Lines each = waits_;
+        if (each.size() > 2 && chance(2) == 0)
+          each.erase(each.begin() + chance(static_cast<int>(each.size())));
+        std::shuffle(each.begin(), each.end(), engine_);
+        for (const std::string& what : each) out += "( " + what + " ):\n" + few(deeper - 1);
         return out + (limited ? "ELSE\n" + few(deeper - 1) : "") + "END WTM\n";
       }
       default:

@@ -39,12 +39,15 @@ SKILL s
 END SKILL
 )";
     if (driver) {
-      out += "DEVICE probe\nSensor Driver: SD1\nBEGIN\n  REPEAT\n    WTM( request raw from LS1 )\n    TXM( request raw from probe "
-             ")\n    WTM( raw from probe )\n    TXM( raw to LS1 )\n  UNTIL( forever )\nEND\n";
+      out +=
+          "DEVICE probe\nSensor Driver: SD1\nBEGIN\n  REPEAT\n    WTM( request raw from LS1 )\n    TXM( "
+          "request raw from probe "
+          ")\n    WTM( raw from probe )\n    TXM( raw to LS1 )\n  UNTIL( forever )\nEND\n";
     }
     out += "Logical Sensor: LS1\nBEGIN\n  REPEAT\n";
     if (driver) {
-      out += talk({"WTM( request force from SM1 )", "TXM( request raw from SD1 )", "WTM( raw from SD1 )", "TXM( force to SM1 )"});
+      out += talk({"WTM( request force from SM1 )", "TXM( request raw from SD1 )", "WTM( raw from SD1 )",
+                   "TXM( force to SM1 )"});
     } else {
       out += talk({"WTM( request force from SM1 )", "TXM( force to SM1 )"});
     }
@@ -56,24 +59,26 @@ END SKILL
     out += "Machine Controller: MC1\nBEGIN\n  REPEAT\n";
     if (chance(2) != 0) out += "    WTM( tick from robot )\n";
     out += talk({"TXM( request motion from SM1 )", waits("motion", "SM1")});
-    out += "  UNTIL( forever )\nEND\nContingency Module: CM1\nBEGIN\n" + talk({"WTM( request motion from MC1 )", "TXM( motion to MC1 )"}) + "END\n";
+    out += "  UNTIL( forever )\nEND\nContingency Module: CM1\nBEGIN\n" +
+           talk({"WTM( request motion from MC1 )", "TXM( motion to MC1 )"}) + "END\n";
     out += "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n  SPC( c )\n  SPC( d )\n  SPC( e = FALSE )\n";
     switch (chance(5)) {
       case 0:
         out += "  REPEAT\n" + sense() + (two_ ? locate() : "") + act() + "  UNTIL( c OR d )\n";
         break;
       case 1:
-        out += "  CONCURRENT\n" + block("  REPEAT\n" + inner() + "  UNTIL( forever )\n") + block(looped(act(), "d")) +
-               "  END CONCURRENT\n";
+        out += "  CONCURRENT\n" + block("  REPEAT\n" + inner() + "  UNTIL( forever )\n") +
+               block(looped(act(), "d")) + "  END CONCURRENT\n";
         break;
       default:
         out += "  CONCURRENT\n" + block(looped(sense(), chance(2) != 0 ? "forever" : "d")) +
-               (two_ ? block(looped(locate(), chance(2) != 0 ? "forever" : "e")) : "") + block(looped(act(), "d")) +
-               "  END CONCURRENT\n";
+               (two_ ? block(looped(locate(), chance(2) != 0 ? "forever" : "e")) : "") +
+               block(looped(act(), "d")) + "  END CONCURRENT\n";
     }
     if (chance(2) != 0) {
-      out += std::string(chance(3) == 0 ? "  RPC( c )\n" : "") + "  CASE\n    ( c = TRUE ): Execute CM1\n    ( c = FALSE ):\n" +
-             (chance(2) == 0 ? act() : "") + "  END CASE\n";
+      out += std::string(chance(3) == 0 ? "  RPC( c )\n" : "") +
+             "  CASE\n    ( c = TRUE ): Execute CM1\n    ( c = FALSE ):\n" + (chance(2) == 0 ? act() : "") +
+             "  END CASE\n";
     } else {
       out += "  CASE\n    ( e = TRUE ): Execute CM1\n    ( e = FALSE ): Do Nothing\n  END CASE\n";
     }
@@ -92,7 +97,8 @@ END SKILL
   std::string locate() { return talk({"TXM( request place from LS2 )", waits("place", "LS2"), "SPC( e )"}); }
   std::string act() {
     if (chance(5) == 0) {
-      return "    RPC( c )\n    WTM( request motion from MC1 )\n    CASE\n    ( c = TRUE ): SPC( d = TRUE )\n    ( NOT c ): SPC( d "
+      return "    RPC( c )\n    WTM( request motion from MC1 )\n    CASE\n    ( c = TRUE ): SPC( d = TRUE "
+             ")\n    ( NOT c ): SPC( d "
              ")\n    END CASE\n    TXM( motion to MC1 )\n";
     }
     return talk({"WTM( request motion from MC1 )", "TXM( motion to MC1 )", "SPC( d )"});
@@ -106,7 +112,8 @@ END SKILL
              (within ? "    ELSE\n      Do Nothing\n" : "") + "    END WTM\n" +
              (two_ ? "    TXM( request place from LS2 )\n" : "");
     }
-    return "    CONCURRENT\n" + block(sense()) + block(two_ ? looped(locate(), chance(2) != 0 ? "forever" : "e") : "Do Nothing\n") +
+    return "    CONCURRENT\n" + block(sense()) +
+           block(two_ ? looped(locate(), chance(2) != 0 ? "forever" : "e") : "Do Nothing\n") +
            "    END CONCURRENT\n";
   }
 

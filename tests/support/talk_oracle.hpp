@@ -1,5 +1,5 @@
-// What the modules of a skill can do, worked out from their graphs alone in the plainest way: every interleaving, every step a
-// state. For comparison with pal/check/deadlock, with which it shares nothing.
+// What the modules of a skill can do, worked out from their graphs alone in the plainest way: every
+// interleaving, every step a state. For comparison with pal/check/deadlock, with which it shares nothing.
 //
 // Left out: devices that lose answers. A skill must not have two requests to a device open at once.
 #pragma once
@@ -27,9 +27,9 @@ class TalkOracle {
 
   struct Result {
     bool complete = true;
-    std::optional<Length> total;               // to where nothing moves
-    std::optional<Length> dead;                // to where the method can never end
-    std::set<std::size_t> untaken;             // channels
+    std::optional<Length> total;                // to where nothing moves
+    std::optional<Length> dead;                 // to where the method can never end
+    std::set<std::size_t> untaken;              // channels
     std::map<std::size_t, Length> undelivered;  // channels, to the completion
   };
 
@@ -48,9 +48,9 @@ class TalkOracle {
     friend auto operator<=>(const Place&, const Place&) = default;
   };
   struct Thread {
-    std::vector<Place> at;     // the last one is where it is; those before execute it
+    std::vector<Place> at;  // the last one is where it is; those before execute it
     int parent = -1;
-    std::size_t name = 0;      // the same block, begun again, has the same
+    std::size_t name = 0;  // the same block, begun again, has the same
     bool can_end = true;
     bool finishing = false;
     bool gone = false;
@@ -60,9 +60,9 @@ class TalkOracle {
   /// A request or answer channel.
   struct Slot {
     bool full = false;
-    int discard = 0;                 // answers nobody wants any more
-    std::vector<int> waiting_for;    // threads whose request has no answer yet that was taken, oldest first
-    std::size_t last_asker = 0;      // its name
+    int discard = 0;               // answers nobody wants any more
+    std::vector<int> waiting_for;  // threads whose request has no answer yet that was taken, oldest first
+    std::size_t last_asker = 0;    // its name
     friend auto operator<=>(const Slot&, const Slot&) = default;
   };
   struct State {
@@ -81,8 +81,12 @@ class TalkOracle {
     std::optional<std::size_t> put, take;
   };
 
-  const pan::Node& node(const Place& place) const { return network_.modules[place.module].body.nodes[place.node]; }
-  const pan::Node& node(const State& state, int thread) const { return node(state.threads[at(thread)].at.back()); }
+  const pan::Node& node(const Place& place) const {
+    return network_.modules[place.module].body.nodes[place.node];
+  }
+  const pan::Node& node(const State& state, int thread) const {
+    return node(state.threads[at(thread)].at.back());
+  }
   static std::size_t name(std::size_t module, std::size_t node) { return module * 100'000 + node + 1; }
   static std::size_t at(int thread) { return static_cast<std::size_t>(thread); }
 
@@ -121,7 +125,8 @@ class TalkOracle {
         if (some) next.push_back(nodes[here.mate.index()].out.front().index());
       } else if (const auto* execute = std::get_if<pan::Execute>(&here.content)) {
         const auto callee = execute->module.index();
-        if (network_.modules[callee].body.empty() || block_can_end(callee, 0)) next.push_back(here.out.front().index());
+        if (network_.modules[callee].body.empty() || block_can_end(callee, 0))
+          next.push_back(here.out.front().index());
       } else {
         for (const auto out : here.out) next.push_back(out.index());
       }
@@ -170,9 +175,12 @@ class TalkOracle {
         continue;
       }
       if (std::holds_alternative<pan::Fork>(n.content)) return fork(std::move(state), thread, result);
-      const bool silent = std::holds_alternative<pan::Start>(n.content) || std::holds_alternative<pan::WaitForStart>(n.content) ||
-                          std::holds_alternative<pan::Perform>(n.content) || std::holds_alternative<pan::Nothing>(n.content) ||
-                          std::holds_alternative<pan::Merge>(n.content) || std::holds_alternative<pan::Loop>(n.content);
+      const bool silent = std::holds_alternative<pan::Start>(n.content) ||
+                          std::holds_alternative<pan::WaitForStart>(n.content) ||
+                          std::holds_alternative<pan::Perform>(n.content) ||
+                          std::holds_alternative<pan::Nothing>(n.content) ||
+                          std::holds_alternative<pan::Merge>(n.content) ||
+                          std::holds_alternative<pan::Loop>(n.content);
       if (!silent) break;
       here.at.back().node = n.out.front().index();
     }
@@ -229,7 +237,8 @@ class TalkOracle {
       return go_to(std::move(state), parent, next, result);
     }
     bool can_end = false;
-    for (const int b : blocks) can_end = can_end || (state.threads[at(b)].can_end && !state.threads[at(b)].finishing);
+    for (const int b : blocks)
+      can_end = can_end || (state.threads[at(b)].can_end && !state.threads[at(b)].finishing);
     if (above.finishing || !can_end) return cancel(std::move(state), parent, result);
     result.push_back(std::move(state));
   }
@@ -435,7 +444,8 @@ class TalkOracle {
       step.to.threads[at(thread)].latched.clear();
       const bool out = holds(state, thread, *until->guard);
       done(std::move(step), out ? n.out.front().index() : n.mate.index(), result);
-    } else if (!std::holds_alternative<pan::End>(n.content) && !std::holds_alternative<pan::Join>(n.content)) {
+    } else if (!std::holds_alternative<pan::End>(n.content) &&
+               !std::holds_alternative<pan::Join>(n.content)) {
       result.push_back(fresh());  // goes round for ever
     }
     return result;
@@ -466,7 +476,8 @@ class TalkOracle {
     if (network_.main.valid()) order.push_back(network_.main.index());
     for (std::size_t m = 0; m < network_.modules.size(); ++m) {
       const auto& module = network_.modules[m];
-      if (!module.body.empty() && !module.executed_by.valid() && pan::ModuleId(m) != network_.main) order.push_back(m);
+      if (!module.body.empty() && !module.executed_by.valid() && pan::ModuleId(m) != network_.main)
+        order.push_back(m);
     }
     for (const auto m : order) {
       Thread thread;
@@ -546,7 +557,8 @@ class TalkOracle {
     std::deque<std::size_t> open;
     for (const auto& edge : edges_) {
       stands[edge.from] = false;
-      for (std::size_t t = 0; t < edge.moved.size(); ++t) moves[edge.from][t] = moves[edge.from][t] || edge.moved[t];
+      for (std::size_t t = 0; t < edge.moved.size(); ++t)
+        moves[edge.from][t] = moves[edge.from][t] || edge.moved[t];
     }
     for (std::size_t i = 0; i < states_.size(); ++i) open.push_back(i);
     while (!open.empty()) {
@@ -567,7 +579,8 @@ class TalkOracle {
     for (std::size_t i = 0; i < states_.size(); ++i) {
       if (states_[i]->ended) continue;
       if (stands[i] && (!result_.total || length[i] < *result_.total)) result_.total = length[i];
-      if (dead(*states_[i], moves[i], 0) && (!result_.dead || length[i] < *result_.dead)) result_.dead = length[i];
+      if (dead(*states_[i], moves[i], 0) && (!result_.dead || length[i] < *result_.dead))
+        result_.dead = length[i];
     }
     for (const auto c : put_) {
       if (taken_.count(c) == 0 && !is_device(network_.channels[c].receiver)) result_.untaken.insert(c);
@@ -575,10 +588,12 @@ class TalkOracle {
     for (const auto i : completions_) {
       for (std::size_t c = 0; c < states_[i]->slots.size(); ++c) {
         const auto& channel = network_.channels[c];
-        if (!states_[i]->slots[c].full || network_.messages[channel.message.index()].asks_for.valid()) continue;
+        if (!states_[i]->slots[c].full || network_.messages[channel.message.index()].asks_for.valid())
+          continue;
         if (channel.sender != pan::Party(network_.main) || is_device(channel.receiver)) continue;
         const auto known = result_.undelivered.find(c);
-        if (known == result_.undelivered.end() || length[i] < known->second) result_.undelivered[c] = length[i];
+        if (known == result_.undelivered.end() || length[i] < known->second)
+          result_.undelivered[c] = length[i];
       }
     }
   }
@@ -587,12 +602,14 @@ class TalkOracle {
     const auto& self = state.threads[at(thread)];
     if (self.gone) return false;
     const auto& content = node(state, thread).content;
-    if (std::holds_alternative<pan::Wait>(content) || std::holds_alternative<pan::Send>(content)) return !moves[at(thread)];
+    if (std::holds_alternative<pan::Wait>(content) || std::holds_alternative<pan::Send>(content))
+      return !moves[at(thread)];
     if (!std::holds_alternative<pan::Join>(content)) return false;
     const auto blocks = blocks_of(state, thread);
     const auto& place = self.at.back();
     bool ends = false;
-    for (const auto out : node({place.module, node(place).mate.index()}).out) ends = ends || block_can_end(place.module, out.index());
+    for (const auto out : node({place.module, node(place).mate.index()}).out)
+      ends = ends || block_can_end(place.module, out.index());
     bool some = false;
     bool all = true;
     for (const int b : blocks) {

@@ -43,8 +43,8 @@ struct Frame {
   std::size_t next = 0;
 };
 
-/// Depth first, with Tarjan's strong components: what is left out must not be left out for ever, so of a component that no run
-/// leaves every move is followed somewhere (Valmari).
+/// Depth first, with Tarjan's strong components: what is left out must not be left out for ever, so of a
+/// component that no run leaves every move is followed somewhere (Valmari).
 class Decider {
  public:
   Decider(const Automata& automata, const Moves& moves, const Independence& independence, std::size_t most)
@@ -247,7 +247,8 @@ class Decider {
 
 }  // namespace
 
-Decision decide(const Automata& automata, const Moves& moves, const Independence& independence, std::size_t most_states) {
+Decision decide(const Automata& automata, const Moves& moves, const Independence& independence,
+                std::size_t most_states) {
   return Decider(automata, moves, independence, most_states).run();
 }
 

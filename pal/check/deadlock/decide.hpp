@@ -1,5 +1,5 @@
-// Whether a skill can come to where it never ends, and what becomes of its messages: all that it can do, as few orders of it as
-// will do.
+// Whether a skill can come to where it never ends, and what becomes of its messages: all that it can do, as
+// few orders of it as will do.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,15 @@ namespace pal::frontend::deadlock {
 struct Decision {
   bool complete = true;  // false: the limit was reached, and what was not found may be there
   std::size_t states = 0;
-  bool total = false;             // nothing moves any more
-  bool partial = false;           // the first thread never goes on, whatever the others do
-  std::vector<bool> put;          // by channel: some run puts a message there
-  std::vector<bool> taken;        // by channel: some run takes one
-  std::vector<bool> undelivered;  // by channel: there when some run completes; of those that `independence` observes
+  bool total = false;       // nothing moves any more
+  bool partial = false;     // the first thread never goes on, whatever the others do
+  std::vector<bool> put;    // by channel: some run puts a message there
+  std::vector<bool> taken;  // by channel: some run takes one
+  std::vector<bool>
+      undelivered;  // by channel: there when some run completes; of those that `independence` observes
 };
 
-Decision decide(const Automata& automata, const Moves& moves, const Independence& independence, std::size_t most_states);
+Decision decide(const Automata& automata, const Moves& moves, const Independence& independence,
+                std::size_t most_states);
 
 }  // namespace pal::frontend::deadlock

@@ -126,7 +126,8 @@ class Explorer {
     for (std::size_t t = 0; t < automata_.threads.size(); ++t) {
       if (!moves_.active(state, t)) continue;
       const auto& step = moves_.at(state, t);
-      if ((step.kind != Step::Kind::wait && step.kind != Step::Kind::send) || !ways.never_moves(state, t)) continue;
+      if ((step.kind != Step::Kind::wait && step.kind != Step::Kind::send) || !ways.never_moves(state, t))
+        continue;
       Stuck one{t, static_cast<std::size_t>(&step - automata_.steps.data()), step.kind == Step::Kind::wait};
       for (const auto channel : step.channels) {
         const auto& request = automata_.request_of[channel.index()];
@@ -137,7 +138,8 @@ class Explorer {
     return result;
   }
 
-  /// The nearest state from here in which as many threads as ever wait for ever, and the way there, without a lucky time.
+  /// The nearest state from here in which as many threads as ever wait for ever, and the way there, without a
+  /// lucky time.
   std::pair<std::vector<Deed>, State> farthest(const State& from, WaysOn& ways) {
     constexpr std::size_t most_looked_at = 2000;
     std::unordered_map<State, std::pair<State, Deed>> by{{from, {}}};

@@ -18,7 +18,8 @@ struct Stuck {
   bool never_asked = false;  // waits for the answer to a request that it has not sent, or not any more
 };
 
-/// A shortest run (search.hpp says of what length) to where the skill can never complete because its method waits for ever.
+/// A shortest run (search.hpp says of what length) to where the skill can never complete because its method
+/// waits for ever.
 struct DeadEnd {
   bool total = false;   // nothing moves any more; otherwise other modules go on
   bool timely = false;  // only if some wait gives up, or a device loses an answer, at the right time
@@ -42,7 +43,8 @@ struct Limits {
 
 struct Findings {
   bool complete = true;  // false: a limit was reached, and what was not found may be there
-  bool overflowed = false;  // … because more requests than can be counted are open, or withdrawn and not yet answered
+  bool overflowed =
+      false;  // … because more requests than can be counted are open, or withdrawn and not yet answered
   std::size_t states = 0;
   std::optional<DeadEnd> total;
   std::optional<DeadEnd> partial;       // not if `total` says as much

@@ -13,7 +13,8 @@ std::size_t resources(const Automata& automata) {
 
 }  // namespace
 
-Independence::Independence(const Automata& automata, const Moves& moves, std::vector<bool> observed, bool absorb)
+Independence::Independence(const Automata& automata, const Moves& moves, std::vector<bool> observed,
+                           bool absorb)
     : automata_(automata),
       moves_(moves),
       observed_(std::move(observed)),
@@ -106,7 +107,8 @@ std::size_t Independence::step_of(const State& state, std::size_t thread) const 
 }
 
 /// Moves that end the skill, or the work of other blocks.
-bool Independence::concerns_all(const State& state, std::size_t thread, const std::vector<Move>& moves) const {
+bool Independence::concerns_all(const State& state, std::size_t thread,
+                                const std::vector<Move>& moves) const {
   for (const auto& move : moves) {
     if (move.ended) return true;
     for (std::size_t other = 0; other < automata_.threads.size(); ++other) {
@@ -122,9 +124,10 @@ bool Independence::concerns_all(const State& state, std::size_t thread, const st
   return false;
 }
 
-/// Whether the block were cancelled before all of these moves or after them, what is left is the same: the requests that it has
-/// open, and their answers, are withdrawn.
-bool Independence::undone_by_cancelling(const State& state, std::size_t thread, const std::vector<Move>& moves) const {
+/// Whether the block were cancelled before all of these moves or after them, what is left is the same: the
+/// requests that it has open, and their answers, are withdrawn.
+bool Independence::undone_by_cancelling(const State& state, std::size_t thread,
+                                        const std::vector<Move>& moves) const {
   const auto& step = moves_.at(state, thread);
   if (moves_.finishing(state, thread) || step.gives_up) return false;
   for (const auto& move : moves) {
@@ -138,7 +141,8 @@ bool Independence::undone_by_cancelling(const State& state, std::size_t thread, 
       if (!asks || (moves_.open(state, channel) > 0 && moves_.owner(state, channel) != thread)) return false;
     } else if (move.deed.kind == Deed::Kind::takes) {
       const auto& request = automata_.request_of[channel.index()];
-      if (!request || automata_.from_device[channel.index()] || moves_.owner(state, *request) != thread) return false;
+      if (!request || automata_.from_device[channel.index()] || moves_.owner(state, *request) != thread)
+        return false;
       if (moves_.open(state, *request) <= (moves_.full(state, *request) ? 1 : 0)) return false;
     } else if (move.deed.kind != Deed::Kind::latches && move.deed.kind != Deed::Kind::finds) {
       return false;
@@ -147,7 +151,8 @@ bool Independence::undone_by_cancelling(const State& state, std::size_t thread, 
   return true;
 }
 
-void Independence::add_users(const State& state, Use use, std::size_t index, std::size_t thread, Threads& result) const {
+void Independence::add_users(const State& state, Use use, std::size_t index, std::size_t thread,
+                             Threads& result) const {
   const auto what = resource(use, index);
   for (std::size_t user = 0; user < automata_.threads.size(); ++user) {
     // Those above wait for this thread.
@@ -157,7 +162,8 @@ void Independence::add_users(const State& state, Use use, std::size_t index, std
 }
 
 /// Those that may withdraw the request: its sender by giving up, or whoever may have its sender cancelled.
-void Independence::add_withdrawers(const State& state, std::size_t request, std::size_t thread, Threads& result) const {
+void Independence::add_withdrawers(const State& state, std::size_t request, std::size_t thread,
+                                   Threads& result) const {
   add_users(state, Use::withdraw, request, thread, result);
   if (const auto owner = moves_.owner(state, pan::ChannelId(request))) {
     if (*owner != thread) result |= cancellers_[*owner];
@@ -165,7 +171,8 @@ void Independence::add_withdrawers(const State& state, std::size_t request, std:
 }
 
 /// `withdrawers`: also those that may withdraw the request that the thread waits for.
-void Independence::add_channels(const State& state, std::size_t thread, bool withdrawers, Threads& result) const {
+void Independence::add_channels(const State& state, std::size_t thread, bool withdrawers,
+                                Threads& result) const {
   const auto& step = moves_.at(state, thread);
   const auto add = [&](Use use, std::size_t index) { add_users(state, use, index, thread, result); };
   for (const auto channel : step.channels) {
@@ -179,7 +186,8 @@ void Independence::add_channels(const State& state, std::size_t thread, bool wit
       add(Use::put, c);
       add_withdrawers(state, c, thread, result);
       if (automata_.answer_of[c]) add(Use::take, automata_.answer_of[c]->index());
-      // Putting an answer and then withdrawing it leaves what withdrawing the request first and then discarding leaves.
+      // Putting an answer and then withdrawing it leaves what withdrawing the request first and then
+      // discarding leaves.
       if (request && full) add_withdrawers(state, request->index(), thread, result);
       if (full) add(Use::take, c);
     } else if (automata_.from_device[c]) {
@@ -227,9 +235,9 @@ std::optional<std::size_t> Independence::helper(const State& state, std::size_t 
   return found;
 }
 
-/// A server that takes a request which may yet be withdrawn: if, should that happen, it comes back to where it is now with what
-/// it has of its own, then taking first is as good. Gives those that may disturb it on its way, or nothing if it is no such
-/// server.
+/// A server that takes a request which may yet be withdrawn: if, should that happen, it comes back to where
+/// it is now with what it has of its own, then taking first is as good. Gives those that may disturb it on
+/// its way, or nothing if it is no such server.
 std::optional<Threads> Independence::disturbing_service(const State& state, std::size_t thread,
                                                         const std::vector<Move>& moves) const {
   constexpr std::size_t most_moves = 64;
@@ -275,26 +283,30 @@ Threads Independence::disturbing_step(const State& state, std::size_t thread, bo
   return result;
 }
 
-Threads Independence::disturbing(const State& state, std::size_t thread, const std::vector<Move>& moves) const {
+Threads Independence::disturbing(const State& state, std::size_t thread,
+                                 const std::vector<Move>& moves) const {
   const auto& step = moves_.at(state, thread);
   Threads result;
   if (step.kind == Step::Kind::join) {
     // It goes on when its blocks have ended: one of them must move first.
     for (const auto block : automata_.threads[thread].children) {
       if (!moves_.active(state, block)) continue;
-      if (step.next.empty() || automata_.threads[block].can_end || moves_.finishing(state, block)) result.set(block);
+      if (step.next.empty() || automata_.threads[block].can_end || moves_.finishing(state, block))
+        result.set(block);
     }
     return result;
   }
   const auto service = absorb_ ? disturbing_service(state, thread, moves) : std::nullopt;
   result = disturbing_step(state, thread, !service);
   if (service) result |= *service;
-  if (!moves.empty() && !(absorb_ && undone_by_cancelling(state, thread, moves))) result |= cancellers_[thread];
+  if (!moves.empty() && !(absorb_ && undone_by_cancelling(state, thread, moves)))
+    result |= cancellers_[thread];
   result.reset(thread);
   return result;
 }
 
-std::optional<Threads> Independence::closure(const State& state, const Enabled& enabled, const Threads& seeds) const {
+std::optional<Threads> Independence::closure(const State& state, const Enabled& enabled,
+                                             const Threads& seeds) const {
   Threads in;
   std::vector<std::size_t> open;
   const auto enter = [&](const Threads& threads) {

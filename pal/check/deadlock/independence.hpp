@@ -1,8 +1,9 @@
-// Which threads get into each other's way, and so which moves of a state are enough: of moves that do not, one order stands for
-// all.
+// Which threads get into each other's way, and so which moves of a state are enough: of moves that do not,
+// one order stands for all.
 //
-// Stubborn sets (Valmari, Stop it, and be stubborn!, 2017; Godefroid, Partial-Order Methods, 1996), a set of threads for each
-// state: whatever the others do, for as long as they like, leaves the next moves of the set as they are and brings none about.
+// Stubborn sets (Valmari, Stop it, and be stubborn!, 2017; Godefroid, Partial-Order Methods, 1996), a set of
+// threads for each state: whatever the others do, for as long as they like, leaves the next moves of the set
+// as they are and brings none about.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +17,9 @@ namespace pal::frontend::deadlock {
 
 class Independence {
  public:
-  /// `observed`, by channel: that a message is still there when the skill completes is told apart from that it was taken.
-  /// `absorb`: a block's move that its cancellation would undo needs not wait for that cancellation to be tried first. This
-  /// keeps what can be reached, but not the length of the way there.
+  /// `observed`, by channel: that a message is still there when the skill completes is told apart from that
+  /// it was taken. `absorb`: a block's move that its cancellation would undo needs not wait for that
+  /// cancellation to be tried first. This keeps what can be reached, but not the length of the way there.
   Independence(const Automata& automata, const Moves& moves, std::vector<bool> observed, bool absorb);
 
   /// The least set with `seeds` that the others leave alone. Nothing: only all moves are such a set.
@@ -41,7 +42,8 @@ class Independence {
   void add_withdrawers(const State& state, std::size_t request, std::size_t thread, Threads& result) const;
   void add_channels(const State& state, std::size_t thread, bool withdrawers, Threads& result) const;
   Threads disturbing_step(const State& state, std::size_t thread, bool withdrawers) const;
-  std::optional<Threads> disturbing_service(const State& state, std::size_t thread, const std::vector<Move>& moves) const;
+  std::optional<Threads> disturbing_service(const State& state, std::size_t thread,
+                                            const std::vector<Move>& moves) const;
   std::optional<std::size_t> helper(const State& state, std::size_t thread) const;
   void add_conditions(const State& state, std::size_t thread, Threads& result) const;
   std::size_t step_of(const State& state, std::size_t thread) const;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,8 @@
 
 namespace pal::frontend::deadlock {
 
-/// A state of all threads, slots and conditions, as words; Moves knows which is which. What no step to come reads is
-/// forgotten: conditions and latches that only the past has read are FALSE.
+/// A state of all threads, slots and conditions, as words; Moves knows which is which. What no step to come
+/// reads is forgotten: conditions and latches that only the past has read are FALSE.
 using State = std::u16string;
 
 /// What one move does.
@@ -78,6 +79,10 @@ class Moves {
   bool overflowed() const { return overflowed_; }
 
  private:
+  static constexpr char16_t finishing_flag = 0x8000;
+  /// Threads, steps and owners must fit into their words.
+  static char16_t word(std::size_t value) { return static_cast<char16_t>(value); }
+
   struct Slot {
     bool full = false;
     int open = 0;      // requests neither answered nor withdrawn

@@ -66,7 +66,8 @@ StepSets conditions_to_be_read(const Automata& automata) {
     const auto& step = automata.steps[i];
     add_guards(automata, i, read);
     if (step.kind != Step::Kind::set && step.kind != Step::Kind::latch) continue;
-    if (const auto bit = bit_of(automata, step.condition)) (step.kind == Step::Kind::set ? set : read).add(i, *bit);
+    if (const auto bit = bit_of(automata, step.condition))
+      (step.kind == Step::Kind::set ? set : read).add(i, *bit);
   }
   spread(automata, read, &set);
   return read;

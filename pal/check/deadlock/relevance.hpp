@@ -1,4 +1,5 @@
-// What the steps that can still come make of a thread's past: which conditions will be read, and what will be used.
+// What the steps that can still come make of a thread's past: which conditions will be read, and what will be
+// used.
 #pragma once
 
 #include <cstddef>

@@ -22,7 +22,8 @@ struct Node {
 
 class Searcher {
  public:
-  Searcher(const Moves& moves, const Independence& independence, std::size_t threads, const Goal& goal, std::size_t most)
+  Searcher(const Moves& moves, const Independence& independence, std::size_t threads, const Goal& goal,
+           std::size_t most)
       : moves_(moves), independence_(independence), threads_(threads), goal_(goal), most_(most) {}
 
   Found run(const State& from) {
@@ -35,7 +36,8 @@ class Searcher {
       if (nodes_[at].state == nullptr) return {way_to(at, goal_state_), true};
       if (nodes_.size() > most_) return {std::nullopt, false};
       const Enabled enabled(moves_, *nodes_[at].state, threads_);
-      if (goal_.state && goal_.state(*nodes_[at].state, enabled)) return {way_to(at, *nodes_[at].state), true};
+      if (goal_.state && goal_.state(*nodes_[at].state, enabled))
+        return {way_to(at, *nodes_[at].state), true};
       expand(at, enabled);
     }
     return {};
@@ -104,8 +106,8 @@ class Searcher {
 
 }  // namespace
 
-Threads choose(const Independence& independence, const State& state, const Enabled& enabled, const Threads& needed,
-               std::size_t first) {
+Threads choose(const Independence& independence, const State& state, const Enabled& enabled,
+               const Threads& needed, std::size_t first) {
   const auto movable = [&](const std::optional<Threads>& some) {
     if (!some) return enabled.can_move();
     Threads result;
@@ -133,8 +135,8 @@ Threads choose(const Independence& independence, const State& state, const Enabl
   return best.value_or(Threads());
 }
 
-Found search(const Moves& moves, const Independence& independence, std::size_t threads, const State& from, const Goal& goal,
-             std::size_t most_states) {
+Found search(const Moves& moves, const Independence& independence, std::size_t threads, const State& from,
+             const Goal& goal, std::size_t most_states) {
   return Searcher(moves, independence, threads, goal, most_states).run(from);
 }
 

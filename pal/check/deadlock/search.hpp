@@ -12,8 +12,8 @@
 
 namespace pal::frontend::deadlock {
 
-/// Of two runs the one that needs fewer lucky or unlucky times is the shorter, then the one with less talk, then the one with
-/// fewer steps.
+/// Of two runs the one that needs fewer lucky or unlucky times is the shorter, then the one with less talk,
+/// then the one with fewer steps.
 struct Length {
   std::uint32_t timely = 0;
   std::uint32_t talk = 0;
@@ -28,9 +28,9 @@ struct Length {
 /// What is looked for: a state, or a move.
 struct Goal {
   std::function<bool(const State&, const Enabled&)> state;  // empty: none
-  std::function<bool(const State&, const Move&)> move;                   // empty: none
-  /// Threads such that every run from this state to the goal has a move of one of them. Empty: any will do, for
-  /// states in which nothing moves.
+  std::function<bool(const State&, const Move&)> move;      // empty: none
+  /// Threads such that every run from this state to the goal has a move of one of them. Empty: any will do,
+  /// for states in which nothing moves.
   std::function<Threads(const State&, const Enabled&)> needed;
 };
 
@@ -46,12 +46,12 @@ struct Found {
 };
 
 /// Looks in the order of length; `independence` must not absorb.
-Found search(const Moves& moves, const Independence& independence, std::size_t threads, const State& from, const Goal& goal,
-             std::size_t most_states);
+Found search(const Moves& moves, const Independence& independence, std::size_t threads, const State& from,
+             const Goal& goal, std::size_t most_states);
 
-/// The fewest threads that will do: with all of `needed` if there are any, else with one that can move, the first of those that
-/// need no other if there is one; `first` is tried first.
-Threads choose(const Independence& independence, const State& state, const Enabled& enabled, const Threads& needed,
-               std::size_t first = 0);
+/// The fewest threads that will do: with all of `needed` if there are any, else with one that can move, the
+/// first of those that need no other if there is one; `first` is tried first.
+Threads choose(const Independence& independence, const State& state, const Enabled& enabled,
+               const Threads& needed, std::size_t first = 0);
 
 }  // namespace pal::frontend::deadlock

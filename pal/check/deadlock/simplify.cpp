@@ -32,7 +32,8 @@ bool exhaustive(const std::vector<pan::Guard>& guards) {
   for (std::size_t bits = 0; bits < std::size_t{1} << conditions.size(); ++bits) {
     std::map<pan::ConditionId, bool> values;
     for (std::size_t i = 0; i < conditions.size(); ++i) values[conditions[i]] = (bits >> i & 1) != 0;
-    if (std::none_of(guards.begin(), guards.end(), [&](const auto& guard) { return holds(guard, values); })) return false;
+    if (std::none_of(guards.begin(), guards.end(), [&](const auto& guard) { return holds(guard, values); }))
+      return false;
   }
   return true;
 }
@@ -42,7 +43,8 @@ class Simplifier {
   explicit Simplifier(Automata& automata) : automata_(automata), passed_(automata.steps.size(), false) {}
 
   void simplify() {
-    for (const auto& step : automata_.steps) never_faults_.push_back(step.otherwise || exhaustive(step.guards));
+    for (const auto& step : automata_.steps)
+      never_faults_.push_back(step.otherwise || exhaustive(step.guards));
     find_pending_latches();
     bool changed = true;
     while (changed) {
@@ -97,7 +99,8 @@ class Simplifier {
         return !read_[step.condition.index()];
       case Step::Kind::test:
         return never_faults_[index] && !pending_[index] &&
-               std::all_of(step.next.begin(), step.next.end(), [&](auto next) { return next == step.next.front(); });
+               std::all_of(step.next.begin(), step.next.end(),
+                           [&](auto next) { return next == step.next.front(); });
       default:
         return false;
     }

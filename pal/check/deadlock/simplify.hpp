@@ -5,8 +5,9 @@
 
 namespace pal::frontend::deadlock {
 
-/// A test after which the same comes whatever it finds is passed over, then sets and latches of conditions that no test is
-/// left to read, and so on until nothing changes. Numbers the conditions that remain (Automata::bit).
+/// A test after which the same comes whatever it finds is passed over, then sets and latches of conditions
+/// that no test is left to read, and so on until nothing changes. Numbers the conditions that remain
+/// (Automata::bit).
 void simplify(Automata& automata);
 
 }  // namespace pal::frontend::deadlock

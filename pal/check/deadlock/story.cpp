@@ -101,15 +101,13 @@ bool has_channel(Deed::Kind kind) {
   return kind == Deed::Kind::takes || kind == Deed::Kind::sends || kind == Deed::Kind::discards;
 }
 
-}  // namespace
-
-Story tell(const pan::Network& network, const Automata& automata, const DeadEnd& end) {
-  const Teller teller(network, automata);
+Story story_of(const std::vector<Deed>& run, const Teller& teller, const Automata& automata) {
   Story story;
-  story.total = end.total;
-  story.timely = end.timely;
-  for (const auto& thread : automata.threads) story.lanes.push_back(thread.name);
-  for (const auto& deed : end.run) {
+  for (const auto& thread : automata.threads) {
+    story.lanes.push_back(thread.name);
+    story.modules.push_back(thread.module);
+  }
+  for (const auto& deed : run) {
     if (deed.kind == Deed::Kind::spins) continue;
     Line line{automata.threads[deed.thread].name,
               teller.text(deed),
@@ -120,12 +118,29 @@ Story tell(const pan::Network& network, const Automata& automata, const DeadEnd&
     if (has_channel(deed.kind)) line.channel = deed.channel;
     story.run.push_back(std::move(line));
   }
+  return story;
+}
+
+}  // namespace
+
+Story tell(const pan::Network& network, const Automata& automata, const DeadEnd& end) {
+  const Teller teller(network, automata);
+  Story story = story_of(end.run, teller, automata);
+  story.total = end.total;
+  story.timely = end.timely;
   for (std::size_t i = 0; i < end.stuck.size(); ++i) {
     const auto& one = end.stuck[i];
     story.stuck.push_back({automata.threads[one.thread].name, teller.stuck(one),
                            teller.where(automata.steps[one.step]), one.thread, i == end.culprit});
   }
   story.hint = teller.hint(end);
+  return story;
+}
+
+Story tell(const pan::Network& network, const Automata& automata, const Undelivered& undelivered) {
+  Story story = story_of(undelivered.run, Teller(network, automata), automata);
+  story.timely = undelivered.timely;
+  story.undelivered = undelivered.channel;
   return story;
 }
 

@@ -32,12 +32,17 @@ struct StuckLine {
 struct Story {
   bool total = false;
   bool timely = false;
-  std::vector<std::string> lanes;  // the names of all threads, by number
+  std::vector<std::string> lanes;             // the names of all threads, by number
+  std::vector<pan::ModuleId> modules;         // … and whose they are
+  std::optional<pan::ChannelId> undelivered;  // the command that is lost, if the run ends with the completion
   std::vector<Line> run;
   std::vector<StuckLine> stuck;
   std::string hint;
 };
 
 Story tell(const pan::Network& network, const Automata& automata, const DeadEnd& end);
+
+/// A run that ends with the completion; nobody is stuck.
+Story tell(const pan::Network& network, const Automata& automata, const Undelivered& undelivered);
 
 }  // namespace pal::frontend::deadlock

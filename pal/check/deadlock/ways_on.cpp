@@ -21,7 +21,8 @@ bool WaysOn::follows(const State& from, std::size_t thread, const std::vector<De
   for (std::size_t i = 0; i < run.size(); ++i) {
     std::vector<Move> moves;
     moves_.of(state, run[i].thread, moves);
-    const auto found = std::find_if(moves.begin(), moves.end(), [&](const Move& move) { return move.deed == run[i]; });
+    const auto found =
+        std::find_if(moves.begin(), moves.end(), [&](const Move& move) { return move.deed == run[i]; });
     if (found == moves.end()) return false;
     if (i + 1 == run.size()) return moves_thread(state, *found, thread) || found->ended;
     if (found->ended) return false;
@@ -30,7 +31,8 @@ bool WaysOn::follows(const State& from, std::size_t thread, const std::vector<De
   return false;
 }
 
-std::shared_ptr<const WaysOn::Way> WaysOn::described(const State& from, std::size_t thread, std::vector<Deed> run) const {
+std::shared_ptr<const WaysOn::Way> WaysOn::described(const State& from, std::size_t thread,
+                                                     std::vector<Deed> run) const {
   Way way{std::move(run), {}};
   way.in_the_way.set(thread);
   State state = from;
@@ -52,7 +54,9 @@ const WaysOn::Way& WaysOn::way(const State& state, std::size_t thread) {
   auto& known = ways_[state][thread];
   if (known != nullptr) return *known;
   Goal goal;
-  goal.move = [&](const State& before, const Move& move) { return moves_thread(before, move, thread) || move.ended; };
+  goal.move = [&](const State& before, const Move& move) {
+    return moves_thread(before, move, thread) || move.ended;
+  };
   goal.needed = [&](const State&, const Enabled&) { return Threads().set(thread); };
   auto found = search(moves_, independence_, automata_.threads.size(), state, goal, most_states_);
   complete_ = complete_ && found.complete;
@@ -69,7 +73,8 @@ bool WaysOn::never_moves(const State& state, std::size_t thread) {
 }
 
 bool WaysOn::dead(const State& state) {
-  return deadlock::dead(automata_, moves_, state, 0, [&](std::size_t thread) { return never_moves(state, thread); });
+  return deadlock::dead(automata_, moves_, state, 0,
+                        [&](std::size_t thread) { return never_moves(state, thread); });
 }
 
 Threads WaysOn::in_the_way(const State& state) {
@@ -98,7 +103,8 @@ void WaysOn::inherit(const State& before, const Move& move) {
     if (way == nullptr || way->run.empty()) continue;
     auto run = way->run;
     if (run.front() == move.deed) run.erase(run.begin());
-    if (!run.empty() && follows(move.state, thread, run)) inherited[thread] = described(move.state, thread, std::move(run));
+    if (!run.empty() && follows(move.state, thread, run))
+      inherited[thread] = described(move.state, thread, std::move(run));
   }
   ways_.emplace(move.state, std::move(inherited));
 }

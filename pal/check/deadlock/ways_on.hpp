@@ -12,11 +12,12 @@
 
 namespace pal::frontend::deadlock {
 
-/// For each state and each thread on which the end of the first thread depends: some way on for it. A run to a state without one
-/// must at some time get into the way of the way on that there is now.
+/// For each state and each thread on which the end of the first thread depends: some way on for it. A run to
+/// a state without one must at some time get into the way of the way on that there is now.
 class WaysOn {
  public:
-  WaysOn(const Automata& automata, const Moves& moves, const Independence& independence, std::size_t most_states)
+  WaysOn(const Automata& automata, const Moves& moves, const Independence& independence,
+         std::size_t most_states)
       : automata_(automata), moves_(moves), independence_(independence), most_states_(most_states) {}
 
   /// The thread can never move again.

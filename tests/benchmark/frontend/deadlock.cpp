@@ -1,6 +1,7 @@
 // How long the search for deadlocks takes on skills of twelve modules and eight conditions.
 //
-// usage: bench_deadlock [RUNS [NAME]]: the median processor time of so many runs (5) of each skill, or of one; exit status 1 if one was not decided.
+// usage: bench_deadlock [RUNS [NAME]]: the median processor time of so many runs (5) of each skill, or of
+// one; exit status 1 if one was not decided.
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
@@ -24,12 +25,18 @@ struct Case {
 
 using pal::test::Shape;
 const std::vector<Case> cases = {
-    {"star", Shape::star, false},         {"concurrent", Shape::concurrent, false},
-    {"chain", Shape::chain, false},       {"couriers", Shape::couriers, false},
-    {"polling", Shape::polling, false},   {"nested", Shape::nested, false},
-    {"star, wrong", Shape::star, true},   {"concurrent, wrong", Shape::concurrent, true},
-    {"chain, wrong", Shape::chain, true}, {"couriers, wrong", Shape::couriers, true},
-    {"polling, wrong", Shape::polling, true}, {"nested, wrong", Shape::nested, true},
+    {"star", Shape::star, false},
+    {"concurrent", Shape::concurrent, false},
+    {"chain", Shape::chain, false},
+    {"couriers", Shape::couriers, false},
+    {"polling", Shape::polling, false},
+    {"nested", Shape::nested, false},
+    {"star, wrong", Shape::star, true},
+    {"concurrent, wrong", Shape::concurrent, true},
+    {"chain, wrong", Shape::chain, true},
+    {"couriers, wrong", Shape::couriers, true},
+    {"polling, wrong", Shape::polling, true},
+    {"nested, wrong", Shape::nested, true},
 };
 
 bool measure(const Case& one, int runs) {
@@ -50,9 +57,10 @@ bool measure(const Case& one, int runs) {
     seconds.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
   }
   std::sort(seconds.begin(), seconds.end());
-  std::cout << std::left << std::setw(20) << one.name << std::right << std::setw(3) << network.modules.size() << " modules "
-            << std::setw(2) << network.conditions.size() << " conditions " << std::setw(8) << found.states << " states "
-            << std::fixed << std::setprecision(3) << std::setw(8) << seconds[seconds.size() / 2] << " s  "
+  std::cout << std::left << std::setw(20) << one.name << std::right << std::setw(3) << network.modules.size()
+            << " modules " << std::setw(2) << network.conditions.size() << " conditions " << std::setw(8)
+            << found.states << " states " << std::fixed << std::setprecision(3) << std::setw(8)
+            << seconds[seconds.size() / 2] << " s  "
             << (!found.complete ? "undecided"
                 : found.total   ? "deadlock after " + std::to_string(found.total->run.size())
                 : found.partial ? "waits for ever after " + std::to_string(found.partial->run.size())

@@ -96,17 +96,17 @@ TEST_CASE("an environment that lacks something gives findings and no code") {
   std::string message;
   SECTION("a thread without a place") {
     std::erase_if(environment.placements, [](const auto& place) { return place.thread == "LS1"; });
-    code = "PAL0901";
+    code = "PAL0721";
     message = "environment workcell does not say where LS1 runs";
   }
   SECTION("a place on no processor") {
     std::erase_if(environment.processors, [](const auto& processor) { return processor.name == "P3"; });
-    code = "PAL0901";
+    code = "PAL0713";
     message = "environment workcell has no processor P3";
   }
   SECTION("an activity without a time") {
     std::erase_if(environment.activities, [](const auto& time) { return time.activity == "hold"; });
-    code = "PAL0902";
+    code = "PAL0725";
     message = "environment workcell does not say how long hold of MC1 takes";
   }
   CHECK(codegen::generate(input.specification.skills.front(), environment, input.sources, input.diagnostics)

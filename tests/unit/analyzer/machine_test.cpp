@@ -65,6 +65,25 @@ END
   CHECK_FALSE(made.ended);
 }
 
+TEST_CASE("giving up withdraws what was asked, not what a sender asks whose slot becomes free by it") {
+  const auto waits = [](const std::string& limit) {
+    return "  BEGIN\n    TXM( request value from LS1 )\n    WTM( value from LS1 ) WITHIN " + limit +
+           " ms\n      rest\n    ELSE\n      rest\n    END WTM\n  END\n";
+  };
+  // The first request is being served, the second in the slot, and the third sender blocked, when the first
+  // block gives up at 2 ms.
+  const auto skill = test::sound_skill(small_skill(
+      "",
+      "Skill Module: SM1\n  ACTIVITY rest\nBEGIN\n  WTM( Coordinator )\n  CONCURRENT\n" + waits("2") +
+          waits("50") + waits("50") + "  END CONCURRENT\n  TXM( Completion Protocol 0 )\nEND\n",
+      "PROCESSOR P0\nDEVICE LS1 ON REQUEST 10 ms\nTIME rest : 1 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
+  const Simulation made = run(*skill->problem);
+  CHECK(count(made.trace, trace::Kind::drop, "request value") == 1);
+  CHECK(count(made.trace, trace::Kind::take, "request value") == 2);
+  CHECK(count(made.trace, trace::Kind::put, "value") == 1);
+  CHECK(made.ended);
+}
+
 TEST_CASE("a block that cannot end is cancelled, and what it asked for is not delivered") {
   const auto skill = test::sound_skill(
       small_skill("", R"(
@@ -152,4 +171,58 @@ TEST_CASE("an exploration that meets its limit decides nothing") {
   CHECK(analyze(*skill->problem, options).verdicts.front().state == Verdict::State::undecided);
   options.max_states = 1000;
   CHECK(analyze(*skill->problem, options).verdicts.front().state == Verdict::State::holds);
+}
+
+TEST_CASE("an event that nobody answers fails without an overrun, even if nothing happens any more") {
+  const auto skill = test::sound_skill(
+      small_skill("  REQUIREMENT answer : RESPONSE FROM tick OF MC1 TO SPC( pc-high ) AT MOST 50 ms", R"(
+Skill Module: SM1
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+  WTM( tick from MC1 )
+  WTM( stop from MC2 )
+  SPC( pc-high )
+  TXM( Completion Protocol 0 )
+END
+)",
+                  "PROCESSOR P0\nDEVICE MC1 EVENT tick SPORADIC 10 s\nDEVICE MC2 EVENT stop SPORADIC 1 s\n"
+                  "TIME work : 1 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
+  const Verdict found = only(*skill->problem);
+  INFO(found.explanation);
+  CHECK(found.state == Verdict::State::fails);
+  REQUIRE(found.witness);
+  CHECK(found.witness->measured.value > 50'000'000);
+}
+
+TEST_CASE("a requirement on what no run gets to is said to be so") {
+  const auto skill = test::sound_skill(small_skill(
+      R"(  REQUIREMENT age   : AGE OF pc-high AT work IN SM1 AT MOST 50 ms
+  REQUIREMENT twice : INTERVAL OF SPC( pc-high ) IN SM1 AT MOST 50 ms
+  REQUIREMENT error : DURATION TO COMPLETION 1 AT MOST 50 ms
+)",
+      R"(
+Skill Module: SM1
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+  SPC( pc-high = TRUE )
+  CASE
+    ( pc-high = TRUE ):
+      Do Nothing
+    ( pc-high = FALSE ):
+      work
+  END CASE
+  TXM( Completion Protocol 0 )
+END
+)",
+      "PROCESSOR P0\nTIME work : 1 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
+  const Analysis analysis = analyze(*skill->problem);
+  for (const Verdict& each : analysis.verdicts) {
+    INFO(each.requirement << ": " << each.explanation);
+    CHECK(each.state == Verdict::State::never);
+    CHECK_FALSE(each.witness);
+  }
+  CHECK(analysis.verdicts[0].explanation == "no run ever gets there");
+  CHECK(analysis.verdicts[1].explanation == "no run gets there twice");
 }

@@ -63,6 +63,47 @@ TEST_CASE("jitter must be shorter than the period") {
                           "ms\nPLACE SM1 ON P0 PRIORITY 1\n")) == "PAL0726 ");
 }
 
+TEST_CASE("times that cannot be are findings, each with a code") {
+  const std::string place = "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\n";
+  const auto with = [&](const std::string& device, const std::string& work) {
+    return codes(small_skill("", worker, place + "DEVICE MC1 " + device + "\nTIME work : " + work + "\n"));
+  };
+  CHECK(with("EVENT tick EVERY 10 ms", "1 ms") == "");
+  CHECK(with("EVENT tick EVERY 0 ms", "1 ms") == "PAL0708 ");
+  CHECK(with("EVENT tick SPORADIC 0 ms", "1 ms") == "PAL0708 ");
+  CHECK(with("FRAMES EVERY 0 ms COLLECTING 0 ms", "1 ms").find("PAL0708 ") == 0);
+  CHECK(with("EVENT tick EVERY 10 ms PHASE 11 ms", "1 ms") == "PAL0709 ");
+  CHECK(with("EVENT tick EVERY 10 ms", "3 TO 1 ms") == "PAL0705 ");
+  CHECK(with("EVENT tick EVERY 10 ms", "-1 ms").find("PAL0701 ") == 0);
+  CHECK(with("EVENT tick EVERY 10 ms", "9223372036 s") == "PAL0726 PAL0726 ");
+  CHECK(with("EVENT tick EVERY 10 ms", "9223372037 s").find("PAL0704 ") == 0);
+  CHECK(with("EVENT tick EVERY 9223372036 s", "1 ms").find("PAL0726 ") == 0);
+}
+
+TEST_CASE("a processor with more to do than time is a warning that says by whom") {
+  const auto skill =
+      test::skill_from_text(small_skill("", worker,
+                                        "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 10 ms\nTIME work : 5 TO "
+                                        "12 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
+  REQUIRE(skill->problem);
+  CHECK(test::messages(skill->diagnostics)
+            .find("PAL0820 processor P0 has more to do than time when events come as "
+                  "often as they may: 120.0 % (SM1 120.0 % for tick)") != std::string::npos);
+}
+
+TEST_CASE("a loop in which nothing happens is refused") {
+  CHECK(codes(small_skill("", R"(
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    Do Nothing
+  UNTIL( forever )
+END
+)",
+                          "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\n")) != "");
+}
+
 TEST_CASE("a load of a processor that is not there is refused") {
   CHECK(codes(small_skill("REQUIREMENT load : LOAD OF P7 AT MOST 50 %", worker, good_environment)) ==
         "PAL0813 ");

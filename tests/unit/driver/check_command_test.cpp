@@ -18,7 +18,9 @@ const std::string read_first = skill("touch/touch_read_first.pal");
 TEST_CASE("a skill that meets its requirements") {
   const auto answer = pal::test::pal({"check", touch, "-e", cell});
   CHECK(answer.status == ExitStatus::all_hold);
-  CHECK(answer.err.empty());
+  // The last motion of the retreat may be lost when the skill completes: a warning, and no more.
+  CHECK(answer.err.find("warning[PAL0527]") == 0);
+  CHECK(answer.err.find("error") == std::string::npos);
   CHECK(answer.out.find("holds      fresh-force") != std::string::npos);
 }
 

@@ -104,8 +104,8 @@ TEST_CASE("a send that finds its slot full when its block is cancelled is given 
   });
   CHECK(only(to_text(run(fork.skill).trace), {"SM.1", "take"}) ==
         "0 start SM.1 send\n"
-        "3 done SM.1 send\n"
         "3 put SM.1 send <x>\n"
+        "3 done SM.1 send\n"
         "3 start SM.1 send\n"
         "6 cancel SM.1 send\n"
         "7 take LS wait <x>\n");

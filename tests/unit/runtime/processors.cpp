@@ -49,15 +49,15 @@ TEST_CASE("a thread of greater priority takes a preemptive processor at once") {
         "0 start Long long-job\n"
         "3 stop Long long-job\n"
         "3 start Urgent WTM go\n"
-        "4 done Urgent WTM go\n"
         "4 take Urgent WTM go <go>\n"
+        "4 done Urgent WTM go\n"
         "4 start Urgent short-job\n"
         "6 done Urgent short-job\n"
         "6 start Long long-job\n"
         "13 done Long long-job\n"
         "13 start Long end\n"
-        "13 done Long end\n"
-        "13 complete Long end 0\n");
+        "13 complete Long end 0\n"
+        "13 done Long end\n");
 }
 
 TEST_CASE("on a processor that is not preemptive it waits until the running thread blocks or ends") {
@@ -68,8 +68,8 @@ TEST_CASE("on a processor that is not preemptive it waits until the running thre
         "3 ready Urgent WTM go\n"
         "10 done Long long-job\n"
         "10 start Long end\n"
-        "10 done Long end\n"
-        "10 complete Long end 0\n");
+        "10 complete Long end 0\n"
+        "10 done Long end\n");
 }
 
 TEST_CASE("an equal does not interrupt") {

@@ -1,0 +1,18 @@
+// The two analyses as one: exact where that can be had, compositional where not.
+#pragma once
+
+#include "analyzer/exact.hpp"
+
+namespace pal::analyzer {
+
+enum class AnalysisChoice {
+  automatic,     // exact; what it leaves undecided is asked of the compositional one
+  exact,         // exact alone
+  compositional  // compositional alone
+};
+
+/// Each verdict says which analysis it is from. A run that the exact analysis found is kept, whatever the
+/// bound.
+Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options = {});
+
+}  // namespace pal::analyzer

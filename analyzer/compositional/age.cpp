@@ -1,0 +1,376 @@
+// How old a condition is where it is used.
+#include <algorithm>
+
+#include "analyzer/compositional/measures.hpp"
+#include "analyzer/watch.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+
+/// The statement's thread is gone through backwards to the reads, and the thread that sets is asked how long
+/// its sets can be apart. Reads and sets in one thread: through the read, backwards to the set.
+class Ageing {
+ public:
+  Ageing(const View& view, const Requirement& requirement)
+      : view_(view), problem_(view.problem), requirement_(requirement) {
+    before_.resize(problem_.steps.size());
+    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+      for (int next : problem_.steps[s].next)
+        before_[static_cast<std::size_t>(next)].push_back(static_cast<int>(s));
+    }
+    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+      const Step& step = problem_.steps[s];
+      if (owner(static_cast<int>(s)) < 0 || step.condition != requirement.condition) continue;
+      if (step.kind == Kind::set) setters_.insert(owner(static_cast<int>(s)));
+      if (step.kind == Kind::read) latching_.insert(owner(static_cast<int>(s)));
+    }
+  }
+
+  Bound run() {
+    if (requirement_.condition < 0) return {never, "it knows no bound of the age of a sample"};
+    Nanoseconds oldest = 0;
+    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+      if (!requirement_.at[s] || owner(static_cast<int>(s)) < 0) continue;
+      oldest = std::max(oldest, at_statement(static_cast<int>(s)));
+      if (oldest >= never)
+        return {never, why_.empty() ? "nothing bounds how long ago the value was read or set" : why_};
+    }
+    return {oldest, ""};
+  }
+
+ private:
+  int owner(int step) const { return view_.forest.segments.owner(step); }
+  const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
+  const ThreadConduct& conduct(int thread) const {
+    return view_.conduct.threads[static_cast<std::size_t>(thread)];
+  }
+  const Node& node(int n) const { return view_.forest.nodes[static_cast<std::size_t>(n)]; }
+  const Segment& segment(int n) const { return view_.forest.segment_of(node(n)); }
+
+  bool reads(int step) const {
+    return (step_at(step).kind == Kind::read && step_at(step).condition == requirement_.condition) ||
+           tests(step_at(step), requirement_.condition);
+  }
+  /// Whatever was read before does not count any more.
+  bool surely_reads(int step) const {
+    return reads(step) && (step_at(step).kind == Kind::read || !latching_.contains(owner(step)));
+  }
+  bool sets(int step) const {
+    return step_at(step).kind == Kind::set && step_at(step).condition == requirement_.condition;
+  }
+
+  struct Place {
+    int step;
+    int rounds;  // how often the way from here to the statement comes home
+    auto operator<=>(const Place&) const = default;
+  };
+
+  /// Goes back from a place. `visit` says whether to go on before a step; `begin` is called if the way leads
+  /// to the beginning of the thread.
+  template <class Visit, class Begin>
+  void back(Place from, const Visit& visit, const Begin& begin) const {
+    const int thread = owner(from.step);
+    const int home = conduct(thread).home;
+    std::set<Place> seen;
+    std::vector<Place> open;
+    const auto leave = [&](Place at) {
+      const int rounds = at.rounds + (at.step == home ? 1 : 0);
+      if (problem_.threads[static_cast<std::size_t>(thread)].entry == at.step) begin(rounds);
+      for (int step : before_[static_cast<std::size_t>(at.step)]) open.push_back({step, std::min(rounds, 3)});
+    };
+    leave(from);
+    while (!open.empty()) {
+      const Place at = open.back();
+      open.pop_back();
+      if (seen.insert(at).second && visit(at)) leave(at);
+    }
+  }
+
+  Nanoseconds at_statement(int statement) {
+    const int thread = owner(statement);
+    Nanoseconds oldest = 0;
+    if (reads(statement)) oldest = since_set({statement, 0}, statement);
+    if (surely_reads(statement)) return oldest;
+    back(
+        {statement, 0},
+        [&](Place at) {
+          if (reads(at.step)) oldest = std::max(oldest, since_set(at, statement));
+          return oldest < never && !surely_reads(at.step);
+        },
+        [&](int) {
+          // What its parent had read.
+          if (problem_.threads[static_cast<std::size_t>(thread)].parent >= 0 &&
+              somebody_reads_above(thread)) {
+            oldest = never;
+          }
+        });
+    return oldest;
+  }
+
+  bool somebody_reads_above(int thread) const {
+    for (int above = problem_.threads[static_cast<std::size_t>(thread)].parent; above >= 0;
+         above = problem_.threads[static_cast<std::size_t>(above)].parent) {
+      for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+        if (owner(static_cast<int>(s)) == above && reads(static_cast<int>(s))) return true;
+      }
+    }
+    return false;
+  }
+
+  /// From the set whose value `read` gets to the statement.
+  Nanoseconds since_set(Place read, int statement) {
+    const int thread = owner(statement);
+    if (setters_.size() == 1 && setters_.contains(thread)) {
+      Nanoseconds oldest = 0;
+      back(
+          read,
+          [&](Place at) {
+            if (!sets(at.step)) return oldest < never;
+            oldest = std::max(oldest, distance(at, statement));
+            return false;
+          },
+          [&](int rounds) {
+            const bool block = problem_.threads[static_cast<std::size_t>(thread)].parent >= 0;
+            oldest = std::max(oldest, block ? never : from_start(statement, rounds));
+          });
+      return oldest;
+    }
+    return plus(age_when_read(thread), distance(read, statement));
+  }
+
+  /// Nodes of the statement's thread that contain a step.
+  std::vector<int> nodes_of(int step) const {
+    std::vector<int> found;
+    for (int n : conduct(owner(step)).nodes) {
+      for (const Segment::Passed& passed : segment(n).steps) {
+        if (passed.step == step) found.push_back(n);
+      }
+    }
+    return found;
+  }
+
+  bool in_round(int n) const {
+    const auto& rounds = conduct(view_.forest.thread_of(n)).rounds;
+    return std::find(rounds.begin(), rounds.end(), view_.conduct.round[static_cast<std::size_t>(n)]) !=
+           rounds.end();
+  }
+
+  /// The one source of a thread's rounds; -1: there are several.
+  int source_of_rounds(int thread) const {
+    int source = -1;
+    for (int n : conduct(thread).rounds) {
+      if (source >= 0 && source != node(n).source) return -1;
+      source = node(n).source;
+    }
+    return source;
+  }
+
+  /// Whether every occurrence of the source of a thread's rounds brings one about.
+  bool regular(int thread) const {
+    const auto& rounds = conduct(thread).rounds;
+    const Source& source = view_.forest.sources[static_cast<std::size_t>(node(rounds.front()).source)];
+    if (rounds.size() == 1 && node(rounds.front()).cause < 0) return true;
+    if (source.kind != Source::Kind::event) return false;
+    Requirement comes;
+    comes.measure = Requirement::Measure::response;
+    comes.device = source.device;
+    comes.at.assign(problem_.steps.size(), false);
+    comes.at[static_cast<std::size_t>(conduct(thread).home)] = true;
+    return response_bound(view_, comes).value < never;
+  }
+
+  Nanoseconds from_start(int statement, int rounds) {
+    Nanoseconds latest = 0;
+    const int source = source_of_rounds(owner(statement));
+    for (int n : nodes_of(statement)) {
+      const Nanoseconds effect = latest_effect(view_.forest, view_.times, n, statement);
+      if (!in_round(n)) {
+        latest = std::max(latest, rounds == 0 ? effect : 0);
+      } else if (rounds <= 1 && source >= 0 && regular(owner(statement))) {
+        latest = std::max(latest, plus(view_.times.first[static_cast<std::size_t>(source)], effect));
+      } else {
+        latest = never;
+      }
+    }
+    return latest;
+  }
+
+  /// From the effect of a step to that of the statement, in one thread.
+  Nanoseconds distance(Place from, int statement) {
+    const int thread = owner(statement);
+    if (from.step == statement && from.rounds == 0) return 0;
+    const int source = source_of_rounds(thread);
+    Nanoseconds longest = 0;
+    for (int a : nodes_of(from.step)) {
+      for (int b : nodes_of(statement)) {
+        const Nanoseconds sooner = earliest_effect(view_.forest, view_.times, a, from.step);
+        const Nanoseconds later = latest_effect(view_.forest, view_.times, b, statement);
+        if (later >= never) return never;
+        const bool same = view_.conduct.round[static_cast<std::size_t>(a)] ==
+                          view_.conduct.round[static_cast<std::size_t>(b)];
+        if (from.rounds == 0) {
+          if (a == b) {
+            longest = std::max(longest, std::min(later - sooner, without_pause(a, from.step, statement)));
+          } else if (same) {
+            longest = std::max(longest, later - sooner);
+          }
+          continue;
+        }
+        if (!in_round(b)) continue;
+        if (source < 0 || from.rounds > 1 || !regular(thread)) return never;
+        const auto of = static_cast<std::size_t>(source);
+        const Nanoseconds apart = in_round(a) ? view_.times.longest_gap[of] : view_.times.first[of];
+        longest = std::max(longest, plus(apart, later - sooner));
+      }
+    }
+    return longest;
+  }
+
+  /// From one effect to another in one segment.
+  Nanoseconds without_pause(int n, int from, int to) const {
+    std::map<int, Nanoseconds> longest{{from, 0}};
+    for (const Segment::Passed& passed : segment(n).steps) {
+      const auto known = longest.find(passed.step);
+      if (known == longest.end()) continue;
+      const Nanoseconds here = known->second;
+      const std::vector<int>& next = step_at(passed.step).next;
+      for (int after : next) {
+        Nanoseconds& there = longest[after];
+        there = std::max(there, here + step_at(after).cost.worst);
+      }
+    }
+    const Thread& thread = problem_.threads[static_cast<std::size_t>(owner(to))];
+    const auto found = longest.find(to);
+    return found == longest.end()
+               ? never
+               : view_.times.windows.stretch(thread.processor, thread.priority, found->second);
+  }
+
+  /// How old a value can be when another thread reads it.
+  Nanoseconds age_when_read(int reader) {
+    if (setters_.size() != 1) return several_setters(reader);
+    return sets_apart(*setters_.begin(), reader);
+  }
+
+  /// A module may set a condition before its CONCURRENT, and then in a block.
+  Nanoseconds several_setters(int reader) {
+    int block = -1;
+    for (int setter : setters_) {
+      if (problem_.threads[static_cast<std::size_t>(setter)].parent < 0) continue;
+      if (block >= 0) return never;
+      block = setter;
+    }
+    if (block < 0 || setters_.size() != 2) return never;
+    const int parent = problem_.threads[static_cast<std::size_t>(block)].parent;
+    if (!setters_.contains(parent)) return never;
+    // What the parent sets after its blocks only makes values younger, as does what it sets before.
+    return sets_apart(block, reader);
+  }
+
+  Nanoseconds sets_apart(int setter, int reader) {
+    const ThreadConduct& of = conduct(setter);
+    const int source = source_of_rounds(setter);
+    const auto s = static_cast<std::size_t>(source);
+    const bool alive = !of.may_be_cancelled || siblings(setter, reader);
+    if (!view_.reliable[static_cast<std::size_t>(setter)] || !alive || source < 0 || !regular(setter) ||
+        !sets_in_every_round(setter)) {
+      why_ = view_.times.trouble[static_cast<std::size_t>(setter)];
+      if (why_.empty())
+        why_ = problem_.threads[static_cast<std::size_t>(setter)].name +
+               " may leave the condition as it is for long";
+      return never;
+    }
+    if (view_.times.longest_gap[s] >= never) {
+      why_ = "nothing says how long " + problem_.threads[static_cast<std::size_t>(setter)].name +
+             " may wait between two rounds";
+      return never;
+    }
+    Nanoseconds latest = 0;
+    Nanoseconds earliest = never;
+    for (int n : of.nodes) {
+      if (!in_round(n)) continue;
+      for (const Segment::Passed& passed : segment(n).steps) {
+        if (!sets(passed.step)) continue;
+        latest = std::max(latest, latest_effect(view_.forest, view_.times, n, passed.step));
+        earliest = std::min(earliest, earliest_effect(view_.forest, view_.times, n, passed.step));
+      }
+    }
+    const Nanoseconds between = plus(view_.times.longest_gap[s], latest - earliest);
+    const Nanoseconds first = plus(view_.times.first[s], latest);
+    return std::max(between, until_first(setter, first));
+  }
+
+  /// Until the first set in a round a value is as old as the skill, or as what was set before the rounds.
+  Nanoseconds until_first(int setter, Nanoseconds first) const {
+    const int parent = problem_.threads[static_cast<std::size_t>(setter)].parent;
+    const int above = parent < 0 ? setter : parent;
+    Nanoseconds earliest = never;
+    Nanoseconds latest = 0;
+    for (int n : conduct(above).nodes) {
+      if (in_round(n)) continue;
+      for (const Segment::Passed& passed : segment(n).steps) {
+        if (!sets(passed.step)) continue;
+        const Nanoseconds effect = latest_effect(view_.forest, view_.times, n, passed.step);
+        if (effect >= never) continue;  // after the blocks
+        earliest = std::min(earliest, earliest_effect(view_.forest, view_.times, n, passed.step));
+        latest = std::max(latest, effect);
+      }
+    }
+    if (earliest >= never || !sets_before_rounds(above)) return first;
+    return std::max(latest, first - earliest);
+  }
+
+  /// Every way from the beginning of a module to its first home or CONCURRENT sets the condition.
+  bool sets_before_rounds(int thread) const {
+    std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
+    std::set<int> seen;
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      if (sets(at) || !seen.insert(at).second) continue;
+      if (at == conduct(thread).home || step_at(at).kind == Kind::fork) return false;
+      open.insert(open.end(), step_at(at).next.begin(), step_at(at).next.end());
+    }
+    return true;
+  }
+
+  bool sets_in_every_round(int setter) const {
+    const int home = conduct(setter).home;
+    std::vector<int> open(step_at(home).next.begin(), step_at(home).next.end());
+    std::set<int> seen;
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      if (at == home) return false;
+      if (sets(at) || !seen.insert(at).second) continue;
+      open.insert(open.end(), step_at(at).next.begin(), step_at(at).next.end());
+    }
+    return true;
+  }
+
+  /// The setter goes on for as long as the reader can read.
+  bool siblings(int setter, int reader) const {
+    const Thread& sets = problem_.threads[static_cast<std::size_t>(setter)];
+    const Thread& reads = problem_.threads[static_cast<std::size_t>(reader)];
+    if (sets.parent < 0 || sets.parent != reads.parent || sets.can_end || !reads.can_end) return false;
+    return !conduct(sets.parent).may_be_cancelled;
+  }
+
+  const View& view_;
+  const Problem& problem_;
+  const Requirement& requirement_;
+  std::vector<std::vector<int>> before_;
+  std::set<int> setters_;
+  std::set<int> latching_;
+  std::string why_;
+};
+
+}  // namespace
+
+Bound age_bound(const View& view, const Requirement& requirement) {
+  return Ageing(view, requirement).run();
+}
+
+}  // namespace pal::analyzer::compositional

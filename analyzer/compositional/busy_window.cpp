@@ -1,0 +1,199 @@
+#include "analyzer/compositional/busy_window.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace pal::analyzer::compositional {
+namespace {
+
+constexpr int most_rounds = 20'000;
+constexpr Nanoseconds longest_window = 1'000'000'000'000'000;
+
+/// When, in a window that begins with `scenario`'s release after its whole jitter, the next release of `task`
+/// is due: in (0, period].
+Nanoseconds phase(const Transaction& of, const Task& scenario, const Task& task) {
+  const Nanoseconds since = (scenario.offset + scenario.jitter - task.offset) % of.period;
+  return of.period - (since < 0 ? since + of.period : since);
+}
+
+/// Releases in the closed window: those that piled up before it, and those due in it.
+Nanoseconds count(const Transaction& of, const Task& task, Nanoseconds phase, Nanoseconds length) {
+  const Nanoseconds piled = (task.jitter + phase) / of.period;
+  return piled + (length >= phase ? (length - phase) / of.period + 1 : 0);
+}
+
+}  // namespace
+
+int BusyWindows::add(Transaction transaction) {
+  const int index = static_cast<int>(transactions_.size());
+  by_processor_.resize(preemptive_.size());
+  for (std::size_t t = 0; t < transaction.tasks.size(); ++t) {
+    auto& groups = by_processor_[static_cast<std::size_t>(transaction.tasks[t].processor)];
+    if (groups.empty() || groups.back().transaction != index) groups.push_back({index, {}});
+    groups.back().tasks.push_back(static_cast<int>(t));
+  }
+  transactions_.push_back(std::move(transaction));
+  return index;
+}
+
+Nanoseconds BusyWindows::releases(const Transaction& of, const Task& task, Nanoseconds length) {
+  if (of.period == never) return 1;
+  if (length >= never || task.jitter >= never) return never;
+  return (length + task.jitter) / of.period + 1;
+}
+
+Nanoseconds BusyWindows::of_scenario(const Transaction& of, const Group& group, int scenario, int left_out,
+                                     int priority, Nanoseconds length) const {
+  const Task& first = of.tasks[static_cast<std::size_t>(scenario)];
+  Nanoseconds work = 0;
+  for (int t : group.tasks) {
+    const Task& task = of.tasks[static_cast<std::size_t>(t)];
+    if (t == left_out || task.priority < priority || task.cost == 0) continue;
+    work += count(of, task, phase(of, first, task), length) * task.cost;
+  }
+  return work;
+}
+
+Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, int priority,
+                                   Nanoseconds length) const {
+  Nanoseconds work = 0;
+  for (const Group& group : groups) {
+    if (group.transaction == own) continue;
+    const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+    Nanoseconds most = 0;
+    for (int t : group.tasks) {
+      const Task& task = of.tasks[static_cast<std::size_t>(t)];
+      if (task.priority < priority || task.cost == 0) continue;
+      if (of.period == never) {
+        most += task.cost;
+      } else {
+        most = std::max(most, of_scenario(of, group, t, -1, priority, length));
+      }
+    }
+    work += most;
+  }
+  return work;
+}
+
+Nanoseconds BusyWindows::finish_once(const Transaction& of, int transaction, int task, Nanoseconds part,
+                                     Nanoseconds blocking) const {
+  const Task& self = of.tasks[static_cast<std::size_t>(task)];
+  const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
+  const bool preemptive = preemptive_[static_cast<std::size_t>(self.processor)];
+  Nanoseconds fixed = blocking;
+  for (std::size_t t = 0; t < of.tasks.size(); ++t) {
+    const Task& other = of.tasks[t];
+    if (static_cast<int>(t) != task && other.processor == self.processor && other.priority >= self.priority) {
+      fixed += other.cost;
+    }
+  }
+  if (preemptive) fixed += part;
+  Nanoseconds window = fixed;
+  for (int round = 0; round < most_rounds; ++round) {
+    const Nanoseconds next = fixed + of_others(groups, transaction, self.priority, window);
+    if (next == window) return self.offset + self.jitter + window + (preemptive ? 0 : part);
+    if (next > longest_window) break;
+    window = next;
+  }
+  return never;
+}
+
+Nanoseconds BusyWindows::stretch(int processor, int priority, Nanoseconds cost) const {
+  if (!preemptive_[static_cast<std::size_t>(processor)]) return cost;
+  return window(processor, priority + 1, cost);
+}
+
+Nanoseconds BusyWindows::busy(int processor) const {
+  return window(processor, std::numeric_limits<int>::min(), 0);
+}
+
+/// The least time in which `cost`, and all that is released in it with at least `priority`, is done.
+Nanoseconds BusyWindows::window(int processor, int priority, Nanoseconds cost) const {
+  const auto& groups = by_processor_[static_cast<std::size_t>(processor)];
+  for (const Group& group : groups) {
+    const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+    for (int t : group.tasks) {
+      const Task& task = of.tasks[static_cast<std::size_t>(t)];
+      if (task.priority >= priority && (task.cost >= never || (task.jitter >= never && of.period != never)))
+        return never;
+    }
+  }
+  Nanoseconds length = cost;
+  for (int round = 0; round < most_rounds; ++round) {
+    const Nanoseconds next = cost + of_others(groups, -1, priority, length);
+    if (next <= length) return length;
+    if (next > longest_window) break;
+    length = next;
+  }
+  return never;
+}
+
+Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const {
+  const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
+  const Task& self = of.tasks[static_cast<std::size_t>(task)];
+  if (blocking >= never || self.jitter >= never) return never;
+  const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
+  const bool preemptive = preemptive_[static_cast<std::size_t>(self.processor)];
+  double demand = 0;
+  for (const Group& group : groups) {
+    const Transaction& each = transactions_[static_cast<std::size_t>(group.transaction)];
+    for (int t : group.tasks) {
+      const Task& other = each.tasks[static_cast<std::size_t>(t)];
+      if (other.priority < self.priority || other.cost == 0) continue;
+      if (other.cost >= never || (other.jitter >= never && each.period != never)) return never;
+      if (each.period != never) demand += static_cast<double>(other.cost) / static_cast<double>(each.period);
+    }
+  }
+  if (demand >= 1) return never;
+  if (of.period == never) return finish_once(of, transaction, task, part, blocking);
+
+  const Group* own = nullptr;
+  for (const Group& group : groups) {
+    if (group.transaction == transaction) own = &group;
+  }
+  Nanoseconds latest = 0;
+  int rounds = 0;
+  for (int scenario : own->tasks) {
+    const Task& first = of.tasks[static_cast<std::size_t>(scenario)];
+    if (first.priority < self.priority || (first.cost == 0 && scenario != task)) continue;
+    const Nanoseconds due = phase(of, first, self);
+    const Nanoseconds piled = (self.jitter + due) / of.period;
+    Nanoseconds window = 0;
+    for (Nanoseconds job = 1 - piled;; ++job) {
+      // Until the part is done (preemptive), or begins (not preemptive).
+      const auto settle = [&](Nanoseconds fixed) {
+        Nanoseconds at = std::max(window, fixed);
+        while (++rounds < most_rounds) {
+          const Nanoseconds next = fixed + of_others(groups, transaction, self.priority, at) +
+                                   of_scenario(of, *own, scenario, task, self.priority, at);
+          if (next <= at) return at;
+          if (next > longest_window) break;
+          at = next;
+        }
+        return never;
+      };
+      const Nanoseconds before = blocking + (job + piled - 1) * self.cost;
+      Nanoseconds done = never;
+      Nanoseconds whole = never;
+      if (preemptive) {
+        done = settle(before + part);
+        if (done >= never) return never;
+        whole = part == self.cost ? done : settle(before + self.cost);
+        window = 0;
+      } else {
+        const Nanoseconds begins = settle(before);
+        if (begins >= never) return never;
+        done = begins + part;
+        // What came while it ran is still to be done: the window goes on (R. I. Davis and others, 2007).
+        whole = settle(before + self.cost);
+        window = 0;
+      }
+      if (whole >= never) return never;
+      latest = std::max(latest, done - due - (job - 1) * of.period + self.offset);
+      if (whole < due + job * of.period) break;
+    }
+  }
+  return latest;
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,88 @@
+// Busy windows of transactions with offsets and jitter, under fixed priorities: the arithmetic of the
+// compositional analysis, without anything of PAL.
+//
+// J. C. Palencia and M. González Harbour, Schedulability analysis for tasks with static and dynamic offsets,
+// RTSS 1998 (the approximation of section 4: one candidate a foreign transaction, all candidates of one's
+// own).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analyzer/problem.hpp"
+
+namespace pal::analyzer::compositional {
+
+constexpr Nanoseconds never = Range::unbounded;
+
+/// Saturates at `never`.
+inline Nanoseconds plus(Nanoseconds a, Nanoseconds b) {
+  return a >= never - b ? never : a + b;
+}
+
+/// Work that each occurrence of its transaction releases at most once, between `offset` and `offset + jitter`
+/// after the occurrence.
+struct Task {
+  int processor = 0;
+  int priority = 0;
+  Nanoseconds cost = 0;
+  Nanoseconds offset = 0;
+  Nanoseconds jitter = 0;
+};
+
+/// Occurrences are at least `period` apart; `never`: there is one.
+struct Transaction {
+  Nanoseconds period = 0;
+  std::vector<Task> tasks;
+};
+
+class BusyWindows {
+ public:
+  /// `preemptive` by processor.
+  explicit BusyWindows(std::vector<bool> preemptive) : preemptive_(std::move(preemptive)) {}
+
+  /// Adds a transaction; its tasks' jitter may change later, nothing else.
+  int add(Transaction transaction);
+  void set_jitter(int transaction, int task, Nanoseconds jitter) {
+    transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)].jitter =
+        jitter;
+  }
+  const Transaction& transaction(int index) const { return transactions_[static_cast<std::size_t>(index)]; }
+
+  /// Processor time that tasks of one thread need at most in any closed window of `length`, and how often a
+  /// task is released in one.
+  static Nanoseconds releases(const Transaction& of, const Task& task, Nanoseconds length);
+
+  /// How long after the occurrence the first `part` of the task's cost is done at the latest, if `blocking`
+  /// is the longest that work of lower priority keeps the processor. `never`: no bound.
+  ///
+  /// Work of the same priority counts as if it went first. What is released at the very instant at which the
+  /// work ends comes before that end: PAL leaves the order at one instant open.
+  Nanoseconds finish(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const;
+
+  /// How long `cost` takes at most for somebody of `priority` who has the processor: what is of higher
+  /// priority has nothing left to do when that begins.
+  Nanoseconds stretch(int processor, int priority, Nanoseconds cost) const;
+
+  /// The longest that a processor has something to do without a pause.
+  Nanoseconds busy(int processor) const;
+
+ private:
+  struct Group {
+    int transaction;
+    std::vector<int> tasks;
+  };
+
+  Nanoseconds of_scenario(const Transaction& of, const Group& group, int scenario, int left_out, int priority,
+                          Nanoseconds length) const;
+  Nanoseconds of_others(const std::vector<Group>& groups, int own, int priority, Nanoseconds length) const;
+  Nanoseconds finish_once(const Transaction& of, int transaction, int task, Nanoseconds part,
+                          Nanoseconds blocking) const;
+  Nanoseconds window(int processor, int priority, Nanoseconds cost) const;
+
+  std::vector<bool> preemptive_;
+  std::vector<Transaction> transactions_;
+  std::vector<std::vector<Group>> by_processor_;
+};
+
+}  // namespace pal::analyzer::compositional

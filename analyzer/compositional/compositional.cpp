@@ -1,0 +1,91 @@
+#include "analyzer/compositional/compositional.hpp"
+
+#include "analyzer/compositional/measures.hpp"
+
+namespace pal::analyzer {
+namespace {
+
+using namespace compositional;
+using Is = Verdict::State;
+using Measure = Requirement::Measure;
+
+Bound bound_of(const View& view, const Requirement& requirement) {
+  switch (requirement.measure) {
+    case Measure::age:
+      return age_bound(view, requirement);
+    case Measure::response:
+      return response_bound(view, requirement);
+    case Measure::load:
+      return load_bound(view, requirement);
+    case Measure::busy:
+      return busy_bound(view, requirement);
+    case Measure::loss:
+      return loss_bound(view, requirement);
+    case Measure::reaction:
+    case Measure::interval:
+    case Measure::duration:
+      break;
+  }
+  return {never, "it knows no bound of this measure"};
+}
+
+void judge(const Bound& bound, Verdict& verdict) {
+  if (bound.value >= never) {
+    verdict.explanation = "The compositional analysis has no bound: " + bound.why + ".";
+    return;
+  }
+  verdict.bound = Duration(bound.value);
+  verdict.state = *verdict.bound <= verdict.limit ? Is::holds : Is::undecided;
+  verdict.explanation = "Compositional bound: no run exceeds it, but no run need come near it.";
+}
+
+/// Every step whose time some requirement may ask for.
+std::vector<bool> asked_for(const Problem& problem) {
+  std::vector<bool> at(problem.steps.size());
+  for (const Requirement& requirement : problem.requirements) {
+    for (std::size_t s = 0; s < requirement.at.size(); ++s) at[s] = at[s] || requirement.at[s];
+  }
+  return at;
+}
+
+}  // namespace
+
+Analysis analyze_compositionally(const Problem& problem, const Options& options) {
+  const double begun = options.clock ? options.clock() : 0;
+  Analysis analysis;
+  for (const Requirement& requirement : problem.requirements) {
+    Verdict& verdict = analysis.verdicts.emplace_back();
+    verdict.requirement = requirement.name;
+    verdict.measure = requirement.measure;
+    verdict.method = Method::compositional;
+    verdict.limit = Duration(requirement.limit);
+    verdict.at_least = requirement.at_least;
+    verdict.where = requirement.where;
+  }
+  const Forest forest = forest_of(problem);
+  std::string refusal = forest.refusal;
+  if (refusal.empty()) {
+    const Conduct conduct = conduct_of(problem, forest);
+    const Times times = times_of(problem, forest, conduct, asked_for(problem), options.stop);
+    if (times.interrupted) {
+      refusal = "it was interrupted";
+    } else {
+      const std::vector<bool> reliable = reliable_threads(problem, forest, conduct, times);
+      const View view{problem, forest, conduct, times, reliable};
+      for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
+        judge(bound_of(view, problem.requirements[r]), analysis.verdicts[r]);
+      }
+    }
+    analysis.statistics.states = forest.nodes.size();
+  }
+  if (!refusal.empty()) {
+    for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
+      const bool load = problem.requirements[r].measure == Measure::load;
+      judge({load ? 1'000'000'000 : never, refusal}, analysis.verdicts[r]);
+    }
+  }
+  if (options.clock) analysis.statistics.seconds = options.clock() - begun;
+  return analysis;
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,14 @@
+// Compositional analysis: bounds that no run exceeds, without exploring runs. For systems that are too large
+// for the exact analysis; what it is built on is in docs/compositional.md.
+#pragma once
+
+#include "analyzer/exact.hpp"
+
+namespace pal::analyzer {
+
+/// One verdict a requirement: `holds` or `undecided`, never `fails`, never exact, without a witness. Takes
+/// time that grows about as the number of steps, as long as chains and processors do not grow with it.
+/// `options.max_states` is not used. Statistics count segments as states.
+Analysis analyze_compositionally(const Problem& problem, const Options& options = {});
+
+}  // namespace pal::analyzer

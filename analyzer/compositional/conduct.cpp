@@ -1,0 +1,271 @@
+#include "analyzer/compositional/conduct.hpp"
+
+#include <algorithm>
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+using Release = Node::Release;
+
+class Observer {
+ public:
+  Observer(const Problem& problem, const Forest& forest) : problem_(problem), forest_(forest) {}
+
+  Conduct run() {
+    const std::size_t nodes = forest_.nodes.size();
+    made_.threads.resize(problem_.threads.size());
+    made_.round.assign(nodes, -1);
+    made_.previous.resize(nodes);
+    made_.sequential = sequential_requests(problem_);
+    for (std::size_t n = 0; n < nodes; ++n) {
+      made_.threads[static_cast<std::size_t>(forest_.thread_of(static_cast<int>(n)))].nodes.push_back(
+          static_cast<int>(n));
+    }
+    for (std::size_t t = 0; t < problem_.threads.size(); ++t) homes(static_cast<int>(t));
+    for (std::size_t n = 0; n < nodes; ++n) rounds(static_cast<int>(n));
+    for (std::size_t n = 0; n < nodes; ++n) order(static_cast<int>(n));
+    for (std::size_t t = 0; t < problem_.threads.size(); ++t) returns(static_cast<int>(t));
+    protocol();
+    for (ThreadConduct& thread : made_.threads) servers(thread);
+    return std::move(made_);
+  }
+
+ private:
+  const Node& node(int index) const { return forest_.nodes[static_cast<std::size_t>(index)]; }
+  const Beginning& beginning(int index) const { return forest_.segment_of(node(index)).beginning; }
+  ThreadConduct& thread(int index) { return made_.threads[static_cast<std::size_t>(index)]; }
+  const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
+  std::string text(int step) const {
+    const int statement = step_at(step).statement;
+    return statement < 0 ? "a wait" : problem_.statements[static_cast<std::size_t>(statement)].text;
+  }
+
+  /// Released by something that the thread did not bring about itself.
+  bool unasked(int index) const {
+    const Beginning& begins = beginning(index);
+    if (begins.kind != Beginning::Kind::arm && begins.kind != Beginning::Kind::give_up) return false;
+    if (node(index).release == Release::root) return true;
+    return node(index).release == Release::message && forest_.cause_in(index, begins.thread) < 0;
+  }
+
+  void homes(int t) {
+    ThreadConduct& of = thread(t);
+    for (int n : of.nodes) {
+      if (!unasked(n)) continue;
+      const int wait = beginning(n).step;
+      if (of.home >= 0 && of.home != wait) {
+        of.trouble = problem_.threads[static_cast<std::size_t>(t)].name + " waits at " + text(of.home) +
+                     " and at " + text(wait) + " for what comes by itself";
+      }
+      of.home = wait;
+    }
+  }
+
+  /// Causes stand before their effects, so a node's round is known when it is needed.
+  void rounds(int n) {
+    const Beginning& begins = beginning(n);
+    ThreadConduct& of = thread(begins.thread);
+    int& round = made_.round[static_cast<std::size_t>(n)];
+    switch (node(n).release) {
+      case Release::root:
+        round = n;
+        break;
+      case Release::fork:
+        round =
+            begins.kind == Beginning::Kind::joined ? made_.round[static_cast<std::size_t>(node(n).cause)] : n;
+        break;
+      case Release::limit:
+        round = made_.round[static_cast<std::size_t>(node(n).cause)];
+        break;
+      case Release::message: {
+        const int before = forest_.cause_in(n, begins.thread);
+        const bool begins_round = before < 0 || begins.step == of.home;
+        round = begins_round ? n : made_.round[static_cast<std::size_t>(before)];
+        break;
+      }
+    }
+    const bool waited = begins.kind == Beginning::Kind::arm || begins.kind == Beginning::Kind::give_up;
+    if (round == n && waited) of.rounds.push_back(n);
+    for (const Segment::Arrival& wait : forest_.segment_of(node(n)).waits)
+      arrivals_[{round, wait.step}].push_back(n);
+  }
+
+  void order(int n) {
+    if (made_.round[static_cast<std::size_t>(n)] == n) return;
+    auto& previous = made_.previous[static_cast<std::size_t>(n)];
+    if (node(n).release != Release::message) {
+      previous.push_back(node(n).cause);
+      return;
+    }
+    const Beginning& begins = beginning(n);
+    const auto known = arrivals_.find({made_.round[static_cast<std::size_t>(n)], begins.step});
+    if (known != arrivals_.end()) previous = known->second;
+    if (previous.empty()) {
+      thread(begins.thread).trouble = problem_.threads[static_cast<std::size_t>(begins.thread)].name +
+                                      " waits at " + text(begins.step) +
+                                      " for something that another round brings about";
+    }
+    waited_for_.insert({made_.round[static_cast<std::size_t>(n)], begins.step});
+  }
+
+  /// A round ends at home, after waits for what it brought about itself.
+  void returns(int t) {
+    ThreadConduct& of = thread(t);
+    for (int above = problem_.threads[static_cast<std::size_t>(t)].parent; above >= 0;
+         above = problem_.threads[static_cast<std::size_t>(above)].parent) {
+      for (const Thread& other : problem_.threads) {
+        if (other.parent == above && other.can_end) of.may_be_cancelled = true;
+      }
+    }
+    if (of.home < 0) return;
+    const std::string& name = problem_.threads[static_cast<std::size_t>(t)].name;
+    for (int n : of.nodes) {
+      const int round = made_.round[static_cast<std::size_t>(n)];
+      const Segment& segment = forest_.segment_of(node(n));
+      const bool in_round = std::find(of.rounds.begin(), of.rounds.end(), round) != of.rounds.end();
+      for (const Segment::Arrival& wait : segment.waits) {
+        if (wait.step == of.home) continue;
+        const bool limited = step_at(wait.step).within.has_value();
+        if (in_round) of.waits_within = true;
+        if (!limited && !waited_for_.contains({round, wait.step})) {
+          of.trouble =
+              name + " waits at " + text(wait.step) + " for something that its round does not bring about";
+        }
+      }
+      if (in_round && (segment.ends || !segment.forks.empty())) of.leaves = true;
+      if (in_round && !segment.forks.empty()) of.trouble = name + " starts blocks again and again";
+    }
+  }
+
+  void protocol() {
+    made_.never_full.assign(problem_.channels.size(), false);
+    for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+      const Channel& channel = problem_.channels[c];
+      if (channel.answer >= 0) made_.never_full[c] = made_.sequential[c];
+      if (channel.answers >= 0 && channel.sender_module >= 0) {
+        made_.never_full[c] =
+            made_.sequential[static_cast<std::size_t>(channel.answers)] && answers_once(static_cast<int>(c));
+      }
+    }
+  }
+
+  /// Whether a module sends one answer to each request that it takes, before it takes the next.
+  bool answers_once(int answer) const {
+    const Channel& channel = problem_.channels[static_cast<std::size_t>(answer)];
+    const int request = channel.answers;
+    std::map<int, unsigned> owed;  // bits: none, one, more
+    std::vector<int> work;
+    const auto reach = [&](int step, unsigned values) {
+      unsigned& there = owed[step];
+      if ((there | values) == there) return;
+      there |= values;
+      work.push_back(step);
+    };
+    for (const Thread& thread : problem_.threads) {
+      if (thread.module == channel.sender_module && thread.parent < 0) reach(thread.entry, 1);
+    }
+    while (!work.empty()) {
+      const int at = work.back();
+      work.pop_back();
+      const Step& step = step_at(at);
+      const unsigned values = owed.at(at);
+      if (step.kind == Kind::send && step.channels.front() == answer) {
+        if (values != 2) return false;
+        reach(step.next.front(), 1);
+        continue;
+      }
+      int serving = 0;
+      for (int block : step.threads) {
+        if (!talks(block, request, answer)) continue;
+        reach(problem_.threads[static_cast<std::size_t>(block)].entry, values);
+        ++serving;
+      }
+      // A block may be cancelled, or end, owing an answer: nobody gives it.
+      if (serving > 1 || (serving == 1 && values != 1)) return false;
+      for (std::size_t i = 0; i < step.next.size(); ++i) {
+        const bool takes = step.kind == Kind::wait && i < step.channels.size() && step.channels[i] == request;
+        reach(step.next[i], takes ? (values & 6U) != 0 ? 6U : 2U : values);
+      }
+    }
+    return true;
+  }
+
+  /// Whether a thread, or a block of it, takes the request or sends the answer.
+  bool talks(int thread, int request, int answer) const {
+    std::set<int> seen;
+    std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      if (!seen.insert(at).second) continue;
+      const Step& step = step_at(at);
+      if (step.kind == Kind::send && step.channels.front() == answer) return true;
+      if (step.kind == Kind::wait &&
+          std::find(step.channels.begin(), step.channels.end(), request) != step.channels.end()) {
+        return true;
+      }
+      for (int block : step.threads) open.push_back(problem_.threads[static_cast<std::size_t>(block)].entry);
+      open.insert(open.end(), step.next.begin(), step.next.end());
+    }
+    return false;
+  }
+
+  /// A server whose rounds wait may still be at work when somebody asks, unless there is one client, who
+  /// waits for each answer without limit, and nothing is left to do after it.
+  void servers(ThreadConduct& of) {
+    if (of.rounds.empty()) return;
+    int request = -1;
+    for (int n : of.rounds) {
+      const Beginning& begins = beginning(n);
+      if (begins.kind != Beginning::Kind::arm) return;
+      const int channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
+      if (request >= 0 && channel != request) return;
+      request = channel;
+    }
+    const Channel& channel = problem_.channels[static_cast<std::size_t>(request)];
+    if (channel.answer < 0 || !made_.sequential[static_cast<std::size_t>(request)] ||
+        !made_.never_full[static_cast<std::size_t>(channel.answer)]) {
+      return;
+    }
+    for (const Step& step : problem_.steps) {
+      const bool gives_up =
+          step.kind == Kind::wait && step.within &&
+          std::find(step.channels.begin(), step.channels.end(), channel.answer) != step.channels.end();
+      if (gives_up) return;
+    }
+    for (int n : of.nodes) {
+      const Segment& segment = forest_.segment_of(node(n));
+      for (const Segment::Arrival& wait : segment.waits) {
+        if (wait.step != of.home) continue;
+        // The answer is the last thing on the way home.
+        bool answered = false;
+        for (const Segment::Passed& passed : segment.steps) {
+          const Step& step = step_at(passed.step);
+          const bool leads_home = std::find(step.next.begin(), step.next.end(), of.home) != step.next.end();
+          const bool answers = step.kind == Kind::send && step.channels.front() == channel.answer;
+          if (leads_home && !answers) return;
+          answered = answered || answers;
+        }
+        const bool in_round = std::find(of.rounds.begin(), of.rounds.end(),
+                                        made_.round[static_cast<std::size_t>(n)]) != of.rounds.end();
+        if (in_round && !answered) return;
+      }
+    }
+    of.asked_by_one = true;
+  }
+
+  const Problem& problem_;
+  const Forest& forest_;
+  Conduct made_;
+  std::map<std::pair<int, int>, std::vector<int>> arrivals_;  // by round and wait
+  std::set<std::pair<int, int>> waited_for_;                  // round and wait
+};
+
+}  // namespace
+
+Conduct conduct_of(const Problem& problem, const Forest& forest) {
+  return Observer(problem, forest).run();
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,81 @@
+// Which segment makes which run: trees of causes, one for each thing that begins by itself.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "analyzer/compositional/segment.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// Where a chain of causes begins: an event of a device, the start of a module, or a round of a thread that
+/// goes on by itself.
+struct Source {
+  enum class Kind { event, start, loop };
+  Kind kind = Kind::start;
+  int device = -1;         // event
+  int thread = -1;         // start, loop
+  int segment = -1;        // loop: the one that each round begins with
+  Nanoseconds period = 0;  // least distance of occurrences, but for the jitter; never: there is one
+  Nanoseconds jitter = 0;  // occurrence k is released up to so long after its nominal instant
+  bool regular = false;    // nominal instants are exactly a period apart
+  std::vector<int> roots;  // nodes
+  /// Sends and waits that lead to the next round of a loop.
+  struct Feed {
+    int node = -1;
+    std::vector<int> sends;
+    int wait = -1;  // that gives up
+    int device = -1;
+  };
+  std::vector<Feed> feeds;
+};
+
+/// A segment run on behalf of its source; at most once for each of its occurrences.
+struct Node {
+  enum class Release { root, message, limit, fork };
+  Release release = Release::root;
+  int segment = -1;
+  int source = -1;
+  int cause = -1;          // node
+  int cause_step = -1;     // limit: the wait; fork: the fork
+  std::vector<int> sends;  // message: by which it comes, one of them in each run of the cause
+  int device = -1;         // message: the device that was asked in between
+  int depth = 0;
+  std::vector<int> effects;  // nodes whose cause this is
+};
+
+struct Forest {
+  Segments segments;
+  std::vector<Source> sources;
+  std::vector<Node> nodes;  // a cause stands before its effects
+  /// Why there is no forest: in words for the reader, or nothing.
+  std::string refusal;
+
+  explicit Forest(const Problem& problem) : segments(problem) {}
+  const Segment& segment_of(const Node& node) const { return segments[node.segment]; }
+  int thread_of(int node) const {
+    return segments[nodes[static_cast<std::size_t>(node)].segment].beginning.thread;
+  }
+  /// The nearest node of `thread` among the causes of `node`; -1: there is none.
+  int cause_in(int node, int thread) const;
+};
+
+Forest forest_of(const Problem& problem);
+
+/// Whether a message of `channel` waits only for what this thread has asked for, one at a time: each request
+/// is sent when the answer to the one before has been taken, or given up.
+std::vector<bool> sequential_requests(const Problem& problem);
+
+/// Whether a segment may run more than once in the life of a skill, whatever causes it.
+bool recurrent(const Problem& problem, const Beginning& beginning);
+
+/// Least time between two beginnings of a segment of one thread.
+Nanoseconds least_round(const Problem& problem, const Beginning& beginning,
+                        const std::vector<bool>& sequential);
+
+/// A message needs at least this from its put to where `receiver` can take it, and at most this.
+Range latency(const Problem& problem, int channel, int sender, int receiver);
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,190 @@
+// How long an event waits for its answer.
+#include <algorithm>
+
+#include "analyzer/compositional/measures.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+using Release = Node::Release;
+
+/// Follows the event from thread to thread, as far as every run must carry it.
+class Pursuit {
+ public:
+  Pursuit(const View& view, const Requirement& requirement)
+      : view_(view), problem_(view.problem), requirement_(requirement) {}
+
+  Bound run() {
+    const int source = source_of();
+    if (source < 0) return {never, "the event is none of a device"};
+    const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
+    const std::string& device = problem_.devices[static_cast<std::size_t>(of.device)].name;
+    if (of.roots.empty()) return {never, "nobody waits for events of " + device};
+    if (!view_.times.no_overrun[static_cast<std::size_t>(source)]) {
+      const std::string trouble = trouble_of(of.roots.front());
+      return {never, trouble.empty() ? "an event of " + device + " may come before the last one was taken"
+                                     : trouble};
+    }
+    const Nanoseconds latest = node_value(of.roots.front());
+    if (latest >= never) return {never, why_.empty() ? "an event may stay without a response" : why_};
+    const Nanoseconds apart = of.period - of.jitter;
+    if (std::max(latest, over_) >= apart && !in_order(source)) {
+      return {never, "an event may be answered after the next one has come, by another way"};
+    }
+    return {std::max<Nanoseconds>(latest, 0), ""};
+  }
+
+  /// Whether each event of the device is taken before the next one comes.
+  Bound losses() {
+    const int source = source_of();
+    if (source < 0) return {never, "it counts only the events of a device"};
+    const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
+    const bool none = !of.roots.empty() && view_.times.no_overrun[static_cast<std::size_t>(source)] &&
+                      certain(of.roots.front());
+    return {none ? 0 : never, why_.empty() ? "an event may come before the last one was taken" : why_};
+  }
+
+ private:
+  static constexpr Nanoseconds skill_over = -1;
+
+  const Node& node(int n) const { return view_.forest.nodes[static_cast<std::size_t>(n)]; }
+  const Segment& segment(int n) const { return view_.forest.segment_of(node(n)); }
+  const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
+
+  int source_of() const {
+    for (std::size_t s = 0; s < view_.forest.sources.size(); ++s) {
+      const Source& of = view_.forest.sources[s];
+      if (of.kind == Source::Kind::event && of.device == requirement_.device) return static_cast<int>(s);
+    }
+    return -1;
+  }
+
+  std::string trouble_of(int n) const {
+    return view_.times.trouble[static_cast<std::size_t>(view_.forest.thread_of(n))];
+  }
+
+  bool certain(int n) {
+    const auto thread = static_cast<std::size_t>(view_.forest.thread_of(n));
+    if (view_.reliable[thread] && !view_.conduct.threads[thread].may_be_cancelled) return true;
+    if (why_.empty()) {
+      why_ = view_.times.trouble[thread];
+      if (why_.empty()) why_ = problem_.threads[thread].name + " may leave its round, or wait in it for ever";
+    }
+    return false;
+  }
+
+  /// Latest answer of an event whose message begins this node.
+  Nanoseconds node_value(int n) {
+    const auto known = nodes_.find(n);
+    if (known != nodes_.end()) return known->second;
+    Nanoseconds value = never;
+    if (certain(n)) {
+      const int wait = segment(n).beginning.step;
+      const Step& step = step_at(wait);
+      if (requirement_.at[static_cast<std::size_t>(wait)]) {
+        value = view_.times.nodes[static_cast<std::size_t>(n)].effects.front();
+      } else {
+        const bool gives_up = segment(n).beginning.kind == Beginning::Kind::give_up;
+        value = step_value(
+            n, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(segment(n).beginning.arm)]);
+      }
+      if (value >= never && why_.empty()) {
+        why_ = view_.times.trouble[static_cast<std::size_t>(view_.forest.thread_of(n))];
+      }
+    }
+    nodes_[n] = value;
+    return value;
+  }
+
+  Nanoseconds step_value(int n, int at) {
+    const auto known = steps_.find({n, at});
+    if (known != steps_.end()) return known->second;
+    const Step& step = step_at(at);
+    Nanoseconds value = never;
+    if (step.kind == Kind::wait) {
+      value = wait_value(n, at);
+    } else if (step.kind == Kind::fork || step.kind == Kind::end) {
+      value = never;
+    } else if (requirement_.at[static_cast<std::size_t>(at)]) {
+      value = latest_effect(view_.forest, view_.times, n, at);
+    } else if (step.kind == Kind::complete) {
+      value = skill_over;
+      over_ = std::max(over_, latest_effect(view_.forest, view_.times, n, at));
+    } else {
+      value = skill_over;
+      if (may_match_nothing(step)) over_ = std::max(over_, latest_effect(view_.forest, view_.times, n, at));
+      for (int next : step.next) value = std::max(value, step_value(n, next));
+      if (step.kind == Kind::send) value = std::min(value, sent_value(n, at));
+    }
+    steps_[{n, at}] = value;
+    return value;
+  }
+
+  /// Of a message that carries the event to the one thread that takes it.
+  Nanoseconds sent_value(int n, int send) {
+    int taker = -1;
+    for (int effect : node(n).effects) {
+      const auto& sends = node(effect).sends;
+      if (std::find(sends.begin(), sends.end(), send) == sends.end()) continue;
+      if (taker >= 0 || node(effect).release != Release::message) return never;
+      taker = effect;
+    }
+    if (taker < 0 || view_.forest.thread_of(taker) == view_.forest.thread_of(n)) return never;
+    // What comes back to a thread in the middle of its round is followed there.
+    if (!view_.conduct.previous[static_cast<std::size_t>(taker)].empty()) return never;
+    return node_value(taker);
+  }
+
+  Nanoseconds wait_value(int n, int wait) {
+    const int thread = view_.forest.thread_of(n);
+    if (wait == view_.conduct.threads[static_cast<std::size_t>(thread)].home) return never;
+    Nanoseconds value = skill_over;
+    bool any = false;
+    for (int other : view_.conduct.threads[static_cast<std::size_t>(thread)].nodes) {
+      const auto& previous = view_.conduct.previous[static_cast<std::size_t>(other)];
+      if (segment(other).beginning.step != wait ||
+          std::find(previous.begin(), previous.end(), n) == previous.end())
+        continue;
+      any = true;
+      value = std::max(value, node_value(other));
+    }
+    return any ? value : never;
+  }
+
+  /// Whether events cannot overtake one another although several are on their way: every thread that they
+  /// meet serves them alone, in one round each, and one thread answers.
+  bool in_order(int source) const {
+    std::set<int> answering;
+    for (std::size_t i = 0; i < view_.forest.nodes.size(); ++i) {
+      if (view_.forest.nodes[i].source != source) continue;
+      const int n = static_cast<int>(i);
+      const int thread = view_.forest.thread_of(n);
+      if (view_.conduct.threads[static_cast<std::size_t>(thread)].rounds.size() != 1) return false;
+      for (const Segment::Passed& passed : segment(n).steps) {
+        if (requirement_.at[static_cast<std::size_t>(passed.step)]) answering.insert(thread);
+      }
+    }
+    return answering.size() == 1;
+  }
+
+  const View& view_;
+  const Problem& problem_;
+  const Requirement& requirement_;
+  std::map<int, Nanoseconds> nodes_;
+  std::map<std::pair<int, int>, Nanoseconds> steps_;
+  std::string why_;
+  Nanoseconds over_ = 0;  // when the skill has ended at the latest, on ways that end it
+};
+
+}  // namespace
+
+Bound response_bound(const View& view, const Requirement& requirement) {
+  return Pursuit(view, requirement).run();
+}
+
+Bound loss_bound(const View& view, const Requirement& requirement) {
+  return Pursuit(view, requirement).losses();
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,269 @@
+// How soon a thread can come back to where it was.
+#include <algorithm>
+#include <queue>
+
+#include "analyzer/compositional/forest.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+
+/// Greatest number of requests of one channel that are open when a module reaches its steps: 0, 1, or 2 for
+/// more.
+class OpenRequests {
+ public:
+  OpenRequests(const Problem& problem, int request)
+      : problem_(problem),
+        request_(request),
+        answer_(problem.channels[static_cast<std::size_t>(request)].answer) {}
+
+  /// False: a request is sent while one is open, perhaps.
+  bool sequential() {
+    const int module = problem_.channels[static_cast<std::size_t>(request_)].sender_module;
+    for (const Thread& thread : problem_.threads) {
+      if (thread.module == module && thread.parent < 0) reach(thread.entry, 0);
+    }
+    bool sound = true;
+    while (!work_.empty()) {
+      const int at = work_.back();
+      work_.pop_back();
+      sound = pass(at) && sound;
+    }
+    return sound;
+  }
+
+  int at(int step) const {
+    const auto known = open_.find(step);
+    return known == open_.end() ? 0 : known->second;
+  }
+
+ private:
+  void reach(int step, int open) {
+    const auto [place, fresh] = open_.emplace(step, open);
+    if (!fresh && place->second >= open) return;
+    place->second = std::max(place->second, open);
+    work_.push_back(step);
+  }
+
+  bool pass(int index) {
+    const Step& step = problem_.steps[static_cast<std::size_t>(index)];
+    const int open = open_.at(index);
+    switch (step.kind) {
+      case Kind::send: {
+        const bool asks = step.channels.front() == request_;
+        reach(step.next.front(), asks ? 1 : open);
+        return !asks || open == 0;
+      }
+      case Kind::wait: {
+        bool waits = false;
+        for (std::size_t arm = 0; arm < step.channels.size(); ++arm) {
+          const bool answered = step.channels[arm] == answer_;
+          waits = waits || answered;
+          reach(step.next[arm], answered ? 0 : open);
+        }
+        if (step.within) reach(step.next.back(), waits ? 0 : open);
+        return true;
+      }
+      case Kind::fork: {
+        int asking = 0;
+        for (int block : step.threads) {
+          reach(problem_.threads[static_cast<std::size_t>(block)].entry, open);
+          if (asks(block)) ++asking;
+        }
+        // A block that ends may leave its request open; two that ask may both.
+        reach(step.next.front(), asking > 0 ? 2 : open);
+        return asking < 2;
+      }
+      default:
+        for (int next : step.next) reach(next, open);
+        return true;
+    }
+  }
+
+  bool asks(int thread) const {
+    std::set<int> seen;
+    std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      if (!seen.insert(at).second) continue;
+      const Step& step = problem_.steps[static_cast<std::size_t>(at)];
+      if (step.kind == Kind::send && step.channels.front() == request_) return true;
+      for (int block : step.threads) open.push_back(problem_.threads[static_cast<std::size_t>(block)].entry);
+      open.insert(open.end(), step.next.begin(), step.next.end());
+    }
+    return false;
+  }
+
+  const Problem& problem_;
+  int request_;
+  int answer_;
+  std::map<int, int> open_;
+  std::vector<int> work_;
+};
+
+bool may_start_again(const Problem& problem, int thread) {
+  // A block is started by a fork; that comes again if the flow can come back to it, or its thread may start
+  // again.
+  const int parent = problem.threads[static_cast<std::size_t>(thread)].parent;
+  if (parent < 0) return false;
+  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    const Step& fork = problem.steps[s];
+    if (std::find(fork.threads.begin(), fork.threads.end(), thread) == fork.threads.end()) continue;
+    std::set<int> seen;
+    std::vector<int> open(fork.next.begin(), fork.next.end());
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      if (at == static_cast<int>(s)) return true;
+      if (!seen.insert(at).second) continue;
+      const auto& next = problem.steps[static_cast<std::size_t>(at)].next;
+      open.insert(open.end(), next.begin(), next.end());
+    }
+  }
+  return may_start_again(problem, parent);
+}
+
+}  // namespace
+
+std::vector<bool> sequential_requests(const Problem& problem) {
+  std::vector<bool> sequential(problem.channels.size());
+  for (std::size_t c = 0; c < problem.channels.size(); ++c) {
+    const Channel& channel = problem.channels[c];
+    if (channel.answer < 0 || channel.sender_module < 0) continue;
+    sequential[c] = OpenRequests(problem, static_cast<int>(c)).sequential();
+  }
+  return sequential;
+}
+
+bool recurrent(const Problem& problem, const Beginning& beginning) {
+  if (may_start_again(problem, beginning.thread)) return true;
+  if (beginning.kind == Beginning::Kind::entry) return false;
+  std::set<int> seen;
+  const Step& first = problem.steps[static_cast<std::size_t>(beginning.step)];
+  std::vector<int> open(first.next.begin(), first.next.end());
+  while (!open.empty()) {
+    const int at = open.back();
+    open.pop_back();
+    if (at == beginning.step) return true;
+    if (!seen.insert(at).second) continue;
+    const auto& next = problem.steps[static_cast<std::size_t>(at)].next;
+    open.insert(open.end(), next.begin(), next.end());
+  }
+  return false;
+}
+
+namespace {
+
+/// Shortest ways through threads, with the least that each action, limit and answer takes.
+class Shortest {
+ public:
+  Shortest(const Problem& problem, const std::vector<bool>& sequential)
+      : problem_(problem), sequential_(sequential) {}
+
+  /// From `first` at time `at` until `ends` holds of a step that is reached.
+  template <class Ends>
+  Nanoseconds way(int first, Nanoseconds at, int depth, const Ends& ends) {
+    std::map<int, Nanoseconds> reached;
+    std::map<int, Nanoseconds> sent;  // by request: least time of its send
+    using Entry = std::pair<Nanoseconds, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    open.emplace(at, first);
+    while (!open.empty()) {
+      const auto [time, index] = open.top();
+      open.pop();
+      if (ends(index)) return time;
+      if (!reached.emplace(index, time).second) continue;
+      const Step& step = problem_.steps[static_cast<std::size_t>(index)];
+      if (step.kind == Kind::send) sent.emplace(step.channels.front(), time + step.cost.best);
+      for (std::size_t i = 0; i < step.next.size(); ++i) {
+        Nanoseconds after = time + step.cost.best;
+        if (step.kind == Kind::wait && i == step.channels.size()) {
+          after = time + step.within.value_or(0) + step.give_up_cost.best;
+        } else if (step.kind == Kind::wait) {
+          const int request = problem_.channels[static_cast<std::size_t>(step.channels[i])].answers;
+          const bool asked = request >= 0 && sequential_[static_cast<std::size_t>(request)] &&
+                             sent.contains(request) && !reaches_unasked(first, index, request);
+          if (asked) after = std::max(time, sent[request] + answer(step.channels[i], depth)) + step.cost.best;
+        }
+        open.emplace(after, step.next[i]);
+      }
+    }
+    return never;
+  }
+
+  /// Least time from a request's send to its answer.
+  Nanoseconds answer(int channel, int depth) {
+    const Channel& of = problem_.channels[static_cast<std::size_t>(channel)];
+    if (of.answers < 0) return 0;
+    if (of.sender_device >= 0) {
+      const auto& behaviour = problem_.devices[static_cast<std::size_t>(of.sender_device)].behaviour;
+      if (const auto* request = std::get_if<pan::RequestDevice>(&behaviour))
+        return request->answer.best.count();
+      if (const auto* frames = std::get_if<pan::FrameDevice>(&behaviour)) return frames->collecting.count();
+      return 0;
+    }
+    if (depth > 8) return 0;
+    Nanoseconds least = never;
+    for (const Step& take : problem_.steps) {
+      if (take.kind != Kind::wait) continue;
+      for (std::size_t arm = 0; arm < take.channels.size(); ++arm) {
+        if (take.channels[arm] != of.answers) continue;
+        const auto sends = [&](int index) {
+          const Step& step = problem_.steps[static_cast<std::size_t>(index)];
+          return step.kind == Kind::send && step.channels.front() == channel;
+        };
+        least = std::min(least, way(take.next[arm], take.cost.best, depth + 1, sends));
+      }
+    }
+    return least >= never ? 0 : least;
+  }
+
+ private:
+  /// Whether a wait can be reached without the request that it waits for having been sent on the way.
+  bool reaches_unasked(int first, int wait, int request) const {
+    std::set<int> seen;
+    std::vector<int> open{first};
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      if (at == wait) return true;
+      const Step& step = problem_.steps[static_cast<std::size_t>(at)];
+      if ((step.kind == Kind::send && step.channels.front() == request) || !seen.insert(at).second) continue;
+      open.insert(open.end(), step.next.begin(), step.next.end());
+    }
+    return false;
+  }
+
+  const Problem& problem_;
+  const std::vector<bool>& sequential_;
+};
+
+}  // namespace
+
+Nanoseconds least_round(const Problem& problem, const Beginning& beginning,
+                        const std::vector<bool>& sequential) {
+  if (may_start_again(problem, beginning.thread)) return 0;
+  const bool gives_up = beginning.kind == Beginning::Kind::give_up;
+  if (beginning.kind != Beginning::Kind::arm && !gives_up) return 0;
+  const Step& home = problem.steps[static_cast<std::size_t>(beginning.step)];
+  const std::size_t branch = gives_up ? home.channels.size() : static_cast<std::size_t>(beginning.arm);
+  // A round begins when the wait ends: with its receive, or with the test that gives up.
+  const Nanoseconds into = gives_up ? home.give_up_cost.best : home.cost.best;
+  Shortest shortest(problem, sequential);
+  const Nanoseconds around =
+      shortest.way(home.next[branch], into, 0, [&](int step) { return step == beginning.step; });
+  if (around >= never) return never;
+  if (gives_up) return around + home.within.value_or(0);
+  const int answer = home.channels[branch];
+  const int request = problem.channels[static_cast<std::size_t>(answer)].answers;
+  if (request < 0 || !sequential[static_cast<std::size_t>(request)]) return around;
+  const Nanoseconds asked = shortest.way(home.next[branch], into, 0, [&](int index) {
+    const Step& step = problem.steps[static_cast<std::size_t>(index)];
+    return step.kind == Kind::send && step.channels.front() == request;
+  });
+  return asked >= never ? around : std::max(around, asked + shortest.answer(answer, 0));
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,59 @@
+#include "analyzer/compositional/sequence.hpp"
+
+#include "analyzer/compositional/forest.hpp"
+
+namespace pal::analyzer::compositional {
+
+Sequence::Sequence(const Problem& problem) : problem_(problem), started_by_(problem.threads.size(), -1) {
+  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    for (int block : problem.steps[s].threads)
+      started_by_[static_cast<std::size_t>(block)] = static_cast<int>(s);
+  }
+  has_blocks_.assign(problem.module_names.size(), false);
+  for (const Thread& thread : problem.threads) {
+    if (thread.parent >= 0 && thread.module >= 0) has_blocks_[static_cast<std::size_t>(thread.module)] = true;
+  }
+}
+
+const std::set<int>& Sequence::after(int step) {
+  const auto [place, fresh] = after_.emplace(step, std::set<int>{});
+  if (!fresh) return place->second;
+  std::vector<int> open = problem_.steps[static_cast<std::size_t>(step)].next;
+  while (!open.empty()) {
+    const int at = open.back();
+    open.pop_back();
+    if (!place->second.insert(at).second) continue;
+    const auto& next = problem_.steps[static_cast<std::size_t>(at)].next;
+    open.insert(open.end(), next.begin(), next.end());
+  }
+  return place->second;
+}
+
+int Sequence::fork_to(int thread, int block) const {
+  for (int at = block; at >= 0; at = problem_.threads[static_cast<std::size_t>(at)].parent) {
+    if (problem_.threads[static_cast<std::size_t>(at)].parent == thread)
+      return started_by_[static_cast<std::size_t>(at)];
+  }
+  return -1;
+}
+
+bool Sequence::may_follow(const Beginning& earlier, const Beginning& later) {
+  const Thread& first = problem_.threads[static_cast<std::size_t>(earlier.thread)];
+  const Thread& second = problem_.threads[static_cast<std::size_t>(later.thread)];
+  if (first.module != second.module || !has_blocks_[static_cast<std::size_t>(first.module)] || later.step < 0)
+    return true;
+  const auto starts_again = [this](int thread) {
+    const auto [place, fresh] = again_.emplace(thread, false);
+    if (fresh) place->second = recurrent(problem_, {Beginning::Kind::entry, thread, -1, -1});
+    return place->second;
+  };
+  if (starts_again(earlier.thread) || starts_again(later.thread)) return true;
+  const int from = earlier.step < 0 ? first.entry : earlier.step;
+  if (earlier.thread == later.thread) return reaches(from, later.step);
+  if (const int fork = fork_to(later.thread, earlier.thread); fork >= 0)
+    return after(fork).contains(later.step);
+  if (const int fork = fork_to(earlier.thread, later.thread); fork >= 0) return reaches(from, fork);
+  return true;
+}
+
+}  // namespace pal::analyzer::compositional

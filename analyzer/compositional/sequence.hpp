@@ -1,0 +1,33 @@
+// What can come after what in one module.
+#pragma once
+
+#include <map>
+#include <set>
+#include <vector>
+
+#include "analyzer/compositional/segment.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// The order that a module's program puts its threads' steps in.
+class Sequence {
+ public:
+  explicit Sequence(const Problem& problem);
+
+  /// Whether the thread of `later` may be at that wait once `earlier` has begun.
+  bool may_follow(const Beginning& earlier, const Beginning& later);
+
+ private:
+  const std::set<int>& after(int step);
+  bool reaches(int from, int to) { return from == to || after(from).contains(to); }
+  /// The fork in `thread` that starts `block`, or the block above it; -1: `block` is none of the thread's.
+  int fork_to(int thread, int block) const;
+
+  const Problem& problem_;
+  std::vector<int> started_by_;   // by thread: the fork; -1: none
+  std::vector<bool> has_blocks_;  // by module
+  std::map<int, bool> again_;
+  std::map<int, std::set<int>> after_;
+};
+
+}  // namespace pal::analyzer::compositional

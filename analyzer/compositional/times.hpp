@@ -1,0 +1,46 @@
+// When everything that a source causes is done, at the earliest and at the latest.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "analyzer/compositional/conduct.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// All times count from the nominal instant of the occurrence of the node's source; those of a module's start
+/// from time 0. `never`: no bound.
+struct NodeTimes {
+  Nanoseconds earliest = 0;  // release
+  Nanoseconds latest = 0;    // release
+  Nanoseconds finish = 0;    // of the whole segment
+  std::vector<Nanoseconds>
+      effects;  // latest effect of each of the segment's steps that anything depends on, else `unknown`
+  std::vector<Nanoseconds> arrivals;  // latest arrival at each of the segment's waits
+  static constexpr Nanoseconds unknown = -1;
+};
+
+struct Times {
+  std::vector<NodeTimes> nodes;
+  /// By thread, why nothing bounds when it goes on; empty if something does.
+  std::vector<std::string> trouble;
+  /// By source: its events are all taken before the next can come.
+  std::vector<bool> no_overrun;
+  /// By source: latest distance from one occurrence to the next, and of the first from time 0; `never`: none.
+  std::vector<Nanoseconds> longest_gap;
+  std::vector<Nanoseconds> first;
+  BusyWindows windows{{}};  // of all processors, with the jitter found
+  bool interrupted = false;
+};
+
+/// `at`: steps whose times are asked for, besides those that the analysis needs.
+Times times_of(const Problem& problem, const Forest& forest, const Conduct& conduct,
+               const std::vector<bool>& at, const std::function<bool()>& stop);
+
+/// Latest effect of `step` in a node; `never` if there is no bound, or it is not one of its steps.
+Nanoseconds latest_effect(const Forest& forest, const Times& times, int node, int step);
+/// And its earliest.
+Nanoseconds earliest_effect(const Forest& forest, const Times& times, int node, int step);
+
+}  // namespace pal::analyzer::compositional

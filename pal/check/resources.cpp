@@ -1,0 +1,166 @@
+#include "pal/check/resources.hpp"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "pal/check/report.hpp"
+#include "pal/pan/dump.hpp"
+#include "pal/support/diagnostic_code.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+Resource::Group group_of(pan::ModuleKind kind) {
+  switch (kind) {
+    case pan::ModuleKind::sensor_driver:
+      return Resource::Group::sensor_driver;
+    case pan::ModuleKind::logical_sensor:
+      return Resource::Group::logical_sensor;
+    case pan::ModuleKind::machine_controller:
+      return Resource::Group::robotic_machine;
+    case pan::ModuleKind::skill_module:
+    case pan::ModuleKind::contingency_module:
+      return Resource::Group::skill_module;
+  }
+  return Resource::Group::skill_module;
+}
+
+class Collector {
+ public:
+  explicit Collector(const pan::Network& network) : network_(network) {}
+
+  std::vector<Resource> collect() {
+    for (std::size_t i = 0; i < network_.modules.size(); ++i) module(pan::ModuleId(i));
+    for (const auto& channel : network_.channels) device(channel);
+    for (const auto& module : network_.modules) activities(module);
+    std::stable_sort(result_.begin(), result_.end(),
+                     [](const Resource& a, const Resource& b) { return a.group < b.group; });
+    return std::move(result_);
+  }
+
+ private:
+  void add(Resource::Group group, Resource::Kind kind, const std::string& name, const std::string& module,
+           SourceSpan where) {
+    if (seen_.insert({kind, name, kind == Resource::Kind::time ? module : ""}).second)
+      result_.push_back({group, kind, name, module, where});
+  }
+
+  void module(pan::ModuleId id) {
+    const auto& module = network_.modules[id.index()];
+    if (module.executed_by.valid()) return;  // runs in its caller's place
+    const auto kind = module.body.empty() ? Resource::Kind::device : Resource::Kind::processor;
+    add(group_of(module.kind), kind, module.name, module.name, module.where);
+  }
+
+  /// A device belongs to the module that drives it.
+  void device(const pan::Channel& channel) {
+    for (const auto& [party, other] :
+         {std::pair(channel.sender, channel.receiver), std::pair(channel.receiver, channel.sender)}) {
+      const auto* device = std::get_if<pan::DeviceId>(&party);
+      const auto* driver = std::get_if<pan::ModuleId>(&other);
+      if (device == nullptr || driver == nullptr) continue;
+      const auto& module = network_.modules[driver->index()];
+      const auto& found = network_.devices[device->index()];
+      add(group_of(module.kind), Resource::Kind::device, found.name, module.name, found.where);
+    }
+  }
+
+  void activities(const pan::Module& module) {
+    for (const auto& node : module.body.nodes) {
+      const auto* perform = std::get_if<pan::Perform>(&node.content);
+      if (perform == nullptr) continue;
+      const auto& activity = network_.activities[perform->activity.index()];
+      add(Resource::Group::activity, Resource::Kind::time, activity.name, module.name, activity.where);
+    }
+  }
+
+  const pan::Network& network_;
+  std::vector<Resource> result_;
+  std::set<std::tuple<Resource::Kind, std::string, std::string>> seen_;
+};
+
+bool has(const pan::Environment& environment, const Resource& resource) {
+  const auto any = [](const auto& range, const auto& fits) {
+    return std::any_of(range.begin(), range.end(), fits);
+  };
+  switch (resource.kind) {
+    case Resource::Kind::processor:
+      return any(environment.placements, [&](const pan::Placement& p) { return p.thread == resource.name; });
+    case Resource::Kind::device:
+      return any(environment.devices, [&](const pan::DeviceTiming& d) { return d.device == resource.name; });
+    case Resource::Kind::time:
+      return any(environment.activities, [&](const pan::ActivityTime& t) {
+        return t.activity == resource.name && (t.module.empty() || t.module == resource.module);
+      });
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Resource> needed_resources(const pan::Network& network) {
+  return Collector(network).collect();
+}
+
+std::vector<Resource> missing_resources(const std::vector<Resource>& needed,
+                                        const pan::Environment& environment) {
+  std::vector<Resource> result;
+  std::copy_if(needed.begin(), needed.end(), std::back_inserter(result),
+               [&](const Resource& resource) { return !has(environment, resource); });
+  return result;
+}
+
+std::string group_text(Resource::Group group) {
+  switch (group) {
+    case Resource::Group::sensor_driver:
+      return "sensor drivers";
+    case Resource::Group::logical_sensor:
+      return "logical sensors";
+    case Resource::Group::robotic_machine:
+      return "robotic machines";
+    case Resource::Group::skill_module:
+      return "skill modules";
+    case Resource::Group::activity:
+      return "activities";
+  }
+  return {};
+}
+
+std::string kind_text(Resource::Kind kind) {
+  switch (kind) {
+    case Resource::Kind::processor:
+      return "a processor (PLACE)";
+    case Resource::Kind::device:
+      return "a behaviour (DEVICE)";
+    case Resource::Kind::time:
+      return "a time (TIME)";
+  }
+  return {};
+}
+
+bool check_resources(const pan::Network& network, const pan::Environment& environment,
+                     Diagnostics& diagnostics) {
+  const auto missing = missing_resources(needed_resources(network), environment);
+  if (missing.empty()) return true;
+  std::string groups;
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    if (i > 0 && missing[i].group == missing[i - 1].group) continue;
+    groups += (groups.empty() ? "" : ", ") + group_text(missing[i].group);
+  }
+  auto& finding = diagnostics.report(Code::PAL0740, environment.where,
+                                     "environment " + quoted(environment.name) + " lacks what skill " +
+                                         quoted(network.skill.name) + " needs: " + groups,
+                                     "add what is missing, or run the skill in another workcell");
+  for (const auto& resource : missing) {
+    const bool of_itself = resource.name == resource.module;
+    finding.notes.push_back({resource.where, group_text(resource.group) + ": " + quoted(resource.name) +
+                                                 (of_itself ? "" : " of " + resource.module) + " needs " +
+                                                 kind_text(resource.kind)});
+  }
+  return false;
+}
+
+}  // namespace pal::frontend

@@ -1,0 +1,47 @@
+// What a skill needs of a workcell, and whether the workcell has it: the thesis' operation environment
+// configuration (OEC, section 2.3.4) against the system environment configuration (SEC, section 2.3.3). Needs
+// no times.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pal/pan/environment.hpp"
+#include "pal/pan/network.hpp"
+#include "pal/support/diagnostic.hpp"
+#include "pal/support/source.hpp"
+
+namespace pal::frontend {
+
+/// One thing that a skill needs.
+struct Resource {
+  /// The groups of section 2.3.3: SD, LS, RM; the modules of the skill itself; activities, each with the
+  /// module that does it.
+  enum class Group { sensor_driver, logical_sensor, robotic_machine, skill_module, activity };
+  /// What an environment must say for it to be there.
+  enum class Kind { processor, device, time };
+  Group group = Group::sensor_driver;
+  Kind kind = Kind::processor;
+  std::string name;    // "SD1", "force-torque", "extract-z"
+  std::string module;  // the module that needs it
+  SourceSpan where;
+};
+
+/// The configuration that the skill needs: every module with a body a processor, every device that a module
+/// talks to a behaviour, every activity that stands in a body a time. By group, in the order of the text.
+std::vector<Resource> needed_resources(const pan::Network& network);
+
+/// Those that the environment has not.
+std::vector<Resource> missing_resources(const std::vector<Resource>& needed,
+                                        const pan::Environment& environment);
+
+/// "sensor drivers", …
+std::string group_text(Resource::Group group);
+/// "a processor (PLACE)", "a behaviour (DEVICE)", "a time (TIME)".
+std::string kind_text(Resource::Kind kind);
+
+/// Reports what is missing, in one finding with a note a resource. True: nothing is.
+bool check_resources(const pan::Network& network, const pan::Environment& environment,
+                     Diagnostics& diagnostics);
+
+}  // namespace pal::frontend

@@ -1,0 +1,32 @@
+// The first thing in a text that is not PAL. Private to pal/syntax: shows ANTLR.
+#pragma once
+
+#include <antlr4-runtime.h>
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "PalParser.h"
+#include "pal/support/diagnostic.hpp"
+#include "pal/syntax/recovery.hpp"
+#include "pal/syntax/tokens.hpp"
+
+namespace pal::syntax {
+
+struct Mistake {
+  std::size_t at = 0;              // the token that cannot stand where it does
+  std::size_t unit_begin = 0;      // the first token of the unit that it is in
+  std::set<std::size_t> expected;  // what could stand there
+  Diagnostic finding;              // how Recovery tells it
+};
+
+/// Parses up to the first mistake; nothing if there is none.
+std::optional<Mistake> first_mistake(Tokens& tokens);
+
+/// How far a parser gets with these tokens: the number of the first that cannot stand where it does, or how
+/// many there are.
+std::size_t reach(std::vector<std::unique_ptr<antlr4::Token>> tokens, antlr4::TokenSource& text);
+
+}  // namespace pal::syntax

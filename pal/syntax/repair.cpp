@@ -1,0 +1,206 @@
+#include "pal/syntax/repair.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "pal/support/nearest.hpp"
+#include "pal/syntax/spelling.hpp"
+
+namespace pal::syntax {
+namespace {
+
+using Parser = grammar::PalParser;
+
+// How far a parser must get past a mistake for a change to count: all of `sight`, or failing that, of all
+// changes the furthest, but at least `least`.
+constexpr std::size_t sight = 30;
+constexpr std::size_t least = 5;
+// Between changes that all get that far, looking further decides.
+constexpr std::size_t far_sight = 200;
+// From the unit's beginning to the mistake; trying changes in a longer one would take too long.
+constexpr std::size_t longest_unit = 1500;
+
+using Types = std::vector<std::size_t>;
+
+const std::vector<Types>& ends() {
+  static const std::vector<Types> all{{Parser::END_CASE, Parser::CASE},
+                                      {Parser::END_WTM, Parser::WTM},
+                                      {Parser::END_CONCURRENT, Parser::CONCURRENT},
+                                      {Parser::UNTIL, Parser::LEFT, Parser::FOREVER, Parser::RIGHT},
+                                      {Parser::END, Parser::SKILL},
+                                      {Parser::END, Parser::ENVIRONMENT}};
+  return all;
+}
+
+/// What is put in before the mistake's place even if the grammar would not go on with it at the place itself.
+constexpr std::array usual{Parser::LEFT,       Parser::RIGHT,          Parser::COLON,   Parser::EQUAL,
+                           Parser::COMMA,      Parser::FROM,           Parser::TO,      Parser::CASE,
+                           Parser::REPEAT,     Parser::CONCURRENT,     Parser::BEGIN,   Parser::END,
+                           Parser::END_CASE,   Parser::END_CONCURRENT, Parser::END_WTM, Parser::WTM,
+                           Parser::TXM,        Parser::EXECUTE,        Parser::DO,      Parser::FIRST,
+                           Parser::COMPLETION, Parser::PARAMETER};
+
+bool stands_for_many(std::size_t type) {
+  return type == Parser::NAME || type == Parser::NUMBER || type == Parser::STRING;
+}
+
+/// A reserved word or a sign; of a name nobody can say which is meant.
+bool is_word(std::size_t type) {
+  return !stands_for_many(type) && !spelling_of_type(type).empty();
+}
+
+std::set<std::size_t> all_keywords() {
+  std::set<std::size_t> types;
+  for (std::size_t type = Parser::WTM; type < Parser::LEFT; ++type) types.insert(type);
+  return types;
+}
+
+std::vector<Change> candidates(const Mistake& mistake, const Tokens& tokens) {
+  std::vector<Change> result;
+  const auto at = mistake.at;
+  const auto& all = tokens.all();
+  const bool last = at + 1 == all.size();
+  // A misspelled keyword.
+  for (const auto where : {at, at - 1}) {
+    if (where >= all.size() || all[where]->getType() != Parser::NAME) continue;
+    for (const auto& keywords : {mistake.expected, all_keywords()}) {
+      if (const auto meant = keyword_like(all[where]->getText(), keywords))
+        result.push_back({where, 1, {*meant}});
+    }
+  }
+  // Between units any name could be made one by a word before it: rather it is too many.
+  if (mistake.expected.contains(Parser::USES) && !last) result.push_back({at, 1, {}});
+  // A missing end, word or sign.
+  for (const Types& end : ends()) {
+    if (mistake.expected.contains(end.front())) result.push_back({at, 0, end});
+  }
+  if (mistake.expected.contains(Parser::TO)) result.push_back({at, 0, {Parser::TO}});
+  for (const auto type : mistake.expected) {
+    if (is_word(type)) result.push_back({at, 0, {type}});
+  }
+  // One of the two words of an end; something between them; an end that lies between them, of which each is
+  // half.
+  if (all[at]->getType() == Parser::END) {
+    for (std::size_t i = 0; i < 3; ++i) result.push_back({at, 1, ends()[i]});
+    if (!last) result.push_back({at + 1, 1, {}});
+  } else if (all[at]->getType() == Parser::END_CASE || all[at]->getType() == Parser::END_WTM ||
+             all[at]->getType() == Parser::END_CONCURRENT) {
+    for (const Types& end : ends()) result.push_back({at + 1, 0, end});
+  }
+  if (!last) result.push_back({at, 1, {}});
+  for (const auto type : mistake.expected) {
+    if (stands_for_many(type)) result.push_back({at, 0, {type}});
+  }
+  for (const auto type : usual) result.push_back({at, 0, {type}});
+  // A word before.
+  for (std::size_t back = 1; back <= 3 && back <= at - std::min(at, mistake.unit_begin); ++back) {
+    for (const auto type : usual) result.push_back({at - back, 0, {type}});
+    result.push_back({at - back, 1, {}});
+  }
+  // What stands before a parenthesis.
+  auto left = at;
+  while (left > mistake.unit_begin && at - left < 12 && all[left]->getType() != Parser::LEFT) --left;
+  if (all[left]->getType() == Parser::LEFT && at - left > 3) {
+    for (const auto type : {Parser::WTM, Parser::TXM, Parser::SPC, Parser::RPC, Parser::CASE, Parser::UNTIL})
+      result.push_back({left, 0, {type}});
+  }
+  return result;
+}
+
+/// How many tokens of the text the parser gets past the mistake after `change`, `most` at most.
+std::size_t progress(const Change& change, const Mistake& mistake, std::size_t most, Tokens& tokens) {
+  const auto end = std::min(tokens.all().size() - 1, mistake.at + most);
+  const bool whole = end == tokens.all().size() - 1;
+  auto window = copy(tokens.all(), mistake.unit_begin, end, &change);
+  const auto count = window.size();
+  const auto shift = change.added.size();
+  const auto reached = reach(std::move(window), tokens.text());
+  if (reached >= count || (!whole && reached + 1 == count)) return most;
+  const auto in_text = reached + mistake.unit_begin + change.removed;
+  return in_text < mistake.at + shift ? 0 : in_text - shift - mistake.at;
+}
+
+}  // namespace
+
+std::optional<Change> repair_of(const Mistake& mistake, Tokens& tokens) {
+  if (mistake.at < mistake.unit_begin || mistake.at - mistake.unit_begin > longest_unit) return std::nullopt;
+  std::vector<Change> best;
+  std::size_t furthest = least;
+  for (Change& change : candidates(mistake, tokens)) {
+    const auto gain = progress(change, mistake, sight, tokens);
+    if (gain < furthest) continue;
+    if (gain > furthest) best.clear();
+    furthest = gain;
+    best.push_back(std::move(change));
+  }
+  if (best.empty()) return std::nullopt;
+  if (best.size() == 1 || furthest < sight) return best.front();
+  std::vector<std::size_t> gains;
+  for (const Change& change : best) gains.push_back(progress(change, mistake, far_sight, tokens));
+  return best[static_cast<std::size_t>(std::max_element(gains.begin(), gains.end()) - gains.begin())];
+}
+
+namespace {
+
+std::string words_of(const Types& types) {
+  std::string text;
+  for (const auto type : types) text += (text.empty() ? "" : " ") + word_of_type(type);
+  return text;
+}
+
+/// What is put in stands after the word before on its line, or on a line of its own if it ends something.
+Edit insertion(const Change& change, const Mistake& mistake, const Tokens& tokens) {
+  const auto& all = tokens.all();
+  const auto* next = all[change.at];
+  const auto* before = change.at == 0 ? nullptr : all[change.at - 1];
+  const auto words = words_of(change.added);
+  auto place = tokens.span(next);
+  place.end = place.begin;
+  if (before == nullptr || !tokens.first_on_line(next)) return {place, words + " "};
+  place.begin = place.end = tokens.span(before).end;
+  const bool ends_something = !mistake.finding.notes.empty();
+  if (!ends_something) return {place, " " + words};
+  const auto& begin = mistake.finding.notes.front().where;
+  const auto* opener = *std::find_if(all.begin(), all.end(), [&](const antlr4::Token* token) {
+    return tokens.span(token).begin >= begin.begin;
+  });
+  return {place, "\n" + std::string(opener->getCharPositionInLine(), ' ') + words};
+}
+
+}  // namespace
+
+Diagnostic told_by(const Change& change, const Mistake& mistake, const Tokens& tokens) {
+  Diagnostic finding = mistake.finding;
+  const auto* at = tokens.all()[change.at];
+  const bool is_known = std::none_of(change.added.begin(), change.added.end(), stands_for_many);
+  if (change.removed == 0) {
+    const bool missing_end = !finding.notes.empty();
+    if (!missing_end) {
+      const auto words =
+          is_known ? "'" + words_of(change.added) + "'" : spelling_of_type(change.added.front());
+      const auto* before = tokens.before(at);
+      const bool after = before != nullptr && tokens.first_on_line(at);
+      finding.where = tokens.span(after ? before : at);
+      finding.message =
+          "expected " + words + (after ? " after " + spelling(*before) : " before " + spelling(*at));
+    }
+    finding.hint = "add " + (is_known ? words_of(change.added) : spelling_of_type(change.added.front()));
+    if (is_known) finding.fix = {insertion(change, mistake, tokens)};
+    return finding;
+  }
+  finding.where = tokens.span(at);
+  finding.fix = {{finding.where, words_of(change.added)}};
+  if (change.added.empty()) {
+    if (change.at != mistake.at) finding.message = "unexpected " + spelling(*at);
+    finding.hint = "remove it";
+  } else {
+    finding.message = "unexpected " + spelling(*at);
+    finding.hint = "did you mean '" + words_of(change.added) + "'?";
+  }
+  return finding;
+}
+
+}  // namespace pal::syntax

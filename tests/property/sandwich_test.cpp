@@ -1,0 +1,155 @@
+// What simulation shows <= what exact analysis proves <= what compositional analysis proves, of any program.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <iostream>
+
+#include "analyzer/compositional/compositional.hpp"
+#include "analyzer/simulate.hpp"
+#include "tests/support/chain_system.hpp"
+#include "tests/support/holistic.hpp"
+#include "tests/support/random_skill.hpp"
+#include "tests/support/skill.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+
+namespace {
+
+constexpr Nanoseconds millisecond = 1'000'000;
+
+/// PAL_SEED and PAL_ROUNDS in the environment make a run longer, or another one; PAL_STATES says how many
+/// classes the exact analysis may take.
+std::uint64_t setting(const char* name, std::uint64_t usual) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? usual : std::strtoull(value, nullptr, 10);
+}
+
+struct Tally {
+  std::size_t programs = 0;
+  std::size_t requirements = 0;
+  std::size_t bounds = 0;    // compositional ones
+  std::size_t compared = 0;  // with exact ones
+  std::size_t equal = 0;
+};
+
+void compare_with_exact(const Problem& problem, const Analysis& compositional, std::size_t most,
+                        Tally& tally) {
+  Options options;
+  options.max_states = most;
+  const Analysis exact = analyze(problem, options);
+  for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
+    const Verdict& above = compositional.verdicts[r];
+    const Verdict& below = exact.verdicts[r];
+    if (!above.bound) continue;
+    INFO(above.requirement << ": compositional " << above.bound->count() << ", exact "
+                           << (below.bound ? below.bound->count() : -1) << " " << name(below.state) << ", "
+                           << below.explanation);
+    // What fails for want of a bound has a run without a response, or one above the limit.
+    if (below.state == Verdict::State::fails) {
+      REQUIRE(above.state != Verdict::State::holds);
+      const bool lost = below.witness && below.witness->failed;
+      REQUIRE_FALSE(lost);
+      if (below.witness) REQUIRE(below.witness->measured.value <= above.bound->count());
+    }
+    if (!below.exact || !below.bound) continue;
+    ++tally.compared;
+    tally.equal += below.bound == above.bound ? 1 : 0;
+    REQUIRE(*below.bound <= *above.bound);
+  }
+}
+
+void compare_with_runs(const Problem& problem, const Analysis& compositional, std::uint64_t seed) {
+  for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
+    const Requirement& requirement = problem.requirements[r];
+    const Verdict& verdict = compositional.verdicts[r];
+    if (requirement.measure == Requirement::Measure::load || !verdict.bound) continue;
+    const Watch watch = watch_of(problem, requirement);
+    const Machine machine(problem, watch);
+    for (std::uint64_t run = 0; run < 6; ++run) {
+      SimulationOptions options;
+      options.times = run == 0  ? SimulationOptions::Times::worst
+                      : run < 3 ? SimulationOptions::Times::random
+                                : SimulationOptions::Times::extremes;
+      options.seed = seed * 100 + run;
+      options.until = 150 * millisecond;
+      options.max_events = 1'500;
+      options.record = false;
+      const Simulation made = simulate(machine, options);
+      INFO(requirement.name << ": compositional " << verdict.bound->count() << ", run " << run);
+      REQUIRE_FALSE(made.failed);
+      for (const Measurement& measured : made.measured) REQUIRE(measured.value <= verdict.bound->count());
+    }
+  }
+}
+
+void compare(const Problem& problem, std::uint64_t seed, std::size_t states, Tally& tally) {
+  const Analysis compositional = analyze_compositionally(problem);
+  ++tally.programs;
+  for (const Verdict& verdict : compositional.verdicts) {
+    if (verdict.measure == Requirement::Measure::load) continue;
+    ++tally.requirements;
+    tally.bounds += verdict.bound ? 1 : 0;
+  }
+  compare_with_runs(problem, compositional, seed);
+  const std::size_t most = setting("PAL_STATES", states);
+  if (most > 0) compare_with_exact(problem, compositional, most, tally);
+}
+
+void say(const Tally& tally) {
+  std::cout << tally.programs << " programs with " << tally.requirements << " timed requirements, "
+            << tally.bounds << " with a compositional bound; " << tally.compared
+            << " bounds compared with exact ones, " << tally.equal << " equal\n";
+  CHECK(tally.programs > 0);
+}
+
+}  // namespace
+
+TEST_CASE("simulated, exact and compositional come in this order for skills by chance") {
+  Tally tally;
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 100); ++seed) {
+    const std::string text = test::RandomSkill(seed, seed % 2 == 0 ? 9 : 40).text();
+    const auto skill = test::skill_from_text(text);
+    if (!skill->problem) continue;
+    INFO("seed " << seed << "\n" << text);
+    compare(*skill->problem, seed, 1'000, tally);
+  }
+  say(tally);
+}
+
+TEST_CASE("simulated, exact and compositional come in this order for chains by chance") {
+  Tally tally;
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 1'000); ++seed) {
+    const test::ChainSystem system = test::small_chains(seed);
+    INFO("seed " << seed << "\n" << test::text_of(system));
+    compare(test::problem_of(system), seed, 400, tally);
+  }
+  say(tally);
+}
+
+TEST_CASE("a system of chains has the same bounds built directly and read from PAL") {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const test::ChainSystem system = test::small_chains(seed);
+    INFO("seed " << seed << "\n" << test::text_of(system));
+    const auto skill = test::sound_skill(test::text_of(system));
+    const Analysis read = analyze_compositionally(*skill->problem);
+    const Analysis built = analyze_compositionally(test::problem_of(system));
+    REQUIRE(read.verdicts.size() == built.verdicts.size());
+    for (std::size_t r = 0; r < read.verdicts.size(); ++r)
+      CHECK(read.verdicts[r].bound == built.verdicts[r].bound);
+  }
+}
+
+TEST_CASE("bounds of chains are at or under those of the holistic analysis") {
+  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+    const test::ChainSystem system = test::random_chains(seed, test::benchmark_shape(seed));
+    const auto holistic = test::holistic(system);
+    const Analysis analysis = analyze_compositionally(test::problem_of(system));
+    for (std::size_t c = 0; c < holistic.size(); ++c) {
+      INFO("seed " << seed << " chain " << c + 1);
+      if (analysis.verdicts[c].bound && holistic[c])
+        CHECK(analysis.verdicts[c].bound->count() <= *holistic[c]);
+    }
+  }
+}

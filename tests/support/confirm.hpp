@@ -1,0 +1,57 @@
+// Witnesses held against the referee.
+#pragma once
+
+#include <string>
+
+#include "analyzer/exact.hpp"
+#include "analyzer/replay/check_run.hpp"
+
+namespace pal::test {
+
+inline bool shows(const analyzer::rules::Ruling& ruling, const analyzer::Measurement& measured) {
+  for (const analyzer::rules::Measured& each : ruling.measured) {
+    if (each.value == measured.value && each.born == measured.born && each.at == measured.at) return true;
+  }
+  return false;
+}
+
+/// Why `run` does not show what `witness` claims of the requirement; empty: it does.
+inline std::string refusal(const analyzer::Problem& problem, const analyzer::Requirement& requirement,
+                           const analyzer::Witness& witness, const trace::Trace& run) {
+  const analyzer::Measurement& measured = witness.measured;
+  const auto until = witness.grows ? std::optional(measured.at) : std::nullopt;
+  const analyzer::rules::Ruling ruling = analyzer::rules::check_run(problem, &requirement, run, until);
+  if (!ruling.broken.empty()) return ruling.broken;
+  if (requirement.measure == analyzer::Requirement::Measure::load) return {};
+  if (witness.grows) {
+    const bool grown = ruling.growing_since && measured.at - *ruling.growing_since >= measured.value;
+    return grown ? "" : "nothing has grown so far";
+  }
+  if (witness.failed) return ruling.failed ? "" : "every event has its response";
+  return shows(ruling, measured) ? "" : "the value is not shown";
+}
+
+/// The first requirement whose witness the referee does not confirm, and why; empty: it confirms all.
+inline std::string unconfirmed(const analyzer::Problem& problem, const analyzer::Analysis& analysis) {
+  for (std::size_t i = 0; i < analysis.verdicts.size(); ++i) {
+    const auto& witness = analysis.verdicts[i].witness;
+    if (!witness) continue;
+    const std::string why = refusal(problem, problem.requirements[i], *witness, witness->trace);
+    if (!why.empty()) return analysis.verdicts[i].requirement + ": " + why;
+  }
+  return {};
+}
+
+/// Why the pieces that explain a verdict do not make up the value of its witness; empty: they do, without
+/// gaps.
+inline std::string unexplained(const analyzer::Verdict& verdict) {
+  if (verdict.reasons.empty() || !verdict.witness) return {};
+  analyzer::Nanoseconds at = verdict.witness->measured.born;
+  for (const analyzer::Reason& reason : verdict.reasons) {
+    if (reason.from != at || reason.to < reason.from) return "a gap at " + std::to_string(at) + " ns";
+    at = reason.to;
+  }
+  return at == verdict.witness->measured.at ? "" : "it ends at " + std::to_string(at) + " ns";
+}
+
+}  // namespace pal::test

@@ -1,0 +1,60 @@
+// A skill run by the runtime without C++ of its own: what generated code would await is awaited as the plan
+// of the code generator has it.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "codegen/plan.hpp"
+#include "runtime/dispatcher.hpp"
+#include "runtime/thread.hpp"
+
+namespace pal::test {
+
+/// Deals out times and outcomes.
+using Dealer = std::function<std::uint64_t(std::uint64_t)>;  // of 0 … n-1
+
+class PlannedSkill final : public runtime::Skill {
+ public:
+  PlannedSkill(const codegen::Plan& plan, Dealer dealer);
+
+  const runtime::SkillDescription& description() const override { return description_; }
+  const runtime::Wiring& wiring() const override { return wiring_; }
+  void reset_parameters() override {}
+  void set_parameter(std::string_view name, double) override {
+    runtime::unknown_parameter(description_, name);
+  }
+  void start() override {}
+  runtime::Task body(std::size_t index, runtime::Thread& thread) override;
+  void reserve_executed(runtime::Thread&) override {}
+
+ private:
+  struct Follower {
+    PlannedSkill* skill;
+    const codegen::PlannedBody* body;
+    runtime::Task follow(runtime::Thread& thread);
+  };
+  Follower& follower(const codegen::PlannedBody& body);
+  const codegen::PlannedBody* block(const codegen::PlannedBody& body, std::size_t thread) const;
+
+  const codegen::Plan& plan_;
+  Dealer dealer_;
+  std::map<const codegen::PlannedBody*, std::unique_ptr<Follower>> followers_;
+  std::vector<runtime::ProcessorSpec> processors_;
+  std::vector<runtime::ThreadSpec> threads_;
+  std::vector<runtime::StatementSpec> statements_;
+  std::vector<runtime::ChannelSpec> channels_;
+  std::vector<std::string_view> conditions_;
+  std::vector<std::string_view> devices_;
+  std::vector<runtime::CompletionSpec> completions_;
+  runtime::SkillDescription description_;
+  runtime::Wiring wiring_;
+};
+
+/// The device of that name as the environment of `plan` describes it, with times that `dealer` deals out.
+std::unique_ptr<runtime::Device> planned_device(const codegen::Plan& plan, const std::string& name,
+                                                Dealer dealer);
+
+}  // namespace pal::test

@@ -1,0 +1,81 @@
+// pal sequence and pal resources.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/unit/driver/program.hpp"
+
+using namespace pal;
+using driver::ExitStatus;
+
+namespace {
+
+std::string read(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::string drawn(const std::string& file, const std::string& name) {
+  const auto folder = std::filesystem::temp_directory_path() / ("pal_sequence_" + name);
+  std::filesystem::create_directories(folder);
+  const auto answer = test::pal({"sequence", file, "-o", folder.string()});
+  INFO(answer.err);
+  REQUIRE(answer.status == ExitStatus::all_hold);
+  const auto text = read(folder / (name + ".1.sequence.svg"));
+  std::filesystem::remove_all(folder);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a deadlock is drawn with who waits for what, and where") {
+  const auto file = std::string(PAL_SOURCE_DIR) + "/tests/golden/check/fail_deadlock.pal";
+  const auto svg = drawn(file, "s");
+  CHECK(svg.find("<title>s: no module goes on</title>") != std::string::npos);
+  CHECK(svg.find("waits for 'force' from LS1 for ever") != std::string::npos);
+  CHECK(svg.find(">fail_deadlock.pal:25<") != std::string::npos);
+  CHECK(svg == drawn(file, "s"));
+}
+
+TEST_CASE("a command that is lost is drawn as never taken") {
+  const auto svg = drawn(std::string(PAL_SOURCE_DIR) + "/tests/golden/check/undelivered.pal", "s");
+  CHECK(svg.find("SM1 sends motion to MC1, which never takes it") != std::string::npos);
+  CHECK(svg.find("completes the skill") != std::string::npos);
+}
+
+TEST_CASE("resources names what the environment lacks, by group") {
+  const auto whole = test::pal(
+      {"resources", test::skill("touch/touch.pal"), "-e", test::skill("workcell.pal"), "--format", "json"});
+  REQUIRE(whole.status == ExitStatus::all_hold);
+  const auto document = nlohmann::json::parse(whole.out);
+  CHECK(document.at(0).at("needs").size() == 12);
+  CHECK(document.at(0).at("environments").at(0).at("missing").empty());
+
+  MemoryFileSystem files;
+  for (const char* name : {"touch/touch.pal", "touch/touch_modules.pal"})
+    files.add(name, read(test::skill(name)));
+  files.add(
+      "bare.pal",
+      "ENVIRONMENT bare\n  PROCESSOR P0\n  DEVICE alter EVENT tick EVERY 28 ms\n  PLACE SM1 ON P0 PRIORITY "
+      "1\n"
+      "  PLACE MC1 ON P0 PRIORITY 2\n  TIME obey OF MC1 : 1 ms\n  TIME advance : 1 ms\nEND ENVIRONMENT\n");
+  const auto partial =
+      test::pal({"resources", "touch/touch.pal", "-e", "bare.pal", "--format", "json"}, files);
+  CHECK(partial.status == ExitStatus::wrong_specification);
+  const auto compared = nlohmann::json::parse(partial.out);
+  std::vector<std::string> missing;
+  for (const auto& one : compared.at(0).at("environments").at(0).at("missing"))
+    missing.push_back(std::string(one.at("group")) + ": " + std::string(one.at("name")));
+  CHECK(missing == std::vector<std::string>{"sensor drivers: SD1", "sensor drivers: force-torque",
+                                            "logical sensors: LS1", "activities: stand-still",
+                                            "activities: extract-z", "activities: hold",
+                                            "activities: retreat"});
+  const auto check = test::pal({"check", "touch/touch.pal", "-e", "bare.pal"}, files);
+  CHECK(check.err.find("error[PAL0740]: environment 'bare' lacks what skill 'touch' needs: sensor drivers, "
+                       "logical sensors, "
+                       "activities") != std::string::npos);
+}

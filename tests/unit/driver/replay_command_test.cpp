@@ -1,0 +1,89 @@
+// pal check --witness and pal replay.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/unit/driver/program.hpp"
+
+using namespace pal::test;
+using pal::driver::ExitStatus;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+const std::string cell = skill("workcell.pal");
+const std::string touch = skill("touch/touch.pal");
+const std::string read_first = skill("touch/touch_read_first.pal");
+
+/// A file of this test that goes with it.
+class File {
+ public:
+  explicit File(const std::string& name)
+      : path_((std::filesystem::temp_directory_path() / ("pal_" + name + ".json")).string()) {}
+  ~File() { std::filesystem::remove(path_); }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+
+  const std::string& path() const { return path_; }
+  Json read() const {
+    std::ifstream in(path_);
+    return Json::parse(in);
+  }
+  void write(const Json& json) const { std::ofstream(path_) << json.dump(1); }
+
+ private:
+  std::string path_;
+};
+
+Answer replayed(const File& file, const std::string& skill) {
+  return pal::test::pal({"replay", file.path(), skill, "-e", cell});
+}
+
+}  // namespace
+
+TEST_CASE("check --witness writes a run for each requirement, and replay confirms them all") {
+  const File file("replay_confirms");
+  CHECK(pal::test::pal({"check", read_first, "-e", cell, "--witness", file.path()}).status ==
+        ExitStatus::not_met);
+  CHECK(file.read().at("witnesses").size() == 4);
+  const Answer answer = replayed(file, read_first);
+  CHECK(answer.status == ExitStatus::all_hold);
+  CHECK(answer.out.find("confirmed  fresh-force of touch-read-first in workcell: age 35 ms") !=
+        std::string::npos);
+  CHECK(answer.out.find("refused") == std::string::npos);
+}
+
+TEST_CASE("replay refuses a witness of other texts, of another value, and of another run") {
+  const File file("replay_refuses");
+  pal::test::pal({"check", read_first, "-e", cell, "--witness", file.path()});
+  const Json sound = file.read();
+
+  Json other = sound;
+  for (Json& each : other["witnesses"]) each["identity"] = "0123456789abcdef";
+  file.write(other);
+  CHECK(replayed(file, read_first).out.find("other texts") != std::string::npos);
+
+  Json value = sound;
+  for (Json& each : value["witnesses"]) {
+    if (each["requirement"] == "fresh-force") each["value_ns"] = 36'000'000;
+  }
+  file.write(value);
+  const Answer more = replayed(file, read_first);
+  CHECK(more.status == ExitStatus::not_met);
+  CHECK(more.out.find("it does not show 36 ms") != std::string::npos);
+
+  Json shorter = sound;
+  for (Json& each : shorter["witnesses"]) each["run"]["events"].erase(each["run"]["events"].begin() + 3);
+  file.write(shorter);
+  CHECK(replayed(file, read_first).status == ExitStatus::not_met);
+}
+
+TEST_CASE("replay says when there is no such file, or no witness in it") {
+  const File file("replay_none");
+  CHECK(replayed(file, touch).status == ExitStatus::usage);
+  file.write(Json::object());
+  const Answer answer = replayed(file, touch);
+  CHECK(answer.status == ExitStatus::usage);
+  CHECK(answer.err.find("no witnesses") != std::string::npos);
+}
