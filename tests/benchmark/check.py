@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Times `pal check` without times on generated specifications, and `pal --version`.
 
-Usage: benchmarks/check.py [--pal PROGRAM] [--runs N] [--lines N …]
+Usage: tests/benchmark/check.py [--pal PROGRAM] [--runs N] [--lines N …]
 
 Prints the median of the runs, and the greatest memory of any. docs/benchmarks.md has figures and the machine they are of.
 """
