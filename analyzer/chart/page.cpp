@@ -4,6 +4,7 @@
 #include "analyzer/chart/legend.hpp"
 #include "analyzer/chart/panel.hpp"
 #include "analyzer/chart/svg_style.hpp"
+#include "pal/support/xml.hpp"
 
 namespace pal::chart {
 
@@ -17,8 +18,8 @@ std::string document(const std::string& body, Length height, const std::vector<s
   text += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" +
           std::to_string(height / 10) + "\" viewBox=\"0 0 " + std::to_string(page_width) + " " +
           std::to_string(height) + "\" role=\"img\">\n";
-  text += "<title>" + escaped(caption.front()) + "</title>\n<desc>";
-  for (std::size_t i = 1; i < caption.size(); ++i) text += (i > 1 ? "\n" : "") + escaped(caption[i]);
+  text += "<title>" + xml_escaped(caption.front()) + "</title>\n<desc>";
+  for (std::size_t i = 1; i < caption.size(); ++i) text += (i > 1 ? "\n" : "") + xml_escaped(caption[i]);
   text += "</desc>\n";
   text += style_sheet;
   text += "<rect width=\"" + std::to_string(page_width) + "\" height=\"" + std::to_string(height) +

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/chart/svg_writer.hpp"
+#include "pal/support/xml.hpp"
 
 namespace pal::chart {
 
@@ -91,8 +92,8 @@ class Drawing {
     out_.raw(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
         size(page_width / 10) + "\" height=\"" + size(height / 10) + "\" viewBox=\"0 0 " + size(page_width) +
-        " " + size(height) + "\" role=\"img\">\n<title>" + escaped(chart_.title) + "</title>\n<desc>" +
-        escaped(chart_.subtitle) + "</desc>\n");
+        " " + size(height) + "\" role=\"img\">\n<title>" + xml_escaped(chart_.title) + "</title>\n<desc>" +
+        xml_escaped(chart_.subtitle) + "</desc>\n");
     out_.raw(style_sheet);
     out_.rect({0, 0, page_width, height}, "paper");
     out_.text({margin, 280}, Anchor::start, "title", fitted(chart_.title, 150, page_width - 2 * margin),

@@ -1,5 +1,7 @@
 #include "analyzer/chart/svg_writer.hpp"
 
+#include "pal/support/xml.hpp"
+
 namespace pal::chart {
 
 namespace {
@@ -9,37 +11,10 @@ std::string attribute(const char* name, Length value) {
 }
 
 std::string attribute(const char* name, std::string_view value) {
-  return " " + std::string(name) + "=\"" + escaped(value) + "\"";
+  return " " + std::string(name) + "=\"" + xml_escaped(value) + "\"";
 }
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') {
-          result += "\uFFFD";
-        } else {
-          result += c;
-        }
-    }
-  }
-  return result;
-}
 
 std::string move_to(Point to) {
   return "M" + std::to_string(to.x) + " " + std::to_string(to.y);
@@ -52,7 +27,7 @@ void SvgWriter::end(std::string_view element, std::string_view title) {
   if (title.empty()) {
     out_ += "/>\n";
   } else {
-    out_ += "><title>" + escaped(title) + "</title></" + std::string(element) + ">\n";
+    out_ += "><title>" + xml_escaped(title) + "</title></" + std::string(element) + ">\n";
   }
 }
 
@@ -77,8 +52,8 @@ void SvgWriter::text(Point at, Anchor anchor, std::string_view style, std::strin
   if (anchor == Anchor::middle) classes += " mid";
   if (anchor == Anchor::end) classes += " end";
   out_ += "<text" + attribute("x", at.x) + attribute("y", at.y) + attribute("class", classes) + ">";
-  if (!title.empty()) out_ += "<title>" + escaped(title) + "</title>";
-  out_ += escaped(content) + "</text>\n";
+  if (!title.empty()) out_ += "<title>" + xml_escaped(title) + "</title>";
+  out_ += xml_escaped(content) + "</text>\n";
 }
 
 }  // namespace pal::chart

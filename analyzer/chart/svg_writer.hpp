@@ -47,7 +47,4 @@ class SvgWriter {
 std::string move_to(Point to);
 std::string line_to(Point to);
 
-/// With &, <, > and quotes as entities; characters that XML does not allow as U+FFFD.
-std::string escaped(std::string_view text);
-
 }  // namespace pal::chart

@@ -3,6 +3,7 @@
 
 #include "pal/doc/document.hpp"
 #include "pal/pan/dot.hpp"
+#include "pal/support/xml.hpp"
 
 namespace pal::doc {
 
@@ -46,36 +47,10 @@ figure svg { display: block; max-width: 100%; height: auto; margin: .5rem 0; }
 }
 )";
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
 std::string line_text(const Line& line) {
   std::string result;
   for (const auto& span : line) {
-    result += span.is_code ? "<code>" + escaped(span.text) + "</code>" : escaped(span.text);
+    result += span.is_code ? "<code>" + xml_escaped(span.text) + "</code>" : xml_escaped(span.text);
   }
   return result;
 }
@@ -94,7 +69,7 @@ std::string inlined(const Picture& picture, int number) {
   const auto prefix = "pan" + std::to_string(number) + "-";
   replace_all(svg, " id=\"", " id=\"" + prefix);
   replace_all(svg, "url(#", "url(#" + prefix);
-  return svg.insert(4, " role=\"img\" aria-label=\"" + escaped(picture.title) + "\"");
+  return svg.insert(4, " role=\"img\" aria-label=\"" + xml_escaped(picture.title) + "\"");
 }
 
 class Page {
@@ -105,7 +80,7 @@ class Page {
     out_ =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-        escaped(title) + "</title>\n<style>" + std::string(style) + "</style>\n</head>\n<body>\n<main>\n";
+        xml_escaped(title) + "</title>\n<style>" + std::string(style) + "</style>\n</head>\n<body>\n<main>\n";
     for (const auto& document : documents) article(document);
     return out_ + "</main>\n</body>\n</html>\n";
   }
@@ -121,7 +96,7 @@ class Page {
   void operator()(const Table& table) {
     out_ += "<div class=\"wide\"><table>\n<thead><tr>";
     for (const auto& head : table.heads) {
-      out_ += head.empty() ? "<td></td>" : "<th scope=\"col\">" + escaped(head) + "</th>";
+      out_ += head.empty() ? "<td></td>" : "<th scope=\"col\">" + xml_escaped(head) + "</th>";
     }
     out_ += "</tr></thead>\n<tbody>\n";
     for (const auto& row : table.rows) {
@@ -137,7 +112,7 @@ class Page {
 
  private:
   void article(const Document& document) {
-    out_ += "<article>\n<h1>" + escaped(document.title) + "</h1>\n";
+    out_ += "<article>\n<h1>" + xml_escaped(document.title) + "</h1>\n";
     for (const auto& part : document.parts) this->part(part);
     out_ += "</article>\n";
   }
@@ -145,10 +120,10 @@ class Page {
   void part(const Part& part) {
     const bool drawings = std::any_of(part.sections.begin(), part.sections.end(), is_drawing);
     out_ += std::string("<section") + (drawings ? " class=\"drawings\"" : "") + ">\n<h2>" +
-            escaped(part.title) + "</h2>\n";
+            xml_escaped(part.title) + "</h2>\n";
     for (const auto& section : part.sections) {
       out_ += std::string("<section class=\"") + (is_drawing(section) ? "drawing" : "slot") + "\">\n<h3>" +
-              escaped(section.title) + "</h3>\n<div>\n";
+              xml_escaped(section.title) + "</h3>\n<div>\n";
       for (const auto& block : section.blocks) std::visit(*this, block);
       if (section.blocks.empty()) out_ += "<p class=\"none\">None.</p>\n";
       out_ += "</div>\n</section>\n";

@@ -130,29 +130,6 @@ std::string dot_quoted(std::string_view text) {
   return result + "\"";
 }
 
-std::string dot_html(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
 std::string dot_list(const DotAttributes& attributes) {
   std::string result = "[";
   for (const auto& [name, value] : attributes) {

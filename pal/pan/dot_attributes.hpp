@@ -19,9 +19,6 @@ std::string dot_quoted(std::string_view text);
 /// `[a="x", b="y"]`. A value that begins with '<' and ends with '>' is HTML-like and is not quoted.
 std::string dot_list(const DotAttributes& attributes);
 
-/// With &, <, > and quotes as entities, for HTML-like labels.
-std::string dot_html(std::string_view text);
-
 /// What the graph of a module says of it besides its nodes. Activities are told by the nodes that perform
 /// them, unless one has no node or they are declared in another order.
 DotAttributes content_attributes(const Network& network, ModuleId module);

@@ -5,6 +5,7 @@
 
 #include "pal/pan/dot_attributes.hpp"
 #include "pal/pan/dump.hpp"
+#include "pal/support/xml.hpp"
 
 namespace pal::pan {
 
@@ -83,15 +84,15 @@ std::string DotLetters::key(const std::string& title, std::size_t columns) const
   rows.insert(rows.end(), conditions_.begin(), conditions_.end());
   const std::size_t height = (rows.size() + columns - 1) / columns;
   std::string table = "<<TABLE BORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"2\"><TR><TD COLSPAN=\"" +
-                      std::to_string(2 * columns) + "\"><FONT POINT-SIZE=\"13\">" + dot_html(title) +
+                      std::to_string(2 * columns) + "\"><FONT POINT-SIZE=\"13\">" + xml_escaped(title) +
                       "</FONT></TD></TR>";
   for (std::size_t row = 0; row < height; ++row) {
     table += "<TR>";
     for (std::size_t i = row; i < columns * height; i += height) {
       // Graphviz refuses a whole table for one <B></B> with nothing in it.
       table += i >= rows.size() ? "<TD></TD><TD></TD>"
-                                : "<TD ALIGN=\"RIGHT\"><B>" + dot_html(rows[i].first) +
-                                      "</B></TD><TD ALIGN=\"LEFT\">" + dot_html(rows[i].second) + "</TD>";
+                                : "<TD ALIGN=\"RIGHT\"><B>" + xml_escaped(rows[i].first) +
+                                      "</B></TD><TD ALIGN=\"LEFT\">" + xml_escaped(rows[i].second) + "</TD>";
     }
     table += "</TR>";
   }

@@ -17,7 +17,7 @@ LAYERS = {
     "grammar": [],
     "pal/syntax": ["pal/support", "pal/units", "pal/pan", "grammar"],
     "pal/check": ["pal/support", "pal/units", "pal/pan", "pal/syntax"],
-    "analyzer/chart": ["runtime/trace"],
+    "analyzer/chart": ["pal/support", "runtime/trace"],
     "analyzer": ["pal/support", "pal/pan", "runtime/trace"],
     "analyzer/replay": ["analyzer", "pal/support", "pal/pan", "runtime/trace"],
     "codegen": ["pal/support", "pal/pan"],
