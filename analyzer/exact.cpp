@@ -29,7 +29,8 @@ Nanoseconds first_cap(const Problem& problem, Nanoseconds limit) {
 
 class Analyzer {
  public:
-  Analyzer(const Problem& problem, const Options& options) : problem_(problem), options_(options) {}
+  Analyzer(const Problem& problem, const Options& options)
+      : problem_(problem), options_(options), workers_(options.threads) {}
 
   Analysis run() {
     const double begun = options_.clock ? options_.clock() : 0;
@@ -50,7 +51,7 @@ class Analyzer {
   }
 
  private:
-  Limits limits() const { return {options_.max_states, options_.stop}; }
+  Limits limits() { return {options_.max_states, options_.stop, &workers_}; }
 
   void timed(const Requirement& requirement, Verdict& verdict) {
     const Watch watch = watch_of(problem_, requirement);
@@ -165,6 +166,7 @@ class Analyzer {
 
   const Problem& problem_;
   const Options& options_;
+  Workers workers_;
   Analysis analysis_;
 };
 

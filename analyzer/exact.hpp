@@ -12,6 +12,9 @@ namespace pal::analyzer {
 struct Options {
   /// Classes (age, response) or states (load) that one requirement may take; beyond that it is undecided.
   std::size_t max_states = 1'000'000;
+  /// At work on one requirement after the other; 0: as many as the machine has cores. Says nothing about the
+  /// result, which is the same for any number.
+  unsigned threads = 0;
   /// Asked now and then; once it says true, what is not decided stays undecided.
   std::function<bool()> stop;
   /// For the statistics: seconds from some beginning. Without it they say 0.
