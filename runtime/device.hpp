@@ -74,6 +74,11 @@ class Device {
   /// A message for port `port`. Called at the instant at which it arrives.
   virtual void receive(std::size_t port, std::span<const double> fields) = 0;
 
+  /// A request for port `port` that the device was given and has not taken yet (mark_busy) is withdrawn.
+  /// True: the device forgets it. False: it will be answered nevertheless, and the runtime discards the
+  /// answer.
+  virtual bool withdraw([[maybe_unused]] std::size_t port) { return false; }
+
   /// The skill is over, in whatever way. The device leaves its machine standing still.
   virtual void close() = 0;
 };

@@ -234,7 +234,8 @@ void Mail::withdraw(Slot& request) {
   while (request.open > 0) {
     --request.open;
     if (request.full) {
-      if (request.handed) ++answer.unwanted;  // the device has been told and will answer
+      const bool forgotten = !request.handed || run_.withdraw_from_device(request.device, request.port);
+      if (!forgotten) ++answer.unwanted;
       drop(request);
     } else if (answer.full) {
       drop(answer);

@@ -238,6 +238,16 @@ void Run::hand_to_device(int device, std::size_t port, std::span<const double> f
   }
 }
 
+bool Run::withdraw_from_device(int device, std::size_t port) {
+  Device& receiver = devices_[static_cast<std::size_t>(device)].device();
+  try {
+    return receiver.withdraw(port);
+  } catch (const std::exception& error) {
+    fail_device(device, receiver.name() + ": " + error.what());
+    return true;
+  }
+}
+
 void Run::close_devices() {
   for (DeviceLink& link : devices_) {
     try {

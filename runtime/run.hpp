@@ -68,6 +68,7 @@ class Run {
   void open_device(int device);
   bool device_is_busy(int device) const { return devices_[static_cast<std::size_t>(device)].busy(); }
   void hand_to_device(int device, std::size_t port, std::span<const double> fields);
+  bool withdraw_from_device(int device, std::size_t port);
 
   // Ends.
   void complete(Thread& thread, int code);

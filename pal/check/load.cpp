@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "pal/support/diagnostic_code.hpp"
-#include "pal/support/utf8.hpp"
+#include "pal/support/text_check.hpp"
 #include "pal/syntax/parse.hpp"
 
 namespace pal {
@@ -51,26 +51,12 @@ class Loader {
     }
     const auto file = sources_.add(path, std::get<std::string>(std::move(read)));
     entry = file;
-    if (is_text(file)) {
+    if (report_unless_text(sources_, file, diagnostics_)) {
       trees_.push_back(syntax::parse(sources_, file, diagnostics_));
     } else {
       trees_.push_back({file, false, {}});
     }
     return file;
-  }
-
-  bool is_text(FileId file) {
-    const auto text = sources_.text(file);
-    const auto report = [&](std::size_t at, const char* what) {
-      const auto begin = static_cast<std::uint32_t>(at);
-      diagnostics_.report(Code::PAL0112, {file, begin, begin + 1}, what, "save the file as UTF-8 text");
-      return false;
-    };
-    if (const auto zero = text.find('\0'); zero != std::string_view::npos) {
-      return report(zero, "a NUL byte cannot stand in a text");
-    }
-    if (const auto wrong = utf8::first_invalid(text)) return report(*wrong, "this byte is no UTF-8");
-    return true;
   }
 
   void report_circles() {

@@ -50,17 +50,21 @@ void add_check(CLI::App& app, CheckOptions& options) {
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, Stage>{{"tree", Stage::tree}, {"pan", Stage::pan}}))
       ->type_name("STAGE");
-  command->add_option("--witness", options.witness, "write the run that shows each bound, for pal replay")->type_name("FILE");
+  command->add_option("--witness", options.witness, "write the run that shows each bound, for pal replay")
+      ->type_name("FILE");
   command->add_flag("--statistics", options.statistics, "print states explored and seconds taken");
   command->footer(statuses);
 }
 
 void add_replay(CLI::App& app, ReplayOptions& options) {
-  CLI::App* command = app.add_subcommand("replay", "Confirms the runs that check --witness wrote, without the analysis");
+  CLI::App* command =
+      app.add_subcommand("replay", "Confirms the runs that check --witness wrote, without the analysis");
   command->add_option("witness", options.witness, "file with witnesses")->required()->type_name("WITNESS");
   add_selection(*command, options.selection);
-  command->footer("Exit status: 0 all are confirmed; 1 the specification is wrong; 2 bad usage, or a file could not be read; "
-                  "3 some witness is refused.");
+  command->footer(
+      "Exit status: 0 all are confirmed; 1 the specification is wrong; 2 bad usage, or a file could not be "
+      "read; "
+      "3 some witness is refused.");
 }
 
 void add_pan(CLI::App& app, PanOptions& options) {
@@ -111,6 +115,27 @@ void add_generate(CLI::App& app, GenerateOptions& options) {
   command->footer(statuses);
 }
 
+void add_format(CLI::App& app, FormatOptions& options) {
+  CLI::App* command = app.add_subcommand("fmt", "Gives PAL files their canonical layout");
+  command->add_option("paths", options.paths, "PAL files, folders with them, or - (standard input to output)")
+      ->required()
+      ->type_name("FILE|FOLDER");
+  auto* check =
+      command->add_flag("--check", options.check, "write nothing, list the files that would change");
+  command->add_flag("--diff", options.diff, "with --check: also show what would change")->needs(check);
+  command->footer(
+      "Exit status: 0 done, or nothing would change; 1 a syntax error, or something would change; "
+      "2 bad usage, or a file could not be read or written.");
+}
+
+void add_explain(CLI::App& app, ExplainOptions& options) {
+  CLI::App* command = app.add_subcommand("explain", "Explains findings: what they mean, an example, a cure");
+  command->add_option("codes", options.codes, "codes, such as PAL0101")->type_name("CODE");
+  command->add_flag("--list", options.list, "list all codes, with severity and title");
+  command->add_flag("--all", options.all, "print every page, as one Markdown document");
+  command->footer("Exit status: 0 explained; 2 no such code.");
+}
+
 /// Says which commands there are, if the first argument is meant as one and is none.
 bool is_known_command(CLI::App& app, const std::vector<std::string>& arguments, std::ostream& err) {
   if (arguments.empty() || arguments.front().find('-') == 0) return true;
@@ -137,11 +162,15 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   AtcOptions atc_options;
   GenerateOptions generate_options;
   ReplayOptions replay_options;
+  FormatOptions format_options;
+  ExplainOptions explain_options;
   add_check(app, check_options);
   add_replay(app, replay_options);
   add_pan(app, pan_options);
   add_atc(app, atc_options);
   add_generate(app, generate_options);
+  add_format(app, format_options);
+  add_explain(app, explain_options);
 
   if (!is_known_command(app, arguments, console.err)) return ExitStatus::usage;
   try {
@@ -155,6 +184,8 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   if (app.got_subcommand("replay")) return replay(replay_options, console);
   if (app.got_subcommand("pan")) return draw_pan(pan_options, console);
   if (app.got_subcommand("atc")) return draw_atc(atc_options, console);
+  if (app.got_subcommand("fmt")) return format(format_options, console);
+  if (app.got_subcommand("explain")) return explain_code(explain_options, console);
   return generate(generate_options, console);
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pal/driver/console.hpp"
 #include "pal/driver/exit_status.hpp"
@@ -60,5 +61,20 @@ struct GenerateOptions {
   std::string depfile_target;  // its target; empty: the files written
 };
 ExitStatus generate(const GenerateOptions& options, const Console& console);
+
+struct FormatOptions {
+  std::vector<std::string> paths;  // files, folders, or "-"
+  bool check = false;              // change nothing, list what would change
+  bool diff = false;               // … and show how
+};
+ExitStatus format(const FormatOptions& options, const Console& console);
+
+struct ExplainOptions {
+  std::vector<std::string> codes;
+  bool list = false;  // codes and titles instead
+  bool all = false;   // every page, as one document
+};
+/// Prints the pages on findings.
+ExitStatus explain_code(const ExplainOptions& options, const Console& console);
 
 }  // namespace pal::driver

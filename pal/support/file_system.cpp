@@ -1,5 +1,6 @@
 #include "pal/support/file_system.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
@@ -39,6 +40,42 @@ std::variant<std::string, FileError> DiskFileSystem::read(const std::string& pat
   if (in.bad()) return FileError{"reading it failed"};
   if (text.size() > largest_file) return FileError{too_large()};
   return text;
+}
+
+std::optional<std::vector<std::string>> DiskFileSystem::list(const std::string& path,
+                                                             std::string_view ending) const {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  fs::recursive_directory_iterator entry(path, error);
+  if (error) return std::nullopt;
+  std::vector<std::string> found;
+  for (const fs::recursive_directory_iterator end; entry != end;) {
+    const auto name = entry->path().filename().string();
+    std::error_code ignored;
+    if (name.starts_with('.')) {
+      entry.disable_recursion_pending();
+    } else if (name.ends_with(ending) && entry->symlink_status(ignored).type() == fs::file_type::regular) {
+      found.push_back(entry->path().string());
+    }
+    entry.increment(error);
+    if (error) return std::nullopt;
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::optional<std::vector<std::string>> MemoryFileSystem::list(const std::string& path,
+                                                               std::string_view ending) const {
+  const auto folder = path.ends_with('/') ? path : path + '/';
+  std::vector<std::string> found;
+  bool exists = false;
+  for (const auto& [name, text] : files_) {
+    if (!name.starts_with(folder)) continue;
+    exists = true;
+    if (name.ends_with(ending) && name.find("/.", folder.size() - 1) == std::string::npos)
+      found.push_back(name);
+  }
+  return exists ? std::optional(found) : std::nullopt;
 }
 
 std::variant<std::string, FileError> MemoryFileSystem::read(const std::string& path) const {

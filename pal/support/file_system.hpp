@@ -3,8 +3,11 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
+#include <vector>
 
 namespace pal {
 
@@ -22,12 +25,21 @@ class FileSystem {
 
   /// The whole file, byte for byte. Never throws.
   virtual std::variant<std::string, FileError> read(const std::string& path) const = 0;
+
+  /// The paths of all files in the directory `path` and those below it, in order, whose names end in
+  /// `ending`; hidden ones are left out. Nothing if it is no directory, or cannot be read. Never throws.
+  virtual std::optional<std::vector<std::string>> list(const std::string& /*path*/,
+                                                       std::string_view /*ending*/) const {
+    return std::nullopt;
+  }
 };
 
 /// The real one. Refuses directories and files above `largest_file` without reading them.
 class DiskFileSystem : public FileSystem {
  public:
   std::variant<std::string, FileError> read(const std::string& path) const override;
+  std::optional<std::vector<std::string>> list(const std::string& path,
+                                               std::string_view ending) const override;
 };
 
 /// Files that are strings.
@@ -38,6 +50,8 @@ class MemoryFileSystem : public FileSystem {
 
   void add(std::string path, std::string text) { files_[std::move(path)] = std::move(text); }
   std::variant<std::string, FileError> read(const std::string& path) const override;
+  std::optional<std::vector<std::string>> list(const std::string& path,
+                                               std::string_view ending) const override;
 
  private:
   std::map<std::string, std::string> files_;

@@ -31,12 +31,25 @@ std::optional<std::string> write_draft(const OutputFile& file, Drafts& drafts) {
   out.write(file.content.data(), static_cast<std::streamsize>(file.content.size()));
   out.close();
   if (!out) return "cannot write " + file.path + ": is the folder writable and is there space?";
+  if (const auto old = std::filesystem::status(path, error); std::filesystem::exists(old)) {
+    std::filesystem::permissions(draft, old.permissions(), error);
+  }
   return std::nullopt;
+}
+
+/// Behind links: the file that is written, not the name by which it is known.
+OutputFile behind_links(const OutputFile& file) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(file.path, error)) return file;
+  const auto target = std::filesystem::canonical(file.path, error);
+  return error ? file : OutputFile{target.string(), file.content};
 }
 
 }  // namespace
 
-std::optional<std::string> write_files(const std::vector<OutputFile>& files) {
+std::optional<std::string> write_files(const std::vector<OutputFile>& named) {
+  std::vector<OutputFile> files;
+  for (const OutputFile& file : named) files.push_back(behind_links(file));
   Drafts drafts;
   for (const OutputFile& file : files) {
     if (auto problem = write_draft(file, drafts)) return problem;

@@ -13,7 +13,9 @@ struct OutputFile {
 };
 
 /// Writes every file, making folders that are missing; each is written beside its place and then renamed, and
-/// nothing is renamed before all are written. Returns what went wrong, with the path, or nothing.
+/// nothing is renamed before all are written. A file that is there keeps its
+/// permissions; of a link the file that it leads to is written. Returns what went wrong, with the path, or
+/// nothing.
 std::optional<std::string> write_files(const std::vector<OutputFile>& files);
 
 }  // namespace pal

@@ -4,10 +4,12 @@
 #include <charconv>
 #include <cstdint>
 #include <ostream>
+#include <sstream>
 #include <string>
 
 #include "pal/pan/dump.hpp"
 #include "pal/support/duration_text.hpp"
+#include "pal/syntax/format.hpp"
 
 namespace pal::syntax {
 
@@ -45,6 +47,8 @@ std::string with_text(const std::string& text) {
   return text.empty() ? std::string() : " " + quoted(text);
 }
 
+/// Writes the words of a tree, a line for each that the layout begins a line with; the layout is not its
+/// business.
 class Printer {
  public:
   explicit Printer(std::ostream& out) : out_(out) {}
@@ -66,14 +70,12 @@ class Printer {
 
   void operator()(const ModuleUnit& module) {
     line(title(module.kind) + ": " + module.name.text);
-    ++depth_;
     for (const auto& text : module.descriptions) line("DESCRIPTION " + quoted(text));
     for (const auto& activity : module.activities) {
       line("ACTIVITY " + activity.name.text +
            (activity.reads.empty() ? "" : " READS " + list(activity.reads)) +
            (activity.writes.empty() ? "" : " WRITES " + list(activity.writes)));
     }
-    --depth_;
     if (!module.has_body) return;
     line("BEGIN");
     statements(module.body);
@@ -82,7 +84,6 @@ class Printer {
 
   void operator()(const SkillUnit& skill) {
     line("SKILL " + skill.name.text);
-    ++depth_;
     texts("DESCRIPTION", skill.descriptions);
     texts("PRECONDITION", skill.preconditions);
     texts("POSTCONDITION", skill.postconditions);
@@ -104,13 +105,11 @@ class Printer {
       line("COMPLETION " + std::to_string(c.code) + kind + with_text(c.description));
     }
     for (const auto& r : skill.requirements) requirement(r);
-    --depth_;
     line("END SKILL");
   }
 
   void operator()(const EnvironmentUnit& environment) {
     line("ENVIRONMENT " + environment.name.text);
-    ++depth_;
     texts("DESCRIPTION", environment.descriptions);
     for (const auto& p : environment.processors)
       line("PROCESSOR " + p.name + (p.preemptive ? "" : " NONPREEMPTIVE"));
@@ -124,12 +123,11 @@ class Printer {
       line("TIME " + t.activity + (t.module.empty() ? "" : " OF " + t.module) + " : " + to_text(t.time));
     }
     for (const auto& c : environment.costs) line(cost(c.kind) + " " + to_text(c.time));
-    --depth_;
     line("END ENVIRONMENT");
   }
 
  private:
-  void line(const std::string& text) { out_ << std::string(2 * depth_, ' ') << text << '\n'; }
+  void line(const std::string& text) { out_ << text << '\n'; }
 
   void texts(const char* slot, const std::vector<std::string>& all) {
     for (const auto& text : all) line(slot + (" " + quoted(text)));
@@ -237,12 +235,10 @@ class Printer {
   }
 
   void statements(const Statements& list) {
-    ++depth_;
     for (const auto& statement : list) {
       line(head(statement));
       std::visit([&](const auto& content) { rest(content); }, statement.content);
     }
-    --depth_;
   }
 
   // What follows the head of a compound statement; nothing for the others.
@@ -252,10 +248,8 @@ class Printer {
   void rest(const WaitBranches& wait) {
     if (wait.first) {
       for (const auto& arm : wait.arms) {
-        ++depth_;
         line("( " + spelling(arm.source.message) + " from " + spelling(arm.source.from) + " ):");
         statements(arm.body);
-        --depth_;
       }
     } else if (!wait.arms.empty()) {
       statements(wait.arms.front().body);
@@ -268,12 +262,10 @@ class Printer {
   }
 
   void rest(const Choose& choose) {
-    ++depth_;
     for (const auto& arm : choose.arms) {
       line("( " + spelling(arm.guard) + " ):");
       statements(arm.body);
     }
-    --depth_;
     line("END CASE");
   }
 
@@ -292,24 +284,18 @@ class Printer {
   }
 
   std::ostream& out_;
-  std::size_t depth_ = 0;
 };
-
-bool stands_apart(const Unit& unit) {
-  return std::holds_alternative<ModuleUnit>(unit) || std::holds_alternative<SkillUnit>(unit) ||
-         std::holds_alternative<EnvironmentUnit>(unit);
-}
 
 }  // namespace
 
 void print(const Tree& tree, std::ostream& out) {
-  Printer printer(out);
-  for (std::size_t i = 0; i < tree.units.size(); ++i) {
-    const bool apart =
-        i > 0 && (stands_apart(tree.units[i]) || tree.units[i].index() != tree.units[i - 1].index());
-    if (apart) out << '\n';
-    std::visit(printer, tree.units[i]);
-  }
+  std::ostringstream words;
+  Printer printer(words);
+  for (const auto& unit : tree.units) std::visit(printer, unit);
+  SourceManager sources;
+  Diagnostics diagnostics;
+  const auto text = format(sources, sources.add("", words.str()), diagnostics);
+  out << (text ? *text : words.str());
 }
 
 }  // namespace pal::syntax

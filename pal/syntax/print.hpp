@@ -9,9 +9,9 @@
 
 namespace pal::syntax {
 
-/// Canonical PAL: keywords in capitals, two spaces a level, one statement a line, times in the greatest unit
-/// that fits. Parsing it gives the same program; printing that gives the same text. Comments are not kept.
-/// Contract: the tree is complete.
+/// Canonical PAL, in the layout of format(), times in the greatest unit that fits. Parsing it gives the same
+/// program; printing that gives the same text. A tree has no comments, so neither has this.
+/// Of a tree that is not complete: the words that it has.
 void print(const Tree& tree, std::ostream& out);
 
 /// Every node of the tree on a line of its own, with its place as line:column. For tests and `--emit=tree`.

@@ -25,6 +25,8 @@ class Tokens {
   bool has_errors() const { return has_errors_; }
 
   antlr4::CommonTokenStream& stream() { return stream_; }
+  /// In the order of the text; the last is the end of the file.
+  const std::vector<antlr4::Token*>& all() const { return all_; }
   FileId file() const { return file_; }
 
   /// Of a token, also the one for the end of the file. Of one that the parser made up: the end of the token

@@ -62,6 +62,11 @@ void ForceTorqueSensor::receive(std::size_t port, std::span<const double>) {
   if (!busy_) begin();
 }
 
+bool ForceTorqueSensor::withdraw(std::size_t port) {
+  if (port == request_port && waiting_ > 0) --waiting_;
+  return true;
+}
+
 void ForceTorqueSensor::begin() {
   --waiting_;
   busy_ = true;

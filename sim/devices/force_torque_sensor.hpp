@@ -38,6 +38,7 @@ class ForceTorqueSensor final : public runtime::Device {
   void attach(runtime::DeviceHost& host) override;
   void open() override;
   void receive(std::size_t port, std::span<const double> fields) override;
+  bool withdraw(std::size_t port) override;
   void close() override;
 
  private:

@@ -10,6 +10,7 @@ import sys
 LAYERS = {
     "runtime/trace": [],
     "pal/support": [],
+    "pal/explain": ["pal/support"],
     "pal/pan": ["pal/support"],
     "grammar": [],
     "pal/syntax": ["pal/support", "pal/pan", "grammar"],
@@ -18,7 +19,7 @@ LAYERS = {
     "analyzer": ["pal/support", "pal/pan", "runtime/trace"],
     "analyzer/replay": ["analyzer", "pal/support", "pal/pan", "runtime/trace"],
     "codegen": ["pal/support", "pal/pan"],
-    "pal/driver": ["pal/support", "pal/pan", "pal/syntax", "pal/check", "analyzer", "analyzer/chart",
+    "pal/driver": ["pal/support", "pal/explain", "pal/pan", "pal/syntax", "pal/check", "analyzer", "analyzer/chart",
                    "analyzer/replay", "codegen", "runtime/trace"],
     "runtime": ["runtime/trace"],
     "runtime/drivers": ["runtime", "runtime/trace"],

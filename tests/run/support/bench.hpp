@@ -27,10 +27,12 @@ class ScriptedDevice : public runtime::Device {
   void receive(std::size_t port, std::span<const double> fields) override {
     if (on_receive) on_receive(*host_, port, fields);
   }
+  bool withdraw(std::size_t port) override { return on_withdraw && on_withdraw(port); }
   void close() override { ++closed; }
 
   std::function<void(runtime::DeviceHost&)> on_open;
   std::function<void(runtime::DeviceHost&, std::size_t, std::span<const double>)> on_receive;
+  std::function<bool(std::size_t)> on_withdraw;
   int opened = 0;
   int closed = 0;
   runtime::Time opened_at{-1};

@@ -136,6 +136,48 @@ TEST_CASE("the answer of a device to a withdrawn request is discarded") {
   CHECK(taken == std::vector<int>{-1, 0});
 }
 
+TEST_CASE("a request that is withdrawn while it waits at a busy device is not served") {
+  Reader bench;
+  int pending = 0;
+  bool busy = false;
+  std::function<void(DeviceHost&)> serve = [&](DeviceHost& host) {
+    busy = true;
+    --pending;
+    host.mark_busy(true);
+    host.at(host.now() + 6ms, [&] {
+      busy = false;
+      host.mark_busy(false);
+      host.deliver(1, {});
+      if (pending > 0 && !busy) serve(host);
+    });
+  };
+  bench.sensor.on_receive = [&](DeviceHost& host, std::size_t, std::span<const double>) {
+    ++pending;
+    if (!busy) serve(host);
+  };
+  bench.sensor.on_withdraw = [&](std::size_t) {
+    --pending;
+    return true;
+  };
+  std::vector<int> taken;
+  bench.skill.thread("A", bench.p, 1, [&](Thread& t) -> Task {
+    co_await t.send(bench.send, bench.request);
+    co_await t.send(bench.send, bench.request);
+    taken.push_back(co_await t.wait_within(bench.receive, 1ms, from(bench.x)));
+    co_await t.perform(bench.nap, [] {});
+    co_await t.send(bench.send, bench.request);
+    taken.push_back(co_await t.wait_within(bench.receive, 20ms, from(bench.x)));
+    co_await t.complete(bench.end, 0);
+  });
+  CHECK(only(to_text(run(bench.skill, {&bench.sensor}).trace), {"take sensor", "put sensor", "drop"}) ==
+        "0 take sensor <request x>\n"
+        "1 drop <request x>\n"
+        "6 drop sensor <x>\n"
+        "6 take sensor <request x>\n"
+        "12 put sensor <x>\n");
+  CHECK(taken == std::vector<int>{-1, 0});
+}
+
 TEST_CASE("every fault ends the skill with its error completion and closes the devices") {
   Reader bench;
   std::string expected;
