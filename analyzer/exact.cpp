@@ -33,8 +33,9 @@ class Analyzer {
       : problem_(problem), options_(options), workers_(options.threads) {}
 
   Analysis run() {
-    const double begun = options_.clock ? options_.clock() : 0;
+    memory();
     for (const Requirement& requirement : problem_.requirements) {
+      const double begun = now();
       Verdict& verdict = analysis_.verdicts.emplace_back();
       verdict.requirement = requirement.name;
       verdict.measure = requirement.measure;
@@ -45,12 +46,27 @@ class Analyzer {
       } else {
         timed(requirement, verdict);
       }
+      Statistics& own = verdict.statistics;
+      own.seconds = now() - begun;
+      own.peak_memory = memory();
+      Statistics& all = analysis_.statistics;
+      all.states += own.states;
+      all.classes += own.classes;
+      all.seconds += own.seconds;
+      all.peak_memory = std::max(all.peak_memory, own.peak_memory);
     }
-    if (options_.clock) analysis_.statistics.seconds = options_.clock() - begun;
     return std::move(analysis_);
   }
 
  private:
+  double now() const { return options_.clock ? options_.clock() : 0; }
+  std::size_t memory() const { return options_.peak_memory ? options_.peak_memory() : 0; }
+
+  static void count(const ZoneGraph& graph, Verdict& verdict) {
+    verdict.statistics.states += graph.places().size();
+    verdict.statistics.classes += graph.classes().size();
+  }
+
   Limits limits() { return {options_.max_states, options_.stop, &workers_}; }
 
   void timed(const Requirement& requirement, Verdict& verdict) {
@@ -60,7 +76,7 @@ class Analyzer {
     for (int attempt = 0;; ++attempt, cap *= 8) {
       ZoneGraph graph(machine, cap, false);
       const bool complete = graph.explore(limits());
-      analysis_.statistics.states += graph.classes().size();
+      count(graph, verdict);
       const bool beyond = graph.over_cap() || graph.never_answered();
       if (complete && beyond && !graph.failure() && attempt < 2) continue;
       judge(requirement, machine, graph, complete, cap, verdict);
@@ -83,6 +99,8 @@ class Analyzer {
       return;
     }
     if (graph.peak().value >= 0) verdict.witness = witness_of(machine, graph, graph.peak());
+    const Peak& certain = graph.findings().certain;
+    if (!verdict.witness && certain.value >= 0) verdict.witness = witness_of(machine, graph, certain);
     if (verdict.witness) verdict.reasons = reasons(problem_, requirement, *verdict.witness);
     const Nanoseconds attained = verdict.witness ? verdict.witness->measured.value : -1;
     if (!complete) {
@@ -118,7 +136,7 @@ class Analyzer {
     const Machine machine(problem_, nothing);
     ZoneGraph graph(machine, 0, true);
     const bool complete = graph.explore(limits());
-    analysis_.statistics.states += graph.classes().size();
+    count(graph, verdict);
     if (!complete) {
       verdict.bound = Duration(1'000'000'000);
       verdict.state = requirement.limit >= 1'000'000'000 ? Is::holds : Is::undecided;
@@ -132,7 +150,7 @@ class Analyzer {
     for (std::size_t i = 0; i < bounds.size(); ++i) {
       LoadBound& bound = bounds[i];
       const int processor = requirement.processors[i];
-      analysis_.statistics.states += bound.states;
+      verdict.statistics.classes += bound.states;
       const bool more = busiest < 0 || greater(bound.most, worst.most);
       if (!others.empty()) others += ", ";
       others += problem_.processors[static_cast<std::size_t>(processor)].name + " " + percent(bound);
@@ -194,6 +212,12 @@ const char* name(Requirement::Measure measure) {
       return "load";
   }
   return "";
+}
+
+std::optional<Duration> attained(const Verdict& verdict) {
+  if (verdict.measure == Requirement::Measure::load || !verdict.witness || verdict.witness->failed)
+    return std::nullopt;
+  return Duration(verdict.witness->measured.value);
 }
 
 Analysis analyze(const Problem& problem, const Options& options) {

@@ -19,16 +19,13 @@ struct Options {
   std::function<bool()> stop;
   /// For the statistics: seconds from some beginning. Without it they say 0.
   std::function<double()> clock;
-};
-
-struct Statistics {
-  std::size_t states = 0;
-  double seconds = 0;
+  /// For the statistics: the most memory that the program took since it was last asked, in bytes.
+  std::function<std::size_t()> peak_memory;
 };
 
 struct Analysis {
   std::vector<Verdict> verdicts;  // in the order of Problem::requirements
-  Statistics statistics;
+  Statistics statistics;  // sums; the greatest peak
 };
 
 Analysis analyze(const Problem& problem, const Options& options = {});

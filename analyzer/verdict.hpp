@@ -1,6 +1,7 @@
 // What an analysis says of a requirement.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,14 @@ struct Reason {
   int line = 0;  // 0: no place in a text
 };
 
+/// What it took to decide.
+struct Statistics {
+  std::size_t states = 0;       // of the skill, times aside
+  std::size_t classes = 0;      // sets of times at a state (and for loads points of the grid)
+  double seconds = 0;           // by Options::clock
+  std::size_t peak_memory = 0;  // bytes, by Options::peak_memory
+};
+
 struct Verdict {
   using State = VerdictState;
   std::string requirement;
@@ -42,7 +51,11 @@ struct Verdict {
   /// Without gaps from the birth of what is measured to its use; the lengths add up to the witness's value.
   std::vector<Reason> reasons;
   SourceSpan where;
+  Statistics statistics;
 };
+
+/// The greatest value that a run was shown to attain, if the verdict knows one. Load: nothing.
+std::optional<Duration> attained(const Verdict& verdict);
 
 /// "holds", "fails", "undecided".
 const char* name(Verdict::State state);

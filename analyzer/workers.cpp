@@ -19,10 +19,8 @@ bool soon(const Condition& condition) {
 
 }  // namespace
 
-Workers::Workers(unsigned threads) {
-  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
-  for (unsigned t = 1; t < threads; ++t) helpers_.emplace_back([this] { help(); });
-}
+Workers::Workers(unsigned threads)
+    : threads_(threads != 0 ? threads : std::max(1U, std::thread::hardware_concurrency())) {}
 
 Workers::~Workers() {
   {
@@ -35,10 +33,11 @@ Workers::~Workers() {
 
 void Workers::each(std::size_t count, std::size_t grain, const std::function<void(std::size_t)>& part) {
   // What one thread can do at a stroke is not worth waking the others.
-  if (helpers_.empty() || count <= grain) {
+  if (threads_ == 1 || count <= grain) {
     for (std::size_t i = 0; i < count; ++i) part(i);
     return;
   }
+  while (helpers_.size() + 1 < threads_) helpers_.emplace_back([this] { help(); });
   {
     const std::lock_guard lock(mutex_);
     part_ = &part;

@@ -16,7 +16,7 @@ namespace pal::analyzer {
 /// number of threads.
 class Workers {
  public:
-  /// With the caller `threads` at work; 0: as many as the machine has cores.
+  /// With the caller `threads` at work; 0: as many as the machine has cores. They begin when they are needed.
   explicit Workers(unsigned threads);
   ~Workers();
   Workers(const Workers&) = delete;
@@ -26,12 +26,11 @@ class Workers {
   /// Throws what one of them threw. `grain`: so many neighbours are given out at once.
   void each(std::size_t count, std::size_t grain, const std::function<void(std::size_t)>& part);
 
-  std::size_t threads() const { return helpers_.size() + 1; }
-
  private:
   void help();
   void work();
 
+  const unsigned threads_;
   std::mutex mutex_;
   std::condition_variable begin_;
   std::condition_variable done_;

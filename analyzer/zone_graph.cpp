@@ -9,11 +9,8 @@ namespace {
 /// much is expanded that a successor would have replaced.
 constexpr std::size_t batch_size = 2048;
 
-void in_parts(const Limits& limits, std::size_t count, std::size_t grain,
-              const std::function<void(std::size_t)>& part) {
-  if (limits.workers != nullptr) return limits.workers->each(count, grain, part);
-  for (std::size_t i = 0; i < count; ++i) part(i);
-}
+/// So many classes are found sooner by one thread than by several that have to wait for one another.
+constexpr std::size_t worth_sharing = 8192;
 
 /// Arrivals have numbers below those of classes, and below -1, which is none.
 int number_of_arrival(std::size_t index) {
@@ -37,6 +34,14 @@ void Findings::add(const Findings& later) {
   never_answered = never_answered || later.never_answered;
   outgrown = outgrown || later.outgrown;
   relaxed = relaxed || later.relaxed;
+}
+
+void ZoneGraph::in_parts(const Limits& limits, std::size_t count, std::size_t grain,
+                         const std::function<void(std::size_t)>& part) const {
+  if (limits.workers != nullptr && classes_.size() >= worth_sharing) {
+    return limits.workers->each(count, grain, part);
+  }
+  for (std::size_t i = 0; i < count; ++i) part(i);
 }
 
 ZoneGraph::ZoneGraph(const Machine& machine, Nanoseconds cap, bool keep_edges)

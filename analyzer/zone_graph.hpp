@@ -115,6 +115,8 @@ class ZoneGraph {
     std::size_t count;
   };
 
+  void in_parts(const Limits& limits, std::size_t count, std::size_t grain,
+                const std::function<void(std::size_t)>& part) const;
   void expand(int index, Expansion& expansion);
   void measure(int from, const Move& move, const Dbm& fired, std::size_t timers, Findings& findings) const;
   void split(Arrival& arrival, Expansion& expansion) const;

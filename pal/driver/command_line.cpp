@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "pal/driver/commands.hpp"
+#include "pal/support/duration_text.hpp"
 #include "pal/support/nearest.hpp"
 
 namespace pal::driver {
@@ -28,13 +29,26 @@ void add_selection(CLI::App& command, Selection& selection) {
       ->type_name("NAME");
 }
 
+/// Seconds in "90", "90 s", "1.5min".
+double seconds_of(const std::string& text) {
+  const std::size_t end = text.find_first_not_of("0123456789.");
+  const std::string number = text.substr(0, end);
+  const std::size_t unit = end == std::string::npos ? end : text.find_first_not_of(' ', end);
+  const auto duration = parse_duration(number, unit == std::string::npos ? "s" : text.substr(unit));
+  if (const auto* time = std::get_if<Duration>(&duration)) return std::chrono::duration<double>(*time).count();
+  throw CLI::ValidationError("--timeout", "'" + text + "' is no length of time, as 90 s or 500 ms is");
+}
+
 void add_limits(CLI::App& command, ProofLimits& limits) {
   command
       .add_option("--max-states", limits.max_states, "give up a requirement after so many states (undecided)")
       ->capture_default_str();
-  command.add_option("--timeout", limits.seconds, "give up after so many seconds (undecided); 0: never")
-      ->type_name("SECONDS")
-      ->check(CLI::NonNegativeNumber);
+  command
+      .add_option_function<std::string>(
+          "--timeout", [&limits](const std::string& text) { limits.seconds = seconds_of(text); },
+          "give up after so long (undecided): 90 s, 2min, 500ms; a number alone is seconds, 0: never")
+      ->type_name("DURATION");
+  command.add_option("--threads", limits.threads, "threads at work; 0: one a core")->capture_default_str();
 }
 
 void add_check(CLI::App& app, CheckOptions& options) {
@@ -52,7 +66,7 @@ void add_check(CLI::App& app, CheckOptions& options) {
       ->type_name("STAGE");
   command->add_option("--witness", options.witness, "write the run that shows each bound, for pal replay")
       ->type_name("FILE");
-  command->add_flag("--statistics", options.statistics, "print states explored and seconds taken");
+  command->add_flag("--statistics", options.statistics, "print states, classes, seconds and peak memory of each requirement and of all");
   command->footer(statuses);
 }
 
