@@ -59,6 +59,7 @@ void Clockwork::apply(int fired) {
     const Nanoseconds born = origin == Outcome::born_now ? now_ : births_[static_cast<std::size_t>(origin)];
     measured_.push_back({now_ - born, born, now_, outcome_.measured_steps[i]});
   }
+  if (outcome_.lost >= 0) measured_.push_back({outcome_.lost, now_, now_, -1});
   std::vector<Nanoseconds> births;
   for (int origin : outcome_.origin) {
     births.push_back(origin == Outcome::born_now ? now_ : births_[static_cast<std::size_t>(origin)]);

@@ -8,7 +8,7 @@
 
 namespace pal::analyzer {
 
-/// A value that was measured in a run.
+/// A value that was measured in a run: a length of time, or of losses a number.
 struct Measurement {
   Nanoseconds value = 0;
   Nanoseconds born = 0;
@@ -45,7 +45,8 @@ class Clockwork {
   /// Timers started by the last event.
   const std::vector<int>& started() const { return started_; }
   const std::vector<Measurement>& measured() const { return measured_; }
-  const std::vector<int>& measured_origins() const { return outcome_.measured; }
+  /// When the observers of the state were born.
+  const std::vector<Nanoseconds>& births() const { return births_; }
   const Outcome& outcome() const { return outcome_; }
 
   /// The run so far, `origin` predicted.

@@ -36,24 +36,17 @@ class Analyzer {
     memory();
     for (const Requirement& requirement : problem_.requirements) {
       const double begun = now();
-      Verdict& verdict = analysis_.verdicts.emplace_back();
-      verdict.requirement = requirement.name;
-      verdict.measure = requirement.measure;
-      verdict.limit = Duration(requirement.limit);
-      verdict.where = requirement.where;
+      Verdict& verdict = analysis_.verdicts.emplace_back(blank(requirement));
       if (requirement.measure == Requirement::Measure::load) {
         load(requirement, verdict);
+      } else if (requirement.measure == Requirement::Measure::busy) {
+        busy(requirement, verdict);
       } else {
-        timed(requirement, verdict);
+        timed(requirement, watch_of(problem_, requirement), verdict);
       }
-      Statistics& own = verdict.statistics;
-      own.seconds = now() - begun;
-      own.peak_memory = memory();
-      Statistics& all = analysis_.statistics;
-      all.states += own.states;
-      all.classes += own.classes;
-      all.seconds += own.seconds;
-      all.peak_memory = std::max(all.peak_memory, own.peak_memory);
+      verdict.statistics.seconds = now() - begun;
+      verdict.statistics.peak_memory = memory();
+      analysis_.statistics += verdict.statistics;
     }
     return std::move(analysis_);
   }
@@ -69,61 +62,114 @@ class Analyzer {
 
   Limits limits() { return {options_.max_states, options_.stop, &workers_}; }
 
-  void timed(const Requirement& requirement, Verdict& verdict) {
-    const Watch watch = watch_of(problem_, requirement);
+  static Verdict blank(const Requirement& requirement) {
+    Verdict verdict;
+    verdict.requirement = requirement.name;
+    verdict.measure = requirement.measure;
+    verdict.limit = Duration(requirement.limit);
+    verdict.at_least = requirement.at_least;
+    verdict.where = requirement.where;
+    return verdict;
+  }
+
+  void timed(const Requirement& requirement, const Watch& watch, Verdict& verdict) {
     const Machine machine(problem_, watch);
     Nanoseconds cap = first_cap(problem_, requirement.limit);
     for (int attempt = 0;; ++attempt, cap *= 8) {
       ZoneGraph graph(machine, cap, false);
       const bool complete = graph.explore(limits());
       count(graph, verdict);
-      const bool beyond = graph.over_cap() || graph.never_answered();
-      if (complete && beyond && !graph.failure() && attempt < 2) continue;
+      const bool bounded = watch.least && graph.peak().value >= 0;
+      const bool beyond = !bounded && (graph.over_cap() || graph.never_answered());
+      if (complete && beyond && !graph.failure() && graph.stuck() < 0 && attempt < 2) continue;
       judge(requirement, machine, graph, complete, cap, verdict);
       return;
     }
   }
 
+  /// Of several processors the one that is busy for longest counts.
+  void busy(const Requirement& requirement, Verdict& verdict) {
+    Statistics statistics;
+    bool first = true;
+    for (const int processor : requirement.processors) {
+      Verdict each = blank(requirement);
+      timed(requirement, watch_of(problem_, requirement, processor), each);
+      statistics += each.statistics;
+      each.explanation = "processor " + problem_.processors[static_cast<std::size_t>(processor)].name + ": " +
+                         each.explanation;
+      if (first || worse(each, verdict)) verdict = std::move(each);
+      first = false;
+    }
+    verdict.statistics = statistics;
+  }
+
+  static bool worse(const Verdict& a, const Verdict& b) {
+    const auto rank = [](Is state) { return state == Is::fails ? 2 : state == Is::undecided ? 1 : 0; };
+    if (rank(a.state) != rank(b.state)) return rank(a.state) > rank(b.state);
+    return !a.bound || (b.bound && *a.bound > *b.bound);
+  }
+
+  static bool breaks(const Requirement& requirement, Nanoseconds value) {
+    return requirement.at_least ? value < requirement.limit : value > requirement.limit;
+  }
+
   void judge(const Requirement& requirement, const Machine& machine, const ZoneGraph& graph, bool complete,
              Nanoseconds cap, Verdict& verdict) {
-    if (graph.failure()) {
-      verdict.witness = witness_of(machine, graph, unmeasured(*graph.failure()));
-      if (verdict.witness && verdict.witness->failed) {
-        verdict.state = Is::fails;
-        verdict.exact = true;
-        verdict.explanation = explanation(problem_, requirement, verdict);
-        return;
-      }
-      verdict.witness.reset();
-      verdict.explanation = "an event may stay without a response, but no run was found that shows it";
-      return;
-    }
-    if (graph.peak().value >= 0) verdict.witness = witness_of(machine, graph, graph.peak());
+    if (graph.failure()) return judge_failure(requirement, machine, graph, verdict);
+    const bool any = graph.peak().value >= 0;
+    const bool beyond = graph.over_cap() || graph.never_answered();
+    if (any) verdict.witness = witness_of(machine, graph, graph.peak());
+    const bool shown = verdict.witness && breaks(requirement, verdict.witness->measured.value);
+    if (!shown && beyond && !requirement.at_least) find_growth(requirement, machine, graph, verdict);
     const Peak& certain = graph.findings().certain;
     if (!verdict.witness && certain.value >= 0) verdict.witness = witness_of(machine, graph, certain);
     if (verdict.witness) verdict.reasons = reasons(problem_, requirement, *verdict.witness);
-    const Nanoseconds attained = verdict.witness ? verdict.witness->measured.value : -1;
+    const bool broken = verdict.witness && breaks(requirement, verdict.witness->measured.value);
     if (!complete) {
-      verdict.state = attained > requirement.limit ? Is::fails : Is::undecided;
-      if (attained >= 0) verdict.explanation = explanation(problem_, requirement, verdict) + " ";
+      verdict.state = broken ? Is::fails : Is::undecided;
+      if (verdict.witness) verdict.explanation = explanation(problem_, requirement, verdict) + " ";
       verdict.explanation += "The exploration ended before all runs had been seen.";
       return;
     }
-    if (graph.over_cap() || graph.never_answered()) {
-      verdict.state = attained > requirement.limit ? Is::fails : Is::undecided;
-      if (attained >= 0) verdict.explanation = explanation(problem_, requirement, verdict) + " ";
+    if (!any && !beyond && requirement.measure != Requirement::Measure::busy) {
+      verdict.state = Is::never;
+      verdict.explanation = nothing_measured(requirement, graph.passed());
+      return;
+    }
+    if (beyond && !requirement.at_least) {
+      verdict.state = broken ? Is::fails : Is::undecided;
+      if (verdict.witness) verdict.explanation = explanation(problem_, requirement, verdict) + " ";
       verdict.explanation += "There are longer ones: no bound was found up to " + milliseconds(cap) + ".";
       return;
     }
-    const Nanoseconds bound = std::max<Nanoseconds>(graph.peak().value, 0);
+    const Nanoseconds bound = any ? graph.peak().value : requirement.at_least ? cap : 0;
     verdict.bound = Duration(bound);
-    verdict.exact = attained == bound || graph.peak().value < 0;
-    if (bound <= requirement.limit) {
-      verdict.state = Is::holds;
-    } else {
-      verdict.state = attained > requirement.limit ? Is::fails : Is::undecided;
-    }
+    verdict.exact = (verdict.witness && verdict.witness->measured.value == bound) || (!any && !beyond);
+    verdict.state = !breaks(requirement, bound) ? Is::holds : broken ? Is::fails : Is::undecided;
     verdict.explanation = explanation(problem_, requirement, verdict);
+  }
+
+  void judge_failure(const Requirement& requirement, const Machine& machine, const ZoneGraph& graph,
+                     Verdict& verdict) {
+    verdict.witness = witness_of(machine, graph, unmeasured(*graph.failure()));
+    if (verdict.witness && verdict.witness->failed) {
+      verdict.state = Is::fails;
+      verdict.exact = true;
+      verdict.explanation = explanation(problem_, requirement, verdict);
+      return;
+    }
+    verdict.witness.reset();
+    verdict.explanation = "an event may stay without a response, but no run was found that shows it";
+  }
+
+  /// A run in which the value is over the limit and still grows.
+  void find_growth(const Requirement& requirement, const Machine& machine, const ZoneGraph& graph,
+                   Verdict& verdict) {
+    std::optional<Witness> found;
+    if (graph.stuck() >= 0) found = stuck_witness(machine, graph, graph.stuck(), requirement.limit + 1);
+    if (!found && graph.growing()) found = witness_of(machine, graph, *graph.growing());
+    if (found && found->grows && found->measured.value > requirement.limit)
+      verdict.witness = std::move(found);
   }
 
   static Peak unmeasured(Peak peak) {
@@ -189,36 +235,6 @@ class Analyzer {
 };
 
 }  // namespace
-
-const char* name(Verdict::State state) {
-  switch (state) {
-    case Is::holds:
-      return "holds";
-    case Is::fails:
-      return "fails";
-    case Is::undecided:
-      return "undecided";
-  }
-  return "";
-}
-
-const char* name(Requirement::Measure measure) {
-  switch (measure) {
-    case Requirement::Measure::age:
-      return "age";
-    case Requirement::Measure::response:
-      return "response";
-    case Requirement::Measure::load:
-      return "load";
-  }
-  return "";
-}
-
-std::optional<Duration> attained(const Verdict& verdict) {
-  if (verdict.measure == Requirement::Measure::load || !verdict.witness || verdict.witness->failed)
-    return std::nullopt;
-  return Duration(verdict.witness->measured.value);
-}
 
 Analysis analyze(const Problem& problem, const Options& options) {
   return Analyzer(problem, options).run();

@@ -25,7 +25,7 @@ struct Options {
 
 struct Analysis {
   std::vector<Verdict> verdicts;  // in the order of Problem::requirements
-  Statistics statistics;  // sums; the greatest peak
+  Statistics statistics;          // sums; the greatest peak
 };
 
 Analysis analyze(const Problem& problem, const Options& options = {});

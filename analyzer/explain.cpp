@@ -190,42 +190,142 @@ std::vector<Reason> reasons(const Problem& problem, const Requirement& requireme
   std::vector<Reason> out;
   if (witness.measured.step < 0 || witness.failed) return out;
   const Story story{problem, witness.trace};
-  if (requirement.measure == Requirement::Measure::age) story.age(requirement, witness.measured, out);
-  if (requirement.measure == Requirement::Measure::response) {
-    const std::size_t use = story.used_at(witness.measured);
-    if (use == witness.trace.events.size()) return out;
-    story.response(requirement, witness.trace.events[use].actor, use, witness.measured, out, 32);
+  const std::size_t use = story.used_at(witness.measured);
+  if (use == witness.trace.events.size()) return out;
+  const int thread = witness.trace.events[use].actor;
+  switch (requirement.measure) {
+    case Requirement::Measure::age:
+      story.age(requirement, witness.measured, out);
+      break;
+    case Requirement::Measure::response:
+      story.response(requirement, thread, use, witness.measured, out, 32);
+      break;
+    case Requirement::Measure::interval:
+    case Requirement::Measure::duration:
+      story.tell(thread, witness.measured.born, witness.measured.at, out);
+      break;
+    case Requirement::Measure::reaction:
+    case Requirement::Measure::loss:
+    case Requirement::Measure::load:
+    case Requirement::Measure::busy:
+      break;
   }
   return out;
 }
 
+namespace {
+
+std::string known_name(const Problem& problem, const Requirement& requirement) {
+  if (requirement.samples.empty()) return problem.conditions[static_cast<std::size_t>(requirement.condition)];
+  return problem.channels[static_cast<std::size_t>(requirement.samples.front())].message + " of " +
+         problem.devices[static_cast<std::size_t>(requirement.device)].name;
+}
+
+std::string event_name(const Problem& problem, const Requirement& requirement) {
+  return problem.channels[static_cast<std::size_t>(requirement.event)].message + " of " +
+         problem.devices[static_cast<std::size_t>(requirement.device)].name;
+}
+
+/// The statements of a requirement: "TXM( motion to MC1 )".
+std::string statements_of(const Problem& problem, const Requirement& requirement) {
+  for (std::size_t s = 0; s < requirement.at.size(); ++s) {
+    const int index = problem.steps[s].statement;
+    if (requirement.at[s] && index >= 0) return problem.statements[static_cast<std::size_t>(index)].text;
+  }
+  return "the statement";
+}
+
+std::string failure_text(const Problem& problem, const Requirement& requirement, const Witness& witness) {
+  const std::string event = event_name(problem, requirement);
+  const trace::Event& last = witness.trace.events.back();
+  const std::string when = milliseconds(last.time_ns);
+  for (const trace::Event& each : witness.trace.events) {
+    if (each.kind == Kind::overrun && each.time_ns == last.time_ns && each.subject == requirement.event) {
+      return event + " at " + when + " finds the one before still in its channel, and is lost";
+    }
+  }
+  return "at " + when + " a later " + event + " is answered while an earlier one is not";
+}
+
+/// What has not come to its end when the run of the witness does.
+std::string growing_text(const Problem& problem, const Requirement& requirement,
+                         const Measurement& measured) {
+  const std::string since = milliseconds(measured.value) + " after " + milliseconds(measured.born);
+  switch (requirement.measure) {
+    case Requirement::Measure::response:
+      return event_name(problem, requirement) + " at " + milliseconds(measured.born) +
+             " is still without a response " + milliseconds(measured.value) + " later";
+    case Requirement::Measure::reaction:
+      return "what changes in the world just after " + milliseconds(measured.born) + " is not reflected by " +
+             statements_of(problem, requirement) + " even " + milliseconds(measured.value) + " later";
+    case Requirement::Measure::busy:
+      return "busy without a pause, still " + since;
+    default:
+      return statements_of(problem, requirement) + " does not pass again, even " + since;
+  }
+}
+
+std::string measured_text(const Problem& problem, const Requirement& requirement, const Verdict& verdict) {
+  const Measurement& measured = verdict.witness->measured;
+  const std::string value = milliseconds(measured.value);
+  switch (requirement.measure) {
+    case Requirement::Measure::response:
+      return statement_at(problem, measured) + " answers " + event_name(problem, requirement) + " after " +
+             value;
+    case Requirement::Measure::age:
+      return statement_at(problem, measured) + " was decided on a value of " +
+             known_name(problem, requirement) + " that is then " + value + " old";
+    case Requirement::Measure::reaction:
+      return "what changes in the world just after " + known_name(problem, requirement) + " at " +
+             milliseconds(measured.born) + " is first reflected by " + statement_at(problem, measured) +
+             ", " + value + " later";
+    case Requirement::Measure::interval:
+      return statement_at(problem, measured) + " passes again after " + value;
+    case Requirement::Measure::loss:
+      return std::to_string(measured.value) + " of " + std::to_string(requirement.in) +
+             " in a row are lost at " + milliseconds(measured.at);
+    case Requirement::Measure::duration:
+      return "the skill completes with " + std::to_string(requirement.code) + " after " + value;
+    case Requirement::Measure::busy:
+      return "busy without a pause from " + milliseconds(measured.born) + " to " + milliseconds(measured.at);
+    case Requirement::Measure::load:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string nothing_measured(const Requirement& requirement, bool passed) {
+  if (!passed) {
+    return requirement.measure == Requirement::Measure::loss ? "the device never sends anything in any run"
+                                                             : "no run ever gets there";
+  }
+  switch (requirement.measure) {
+    case Requirement::Measure::age:
+      return "no run gets there with a value that it has read";
+    case Requirement::Measure::reaction:
+      return "no run gets there with a second value";
+    case Requirement::Measure::interval:
+      return "no run gets there twice";
+    default:
+      return "no run gets there because of the event";
+  }
+}
+
 std::string explanation(const Problem& problem, const Requirement& requirement, const Verdict& verdict) {
   if (!verdict.witness) {
-    if (verdict.bound && verdict.bound->count() == 0) return "no run ever gets there";
-    return verdict.bound ? "no run takes longer than " + milliseconds(verdict.bound->count()) +
-                               "; none was found that takes as long"
-                         : "no run was found that shows how long it can take";
+    if (!verdict.bound) return "no run was found that shows how long it can take";
+    if (verdict.exact) return "it never is";
+    return std::string("no run takes ") + (requirement.at_least ? "less" : "longer") + " than " +
+           milliseconds(verdict.bound->count()) + "; none was found that takes as " +
+           (requirement.at_least ? "little" : "long");
   }
   const Witness& witness = *verdict.witness;
-  if (requirement.measure == Requirement::Measure::response) {
-    const std::string event = problem.channels[static_cast<std::size_t>(requirement.event)].message + " of " +
-                              problem.devices[static_cast<std::size_t>(requirement.device)].name;
-    if (witness.failed) {
-      const trace::Event& last = witness.trace.events.back();
-      const std::string when = milliseconds(last.time_ns);
-      for (const trace::Event& each : witness.trace.events) {
-        if (each.kind == Kind::overrun && each.time_ns == last.time_ns && each.subject == requirement.event) {
-          return event + " at " + when + " finds the one before still in its channel, and is lost";
-        }
-      }
-      return "at " + when + " a later " + event + " is answered while an earlier one is not";
-    }
-    return statement_at(problem, witness.measured) + " answers " + event + " after " +
-           milliseconds(witness.measured.value) + ". " + list(verdict.reasons);
-  }
-  const std::string condition = problem.conditions[static_cast<std::size_t>(requirement.condition)];
-  return statement_at(problem, witness.measured) + " was decided on a value of " + condition +
-         " that is then " + milliseconds(witness.measured.value) + " old. " + list(verdict.reasons);
+  if (witness.failed) return failure_text(problem, requirement, witness);
+  if (witness.grows) return growing_text(problem, requirement, witness.measured);
+  const std::string text = measured_text(problem, requirement, verdict);
+  return verdict.reasons.empty() ? text : text + ". " + list(verdict.reasons);
 }
 
 }  // namespace pal::analyzer

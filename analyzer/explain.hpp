@@ -14,6 +14,9 @@ std::vector<Reason> reasons(const Problem& problem, const Requirement& requireme
 /// A verdict on an age or response in words. `verdict.witness` and `verdict.reasons` stand already.
 std::string explanation(const Problem& problem, const Requirement& requirement, const Verdict& verdict);
 
+/// Why nothing is measured in any run. `passed`: what is watched does happen.
+std::string nothing_measured(const Requirement& requirement, bool passed);
+
 /// "27.95 ms", exact.
 std::string milliseconds(Nanoseconds time);
 

@@ -9,7 +9,8 @@ Firing::Firing(const Machine& machine, Choices& choices, bool record, Outcome& o
       choices_(choices),
       record_(record),
       outcome_(outcome),
-      state_(outcome.state) {
+      state_(outcome.state),
+      old_observers_(outcome.state.observers) {
   start_tracking();
 }
 
@@ -35,6 +36,7 @@ void Firing::emit_device(Kind kind, int device, int subject, int value) {
 }
 
 void Firing::fire(int timer) {
+  const bool was_busy = watched_busy();
   if (timer < machine_.flight_timer(0)) {
     if (state_of(timer).status == Status::waiting) {
       emit(Kind::give_up, timer, step_of(timer).channels.front());
@@ -57,6 +59,7 @@ void Firing::fire(int timer) {
     }
   }
   if (!state_.ended) dispatch();
+  track_busy(was_busy);
   settle();
 }
 
@@ -113,6 +116,7 @@ void Firing::finish(int thread, int next) {
 }
 
 void Firing::complete(int thread, int code) {
+  has_completed(thread, code);
   emit(Kind::complete, thread, -1, code);
   emit(Kind::done, thread);
   state_.ended = true;
@@ -180,7 +184,7 @@ void Firing::effect_send(int thread) {
 /// The effect of a send: of the thread that has just done it, or of one that was blocked in it.
 void Firing::sent(int thread, bool put_it) {
   const Step& step = step_of(thread);
-  const std::uint8_t carries = watch_.kind == Watch::Kind::response ? state_of(thread).carries : tag::none;
+  const std::uint8_t carries = sent_along(thread);
   const Step::Kind after = problem_.steps[static_cast<std::size_t>(step.next.front())].kind;
   const bool either =
       put_it && carries == tag::none && (after == Step::Kind::fork || after == Step::Kind::end);
@@ -201,7 +205,7 @@ void Firing::effect_set(int thread) {
   const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(step.condition);
   state_.conditions = value ? state_.conditions | bit : state_.conditions & ~bit;
   emit(Kind::set, thread, step.condition, value ? 1 : 0);
-  has_set(step.condition);
+  has_set(thread, step.condition);
   measure(thread);
   finish(thread, step.next.front());
 }

@@ -63,14 +63,31 @@ class Firing {
   // Measuring (firing_measure.cpp).
   void measure(int thread);
   void has_read(int thread, int condition);
-  void has_set(int condition);
+  void has_set(int thread, int condition);
   void has_taken(int thread, std::uint8_t carries);
+  std::uint8_t sent_along(int thread) const;
+  std::uint8_t sampled(int request);
   std::uint8_t new_event(int channel);
+  void has_completed(int thread, int code);
   void answered(std::uint8_t event);
+  void measure_from(std::uint8_t observer, int step);
   void start_tracking();
+  void track_busy(bool was_busy);
+  bool watched_busy() const;
+
+  // Losses (firing_losses.cpp).
+  bool counts_losses(int device) const;
+  bool arrives(int device, std::uint32_t served) const;
+  void occurrence(int device, bool lost);
+  void lost_after_all(int channel);
+  void count_losses();
+
+  // What is forgotten, and in which order the rest is numbered (settle.cpp).
   void settle();
   void settle_age();
   void settle_response();
+  void settle_ordered();
+  bool any_live() const;
 
   ThreadState& state_of(int thread) { return state_.threads[static_cast<std::size_t>(thread)]; }
   const ThreadState& state_of(int thread) const { return state_.threads[static_cast<std::size_t>(thread)]; }
@@ -96,8 +113,8 @@ class Firing {
   bool record_;
   Outcome& outcome_;
   State& state_;
+  int old_observers_;
   std::vector<int> pending_origin_;
-  int old_observers_ = 0;
   std::vector<int> queued_;  // threads that became ready
 };
 

@@ -139,6 +139,7 @@ void Firing::drop(int channel) {
     }
   }
   if (record_) outcome_.events.push_back({0, Kind::drop, -1, -1, channel, 0});
+  lost_after_all(channel);
   empty(channel);
 }
 
@@ -215,11 +216,14 @@ void Firing::take_pending(int device) {
     pending = {pending[static_cast<std::size_t>(choices_.pick(static_cast<int>(pending.size())))]};
   }
   if (request == nullptr) emit_device(Kind::busy, device);
-  if (pending.empty()) return;
+  if (pending.empty()) {
+    if (request == nullptr && state_.counting) occurrence(device, true);
+    return;
+  }
   if (request != nullptr) emit_device(Kind::busy, device);
   for (std::size_t i : pending) {
     state_.devices[static_cast<std::size_t>(device)].serving |= std::uint32_t{1} << i;
-    slot(of.requests[i]).serving_carries = slot(of.requests[i]).carries;
+    slot(of.requests[i]).serving_carries = sampled(of.requests[i]);
     take(of.requests[i], -1, device);
   }
   if (request != nullptr) {
@@ -261,10 +265,11 @@ void Firing::device_service(int device) {
   const std::uint32_t served = state.serving;
   state.serving = 0;
   emit_device(Kind::idle, device);
+  if (counts_losses(device)) occurrence(device, !arrives(device, served));
   for (std::size_t i = 0; i < of.requests.size(); ++i) {
     if ((served >> i & 1U) == 0) continue;
     SlotState& request = slot(of.requests[i]);
-    const std::uint8_t carries = request.serving_carries;
+    const std::uint8_t carries = counts_losses(device) ? std::uint8_t{0} : request.serving_carries;
     request.serving_carries = tag::none;
     const int answer = channel_of(of.requests[i]).answer;
     if (slot(answer).unwanted > 0) {
@@ -282,9 +287,11 @@ void Firing::event_occurs(int device) {
   if (channel < 0) return;
   if (slot(channel).fill != SlotState::Fill::empty) {
     emit_device(Kind::overrun, device, channel);
+    occurrence(device, true);
     if (watch_.kind == Watch::Kind::response && watch_.event == channel) state_.failed = true;
     return;
   }
+  occurrence(device, false);
   put(channel, -1, device, new_event(channel));
 }
 

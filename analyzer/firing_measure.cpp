@@ -1,6 +1,4 @@
 // What is carried along to be measured.
-#include <algorithm>
-
 #include "analyzer/firing.hpp"
 
 namespace pal::analyzer {
@@ -10,57 +8,126 @@ constexpr std::size_t most_pending = 8;
 }
 
 void Firing::start_tracking() {
-  old_observers_ = state_.observers;
   int number = 0;
   for (Pending pending : state_.pending) {
-    pending_origin_.push_back(pending == Pending::observed ? number++ : Outcome::older_than_cap);
-  }
-  // Until the first set, what a condition says dates from the start.
-  const bool at_start = state_.threads.empty() || state_.threads.front().step < 0;
-  if (watch_.kind == Watch::Kind::age && at_start && old_observers_ == 0 &&
-      state_.condition_carries == tag::none) {
-    state_.condition_carries = 0;
-    old_observers_ = 0;
+    pending_origin_.push_back(pending == Pending::over ? Outcome::older_than_cap : number++);
   }
 }
 
-void Firing::measure(int thread) {
-  if (watch_.kind == Watch::Kind::nothing) return;
-  const auto step = static_cast<std::size_t>(state_of(thread).step);
-  const std::uint8_t carries = state_of(thread).carries;
-  if (!watch_.at[step] || carries == tag::none) return;
-  outcome_.measured_steps.push_back(static_cast<int>(step));
-  if (watch_.kind == Watch::Kind::age) {
-    if (carries == tag::over) {
-      outcome_.measured.push_back(Outcome::older_than_cap);
-    } else {
-      outcome_.measured.push_back(carries < old_observers_ ? carries : Outcome::born_now);
-    }
-    return;
+/// The value from `observer` until now.
+void Firing::measure_from(std::uint8_t observer, int step) {
+  outcome_.measured_steps.push_back(step);
+  if (observer == tag::over) {
+    outcome_.measured.push_back(Outcome::older_than_cap);
+  } else {
+    outcome_.measured.push_back(observer < old_observers_ ? observer : Outcome::born_now);
   }
-  outcome_.measured.push_back(pending_origin_[carries]);
-  if (carries != 0) state_.failed = true;  // an older one is still unanswered
-  answered(carries);
+}
+
+/// At the effect of the thread's statement.
+void Firing::measure(int thread) {
+  const int step = state_of(thread).step;
+  if (watch_.kind == Watch::Kind::nothing || !watch_.at[static_cast<std::size_t>(step)]) return;
+  outcome_.passed = true;
+  const std::uint8_t carries = state_of(thread).carries;
+  switch (watch_.kind) {
+    case Watch::Kind::age:
+    case Watch::Kind::sample:
+      if (!watch_.reaction) {
+        if (carries != tag::none) measure_from(carries, step);
+      } else if (tag::newer(carries, state_.reference) && state_.reference != tag::none) {
+        measure_from(state_.reference, step);
+        state_.reference = carries;
+      }
+      return;
+    case Watch::Kind::response:
+      if (carries == tag::none) return;
+      outcome_.measured_steps.push_back(step);
+      outcome_.measured.push_back(pending_origin_[carries]);
+      if (carries != 0) state_.failed = true;  // an older one is still unanswered
+      answered(carries);
+      return;
+    case Watch::Kind::interval:
+      if (state_.reference != tag::none) measure_from(state_.reference, step);
+      state_.reference = static_cast<std::uint8_t>(old_observers_);
+      return;
+    default:
+      return;
+  }
+}
+
+void Firing::has_completed(int thread, int code) {
+  if (watch_.kind != Watch::Kind::duration || watch_.code != code) return;
+  outcome_.passed = true;
+  measure_from(state_.reference, state_of(thread).step);
+}
+
+bool Firing::watched_busy() const {
+  return watch_.kind == Watch::Kind::busy && state_.running[static_cast<std::size_t>(watch_.processor)] >= 0;
+}
+
+/// A processor that ends one action and begins another in one event has not paused.
+void Firing::track_busy(bool was_busy) {
+  if (watch_.kind != Watch::Kind::busy) return;
+  const bool busy = !state_.ended && watched_busy();
+  if (was_busy && !busy) {
+    measure_from(state_.reference, -1);
+    state_.reference = tag::none;
+  }
+  if (!was_busy && busy) {
+    outcome_.passed = true;
+    state_.reference = static_cast<std::uint8_t>(old_observers_);
+  }
 }
 
 void Firing::has_read(int thread, int condition) {
-  if (watch_.kind == Watch::Kind::age && watch_.condition == condition) {
-    state_of(thread).carries = state_.condition_carries;
+  std::uint8_t& carries = state_of(thread).carries;
+  if (watch_.kind == Watch::Kind::age && watch_.condition == condition) carries = state_.condition_carries;
+  if (watch_.kind == Watch::Kind::sample) {
+    const std::uint8_t known = state_.known[static_cast<std::size_t>(condition)];
+    if (tag::newer(known, carries)) carries = known;
   }
 }
 
-void Firing::has_set(int condition) {
+void Firing::has_set(int thread, int condition) {
   if (watch_.kind == Watch::Kind::age && watch_.condition == condition) {
     state_.condition_carries = static_cast<std::uint8_t>(old_observers_);
   }
+  if (watch_.kind == Watch::Kind::sample) {
+    state_.known[static_cast<std::size_t>(condition)] = state_of(thread).carries;
+  }
 }
 
-/// A message without an event leaves the thread with the one that it has.
+/// A message without an event leaves the thread with the one that it has, one with an older sample likewise.
 void Firing::has_taken(int thread, std::uint8_t carries) {
-  if (watch_.kind == Watch::Kind::response && carries != tag::none) state_of(thread).carries = carries;
+  std::uint8_t& own = state_of(thread).carries;
+  if (watch_.kind == Watch::Kind::response && carries != tag::none) own = carries;
+  if (watch_.kind == Watch::Kind::sample && tag::newer(carries, own)) own = carries;
 }
 
+std::uint8_t Firing::sent_along(int thread) const {
+  const bool along = watch_.kind == Watch::Kind::response || watch_.kind == Watch::Kind::sample;
+  return along ? state_of(thread).carries : tag::none;
+}
+
+/// What the answer to a request will carry: the event of the request, or a sample that is taken now.
+std::uint8_t Firing::sampled(int request) {
+  if (watch_.kind == Watch::Kind::response) return slot(request).carries;
+  if (watch_.kind != Watch::Kind::sample) return tag::none;
+  if (!watch_.samples[static_cast<std::size_t>(channel_of(request).answer)]) return tag::none;
+  const auto now = static_cast<std::uint8_t>(old_observers_);
+  if (watch_.reaction && state_.reference == tag::none) state_.reference = now;
+  return now;
+}
+
+/// What the message of an event carries.
 std::uint8_t Firing::new_event(int channel) {
+  if (watch_.kind == Watch::Kind::loss && counts_losses(channel_of(channel).sender_device)) return 0;
+  if (watch_.kind == Watch::Kind::sample && watch_.samples[static_cast<std::size_t>(channel)]) {
+    const auto now = static_cast<std::uint8_t>(old_observers_);
+    if (watch_.reaction && state_.reference == tag::none) state_.reference = now;
+    return now;
+  }
   if (watch_.kind != Watch::Kind::response || watch_.event != channel) return tag::none;
   if (state_.pending.size() >= most_pending) {
     outcome_.too_many = true;
@@ -87,74 +154,6 @@ void Firing::answered(std::uint8_t event) {
     move(of.carries);
     move(of.serving_carries);
   }
-}
-
-/// Forgets what cannot count any more and numbers the rest in a fixed order, so that states that behave alike
-/// are alike.
-void Firing::settle() {
-  if (watch_.kind == Watch::Kind::age) settle_age();
-  if (watch_.kind == Watch::Kind::response) settle_response();
-}
-
-void Firing::settle_age() {
-  bool ahead = false;
-  for (ThreadState& thread : state_.threads) {
-    if (state_.ended || thread.status == Status::off) {
-      thread.carries = tag::none;
-      continue;
-    }
-    const auto step = static_cast<std::size_t>(thread.step);
-    if (!watch_.counts[step]) thread.carries = tag::none;
-    ahead = ahead || watch_.read_ahead[step];
-  }
-  if (!ahead) state_.condition_carries = tag::none;
-  std::vector<std::uint8_t> order;
-  const auto number = [&](std::uint8_t& carries) {
-    if (carries >= tag::over) return;
-    const auto known = std::find(order.begin(), order.end(), carries);
-    if (known == order.end()) {
-      order.push_back(carries);
-      carries = static_cast<std::uint8_t>(order.size() - 1);
-    } else {
-      carries = static_cast<std::uint8_t>(known - order.begin());
-    }
-  };
-  number(state_.condition_carries);
-  for (ThreadState& thread : state_.threads) number(thread.carries);
-  for (std::uint8_t before : order)
-    outcome_.origin.push_back(before < old_observers_ ? before : Outcome::born_now);
-  state_.observers = static_cast<std::uint8_t>(order.size());
-}
-
-void Firing::settle_response() {
-  std::vector<bool> carried(state_.pending.size());
-  const auto mark = [&carried](std::uint8_t carries) {
-    if (carries != tag::none) carried[carries] = true;
-  };
-  for (const ThreadState& thread : state_.threads) mark(thread.carries);
-  for (const SlotState& of : state_.slots) {
-    mark(of.carries);
-    mark(of.serving_carries);
-  }
-  std::vector<std::uint8_t> moved(state_.pending.size(), tag::none);
-  std::vector<Pending> pending;
-  for (std::size_t i = 0; i < state_.pending.size(); ++i) {
-    const Pending now = carried[i] ? state_.pending[i] : Pending::lost;
-    if (now == Pending::lost && !pending.empty() && pending.back() == Pending::lost) continue;
-    if (now == Pending::observed) outcome_.origin.push_back(pending_origin_[i]);
-    moved[i] = static_cast<std::uint8_t>(pending.size());
-    pending.push_back(now);
-  }
-  const auto move = [&moved](std::uint8_t& carries) {
-    if (carries != tag::none) carries = moved[carries];
-  };
-  for (ThreadState& thread : state_.threads) move(thread.carries);
-  for (SlotState& of : state_.slots) {
-    move(of.carries);
-    move(of.serving_carries);
-  }
-  state_.pending = std::move(pending);
-  state_.observers = static_cast<std::uint8_t>(outcome_.origin.size());
 }
 
 }  // namespace pal::analyzer

@@ -7,6 +7,10 @@ namespace pal::analyzer {
 
 /// At time 0 every module becomes ready; those that share a queue may come in any order.
 void Firing::begin() {
+  if (watch_.kind == Watch::Kind::age) state_.condition_carries = 0;
+  if (watch_.kind == Watch::Kind::duration || (watch_.kind == Watch::Kind::age && watch_.reaction)) {
+    state_.reference = 0;
+  }
   for (std::size_t d = 0; d < problem_.devices.size(); ++d) {
     const auto* frames = std::get_if<pan::FrameDevice>(&problem_.devices[d].behaviour);
     if (frames == nullptr) continue;
@@ -40,6 +44,7 @@ void Firing::begin() {
     reach(thread, thread_of(thread).entry);
   }
   dispatch();
+  track_busy(false);
   settle();
 }
 

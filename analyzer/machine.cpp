@@ -62,6 +62,7 @@ Outcome Machine::initial(Choices& choices, bool record) const {
   state.running.assign(problem_.processors.size(), -1);
   state.slots.resize(problem_.channels.size());
   state.devices.resize(problem_.devices.size());
+  if (watch_.kind == Watch::Kind::sample) state.known.assign(problem_.conditions.size(), tag::none);
   Firing(*this, choices, record, outcome).begin();
   return outcome;
 }
@@ -87,7 +88,7 @@ void pass_cap(State& state, const Watch& watch, int number) {
   if (watch.kind == Watch::Kind::response) {
     int at = 0;
     for (Pending& pending : state.pending) {
-      if (pending != Pending::observed) continue;
+      if (pending == Pending::over) continue;
       if (at++ == number) {
         pending = Pending::over;
         return;
@@ -104,7 +105,19 @@ void pass_cap(State& state, const Watch& watch, int number) {
     }
   };
   pass(state.condition_carries);
+  pass(state.reference);
   for (ThreadState& thread : state.threads) pass(thread.carries);
+  if (watch.kind != Watch::Kind::sample) return;
+  for (std::uint8_t& known : state.known) pass(known);
+  for (SlotState& slot : state.slots) {
+    pass(slot.carries);
+    pass(slot.serving_carries);
+  }
+}
+
+bool grows(const State& state, const Watch& watch, int number) {
+  if (!watch.grows()) return false;
+  return watch.kind == Watch::Kind::response || state.reference == number;
 }
 
 }  // namespace pal::analyzer

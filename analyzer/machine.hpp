@@ -64,7 +64,9 @@ struct Outcome {
   std::vector<TimerChange> changes;  // in order; the fired timer is gone already
   std::vector<int> origin;           // of each observer of `state`: its number before, or born_now
   std::vector<int> measured;         // at this instant: number before, born_now or older_than_cap
-  std::vector<int> measured_steps;   // the steps at which
+  std::vector<int> measured_steps;   // the steps at which; -1: at none
+  int lost = -1;        // losses: the greatest number in a row of Watch::in, if it may have grown
+  bool passed = false;  // what the watch is about has happened
   std::vector<trace::Event> events;  // without times and serial numbers; only if recorded
   bool too_many = false;             // a count outgrew the machine: nothing may be concluded
 };
@@ -111,5 +113,9 @@ class Machine {
 /// The value of observer `number` no longer matters beyond being greater than the cap; those after it move
 /// up.
 void pass_cap(State& state, const Watch& watch, int number);
+
+/// Whether the value that is measured from observer `number` is still growing, and counts even if it is never
+/// measured.
+bool grows(const State& state, const Watch& watch, int number);
 
 }  // namespace pal::analyzer

@@ -90,15 +90,19 @@ struct Statement {
 
 /// A requirement, its statements as a set of steps.
 struct Requirement {
-  enum class Measure { age, response, load };
+  enum class Measure { age, response, load, reaction, interval, loss, duration, busy };
   std::string name;
   Measure measure = Measure::age;
-  int condition = -1;           // age
+  int condition = -1;           // age, reaction: of a condition
+  std::vector<int> samples;     // age, reaction: of a device: its channels
   int event = -1;               // response: channel
-  int device = -1;              // response: device that sends the event
-  std::vector<bool> at;         // age, response: by step
-  std::vector<int> processors;  // load
-  Nanoseconds limit = 0;
+  int device = -1;              // response, loss, and of samples: the device
+  std::vector<bool> at;         // age, response, reaction, interval: by step
+  std::vector<int> processors;  // load, busy
+  int in = 1;                   // loss: at most `limit` of so many in a row
+  int code = 0;                 // duration: of the completion
+  bool at_least = false;        // interval: `limit` is the least that is allowed
+  Nanoseconds limit = 0;        // loss: a number
   SourceSpan where;
 };
 

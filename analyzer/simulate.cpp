@@ -70,6 +70,10 @@ Simulation simulate(const Machine& machine, const SimulationOptions& options) {
   made.ended = clockwork.state().ended;
   made.failed = clockwork.state().failed;
   made.measured = clockwork.measured();
+  for (std::size_t o = 0; o < clockwork.births().size(); ++o) {
+    if (!grows(clockwork.state(), machine.watch(), static_cast<int>(o))) continue;
+    made.grown = std::max(made.grown, clockwork.now() - clockwork.births()[o]);
+  }
   if (options.record) made.trace = clockwork.trace();
   return made;
 }

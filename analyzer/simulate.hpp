@@ -23,8 +23,9 @@ struct SimulationOptions {
 struct Simulation {
   trace::Trace trace;
   std::vector<Measurement> measured;
-  bool ended = false;   // the skill did
-  bool failed = false;  // an event of what is watched can have no response
+  bool ended = false;     // the skill did
+  bool failed = false;    // an event of what is watched can have no response
+  Nanoseconds grown = 0;  // the greatest value that still grows at the end
 };
 
 /// The same options give the same run.

@@ -9,11 +9,19 @@
 namespace pal::analyzer {
 
 /// What a thread, message or condition carries of the thing that is being measured: the number of an observer
-/// (age) or of an event (response), or one of these.
+/// or of an event (response), or one of these.
 namespace tag {
 constexpr std::uint8_t none = 255;
-constexpr std::uint8_t over = 254;  // age: older than the cap
+constexpr std::uint8_t over = 254;  // older than the cap
 constexpr std::uint8_t most = 200;
+
+/// Of instants whose observers are numbered in the order of their birth: whether `a` is later than `b`.
+constexpr bool newer(std::uint8_t a, std::uint8_t b) {
+  const auto rank = [](std::uint8_t carries) {
+    return carries == none ? -2 : carries == over ? -1 : static_cast<int>(carries);
+  };
+  return rank(a) > rank(b);
+}
 }  // namespace tag
 
 enum class Status : std::uint8_t { off, ready, running, waiting, sending, joining };
@@ -59,8 +67,8 @@ struct DeviceState {
   friend bool operator==(const DeviceState&, const DeviceState&) = default;
 };
 
-/// An event without a response, in the order of birth.
-enum class Pending : std::uint8_t { observed, over, lost };
+/// An event without a response, in the order of birth. Of one that is lost nobody knows any more.
+enum class Pending : std::uint8_t { observed, lost, over };
 
 struct State {
   std::vector<ThreadState> threads;
@@ -70,6 +78,10 @@ struct State {
   std::vector<DeviceState> devices;
   std::uint64_t conditions = 0;
   std::uint8_t condition_carries = tag::none;
+  std::vector<std::uint8_t> known;     // samples: by condition
+  std::uint8_t reference = tag::none;  // the instant from which the next value is measured
+  std::uint64_t lost = 0;              // losses: the last occurrences by bit, the latest first; 1: lost
+  bool counting = false;               // losses: the device has served something
   std::uint8_t observers = 0;
   std::vector<Pending> pending;
   bool ended = false;
@@ -108,6 +120,9 @@ struct StateHash {
     mix(static_cast<std::uint64_t>(state.condition_carries) << 16U |
         static_cast<std::uint64_t>(state.observers) << 8U | static_cast<std::uint64_t>(state.ended ? 2 : 0) |
         static_cast<std::uint64_t>(state.failed ? 1 : 0));
+    for (std::uint8_t k : state.known) mix(static_cast<std::uint64_t>(k) + 300);
+    mix(state.lost << 9U | static_cast<std::uint64_t>(state.reference) << 1U |
+        static_cast<std::uint64_t>(state.counting ? 1 : 0));
     for (Pending p : state.pending) mix(static_cast<std::uint64_t>(p) + 77);
     return static_cast<std::size_t>(hash);
   }

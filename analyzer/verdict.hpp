@@ -13,7 +13,8 @@
 
 namespace pal::analyzer {
 
-enum class VerdictState { holds, fails, undecided };
+/// never: no run has anything to measure; what is required says nothing.
+enum class VerdictState { holds, fails, undecided, never };
 
 /// A piece of the time that a bound is made of.
 struct Reason {
@@ -31,6 +32,9 @@ struct Statistics {
   std::size_t classes = 0;      // sets of times at a state (and for loads points of the grid)
   double seconds = 0;           // by Options::clock
   std::size_t peak_memory = 0;  // bytes, by Options::peak_memory
+
+  /// Sums; the greater peak.
+  Statistics& operator+=(const Statistics& other);
 };
 
 struct Verdict {
@@ -38,9 +42,10 @@ struct Verdict {
   std::string requirement;
   Requirement::Measure measure = Requirement::Measure::age;
   State state = State::undecided;
-  Duration limit{};
-  /// Least value that no run exceeds, as far as is known; load: nanoseconds of work in a second, rounded up.
-  /// Nothing: unbounded, or not known to be bounded.
+  Duration limit{};       // loss: a number
+  bool at_least = false;  // no run may fall below the limit, and none falls below the bound
+  /// Least value that no run exceeds, as far as is known; load: nanoseconds of work in a second, rounded up;
+  /// loss: a number. Nothing: unbounded, or not known to be bounded.
   std::optional<Duration> bound;
   /// A run that was replayed attains the bound (load: comes as near to it as one likes).
   bool exact = false;
@@ -54,12 +59,13 @@ struct Verdict {
   Statistics statistics;
 };
 
-/// The greatest value that a run was shown to attain, if the verdict knows one. Load: nothing.
+/// The greatest value (the least, of a requirement that says at least) that a run was shown to attain, if the
+/// verdict knows one. Load: nothing.
 std::optional<Duration> attained(const Verdict& verdict);
 
-/// "holds", "fails", "undecided".
+/// "holds", "fails", "undecided", "never".
 const char* name(Verdict::State state);
-/// "age", "response", "load".
+/// "age", "response", "load", "reaction", "interval", "loss", "duration", "busy".
 const char* name(Requirement::Measure measure);
 
 }  // namespace pal::analyzer

@@ -39,30 +39,42 @@ class Schedule {
   /// How long an action takes that preempts others and whose time is not fixed.
   enum class Pin { worst, best };
 
-  Schedule(const Machine& machine, const std::vector<ScriptedFiring>& path, Pin pin)
+  /// `growing`: the observer after the last event whose value is in question; -1: what the last event
+  /// measures.
+  Schedule(const Machine& machine, const std::vector<ScriptedFiring>& path, Pin pin, int growing = -1)
       : machine_(machine),
         clockwork_(machine, false),
         lives_(static_cast<std::size_t>(machine.timer_count())),
-        pin_(pin) {
+        pin_(pin),
+        growing_(growing) {
     feasible_ = build(path);
   }
 
   bool feasible() const { return feasible_; }
 
-  /// Times of all events such that what was measured at the last is as great as it can be; nothing if
-  /// impossible.
-  std::optional<std::vector<Nanoseconds>> solve(bool greatest) {
+  enum class Aim { any, greatest, least };
+
+  /// Times of all events such that what was measured at the last is as great, or as small, as it can be;
+  /// nothing if impossible. A value that can grow without end is made greater than `enough`.
+  std::optional<std::vector<Nanoseconds>> solve(Aim aim, Nanoseconds enough = none) {
     std::vector<Constraint> constraints = constraints_;
-    if (greatest) {
+    if (aim == Aim::greatest) {
       if (births_at_end_.empty()) return std::nullopt;
       std::optional<Constraint> best;
       for (std::size_t born : births_at_end_) {
         const auto distance = distances(constraints, count_, born);
-        if (!distance || (*distance)[count_ - 1] >= none) return std::nullopt;
-        if (!best || (*distance)[count_ - 1] > -best->bound)
-          best = Constraint{count_ - 1, born, -(*distance)[count_ - 1]};
+        if (!distance) return std::nullopt;
+        const Nanoseconds most = std::min((*distance)[count_ - 1], enough);
+        if (most >= none) return std::nullopt;
+        if (!best || most > -best->bound) best = Constraint{count_ - 1, born, -most};
       }
       constraints.push_back(*best);
+    }
+    if (aim == Aim::least) {
+      const auto distance = distances(constraints, count_, count_ - 1);
+      if (!distance || births_at_end_.empty()) return std::nullopt;
+      const std::size_t born = births_at_end_.front();
+      constraints.push_back({born, count_ - 1, -(*distance)[born]});
     }
     // As early as can be: longest paths from the start, which are shortest ones backwards.
     std::vector<Constraint> reversed;
@@ -100,6 +112,8 @@ class Schedule {
     if (most < none) constraints_.push_back({from, to, most});
   }
 
+  static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
   bool build(const std::vector<ScriptedFiring>& path) {
     std::vector<std::size_t> births;
     for (std::size_t k = 0; k < path.size(); ++k) {
@@ -123,8 +137,8 @@ class Schedule {
       apply_changes(k);
       const Outcome& outcome = clockwork_.outcome();
       if (k + 1 == path.size()) {
-        for (int origin : outcome.measured)
-          births_at_end_.push_back(origin < 0 ? k : births[static_cast<std::size_t>(origin)]);
+        for (int origin : growing_ < 0 ? outcome.measured : std::vector<int>{outcome.origin[at(growing_)]})
+          births_at_end_.push_back(origin < 0 ? k : births[at(origin)]);
       }
       std::vector<std::size_t> next;
       for (int origin : outcome.origin)
@@ -179,6 +193,7 @@ class Schedule {
   Clockwork clockwork_;
   std::vector<Life> lives_;
   Pin pin_;
+  int growing_;
   std::vector<Constraint> constraints_;
   std::vector<std::size_t> births_at_end_;
   std::size_t count_ = 0;
@@ -210,13 +225,14 @@ std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, con
   Schedule schedule(machine, path, Schedule::Pin::worst);
   for (const auto& [timer, time] : left) schedule.leave(timer, time);
   if (!schedule.feasible()) return std::nullopt;
-  const auto times = schedule.solve(false);
+  const auto times = schedule.solve(Schedule::Aim::any);
   if (!times) return std::nullopt;
   for (std::size_t k = 0; k < path.size(); ++k) path[k].at = (*times)[k];
   return path;
 }
 
-std::optional<Witness> replay(const Machine& machine, const std::vector<ScriptedFiring>& script) {
+std::optional<Witness> replay(const Machine& machine, const std::vector<ScriptedFiring>& script,
+                              bool growing) {
   Clockwork clockwork(machine);
   for (std::size_t k = 0; k < script.size(); ++k) {
     ScriptedChoices choices(script[k].choices);
@@ -240,26 +256,56 @@ std::optional<Witness> replay(const Machine& machine, const std::vector<Scripted
   witness.script = script;
   witness.trace = clockwork.trace();
   witness.failed = clockwork.state().failed;
-  if (!clockwork.measured().empty() && clockwork.measured().back().at == clockwork.now()) {
-    for (const Measurement& made : clockwork.measured()) {
-      if (made.at == clockwork.now() && made.value >= witness.measured.value) witness.measured = made;
+  const bool least = machine.watch().least;
+  bool any = false;
+  for (const Measurement& made : clockwork.measured()) {
+    if (growing || made.at != clockwork.now()) continue;
+    if (!any || (least ? made.value <= witness.measured.value : made.value >= witness.measured.value)) {
+      witness.measured = made;
     }
+    any = true;
+  }
+  // What still grows counts from the first of the instants that do.
+  for (std::size_t o = 0; o < clockwork.births().size() && !any; ++o) {
+    if (!grows(clockwork.state(), machine.watch(), static_cast<int>(o))) continue;
+    const Nanoseconds born = clockwork.births()[o];
+    witness.measured = {clockwork.now() - born, born, clockwork.now(), -1};
+    witness.grows = true;
+    break;
   }
   return witness;
 }
 
+std::optional<Witness> stuck_witness(const Machine& machine, const ZoneGraph& graph, int stuck,
+                                     Nanoseconds value) {
+  const auto script = script_to(machine, graph, stuck, {});
+  std::optional<Witness> made;
+  if (script) made = replay(machine, *script, true);
+  if (!made || !made->grows) return std::nullopt;
+  made->measured.value = std::max(made->measured.value, value);
+  made->measured.at = made->measured.born + made->measured.value;
+  return made;
+}
+
 std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak) {
   std::vector<ScriptedFiring> path = path_to(graph, peak);
+  const Watch& watch = machine.watch();
+  const bool timed = peak.value >= 0 && watch.kind != Watch::Kind::loss;
+  const Schedule::Aim aim = !timed        ? Schedule::Aim::any
+                            : watch.least ? Schedule::Aim::least
+                                          : Schedule::Aim::greatest;
   std::optional<Witness> best;
   for (const Schedule::Pin pin : {Schedule::Pin::worst, Schedule::Pin::best}) {
-    Schedule schedule(machine, path, pin);
+    Schedule schedule(machine, path, pin, peak.grows ? peak.measured : -1);
     if (!schedule.feasible()) continue;
-    const auto times = schedule.solve(peak.value >= 0);
+    const auto times = schedule.solve(aim, peak.grows ? watch.limit + 1 : none);
     if (!times) continue;
     for (std::size_t k = 0; k < path.size(); ++k) path[k].at = (*times)[k];
-    std::optional<Witness> made = replay(machine, path);
+    std::optional<Witness> made = replay(machine, path, peak.grows);
     if (!made) continue;
-    if (!best || made->measured.value > best->measured.value) best = std::move(made);
+    const bool better = !best || (watch.least ? made->measured.value < best->measured.value
+                                              : made->measured.value > best->measured.value);
+    if (better) best = std::move(made);
     if (!peak.relaxed) break;
   }
   return best;

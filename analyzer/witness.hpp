@@ -23,11 +23,14 @@ struct Witness {
   trace::Trace trace;
   Measurement measured;  // value, born, at, step
   bool failed = false;   // the run ends with an event that has no response
+  bool grows =
+      false;  // nothing is measured: the value has grown so far at the end of the run, and still does
 };
 
 /// Runs `script` in the concrete domain. Nothing, if some timer would fire too early, too late or in the
-/// wrong state.
-std::optional<Witness> replay(const Machine& machine, const std::vector<ScriptedFiring>& script);
+/// wrong state. `growing`: what is asked for is what has not been measured at the end.
+std::optional<Witness> replay(const Machine& machine, const std::vector<ScriptedFiring>& script,
+                              bool growing = false);
 
 /// A run to the class `target` of `graph` at whose end the timers given have exactly that much time left.
 /// Nothing, if there is none along the class's path.
@@ -35,8 +38,13 @@ std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, con
                                                      int target,
                                                      const std::vector<std::pair<int, Nanoseconds>>& left);
 
-/// The run along the path to `peak` in which the measured value is greatest. Nothing, if none was confirmed
-/// by replay.
+/// A run to class `stuck` of `graph`, in which nothing happens any more while what is watched grows; it lasts
+/// until the value is `value`.
+std::optional<Witness> stuck_witness(const Machine& machine, const ZoneGraph& graph, int stuck,
+                                     Nanoseconds value);
+
+/// The run along the path to `peak` in which the measured value is greatest (or least, if that is watched).
+/// Nothing, if none was confirmed by replay.
 std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak);
 
 }  // namespace pal::analyzer

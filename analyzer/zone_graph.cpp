@@ -26,10 +26,22 @@ bool around(const ZoneClass& outer, const ZoneClass& inner) {
 
 }  // namespace
 
-void Findings::add(const Findings& later) {
-  if (later.peak.value > peak.value) peak = later.peak;
-  if (later.certain.value > certain.value) certain = later.certain;
+void Findings::measured(const Peak& value, bool least) {
+  const auto better = [&](const Peak& than) {
+    return value.value >= 0 &&
+           (than.value < 0 || (least ? value.value < than.value : value.value > than.value));
+  };
+  if (better(peak)) peak = value;
+  if (!value.relaxed && better(certain)) certain = value;
+}
+
+void Findings::add(const Findings& later, bool least) {
+  measured(later.peak, least);
+  measured(later.certain, least);
   if (!failure) failure = later.failure;
+  if (!growing) growing = later.growing;
+  if (stuck < 0) stuck = later.stuck;
+  passed = passed || later.passed;
   over_cap = over_cap || later.over_cap;
   never_answered = never_answered || later.never_answered;
   outgrown = outgrown || later.outgrown;
@@ -74,9 +86,11 @@ bool ZoneGraph::explore(const Limits& limits) {
   for (Move& move : first_moves_) {
     Expansion& expansion = expansions_.front();
     expansion.findings.outgrown |= move.outcome.too_many;
+    expansion.findings.passed |= move.outcome.passed;
     Arrival& arrival = expansion.arrival(move);
     arrival.made.choices = move.choices;
     follow(ZoneClass(), Dbm(1), move, 0, expansion.sources, arrival.made);
+    observe_growth(arrival, expansion.findings);
     split(arrival, expansion);
   }
   merge(1, limits);
@@ -114,7 +128,11 @@ void ZoneGraph::expand(int index, Expansion& expansion) {
   Place& here = places_[static_cast<std::size_t>(from.state)];
   expansion.begin();
   if (here.state.ended) return;
-  if (here.timers.empty() && !here.state.pending.empty()) expansion.findings.never_answered = true;
+  if (here.timers.empty() && machine_.watch().grows() && here.state.observers > 0 &&
+      (machine_.watch().kind == Watch::Kind::response || here.state.reference != tag::none)) {
+    expansion.findings.stuck = index;
+    expansion.findings.never_answered = true;
+  }
   int fired_timer = -1;
   bool possible = false;
   for (Move& move : here.moves) {
@@ -134,6 +152,7 @@ void ZoneGraph::expand(int index, Expansion& expansion) {
         follow(from, expansion.fired, move, here.timers.size(), expansion.sources, arrival.made);
     expansion.findings.relaxed |= arrival.made.relaxed;
     if (left) {
+      observe_growth(arrival, expansion.findings);
       split(arrival, expansion);
     } else {
       --expansion.used;
@@ -143,27 +162,51 @@ void ZoneGraph::expand(int index, Expansion& expansion) {
 
 void ZoneGraph::measure(int from, const Move& move, const Dbm& fired, std::size_t timers,
                         Findings& findings) const {
-  const bool failed = move.outcome.state.failed && !findings.failure;
-  if (move.outcome.measured.empty() && !failed) return;
+  const Outcome& outcome = move.outcome;
+  const bool failed = outcome.state.failed && !findings.failure;
+  findings.passed = findings.passed || outcome.passed;
+  if (outcome.measured.empty() && outcome.lost < 0 && !failed) return;
+  const bool least = machine_.watch().least;
   Peak peak;
   peak.parent = from;
   peak.timer = move.timer;
   peak.choices = move.choices;
   peak.relaxed = classes_[static_cast<std::size_t>(from)].relaxed;
-  for (std::size_t i = 0; i < move.outcome.measured.size(); ++i) {
-    peak.measured = move.outcome.measured[i];
-    peak.step = move.outcome.measured_steps[i];
+  for (std::size_t i = 0; i < outcome.measured.size(); ++i) {
+    peak.measured = outcome.measured[i];
+    peak.step = outcome.measured_steps[i];
     if (peak.measured == Outcome::older_than_cap) {
       findings.over_cap = true;
       continue;
     }
-    peak.value = peak.measured == Outcome::born_now
-                     ? 0
-                     : fired.at(move.variable, 1 + timers + static_cast<std::size_t>(peak.measured));
-    if (peak.value > findings.peak.value) findings.peak = peak;
-    if (!peak.relaxed && peak.value > findings.certain.value) findings.certain = peak;
+    const std::size_t observer = 1 + timers + static_cast<std::size_t>(std::max(peak.measured, 0));
+    peak.value = peak.measured == Outcome::born_now ? 0
+                 : least                            ? -fired.at(observer, move.variable)
+                                                    : fired.at(move.variable, observer);
+    findings.measured(peak, least);
+  }
+  if (outcome.lost >= 0) {
+    peak.value = outcome.lost;
+    peak.measured = Outcome::born_now;
+    findings.measured(peak, false);
   }
   if (failed) findings.failure = peak;
+}
+
+/// What grows counts as soon as it is greater than the limit, whether it is ever measured or not.
+void ZoneGraph::observe_growth(const Arrival& arrival, Findings& findings) const {
+  const Watch& watch = machine_.watch();
+  if (findings.growing || !watch.grows()) return;
+  const State& state = arrival.move->outcome.state;
+  for (int o = 0; o < state.observers; ++o) {
+    const Nanoseconds value =
+        arrival.made.zone.at(0, 1 + arrival.move->timers.size() + static_cast<std::size_t>(o));
+    if (value <= watch.limit || !grows(state, watch, o)) continue;
+    findings.growing = Peak{
+        value, arrival.made.parent, arrival.move->timer, arrival.move->choices, o, -1, arrival.made.relaxed,
+        true};
+    return;
+  }
 }
 
 /// An observer that may be beyond the cap is two cases: within it, and beyond.
@@ -186,9 +229,10 @@ void ZoneGraph::split(Arrival& arrival, Expansion& expansion) const {
     }
     const Dbm whole = beyond.zone;
     derive(whole, expansion.sources, beyond.zone);
-    if (machine_.watch().kind == Watch::Kind::response) expansion.findings.never_answered = true;
     Arrival& later = expansion.arrival(move);
     later.passed = passed ? *passed : move.outcome.state;
+    if (grows(*later.passed, machine_.watch(), static_cast<int>(variable - first)))
+      expansion.findings.never_answered = true;
     pass_cap(*later.passed, machine_.watch(), static_cast<int>(variable - first));
     later.made = std::move(beyond);
     split(later, expansion);
@@ -219,7 +263,7 @@ void ZoneGraph::merge(std::size_t expanded, const Limits& limits) {
   landings_.clear();
   for (std::size_t e = 0; e < expanded; ++e) {
     Expansion& expansion = expansions_[e];
-    findings_.add(expansion.findings);
+    findings_.add(expansion.findings, machine_.watch().least);
     for (std::size_t a = 0; a < expansion.used; ++a) {
       Arrival& arrival = expansion.arrivals[a];
       const std::size_t index = arrivals_.size();

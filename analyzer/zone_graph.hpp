@@ -31,7 +31,8 @@ struct Limits {
   Workers* workers = nullptr;  // none: the thread that explores works alone
 };
 
-/// The greatest value measured: at the firing of `timer` in class `parent` with `choices`.
+/// The greatest value measured (the least, if that is watched): at the firing of `timer` in class `parent`
+/// with `choices`.
 struct Peak {
   Nanoseconds value = -1;
   int parent = -1;
@@ -40,6 +41,8 @@ struct Peak {
   int measured = 0;  // observer in the parent's state, or Outcome::born_now
   int step = -1;
   bool relaxed = false;
+  /// Nothing is measured yet: `measured` is the observer, after the firing, from which a value grows.
+  bool grows = false;
 };
 
 struct Edge {
@@ -50,17 +53,22 @@ struct Edge {
 
 /// What was measured, and what cannot be.
 struct Findings {
-  Peak peak;     // the greatest value
-  Peak certain;  // the greatest where no zone on the way is larger than what can be
+  Peak peak;
+  Peak certain;  // the peak where no zone on the way is larger than what can be
   /// The firing after which an event can have no response any more, if there is one.
   std::optional<Peak> failure;
+  /// The first firing after which a value that still grows can be greater than the limit.
+  std::optional<Peak> growing;
+  int stuck = -1;       // a class in which nothing happens any more while a value grows
+  bool passed = false;  // what is watched happens in some run
   bool over_cap = false;
-  bool never_answered = false;  // something is pending longer than the cap, or for ever
+  bool never_answered = false;  // a value grows beyond the cap, or for ever
   bool outgrown = false;        // a count outgrew the machine: nothing may be concluded
   bool relaxed = false;         // some action with a time that is not fixed preempted others
 
-  /// Of two greatest values the first counts.
-  void add(const Findings& later);
+  /// Of two like values the first counts. `least`: the least is looked for.
+  void add(const Findings& later, bool least);
+  void measured(const Peak& value, bool least);
 };
 
 /// Classes are expanded in batches, in the order in which they were found; a batch is worked on by all
@@ -83,6 +91,9 @@ class ZoneGraph {
   bool over_cap() const { return findings_.over_cap; }
   const std::optional<Peak>& failure() const { return findings_.failure; }
   bool never_answered() const { return findings_.never_answered; }
+  const std::optional<Peak>& growing() const { return findings_.growing; }
+  int stuck() const { return findings_.stuck; }
+  bool passed() const { return findings_.passed; }
   bool relaxed() const { return findings_.relaxed; }
 
  private:
@@ -119,6 +130,7 @@ class ZoneGraph {
                 const std::function<void(std::size_t)>& part) const;
   void expand(int index, Expansion& expansion);
   void measure(int from, const Move& move, const Dbm& fired, std::size_t timers, Findings& findings) const;
+  void observe_growth(const Arrival& arrival, Findings& findings) const;
   void split(Arrival& arrival, Expansion& expansion) const;
   int place_of(Arrival& arrival);
   void merge(std::size_t expanded, const Limits& limits);

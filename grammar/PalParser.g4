@@ -161,9 +161,19 @@ literal : NUMBER | truth ;
 
 measure
   : RESPONSE FROM message OF party TO step AT MOST duration                           # response
-  | AGE OF name AT step AT MOST duration                                              # age
+  | AGE OF known AT step AT MOST duration                                             # age
+  | REACTION OF known AT step AT MOST duration                                        # reaction
+  | INTERVAL OF step AT MOST duration                                                 # greatestInterval
+  | INTERVAL OF step AT LEAST duration                                                # leastInterval
+  | INTERVAL OF step BETWEEN duration AND duration                                    # boundedInterval
+  | LOSS OF party ( NONE | AT MOST NUMBER IN NUMBER )                                 # loss
+  | DURATION TO COMPLETION NUMBER AT MOST duration                                    # completionTime
   | LOAD OF ( EACH PROCESSOR | name ) AT MOST NUMBER PERCENT                          # load
+  | BUSY PERIOD OF ( EACH PROCESSOR | name ) AT MOST duration                         # busyPeriod
   ;
+
+// A condition, or what a device measures.
+known : message FROM party | name ;
 
 // Every statement of this form, of one module if one is named.
 step : pattern ( IN party )? ;
@@ -222,12 +232,12 @@ name
   ;
 
 contextual
-  : ACTIVITY | AGE | ANSWER | AT | BETWEEN | BOOLEAN | COLLECTING | COMPLETION | CONTROLLER
-  | COORDINATOR | COST | DATA | DEFAULT | DESCRIPTION | DRIVER | EACH | ERROR | EVENT | EVERY | FIRST
-  | FOREVER | FRAMES | IN | INTEGER | JITTER | LATENCY | LOAD | METHOD | MODEL | MODULE | MOST
-  | NONPREEMPTIVE | NORMAL | NOTHING | OF | ON | PARAMETER | PHASE | PLACE | POSTCONDITION
-  | PRECONDITION | PRIORITY | PROCESSOR | PROCESSORS | PROTOCOL | RANGE | READ | READS | REAL
-  | RECEIVE | REQUIREMENT | RESPONSE | SEND | SET | SIGNAL | SPORADIC | TEST | TIME | WITHIN | WRITES
+  : ACTIVITY | AGE | ANSWER | AT | BETWEEN | BOOLEAN | BUSY | COLLECTING | COMPLETION | CONTROLLER
+  | COORDINATOR | COST | DATA | DEFAULT | DESCRIPTION | DRIVER | DURATION | EACH | ERROR | EVENT | EVERY
+  | FIRST | FOREVER | FRAMES | IN | INTEGER | INTERVAL | JITTER | LATENCY | LEAST | LOAD | LOSS | METHOD
+  | MODEL | MODULE | MOST | NONPREEMPTIVE | NORMAL | NOTHING | OF | ON | PARAMETER | PERIOD | PHASE | PLACE
+  | POSTCONDITION | PRECONDITION | PRIORITY | PROCESSOR | PROCESSORS | PROTOCOL | RANGE | REACTION | READ
+  | READS | REAL | RECEIVE | REQUIREMENT | RESPONSE | SEND | SET | SIGNAL | SPORADIC | TEST | TIME | WITHIN | WRITES
   ;
 
 // The words that begin a unit of a file.

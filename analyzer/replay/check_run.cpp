@@ -49,19 +49,21 @@ bool sound(const trace::Trace& run) {
 
 }  // namespace
 
-Ruling check_run(const Problem& problem, const Requirement* requirement, const trace::Trace& run) {
+Ruling check_run(const Problem& problem, const Requirement* requirement, const trace::Trace& run,
+                 std::optional<Nanoseconds> until) {
   Ruling ruling;
   ruling.broken = tables_differ(problem, run);
   if (ruling.broken.empty() && !sound(run)) ruling.broken = "an event names what is in no table";
   if (!ruling.broken.empty()) return ruling;
   Referee referee(problem, requirement, run.events);
   try {
-    referee.follow();
+    referee.follow(until);
   } catch (const Broken& rule) {
     ruling.broken = "at " + std::to_string(referee.now()) + " ns: " + rule.what();
   }
-  ruling.measured = referee.measured();
-  ruling.failed = referee.failed();
+  ruling.measured = referee.gauge().measured();
+  ruling.failed = referee.gauge().failed();
+  ruling.growing_since = referee.gauge().growing_since();
   return ruling;
 }
 

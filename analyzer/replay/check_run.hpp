@@ -13,10 +13,10 @@ namespace pal::analyzer::rules {
 
 /// A value of the requirement's measure in the run.
 struct Measured {
-  Nanoseconds value = 0;
+  Nanoseconds value = 0;  // of a loss: a number
   Nanoseconds born = 0;
   Nanoseconds at = 0;
-  int statement = -1;  // in Problem::statements
+  int statement = -1;  // in Problem::statements; -1: none
 
   friend bool operator==(const Measured&, const Measured&) = default;
 };
@@ -26,11 +26,15 @@ struct Ruling {
   std::string broken;
   std::vector<Measured> measured;  // before that
   bool failed = false;             // an event of the requirement has no response
+  /// Since when a value has been growing that is not measured at the end of the run.
+  std::optional<Nanoseconds> growing_since;
 };
 
-/// Holds `run` against every rule. `requirement`, an age or a response of `problem`, says what to measure;
-/// without it nothing is. The run may end at any instant. What arrives or becomes ready at one instant
-/// without an event of its own in the trace may have come in any order.
-Ruling check_run(const Problem& problem, const Requirement* requirement, const trace::Trace& run);
+/// Holds `run` against every rule. `requirement`, of `problem`, says what to measure; without it, or for a
+/// load, nothing is. The run may end at any instant; with `until` nothing may have to happen before that.
+/// What arrives or becomes ready at one instant without an event of its own in the trace may have come in any
+/// order.
+Ruling check_run(const Problem& problem, const Requirement* requirement, const trace::Trace& run,
+                 std::optional<Nanoseconds> until = std::nullopt);
 
 }  // namespace pal::analyzer::rules

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analyzer/replay/check_run.hpp"
+#include "analyzer/replay/gauge.hpp"
 
 namespace pal::analyzer::rules {
 
@@ -22,12 +23,11 @@ class Referee {
  public:
   Referee(const Problem& problem, const Requirement* requirement, const std::vector<trace::Event>& events);
 
-  /// Everything up to the end; throws Broken.
-  void follow();
+  /// Everything up to the end, and on to `until` without a further event; throws Broken.
+  void follow(std::optional<Nanoseconds> until);
 
   Nanoseconds now() const { return now_; }
-  const std::vector<Measured>& measured() const { return measured_; }
-  bool failed() const { return failed_; }
+  const Gauge& gauge() const { return gauge_; }
 
  private:
   using Event = trace::Event;
@@ -59,8 +59,6 @@ class Referee {
     int owes_put = -1;       // its effect came before its put, at this instant
     std::map<int, bool> latched;
     std::map<int, bool> reads;  // at this instant, for a test
-    std::optional<Nanoseconds> read_born;
-    int event = -1;
   };
 
   /// When a message is there for one group of threads: some instant in [lo, hi].
@@ -76,13 +74,11 @@ class Referee {
     Arrival arrival[2];  // at threads on the sender's processor; on others
     int from = -1;       // the sender's processor; -1: a device
     Nanoseconds put = 0;
-    int event = -1;
     int open = 0;      // of a request
     int owner = -1;    // thread that sent the last
     int unwanted = 0;  // of an answer: how many are discarded
     int expected_drops = 0;
     int unexplained_drops = 0;
-    int serving_event = -1;
   };
 
   struct Outside {
@@ -97,6 +93,7 @@ class Referee {
     Nanoseconds frame_at = -1;
     std::set<int> served;   // request channels
     std::set<int> answers;  // due at this instant
+    bool any_put = false;   // of them
   };
 
   struct Queued {
@@ -106,8 +103,13 @@ class Referee {
     bool front;
   };
 
-  // Threads and processors (referee.cpp).
+  // The run, and what must be so whenever time goes on (referee.cpp).
   void handle(const Event& event);
+  void leave_instant(Nanoseconds next) const;
+  void check_thread(int thread, Nanoseconds next) const;
+  void check_processor(int processor) const;
+
+  // Processors (referee_processors.cpp) and statements (referee_statements.cpp).
   void started(const Event& event);
   void stopped(const Event& event);
   void done(const Event& event);
@@ -117,6 +119,7 @@ class Referee {
   void cancelled(const Event& event);
   void condition(const Event& event);
   void reach(int thread, int step);
+  void hold(int thread);
   void begin_blocks(int thread);
   void block_over(int parent);
   void resolve(int thread);
@@ -125,15 +128,11 @@ class Referee {
   void enqueue(int thread, bool front, bool ordered);
   void check_turn(int thread) const;
   void check_work(int thread) const;
-  void leave_instant(Nanoseconds next) const;
-  void check_thread(int thread, Nanoseconds next) const;
-  void check_processor(int processor) const;
   int next_of_test(int thread) const;
   Range cost(int thread) const;
-  void measure(int thread);
 
   // Messages (referee_messages.cpp).
-  void fill(int channel, int processor, int event);
+  void fill(int channel, int processor);
   void put(const Event& event);
   void take(const Event& event);
   void drop(const Event& event);
@@ -155,6 +154,7 @@ class Referee {
   void occurrence(int device, int channel, bool overrun);
   void due(int device, Nanoseconds period, Nanoseconds late);
   void busy(int device);
+  bool serves_somebody(int device) const;
   void idle(int device);
   void delivered(int device, int channel);
   void check_device(int device, Nanoseconds next) const;
@@ -178,7 +178,6 @@ class Referee {
   std::string name(int thread) const { return thread_of(thread).name; }
 
   const Problem& problem_;
-  const Requirement* requirement_;
   const std::vector<Event>& events_;
   std::size_t at_ = 0;  // the event in question
   Nanoseconds now_ = 0;
@@ -193,14 +192,7 @@ class Referee {
   std::vector<Queued> queue_;
   std::vector<bool> conditions_;
 
-  Nanoseconds condition_born_ = 0;  // of the requirement
-  struct Born {
-    Nanoseconds at;
-    bool answered;
-  };
-  std::vector<Born> born_;
-  std::vector<Measured> measured_;
-  bool failed_ = false;
+  Gauge gauge_;
 };
 
 }  // namespace pal::analyzer::rules

@@ -34,8 +34,8 @@ void Referee::device_event(const Event& event, int device) {
         demand(of.busy && of.busy_since == now_, described.name + " takes a request outside its time");
         demand(of.served.empty() || std::holds_alternative<pan::FrameDevice>(described.behaviour),
                described.name + " serves two at once");
+        gauge_.serves(event.subject, of.served.empty());
         of.served.insert(event.subject);
-        slot(event.subject).serving_event = slot(event.subject).event;
       }
       answer_taken(event.subject);
       empty(event.subject);
@@ -47,10 +47,13 @@ void Referee::device_event(const Event& event, int device) {
       demand(slot(event.subject).full == (event.kind == Kind::overrun),
              described.name + " sends into a full slot, or loses without need");
       if (events) return occurrence(device, event.subject, event.kind == Kind::overrun);
-      delivered(device, event.subject);
       demand(slot(event.subject).unwanted == 0, "a message that nobody wants is put");
-      if (event.kind == Kind::put)
-        fill(event.subject, -1, slot(channel_of(event.subject).answers).serving_event);
+      if (event.kind == Kind::put) {
+        of.any_put = true;
+        gauge_.answers(event.subject);
+        fill(event.subject, -1);
+      }
+      delivered(device, event.subject);
       return;
     case Kind::drop:
       demand(slot(event.subject).unwanted > 0, "a message that somebody wants is discarded");
@@ -64,8 +67,9 @@ void Referee::device_event(const Event& event, int device) {
 
 void Referee::delivered(int device, int channel) {
   const int request = channel_of(channel).answers;
-  demand(devices_[static_cast<std::size_t>(device)].answers.erase(request) == 1,
-         "a device answers what it was not asked");
+  Outside& of = devices_[static_cast<std::size_t>(device)];
+  demand(of.answers.erase(request) == 1, "a device answers what it was not asked");
+  if (of.answers.empty()) gauge_.served(device, !of.any_put);
 }
 
 /// One more of a series with the given period, each up to `late` after it is due: narrows when the first was.
@@ -96,14 +100,8 @@ void Referee::occurrence(int device, int channel, bool overrun) {
   } else {
     due(device, event.period.count(), event.jitter.count());
   }
-  const bool watched = requirement_ != nullptr && requirement_->measure == Requirement::Measure::response &&
-                       requirement_->event == channel;
-  if (overrun) {
-    failed_ = failed_ || watched;
-    return;
-  }
-  if (watched) born_.push_back({now_, false});
-  fill(channel, -1, watched ? static_cast<int>(born_.size()) - 1 : -1);
+  if (!overrun) fill(channel, -1);
+  gauge_.event(device, channel, overrun);
 }
 
 void Referee::busy(int device) {
@@ -114,10 +112,21 @@ void Referee::busy(int device) {
   of.busy_since = now_;
   if (const auto* frames = std::get_if<pan::FrameDevice>(&described.behaviour)) {
     due(device, frames->period.count(), 0);
+    if (!serves_somebody(device)) gauge_.frame_for_nobody(device);
   } else {
     demand(std::holds_alternative<pan::RequestDevice>(described.behaviour),
            described.name + " serves nothing");
   }
+}
+
+/// Whether the device takes a request at this instant.
+bool Referee::serves_somebody(int device) const {
+  const int actor = static_cast<int>(threads_.size()) + device;
+  for (std::size_t e = at_ + 1; e < events_.size() && events_[e].time_ns == now_; ++e) {
+    if (events_[e].actor == actor && events_[e].kind == Kind::idle) return false;
+    if (events_[e].actor == actor && events_[e].kind == Kind::take) return true;
+  }
+  return false;
 }
 
 void Referee::idle(int device) {
@@ -134,6 +143,7 @@ void Referee::idle(int device) {
   const Nanoseconds took = now_ - of.busy_since;
   demand(took >= range.best && took <= range.worst, described.name + " takes another time than it should");
   of.busy = false;
+  of.any_put = false;
   of.answers = std::move(of.served);
   of.served.clear();
 }

@@ -41,13 +41,12 @@ int Referee::message_of(int thread, const std::vector<int>& candidates) const {
   return candidates.front();
 }
 
-void Referee::fill(int channel, int processor, int event) {
+void Referee::fill(int channel, int processor) {
   Slot& to = slot(channel);
   to.full = true;
   to.claimed = false;
   to.from = processor;
   to.put = now_;
-  to.event = event;
   const Range none{0, 0};
   const bool flies = processor >= 0;
   const Range latency[2] = {flies ? problem_.within_processor : none,
@@ -64,7 +63,7 @@ void Referee::put(const Event& event) {
   Slot& to = slot(event.subject);
   demand(!to.full, "a message is put into a slot that is full");
   demand(to.unwanted == 0, "a message that nobody wants is put");
-  int carries = -1;
+  bool along = false;
   if (of.owes_put == event.subject) {
     of.owes_put = -1;
   } else {
@@ -73,10 +72,10 @@ void Referee::put(const Event& event) {
            name(thread) + " sends what it does not send here");
     if (of.mode != Mode::sending) check_work(thread);
     of.acted = true;
-    carries = of.event;
+    along = true;
   }
-  if (carries >= 0 && born_[static_cast<std::size_t>(carries)].answered) carries = -1;
-  fill(event.subject, thread_of(thread).processor, carries);
+  gauge_.puts(thread, event.subject, along);
+  fill(event.subject, thread_of(thread).processor);
   if (channel_of(event.subject).answer >= 0) {
     ++to.open;
     to.owner = thread;
@@ -89,8 +88,7 @@ void Referee::take(const Event& event) {
   demand(step_of(event.actor).kind == Step::Kind::wait && !of.gives_up && !of.acted && !of.withdrawn &&
              of.claim == event.subject && slot(event.subject).full,
          name(event.actor) + " takes a message that is not its own");
-  const int carries = slot(event.subject).event;
-  if (carries >= 0 && !born_[static_cast<std::size_t>(carries)].answered) of.event = carries;
+  gauge_.takes(event.actor, event.subject);
   of.acted = true;
   answer_taken(event.subject);
   empty(event.subject);
@@ -104,8 +102,8 @@ void Referee::answer_taken(int channel) {
 void Referee::empty(int channel) {
   Slot& of = slot(channel);
   of.full = of.claimed = false;
-  of.event = -1;
   of.from = -1;
+  gauge_.empties(channel);
 }
 
 /// By a thread: its message is not wanted. By nobody: somebody withdraws the message in the slot.
@@ -153,6 +151,7 @@ void Referee::drop(const Event& event) {
     }
   }
   // A thread that has not begun to receive it yet still has its turn, and comes to the wait again then.
+  gauge_.withdrawn(channel);
   empty(channel);
 }
 

@@ -19,6 +19,7 @@ Json to_json(const FiledWitness& witness) {
   made["requirement"] = witness.requirement;
   made["measure"] = witness.measure;
   made["failed"] = witness.failed;
+  made["grows"] = witness.grows;
   made["value_ns"] = witness.value;
   made["born_ns"] = witness.born;
   made["at_ns"] = witness.at;
@@ -40,6 +41,7 @@ FiledWitness from_json(const Json& json) {
   made.requirement = json.at("requirement").get<std::string>();
   made.measure = json.at("measure").get<std::string>();
   made.failed = json.at("failed").get<bool>();
+  made.grows = json.at("grows").get<bool>();
   made.value = json.at("value_ns").get<std::int64_t>();
   made.born = json.at("born_ns").get<std::int64_t>();
   made.at = json.at("at_ns").get<std::int64_t>();

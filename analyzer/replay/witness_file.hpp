@@ -24,8 +24,9 @@ struct FiledWitness {
   std::string environment;
   std::string identity;  // of the skill and the environment that it is a run of
   std::string requirement;
-  std::string measure;  // "age", "response", "load"
+  std::string measure;  // "age", "response", …
   bool failed = false;  // shows an event without a response, and no value
+  bool grows = false;   // the value has grown so far when the run ends, and is not measured yet
   std::int64_t value = 0;
   std::int64_t born = 0;
   std::int64_t at = 0;

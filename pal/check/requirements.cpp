@@ -27,11 +27,89 @@ class RequirementBuilder {
     return pan::Load{load.processor ? load.processor->text : std::string()};
   }
 
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::BusyPeriod& busy) {
+    return pan::BusyPeriod{busy.processor ? busy.processor->text : std::string()};
+  }
+
   std::optional<pan::Measure> build_measure(const syntax::Requirement::Age& age) {
-    const auto condition = names_.condition(age.condition);
+    auto of = known(age.of);
     auto at = statements(age.at);
-    if (!condition || at.empty()) return std::nullopt;
-    return pan::Age{*condition, std::move(at)};
+    if (!of || at.empty()) return std::nullopt;
+    return pan::Age{std::move(*of), std::move(at)};
+  }
+
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::Reaction& reaction) {
+    auto of = known(reaction.of);
+    auto at = statements(reaction.at);
+    if (!of || at.empty()) return std::nullopt;
+    return pan::Reaction{std::move(*of), std::move(at)};
+  }
+
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::Passes& passes) {
+    auto at = statements(passes.at);
+    if (at.empty()) return std::nullopt;
+    return pan::Passes{std::move(at), passes.least, passes.most};
+  }
+
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::Loss& loss) {
+    const auto of = names_.party(loss.of);
+    if (!of) return std::nullopt;
+    if (!is_device(*of)) {
+      diagnostics_.report(Code::PAL0818, loss.of.name.where,
+                          quoted(loss.of.name.text) + " is no device: its messages wait until they are taken",
+                          "name a device, or a module without a body");
+      return std::nullopt;
+    }
+    return pan::Loss{*of, loss.most, loss.in};
+  }
+
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::Completing& completing) {
+    const auto& listed = network_.skill.completions;
+    if (std::none_of(listed.begin(), listed.end(),
+                     [&](const pan::Completion& each) { return each.code == completing.code; })) {
+      diagnostics_.report(Code::PAL0817, completing.where,
+                          "the skill has no completion " + std::to_string(completing.code),
+                          "list it: COMPLETION " + std::to_string(completing.code) + " …");
+      return std::nullopt;
+    }
+    return pan::Completing{completing.code};
+  }
+
+  bool is_device(const pan::Party& party) const {
+    const auto* module = std::get_if<pan::ModuleId>(&party);
+    return module == nullptr || network_.modules[module->index()].body.empty();
+  }
+
+  std::optional<pan::Known> known(const syntax::Known& written) {
+    if (const auto* name = std::get_if<syntax::Name>(&written.of)) {
+      const auto condition = names_.condition(*name);
+      if (!condition) return std::nullopt;
+      return *condition;
+    }
+    const auto& sample = std::get<syntax::Known::Sample>(written.of);
+    const auto message = names_.message(sample.message);
+    const auto sender = names_.party(sample.from);
+    if (!message || !sender) return std::nullopt;
+    std::vector<pan::ChannelId> channels;
+    for (std::size_t c = 0; c < network_.channels.size(); ++c) {
+      const pan::Channel& channel = network_.channels[c];
+      if (channel.sender == *sender && channel.message == *message) channels.push_back(pan::ChannelId(c));
+    }
+    const std::string from = quoted(sample.from.name.text);
+    if (!is_device(*sender)) {
+      diagnostics_.report(Code::PAL0819, sample.from.name.where,
+                          from + " is no device: it measures nothing itself",
+                          "name the device that the values come from");
+      return std::nullopt;
+    }
+    if (channels.empty()) {
+      diagnostics_.report(
+          Code::PAL0819, sample.message.where,
+          "nobody waits for " + quoted(network_.messages[message->index()].name) + " from " + from,
+          "name a message of a device that a module of the skill waits for");
+      return std::nullopt;
+    }
+    return channels;
   }
 
   std::optional<pan::Measure> build_measure(const syntax::Requirement::Response& response) {

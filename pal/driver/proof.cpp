@@ -62,25 +62,52 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits) {
   return proofs;
 }
 
+namespace {
+
+std::string known_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
+  if (requirement.samples.empty()) return problem.conditions[static_cast<std::size_t>(requirement.condition)];
+  return problem.channels[static_cast<std::size_t>(requirement.samples.front())].message + " from " +
+         problem.devices[static_cast<std::size_t>(requirement.device)].name;
+}
+
+std::string processor_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
+  if (requirement.processors.size() != 1) return "each processor";
+  return problem.processors[static_cast<std::size_t>(requirement.processors.front())].name;
+}
+
+}  // namespace
+
 std::string measure_text(const Proof& proof, std::size_t index) {
   const analyzer::Problem& problem = proof.problem;
   const analyzer::Requirement& requirement = problem.requirements[index];
   switch (requirement.measure) {
     case Measure::age:
-      return "age of " + problem.conditions[static_cast<std::size_t>(requirement.condition)] + " at " +
+      return "age of " + known_text(problem, requirement) + " at " + statements_text(problem, requirement);
+    case Measure::reaction:
+      return "reaction of " + known_text(problem, requirement) + " at " +
              statements_text(problem, requirement);
     case Measure::response:
       return "response from " + problem.channels[static_cast<std::size_t>(requirement.event)].message +
              " of " + problem.devices[static_cast<std::size_t>(requirement.device)].name + " to " +
              statements_text(problem, requirement);
+    case Measure::interval:
+      return std::string(requirement.at_least ? "least" : "greatest") + " interval of " +
+             statements_text(problem, requirement);
+    case Measure::loss:
+      return "loss of " + problem.devices[static_cast<std::size_t>(requirement.device)].name +
+             (requirement.in == 1 ? "" : " in " + std::to_string(requirement.in));
+    case Measure::duration:
+      return "duration to completion " + std::to_string(requirement.code);
+    case Measure::busy:
+      return "busy period of " + processor_text(problem, requirement);
     case Measure::load:
       break;
   }
-  if (requirement.processors.size() != 1) return "load of each processor";
-  return "load of " + problem.processors[static_cast<std::size_t>(requirement.processors.front())].name;
+  return "load of " + processor_text(problem, requirement);
 }
 
 std::string figure_text(Measure measure, Duration value) {
+  if (measure == Measure::loss) return value.count() == 0 ? "none" : std::to_string(value.count());
   if (measure != Measure::load) return to_text(value);
   const auto hundredths = (value.count() + 99'999) / 100'000;  // 1e9 ns in a second are 100.00 %
   const std::string fraction = std::to_string(hundredths % 100);

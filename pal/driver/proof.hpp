@@ -35,7 +35,8 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits);
 /// )", …
 std::string measure_text(const Proof& proof, std::size_t requirement);
 
-/// A length of time, or of a load its percentage: "7.35 ms", "41.2 %". A bound's percentage is rounded up.
+/// A length of time, of a load its percentage, of a loss its number: "7.35 ms", "41.2 %", "none". A bound's
+/// percentage is rounded up.
 std::string figure_text(analyzer::Requirement::Measure measure, Duration value);
 
 /// Whether every verdict is `holds`.

@@ -14,10 +14,29 @@ using State = analyzer::VerdictState;
 
 std::string label(const Proof& proof, std::size_t index) {
   const analyzer::Requirement& requirement = proof.problem.requirements[index];
-  if (requirement.measure == Measure::age) {
-    return "age of " + proof.problem.conditions[static_cast<std::size_t>(requirement.condition)];
+  const std::string known =
+      requirement.condition >= 0 ? proof.problem.conditions[static_cast<std::size_t>(requirement.condition)]
+      : requirement.samples.empty()
+          ? std::string()
+          : proof.problem.channels[static_cast<std::size_t>(requirement.samples.front())].message;
+  switch (requirement.measure) {
+    case Measure::age:
+      return "age of " + known;
+    case Measure::reaction:
+      return "reaction to " + known;
+    case Measure::response:
+      return "response to " + proof.problem.channels[static_cast<std::size_t>(requirement.event)].message;
+    case Measure::interval:
+      return "interval";
+    case Measure::duration:
+      return "duration";
+    case Measure::busy:
+      return "busy period";
+    case Measure::loss:
+    case Measure::load:
+      break;
   }
-  return "response to " + proof.problem.channels[static_cast<std::size_t>(requirement.event)].message;
+  return {};
 }
 
 chart::Caption caption(const Proof& proof, std::size_t index) {
@@ -33,8 +52,10 @@ chart::Caption caption(const Proof& proof, std::size_t index) {
 }
 
 chart::Highlight highlight(const Proof& proof, std::size_t index, std::int64_t from, std::int64_t to) {
-  const std::int64_t limit = proof.analysis.verdicts[index].limit.count();
-  return {from, to, label(proof, index), to - from > limit, limit};
+  const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
+  const std::int64_t limit = verdict.limit.count();
+  const bool over = verdict.at_least ? to - from < limit : to - from > limit;
+  return {from, to, label(proof, index), over, limit};
 }
 
 /// "touch.pal:57": the folder would only take room.
@@ -47,7 +68,7 @@ chart::ChartOptions options_for(const Proof& proof, std::size_t index) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   chart::ChartOptions options;
   options.caption = caption(proof, index);
-  if (verdict.witness->measured.value > 0) {
+  if (verdict.witness->measured.value > 0 && verdict.measure != Measure::loss) {
     options.highlight = highlight(proof, index, verdict.witness->measured.born, verdict.witness->measured.at);
   }
   for (const analyzer::Reason& reason : verdict.reasons) {
@@ -65,6 +86,7 @@ std::optional<std::size_t> most_interesting(const Proof& proof) {
     const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
     if (!verdict.witness) continue;
     if (verdict.state == State::fails) return i;
+    if (verdict.limit.count() == 0 || verdict.at_least) continue;
     const double share =
         static_cast<double>(verdict.witness->measured.value) / static_cast<double>(verdict.limit.count());
     if (!best || share > best_share) {
@@ -87,11 +109,16 @@ std::vector<trace::StatementName> statements_of(const Proof& proof, std::size_t 
   return result;
 }
 
+bool shows_in_runs(const analyzer::Requirement& requirement) {
+  return requirement.measure == Measure::response ||
+         (requirement.measure == Measure::age && requirement.samples.empty());
+}
+
 std::optional<trace::Occurrence> longest_in(const trace::Trace& run, const Proof& proof, std::size_t index) {
   const analyzer::Requirement& requirement = proof.problem.requirements[index];
   const auto at = statements_of(proof, index);
   std::vector<trace::Occurrence> all;
-  if (requirement.measure == Measure::age) {
+  if (requirement.measure == Measure::age && requirement.samples.empty()) {
     all = trace::ages(run, proof.problem.conditions[static_cast<std::size_t>(requirement.condition)], at);
   } else if (requirement.measure == Measure::response) {
     all = trace::responses(run, proof.problem.devices[static_cast<std::size_t>(requirement.device)].name,

@@ -16,22 +16,28 @@ using State = analyzer::VerdictState;
 
 std::string margin_text(const analyzer::Verdict& verdict) {
   if (!verdict.bound) return "";
-  const Duration margin = verdict.limit - *verdict.bound;
+  const Duration margin = verdict.at_least ? *verdict.bound - verdict.limit : verdict.limit - *verdict.bound;
   const bool over = margin < Duration::zero();
   const bool load = verdict.measure == analyzer::Requirement::Measure::load;
   // What is to spare of a load is rounded down, as its bound is rounded up.
   const Duration rounding(load && !over ? margin.count() % 100'000 : 0);
-  return figure_text(verdict.measure, over ? -margin : margin - rounding) +
-         (over ? " too much" : " to spare");
+  return figure_text(verdict.measure, over ? -margin : margin - rounding) + (!over ? " to spare"
+                                                                             : verdict.at_least
+                                                                                 ? " too little"
+                                                                                 : " too much");
 }
 
 std::string bound_text(const analyzer::Verdict& verdict) {
+  if (verdict.state == State::never) return "never";
   if (!verdict.bound) {
     const auto least = attained(verdict);
-    if (least) return ">= " + figure_text(verdict.measure, *least);
+    if (least) return (verdict.at_least ? "<= " : ">= ") + figure_text(verdict.measure, *least);
     return verdict.state == State::undecided ? "no bound" : "unbounded";
   }
-  return (verdict.exact ? "" : "<= ") + figure_text(verdict.measure, *verdict.bound);
+  return (verdict.exact      ? ""
+          : verdict.at_least ? ">= "
+                             : "<= ") +
+         figure_text(verdict.measure, *verdict.bound);
 }
 
 }  // namespace

@@ -19,13 +19,7 @@ void write_line(const std::string& name, std::size_t width, const analyzer::Stat
 
 analyzer::Statistics sum_of(const std::vector<Proof>& proofs) {
   analyzer::Statistics sum;
-  for (const Proof& proof : proofs) {
-    const analyzer::Statistics& of = proof.analysis.statistics;
-    sum.states += of.states;
-    sum.classes += of.classes;
-    sum.seconds += of.seconds;
-    sum.peak_memory = std::max(sum.peak_memory, of.peak_memory);
-  }
+  for (const Proof& proof : proofs) sum += proof.analysis.statistics;
   return sum;
 }
 

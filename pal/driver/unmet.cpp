@@ -22,10 +22,11 @@ SourceSpan place_of(const analyzer::Problem& problem, const analyzer::Reason& re
 std::string figure_of(const analyzer::Verdict& verdict) {
   if (!verdict.bound) {
     const auto least = attained(verdict);
-    if (least) return "at least " + figure_text(verdict.measure, *least);
+    if (least) return (verdict.at_least ? "at most " : "at least ") + figure_text(verdict.measure, *least);
     return verdict.state == State::undecided ? "without a bound that was found" : "without bound";
   }
-  return (verdict.state == State::undecided ? "at most " : "") + figure_text(verdict.measure, *verdict.bound);
+  const std::string sound = verdict.at_least ? "at least " : "at most ";
+  return (verdict.state == State::undecided ? sound : "") + figure_text(verdict.measure, *verdict.bound);
 }
 
 /// The longest piece of the time in which the thread that decided did nothing but wait, after it had read.
@@ -42,13 +43,36 @@ const analyzer::Reason* longest_wait_after_read(const analyzer::Verdict& verdict
 std::string hint_of(const analyzer::Verdict& verdict) {
   if (verdict.state == State::undecided)
     return "allow more with --max-states or --timeout, or make the skill or its times simpler";
-  if (verdict.measure == Measure::load)
-    return "move modules to another processor, or shorten their activities";
-  if (verdict.measure == Measure::response)
-    return "shorten what the time is spent on, give it a processor of its own, or answer without waiting";
+  switch (verdict.measure) {
+    case Measure::load:
+    case Measure::busy:
+      return "move modules to another processor, or shorten their activities";
+    case Measure::response:
+      return "shorten what the time is spent on, give it a processor of its own, or answer without waiting";
+    case Measure::reaction:
+      return "ask for the next value earlier, or shorten what lies between a value and its use";
+    case Measure::interval:
+      return verdict.at_least ? "wait for something that comes no sooner"
+                              : "shorten what lies between two passes";
+    case Measure::loss:
+      return "ask for the next one before working on the last";
+    case Measure::duration:
+      return "shorten what lies between the start and the completion";
+    case Measure::age:
+      break;
+  }
   const analyzer::Reason* wait = longest_wait_after_read(verdict);
   if (wait == nullptr) return "shorten what lies between the set and its use";
   return "read the condition after " + wait->what.substr(std::string("waits at ").size()) + ", not before it";
+}
+
+/// What is required says nothing about any run.
+void report_never(const Proof& proof, std::size_t index, Session& session) {
+  const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
+  session.diagnostics.report(Code::PAL0816, verdict.where,
+                             "'" + verdict.requirement + "' says nothing: " + verdict.explanation + " in " +
+                                 proof.problem.environment,
+                             "name a statement, an event or a completion that comes about in some run");
 }
 
 void report(const Proof& proof, std::size_t index, Session& session) {
@@ -58,8 +82,8 @@ void report(const Proof& proof, std::size_t index, Session& session) {
   Diagnostic& finding = session.diagnostics.report(
       fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
       "'" + verdict.requirement + "'" + what + measure_text(proof, index) + " is " + figure_of(verdict) +
-          " in " + proof.problem.environment + ", at most " + figure_text(verdict.measure, verdict.limit) +
-          " is required",
+          " in " + proof.problem.environment + ", " + (verdict.at_least ? "at least " : "at most ") +
+          figure_text(verdict.measure, verdict.limit) + " is required",
       hint_of(verdict));
   if (verdict.reasons.empty()) finding.notes.push_back({verdict.where, verdict.explanation});
   for (const analyzer::Reason& reason : verdict.reasons) {
@@ -73,7 +97,9 @@ void report(const Proof& proof, std::size_t index, Session& session) {
 void report_unmet(const std::vector<Proof>& proofs, Session& session) {
   for (const Proof& proof : proofs) {
     for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
-      if (proof.analysis.verdicts[i].state != State::holds) report(proof, i, session);
+      const State state = proof.analysis.verdicts[i].state;
+      if (state == State::never) report_never(proof, i, session);
+      if (state == State::fails || state == State::undecided) report(proof, i, session);
     }
   }
 }

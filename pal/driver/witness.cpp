@@ -16,7 +16,8 @@ namespace {
 
 using analyzer::rules::FiledWitness;
 
-/// What both a skill and an environment say, so that a witness of others is noticed; nothing if there are no such.
+/// What both a skill and an environment say, so that a witness of others is noticed; nothing if there are no
+/// such.
 std::string identity_of(const Session& session, const std::string& skill, const std::string& environment) {
   std::ostringstream text;
   for (const pan::Network& network : session.specification.skills) {
@@ -37,13 +38,15 @@ FiledWitness filed(const Proof& proof, const analyzer::Verdict& verdict, const S
   made.requirement = verdict.requirement;
   made.measure = analyzer::name(verdict.measure);
   made.failed = witness.failed;
+  made.grows = witness.grows;
   made.value = witness.measured.value;
   made.born = witness.measured.born;
   made.at = witness.measured.at;
   const analyzer::Watch nothing;
   const analyzer::Machine machine(proof.problem, nothing);
   for (const analyzer::ScriptedFiring& firing : witness.script) {
-    made.script.push_back({firing.at, firing.timer < 0 ? "" : machine.timer_name(firing.timer), firing.choices});
+    made.script.push_back(
+        {firing.at, firing.timer < 0 ? "" : machine.timer_name(firing.timer), firing.choices});
   }
   made.run = witness.trace;
   return made;
@@ -59,13 +62,19 @@ std::string refusal(const FiledWitness& witness, Session& session) {
       if (skill.skill.name != witness.skill || environment.name != witness.environment) continue;
       const auto problem = analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
       if (!problem) return "the texts have errors";
-      const auto requirement = std::find_if(problem->requirements.begin(), problem->requirements.end(),
-                                            [&](const auto& each) { return each.name == witness.requirement; });
+      const auto requirement =
+          std::find_if(problem->requirements.begin(), problem->requirements.end(),
+                       [&](const auto& each) { return each.name == witness.requirement; });
       if (requirement == problem->requirements.end()) return "there is no such requirement";
-      const analyzer::rules::Ruling ruling = analyzer::rules::check_run(*problem, &*requirement, witness.run);
+      const analyzer::rules::Ruling ruling = analyzer::rules::check_run(
+          *problem, &*requirement, witness.run, witness.grows ? std::optional(witness.at) : std::nullopt);
       if (!ruling.broken.empty()) return ruling.broken;
       if (requirement->measure == analyzer::Requirement::Measure::load) return {};
       if (witness.failed) return ruling.failed ? "" : "every event in it has its response";
+      if (witness.grows) {
+        const bool longer = ruling.growing_since && witness.at - *ruling.growing_since >= witness.value;
+        return longer ? "" : "nothing in it has grown to " + to_text(Duration(witness.value));
+      }
       const bool shown = std::any_of(ruling.measured.begin(), ruling.measured.end(), [&](const auto& each) {
         return each.value == witness.value && each.born == witness.born && each.at == witness.at;
       });
@@ -77,7 +86,9 @@ std::string refusal(const FiledWitness& witness, Session& session) {
 
 std::string shown(const FiledWitness& witness) {
   if (witness.measure == "load") return "a run of the skill; a load shows in no finite run";
-  return witness.failed ? "an event without a response" : witness.measure + " " + to_text(Duration(witness.value));
+  if (witness.failed) return "an event without a response";
+  if (witness.measure == "loss") return std::to_string(witness.value) + " lost";
+  return witness.measure + (witness.grows ? " of more than " : " ") + to_text(Duration(witness.value));
 }
 
 }  // namespace
@@ -97,8 +108,9 @@ bool confirm(const std::vector<FiledWitness>& witnesses, Session& session, std::
   for (const FiledWitness& witness : witnesses) {
     const std::string why = refusal(witness, session);
     all = all && why.empty();
-    out << fmt::format("{:9}  {} of {} in {}: {}\n", why.empty() ? "confirmed" : "refused", witness.requirement,
-                       witness.skill, witness.environment, why.empty() ? shown(witness) : why);
+    out << fmt::format("{:9}  {} of {} in {}: {}\n", why.empty() ? "confirmed" : "refused",
+                       witness.requirement, witness.skill, witness.environment,
+                       why.empty() ? shown(witness) : why);
   }
   return all;
 }

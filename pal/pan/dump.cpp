@@ -119,18 +119,59 @@ std::string step_list(const Network& network, const std::vector<StatementRef>& s
   return result;
 }
 
-void dump_requirement(const Network& network, const Requirement& requirement, std::ostream& out) {
-  out << "requirement " << requirement.name << " : ";
-  if (const auto* response = std::get_if<Response>(&requirement.measure)) {
-    out << "response from channel " << response->event.index() << " to" << step_list(network, response->at);
-  } else if (const auto* age = std::get_if<Age>(&requirement.measure)) {
-    out << "age of " << network.conditions[age->condition.index()].name << " at"
-        << step_list(network, age->at);
-  } else {
-    const auto& processor = std::get<Load>(requirement.measure).processor;
-    out << "load of " << (processor.empty() ? "each processor" : processor);
+std::string known_text(const Network& network, const Known& known) {
+  if (const auto* condition = std::get_if<ConditionId>(&known)) {
+    return network.conditions[condition->index()].name;
   }
-  out << " at most " << requirement.limit.count() << " ns\n";
+  std::string text;
+  for (const ChannelId channel : std::get<std::vector<ChannelId>>(known)) {
+    text += (text.empty() ? "channel " : ", ") + std::to_string(channel.index());
+  }
+  return text;
+}
+
+std::string named_or_each(const std::string& processor) {
+  return processor.empty() ? "each processor" : processor;
+}
+
+struct MeasureDump {
+  const Network& network;
+
+  std::string operator()(const Response& response) const {
+    return "response from channel " + std::to_string(response.event.index()) + " to" +
+           step_list(network, response.at);
+  }
+  std::string operator()(const Age& age) const {
+    return "age of " + known_text(network, age.of) + " at" + step_list(network, age.at);
+  }
+  std::string operator()(const Reaction& reaction) const {
+    return "reaction of " + known_text(network, reaction.of) + " at" + step_list(network, reaction.at);
+  }
+  std::string operator()(const Passes& passes) const {
+    std::string text = "interval of" + step_list(network, passes.at);
+    if (passes.least) text += " at least " + std::to_string(passes.least->count()) + " ns";
+    if (passes.most) text += " at most " + std::to_string(passes.most->count()) + " ns";
+    return text;
+  }
+  std::string operator()(const Loss& loss) const {
+    return "loss of " + party_name(network, loss.of) + " at most " + std::to_string(loss.most) + " in " +
+           std::to_string(loss.in);
+  }
+  std::string operator()(const Completing& completing) const {
+    return "duration to completion " + std::to_string(completing.code);
+  }
+  std::string operator()(const Load& load) const { return "load of " + named_or_each(load.processor); }
+  std::string operator()(const BusyPeriod& busy) const {
+    return "busy period of " + named_or_each(busy.processor);
+  }
+};
+
+void dump_requirement(const Network& network, const Requirement& requirement, std::ostream& out) {
+  out << "requirement " << requirement.name << " : " << std::visit(MeasureDump{network}, requirement.measure);
+  const bool own_limit = std::holds_alternative<Passes>(requirement.measure) ||
+                         std::holds_alternative<Loss>(requirement.measure);
+  if (!own_limit) out << " at most " << requirement.limit.count() << " ns";
+  out << '\n';
 }
 
 struct BehaviourDump {

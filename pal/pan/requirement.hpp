@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -23,18 +24,48 @@ struct Response {
   ChannelId event;
   std::vector<StatementRef> at;
 };
-/// From the SPC whose value a statement was decided on to that statement's effect.
+/// What an age or a reaction is of: a condition, or what a device measures: the channels on which it
+/// sends that message.
+using Known = std::variant<ConditionId, std::vector<ChannelId>>;
+
+/// From the SPC, or the device's sample, whose value a statement was decided on to that statement's effect.
 struct Age {
-  ConditionId condition;
+  Known of;
   std::vector<StatementRef> at;
+};
+/// From a change in the world, just missed by an SPC or a sample, to the effect of the first of `at` that
+/// reflects it.
+struct Reaction {
+  Known of;
+  std::vector<StatementRef> at;
+};
+/// Between successive effects of `at`. The requirement's own limit says nothing.
+struct Passes {
+  std::vector<StatementRef> at;
+  std::optional<Duration> least;
+  std::optional<Duration> most;
+};
+/// Frames, events or answers of a device that nobody takes: of any `in` successive ones at most `most`.
+struct Loss {
+  std::variant<ModuleId, DeviceId> of;
+  int most = 0;
+  int in = 1;
+};
+/// From the start of the skill to its completion with this code.
+struct Completing {
+  int code = 0;
 };
 /// The greatest long-run fraction of time in which a processor is busy. The limit and the bound are
 /// nanoseconds of work in a second. `processor` empty: each one.
 struct Load {
   std::string processor;
 };
+/// How long a processor can be busy without a pause. `processor` empty: each one.
+struct BusyPeriod {
+  std::string processor;
+};
 
-using Measure = std::variant<Response, Age, Load>;
+using Measure = std::variant<Response, Age, Reaction, Passes, Loss, Completing, Load, BusyPeriod>;
 
 struct Requirement {
   std::string name;

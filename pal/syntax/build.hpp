@@ -54,7 +54,13 @@ class Builder {
   void add_slot(SkillUnit& skill, Parser::SlotContext* context);
   Parameter parameter(Parser::ParameterSlotContext* context);
   std::optional<Completion> completion(Parser::CompletionSlotContext* context);
+
+  // requirements: build_requirement.cpp
   std::optional<Requirement> requirement(Parser::RequirementSlotContext* context);
+  std::optional<Requirement> passes(Requirement result, Parser::StepContext* at,
+                                    Parser::DurationContext* least, Parser::DurationContext* most);
+  Requirement::Loss loss(Parser::LossContext* context);
+  Known known(Parser::KnownContext* context);
   std::optional<Step> step(Parser::StepContext* context);
 
   // environments: build_environment.cpp

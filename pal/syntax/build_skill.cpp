@@ -1,4 +1,3 @@
-#include <cmath>
 #include <utility>
 
 #include "pal/support/diagnostic_code.hpp"
@@ -116,84 +115,6 @@ std::optional<Completion> Builder::completion(Parser::CompletionSlotContext* con
   }
   result.description = text(context->STRING());
   return result;
-}
-
-std::optional<Requirement> Builder::requirement(Parser::RequirementSlotContext* context) {
-  Requirement result;
-  result.name = name(context->name());
-  result.where = span(context);
-  auto* measure = context->measure();
-  if (auto* c = dynamic_cast<Parser::ResponseContext*>(measure)) {
-    auto to = step(c->step());
-    if (!to) return std::nullopt;
-    result.measure = Requirement::Response{message(c->message()), party(c->party()), std::move(*to)};
-    result.limit = duration(c->duration());
-    return result;
-  }
-  if (auto* c = dynamic_cast<Parser::AgeContext*>(measure)) {
-    auto at = step(c->step());
-    if (!at) return std::nullopt;
-    result.measure = Requirement::Age{name(c->name()), std::move(*at)};
-    result.limit = duration(c->duration());
-    return result;
-  }
-  if (auto* c = dynamic_cast<Parser::LoadContext*>(measure)) {
-    Requirement::Load load;
-    if (c->name() != nullptr) load.processor = name(c->name());
-    result.measure = std::move(load);
-    const auto percent = real(c->NUMBER());
-    if (percent && (*percent < 0 || *percent > 100)) {
-      diagnostics_.report(Code::PAL0801, span(c->NUMBER(), c->PERCENT()), "a load is between 0 % and 100 %");
-    } else if (percent) {
-      constexpr double nanoseconds_per_percent = 1e7;  // of work in a second
-      result.limit = Duration{std::llround(*percent * nanoseconds_per_percent)};
-    }
-    return result;
-  }
-  return std::nullopt;
-}
-
-std::optional<Step> Builder::step(Parser::StepContext* context) {
-  if (context == nullptr || context->pattern() == nullptr) return std::nullopt;
-  auto* pattern = context->pattern();
-  Step result;
-  result.where = span(pattern);
-  if (context->party() != nullptr) result.in = party(context->party());
-  if (auto* c = dynamic_cast<Parser::WaitPatternContext*>(pattern)) {
-    auto from = source(c->source());
-    result.kind = Step::Kind::wait;
-    result.message = std::move(from.message);
-    result.party = std::move(from.from);
-    return result;
-  }
-  if (auto* c = dynamic_cast<Parser::SendPatternContext*>(pattern)) {
-    result.kind = Step::Kind::send;
-    result.message = message(c->message());
-    result.party = party(c->party());
-    return result;
-  }
-  if (auto* c = dynamic_cast<Parser::AskPatternContext*>(pattern)) {
-    result.kind = Step::Kind::send;
-    result.message = message(c->message());
-    result.party = party(c->party());
-    return result;
-  }
-  if (auto* c = dynamic_cast<Parser::SetPatternContext*>(pattern)) {
-    result.kind = Step::Kind::set;
-    result.name = name(c->name());
-    return result;
-  }
-  if (auto* c = dynamic_cast<Parser::ReadPatternContext*>(pattern)) {
-    result.kind = Step::Kind::read;
-    result.name = name(c->name());
-    return result;
-  }
-  if (auto* c = dynamic_cast<Parser::ActivityPatternContext*>(pattern)) {
-    result.kind = Step::Kind::perform;
-    result.name = name(c->activityName());
-    return result;
-  }
-  return std::nullopt;
 }
 
 }  // namespace pal::syntax

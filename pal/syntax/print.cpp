@@ -10,6 +10,7 @@
 #include "pal/pan/dump.hpp"
 #include "pal/support/duration_text.hpp"
 #include "pal/syntax/format.hpp"
+#include "pal/syntax/requirement_text.hpp"
 
 namespace pal::syntax {
 
@@ -104,7 +105,7 @@ class Printer {
                             : " CONTINGENCY " + std::to_string(c.contingency);
       line("COMPLETION " + std::to_string(c.code) + kind + with_text(c.description));
     }
-    for (const auto& r : skill.requirements) requirement(r);
+    for (const auto& r : skill.requirements) line(requirement_text(r));
     line("END SKILL");
   }
 
@@ -159,46 +160,6 @@ class Printer {
     if (p.default_value) text += " DEFAULT " + literal(*p.default_value);
     if (p.low && p.high) text += " RANGE " + literal(*p.low) + " TO " + literal(*p.high);
     line(text + with_text(p.description));
-  }
-
-  static std::string step(const Step& step) {
-    std::string text;
-    switch (step.kind) {
-      case Step::Kind::wait:
-        text = "WTM( " + spelling(step.message) + " from " + spelling(step.party) + " )";
-        break;
-      case Step::Kind::send:
-        text = "TXM( " + spelling(step.message) + (step.message.request ? " from " : " to ") +
-               spelling(step.party) + " )";
-        break;
-      case Step::Kind::set:
-        text = "SPC( " + step.name.text + " )";
-        break;
-      case Step::Kind::read:
-        text = "RPC( " + step.name.text + " )";
-        break;
-      case Step::Kind::perform:
-        text = step.name.text;
-        break;
-    }
-    return step.in ? text + " IN " + spelling(*step.in) : text;
-  }
-
-  void requirement(const Requirement& r) {
-    auto text = "REQUIREMENT " + r.name.text + " : ";
-    if (const auto* response = std::get_if<Requirement::Response>(&r.measure)) {
-      text += "RESPONSE FROM " + spelling(response->event) + " OF " + spelling(response->of) + " TO " +
-              step(response->to);
-      text += " AT MOST " + to_text(r.limit);
-    } else if (const auto* age = std::get_if<Requirement::Age>(&r.measure)) {
-      text += "AGE OF " + age->condition.text + " AT " + step(age->at) + " AT MOST " + to_text(r.limit);
-    } else {
-      const auto& load = std::get<Requirement::Load>(r.measure);
-      constexpr double nanoseconds_per_percent = 1e7;
-      text += "LOAD OF " + (load.processor ? load.processor->text : "EACH PROCESSOR") + " AT MOST " +
-              number(static_cast<double>(r.limit.count()) / nanoseconds_per_percent) + " %";
-    }
-    line(text);
   }
 
   static std::string behaviour(const pan::EventDevice& d) {

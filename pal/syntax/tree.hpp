@@ -101,6 +101,15 @@ struct Step {
   SourceSpan where;
 };
 
+/// What an age or a reaction is of: a condition, or what a device measures.
+struct Known {
+  struct Sample {
+    MessageName message;
+    PartyName from;
+  };
+  std::variant<Name, Sample> of;
+};
+
 struct Requirement {
   struct Response {
     MessageName event;
@@ -108,15 +117,37 @@ struct Requirement {
     Step to;
   };
   struct Age {
-    Name condition;
+    Known of;
     Step at;
+  };
+  struct Reaction {
+    Known of;
+    Step at;
+  };
+  /// AT MOST, AT LEAST, or both (BETWEEN).
+  struct Passes {
+    Step at;
+    std::optional<Duration> least;
+    std::optional<Duration> most;
+  };
+  struct Loss {
+    PartyName of;
+    int most = 0;
+    int in = 1;
+  };
+  struct Completing {
+    int code = 0;
+    SourceSpan where;
   };
   struct Load {
     std::optional<Name> processor;
   };
+  struct BusyPeriod {
+    std::optional<Name> processor;
+  };
   Name name;
-  std::variant<Response, Age, Load> measure;
-  Duration limit{};  // of a load: nanoseconds of work in a second
+  std::variant<Response, Age, Reaction, Passes, Loss, Completing, Load, BusyPeriod> measure;
+  Duration limit{};  // of a load: nanoseconds of work in a second; of passes and losses: nothing
   SourceSpan where;
 };
 

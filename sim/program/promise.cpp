@@ -44,8 +44,8 @@ std::vector<Promise> promises(const KnownSkill& skill, const std::vector<std::st
   for (const driver::Proof& proof : proofs) {
     for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
       const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
-      const bool load = verdict.measure == analyzer::Requirement::Measure::load;
-      if (load || !verdict.witness || !verdict.bound) continue;
+      const analyzer::Requirement& requirement = proof.problem.requirements[i];
+      if (!driver::shows_in_runs(requirement) || !verdict.witness || !verdict.bound) continue;
       Promise promise{
           verdict.requirement, driver::measure_text(proof, i), *verdict.bound, verdict.exact, {}, {}};
       if (const auto longest = driver::longest_in(run, proof, i))

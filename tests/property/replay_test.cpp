@@ -46,8 +46,13 @@ std::string tail(const trace::Trace& run) {
 /// Whether `run` is refused, or does not show the same any more.
 bool refuted(const Problem& problem, const Requirement& requirement, const Witness& witness,
              const trace::Trace& run) {
-  const rules::Ruling ruling = rules::check_run(problem, &requirement, run);
-  return !ruling.broken.empty() || !(witness.failed ? ruling.failed : shows(ruling, witness.measured));
+  const auto until = witness.grows ? std::optional(witness.measured.at) : std::nullopt;
+  const rules::Ruling ruling = rules::check_run(problem, &requirement, run, until);
+  if (!ruling.broken.empty()) return true;
+  if (witness.grows) {
+    return !ruling.growing_since || witness.measured.at - *ruling.growing_since < witness.measured.value;
+  }
+  return !(witness.failed ? ruling.failed : shows(ruling, witness.measured));
 }
 
 trace::Trace up_to(const trace::Trace& run, Nanoseconds time) {

@@ -14,8 +14,19 @@ namespace pal::test {
 
 struct BruteForce {
   analyzer::Nanoseconds greatest = -1;
+  analyzer::Nanoseconds least = -1;
+  bool grown = false;     // a value that still grows is over the limit
   bool failed = false;    // an event can stay without a response
   bool complete = false;  // everything was seen; values above the cap are not told apart
+
+  /// The worse of both.
+  void add(const BruteForce& other) {
+    if (other.greatest >= 0) least = greatest < 0 ? other.least : std::min(least, other.least);
+    greatest = std::max(greatest, other.greatest);
+    grown = grown || other.grown;
+    failed = failed || other.failed;
+    complete = complete && other.complete;
+  }
 };
 
 inline BruteForce brute_force(const analyzer::Machine& machine, analyzer::Nanoseconds unit,
@@ -47,11 +58,20 @@ inline BruteForce brute_force(const analyzer::Machine& machine, analyzer::Nanose
       if (origin < 0) return Nanoseconds{0};
       return std::min(cap, from->ages[static_cast<std::size_t>(origin)] + elapsed);
     };
-    for (int origin : outcome.measured) result.greatest = std::max(result.greatest, age(origin));
+    const auto show = [&result](Nanoseconds value) {
+      result.least = result.greatest < 0 ? value : std::min(result.least, value);
+      result.greatest = std::max(result.greatest, value);
+    };
+    for (int origin : outcome.measured) show(age(origin));
+    if (outcome.lost >= 0) show(outcome.lost);
     result.failed = result.failed || outcome.state.failed;
     if (outcome.state.ended) return;
     Node next{outcome.state, {}, {}};
-    for (int origin : outcome.origin) next.ages.push_back(age(origin));
+    for (int origin : outcome.origin) {
+      next.ages.push_back(age(origin));
+      const bool growing = grows(next.state, machine.watch(), static_cast<int>(next.ages.size()) - 1);
+      result.grown = result.grown || (growing && next.ages.back() > machine.watch().limit);
+    }
     if (from != nullptr) {
       for (auto [timer, of] : from->timers) {
         if (timer == fired) continue;

@@ -12,7 +12,7 @@ namespace pal::test {
 /// text.
 class RandomSkill {
  public:
-  RandomSkill(std::uint64_t seed, int longest) : engine_(seed), longest_(longest) {}
+  RandomSkill(std::uint64_t seed, int longest) : engine_(seed), required_(seed), longest_(longest) {}
 
   std::string text() {
     const bool sensor_module = chance(2);
@@ -46,6 +46,7 @@ SKILL random
                   std::to_string(2 * longest_) + " ms\n"
             : "  REQUIREMENT answer : RESPONSE FROM motion request OF MC1 TO TXM( motion to MC1 ) AT MOST " +
                   std::to_string(2 * longest_) + " ms\n";
+    out += requirements(sensor_module ? "sensor" : "SD1", controller_module ? "robot" : "MC1");
     out += "END SKILL\n";
     out += "Sensor Driver: SD1\n";
     if (sensor_module) {
@@ -82,6 +83,31 @@ SKILL random
     const int worst = chance(2) != 0 ? best : between(best, high);
     if (best == worst) return std::to_string(best) + " ms";
     return std::to_string(best) + " TO " + std::to_string(worst) + " ms";
+  }
+
+  /// Some requirements of the other measures; drawn apart, so that the skill is the same without them.
+  std::string requirements(const std::string& sensor, const std::string& robot) {
+    const std::string at = " AT TXM( motion to MC1 ) IN SM1 AT MOST " + std::to_string(3 * longest_) + " ms";
+    const std::string most = " AT MOST " + std::to_string(2 * longest_) + " ms";
+    const std::string all[] = {
+        "REACTION OF pc-force" + at,
+        "REACTION OF raw FROM " + sensor + at,
+        "AGE OF raw FROM " + sensor + at,
+        "INTERVAL OF TXM( motion to MC1 ) IN SM1" + most,
+        "INTERVAL OF TXM( motion to MC1 ) IN SM1 AT LEAST 2 ms",
+        "INTERVAL OF WTM( raw from SD1 ) IN LS1 BETWEEN 1 ms AND " + std::to_string(longest_) + " ms",
+        "LOSS OF " + sensor + " NONE",
+        "LOSS OF " + robot + " AT MOST 1 IN 3",
+        "DURATION TO COMPLETION 0" + most,
+        "DURATION TO COMPLETION 1" + most,
+        "BUSY PERIOD OF EACH PROCESSOR" + most,
+    };
+    std::string out;
+    int number = 0;
+    for (const std::string& each : all) {
+      if (required_() % 4 == 0) out += "  REQUIREMENT more-" + std::to_string(++number) + " : " + each + "\n";
+    }
+    return out;
   }
 
   std::string sense() {
@@ -177,6 +203,7 @@ SKILL random
   }
 
   std::mt19937_64 engine_;
+  std::mt19937_64 required_;
   int longest_;
 };
 

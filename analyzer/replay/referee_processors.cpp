@@ -1,0 +1,157 @@
+// Who has the processors, and who waits for them.
+#include "analyzer/replay/referee.hpp"
+
+#include <algorithm>
+
+namespace pal::analyzer::rules {
+
+void Referee::hold(int thread) {
+  holder(thread) = thread;
+  gauge_.busy(thread_of(thread).processor);
+}
+
+void Referee::release(int thread) {
+  if (holder(thread) == thread) {
+    holder(thread) = -1;
+    gauge_.idle(thread_of(thread).processor);
+  }
+  std::erase_if(queue_, [thread](const Queued& queued) { return queued.thread == thread; });
+}
+
+void Referee::enqueue(int thread, bool front, bool ordered) {
+  const Queued made{thread, now_, ordered, front};
+  queue_.insert(front ? queue_.begin() : queue_.end(), made);
+}
+
+/// A thread that was waiting, or has come to a wait, does not wait any more: a message has come.
+void Referee::resolve(int thread) {
+  Party& of = party(thread);
+  if (of.mode != Mode::arrived && of.mode != Mode::waiting) return;
+  const Step& at = step_of(thread);
+  const bool waited = of.mode == Mode::waiting;
+  if (!of.gives_up) {
+    std::vector<int> candidates;
+    for (int channel : at.channels) {
+      const Slot& from = slot(channel);
+      if (!from.full || from.claimed) continue;
+      const Arrival& there = arrival(channel, thread);
+      if (there.lo <= now_ && (!waited || now_ <= there.hi)) candidates.push_back(channel);
+    }
+    demand(!candidates.empty(), name(thread) + " goes on without a message");
+    const int channel = message_of(thread, candidates);
+    for (int earlier : at.channels) {
+      if (earlier == channel) break;
+      if (!waited) not_there_yet(earlier, thread);
+    }
+    Arrival& there = arrival(channel, thread);
+    if (waited) there.lo = now_;
+    there.hi = std::min(there.hi, now_);
+    slot(channel).claimed = true;
+    of.claim = channel;
+  }
+  of.mode = Mode::ready;
+  if (holder(thread) != thread) enqueue(thread, false, false);
+}
+
+/// Whose message was withdrawn comes to its wait again at the effect.
+void Referee::again(int thread) {
+  Party& of = party(thread);
+  if (of.mode != Mode::running || !of.withdrawn) return;
+  check_work(thread);
+  demand(!of.must_stop, name(thread) + " goes on although it is cancelled");
+  reach(thread, of.step);
+}
+
+void Referee::was_ready(const Event& event) {
+  again(event.actor);
+  resolve(event.actor);
+  demand(party(event.actor).mode == Mode::ready, name(event.actor) + " is not ready");
+  demand(holder(event.actor) != event.actor, name(event.actor) + " has its processor");
+}
+
+void Referee::check_turn(int thread) const {
+  const Thread& of = thread_of(thread);
+  const auto own =
+      std::find_if(queue_.begin(), queue_.end(), [&](const Queued& q) { return q.thread == thread; });
+  bool before = true;
+  for (auto other = queue_.begin(); other != queue_.end(); ++other) {
+    if (other == own) {
+      before = false;
+      continue;
+    }
+    const Thread& rival = thread_of(other->thread);
+    if (rival.processor != of.processor) continue;
+    demand(rival.priority <= of.priority,
+           of.name + " runs before " + rival.name + ", whose priority is greater");
+    if (rival.priority < of.priority || !before || own == queue_.end()) continue;
+    const bool either =
+        !other->front && !own->front && other->at == own->at && !(other->ordered && own->ordered);
+    demand(either, of.name + " runs before " + rival.name + ", which was first");
+  }
+}
+
+void Referee::started(const Event& event) {
+  const int thread = event.actor;
+  again(thread);
+  resolve(thread);
+  Party& of = party(thread);
+  demand(of.mode == Mode::ready || of.mode == Mode::stopped, name(thread) + " starts what it cannot start");
+  int& loser = preempted_[static_cast<std::size_t>(thread_of(thread).processor)];
+  demand(loser < 0 || thread_of(thread).priority > thread_of(loser).priority,
+         "a thread is stopped for nothing");
+  loser = -1;
+  int& has = holder(thread);
+  if (has != thread) {
+    if (has >= 0) {
+      const int before = has;
+      resolve(before);
+      const pan::Processor& processor =
+          problem_.processors[static_cast<std::size_t>(thread_of(thread).processor)];
+      demand(party(before).mode == Mode::ready, name(thread) + " starts while " + name(before) + " runs");
+      demand(processor.preemptive && thread_of(thread).priority > thread_of(before).priority,
+             name(thread) + " takes the processor that " + name(before) + " keeps");
+      has = -1;
+      enqueue(before, true, true);
+    }
+    check_turn(thread);
+    release(thread);
+    hold(thread);
+  } else {
+    const bool preemptive =
+        problem_.processors[static_cast<std::size_t>(thread_of(thread).processor)].preemptive;
+    for (const Queued& queued : queue_) {
+      const Thread& rival = thread_of(queued.thread);
+      const bool first = preemptive && rival.processor == thread_of(thread).processor &&
+                         rival.priority > thread_of(thread).priority;
+      demand(!first, name(thread) + " runs before " + rival.name + ", whose priority is greater");
+    }
+  }
+  of.mode = Mode::running;
+  of.since = now_;
+}
+
+void Referee::stopped(const Event& event) {
+  Party& of = party(event.actor);
+  demand(of.mode == Mode::running, name(event.actor) + " is stopped without running");
+  demand(problem_.processors[static_cast<std::size_t>(thread_of(event.actor).processor)].preemptive,
+         name(event.actor) + " is preempted on a processor that does not");
+  of.work += now_ - of.since;
+  of.mode = Mode::stopped;
+  preempted_[static_cast<std::size_t>(thread_of(event.actor).processor)] = event.actor;
+  holder(event.actor) = -1;
+  enqueue(event.actor, true, true);
+}
+
+void Referee::check_work(int thread) const {
+  const Party& of = party(thread);
+  demand(of.mode == Mode::running, name(thread) + " has an effect without running");
+  const Nanoseconds work = of.work + now_ - of.since;
+  demand(work >= cost(thread).best, name(thread) + " is done after too little processor time");
+  demand(work <= cost(thread).worst, name(thread) + " is done after too much processor time");
+}
+
+Range Referee::cost(int thread) const {
+  return party(thread).gives_up ? step_of(thread).give_up_cost : step_of(thread).cost;
+}
+
+}  // namespace pal::analyzer::rules

@@ -1,0 +1,161 @@
+// Requirements of a skill.
+#include <cmath>
+#include <utility>
+
+#include "pal/support/diagnostic_code.hpp"
+#include "pal/syntax/build.hpp"
+
+namespace pal::syntax {
+
+std::optional<Requirement> Builder::requirement(Parser::RequirementSlotContext* context) {
+  Requirement result;
+  result.name = name(context->name());
+  result.where = span(context);
+  auto* measure = context->measure();
+  if (auto* c = dynamic_cast<Parser::ResponseContext*>(measure)) {
+    auto to = step(c->step());
+    if (!to) return std::nullopt;
+    result.measure = Requirement::Response{message(c->message()), party(c->party()), std::move(*to)};
+    result.limit = duration(c->duration());
+    return result;
+  }
+  if (auto* c = dynamic_cast<Parser::AgeContext*>(measure)) {
+    auto at = step(c->step());
+    if (!at || c->known() == nullptr) return std::nullopt;
+    result.measure = Requirement::Age{known(c->known()), std::move(*at)};
+    result.limit = duration(c->duration());
+    return result;
+  }
+  if (auto* c = dynamic_cast<Parser::ReactionContext*>(measure)) {
+    auto at = step(c->step());
+    if (!at || c->known() == nullptr) return std::nullopt;
+    result.measure = Requirement::Reaction{known(c->known()), std::move(*at)};
+    result.limit = duration(c->duration());
+    return result;
+  }
+  if (auto* c = dynamic_cast<Parser::GreatestIntervalContext*>(measure)) {
+    return passes(std::move(result), c->step(), nullptr, c->duration());
+  }
+  if (auto* c = dynamic_cast<Parser::LeastIntervalContext*>(measure)) {
+    return passes(std::move(result), c->step(), c->duration(), nullptr);
+  }
+  if (auto* c = dynamic_cast<Parser::BoundedIntervalContext*>(measure)) {
+    return passes(std::move(result), c->step(), c->duration(0), c->duration(1));
+  }
+  if (auto* c = dynamic_cast<Parser::LossContext*>(measure)) {
+    result.measure = loss(c);
+    return result;
+  }
+  if (auto* c = dynamic_cast<Parser::CompletionTimeContext*>(measure)) {
+    const auto code = integer(c->NUMBER());
+    if (!code) return std::nullopt;
+    result.measure = Requirement::Completing{*code, span(c->NUMBER())};
+    result.limit = duration(c->duration());
+    return result;
+  }
+  if (auto* c = dynamic_cast<Parser::LoadContext*>(measure)) {
+    Requirement::Load load;
+    if (c->name() != nullptr) load.processor = name(c->name());
+    result.measure = std::move(load);
+    const auto percent = real(c->NUMBER());
+    if (percent && (*percent < 0 || *percent > 100)) {
+      diagnostics_.report(Code::PAL0801, span(c->NUMBER(), c->PERCENT()), "a load is between 0 % and 100 %");
+    } else if (percent) {
+      constexpr double nanoseconds_per_percent = 1e7;  // of work in a second
+      result.limit = Duration{std::llround(*percent * nanoseconds_per_percent)};
+    }
+    return result;
+  }
+  if (auto* c = dynamic_cast<Parser::BusyPeriodContext*>(measure)) {
+    Requirement::BusyPeriod busy;
+    if (c->name() != nullptr) busy.processor = name(c->name());
+    result.measure = std::move(busy);
+    result.limit = duration(c->duration());
+    return result;
+  }
+  return std::nullopt;
+}
+
+Known Builder::known(Parser::KnownContext* context) {
+  if (context->party() == nullptr) return {name(context->name())};
+  return {Known::Sample{message(context->message()), party(context->party())}};
+}
+
+std::optional<Requirement> Builder::passes(Requirement result, Parser::StepContext* at,
+                                           Parser::DurationContext* least, Parser::DurationContext* most) {
+  auto built = step(at);
+  if (!built) return std::nullopt;
+  Requirement::Passes passes{std::move(*built), {}, {}};
+  if (least != nullptr) passes.least = duration(least);
+  if (most != nullptr) passes.most = duration(most);
+  if (passes.least && passes.most && *passes.least > *passes.most) {
+    diagnostics_.report(Code::PAL0705, span(span(least), span(most)),
+                        "the least interval is longer than the greatest", "write the shorter time first");
+  }
+  result.measure = std::move(passes);
+  return result;
+}
+
+Requirement::Loss Builder::loss(Parser::LossContext* context) {
+  constexpr int longest_row = 32;
+  Requirement::Loss loss{party(context->party()), 0, 1};
+  if (context->NONE() != nullptr) return loss;
+  const auto most = integer(context->NUMBER(0));
+  const auto in = integer(context->NUMBER(1));
+  if (!most || !in) return loss;
+  if (*in < 1 || *in > longest_row || *most < 0 || *most >= *in) {
+    diagnostics_.report(
+        Code::PAL0815, span(context->NUMBER(0), context->NUMBER(1)),
+        "a loss is at most so many in a greater number, which is at most " + std::to_string(longest_row),
+        "write NONE, or for example AT MOST 1 IN 4");
+    return loss;
+  }
+  loss.most = *most;
+  loss.in = *in;
+  return loss;
+}
+
+std::optional<Step> Builder::step(Parser::StepContext* context) {
+  if (context == nullptr || context->pattern() == nullptr) return std::nullopt;
+  auto* pattern = context->pattern();
+  Step result;
+  result.where = span(pattern);
+  if (context->party() != nullptr) result.in = party(context->party());
+  if (auto* c = dynamic_cast<Parser::WaitPatternContext*>(pattern)) {
+    auto from = source(c->source());
+    result.kind = Step::Kind::wait;
+    result.message = std::move(from.message);
+    result.party = std::move(from.from);
+    return result;
+  }
+  if (auto* c = dynamic_cast<Parser::SendPatternContext*>(pattern)) {
+    result.kind = Step::Kind::send;
+    result.message = message(c->message());
+    result.party = party(c->party());
+    return result;
+  }
+  if (auto* c = dynamic_cast<Parser::AskPatternContext*>(pattern)) {
+    result.kind = Step::Kind::send;
+    result.message = message(c->message());
+    result.party = party(c->party());
+    return result;
+  }
+  if (auto* c = dynamic_cast<Parser::SetPatternContext*>(pattern)) {
+    result.kind = Step::Kind::set;
+    result.name = name(c->name());
+    return result;
+  }
+  if (auto* c = dynamic_cast<Parser::ReadPatternContext*>(pattern)) {
+    result.kind = Step::Kind::read;
+    result.name = name(c->name());
+    return result;
+  }
+  if (auto* c = dynamic_cast<Parser::ActivityPatternContext*>(pattern)) {
+    result.kind = Step::Kind::perform;
+    result.name = name(c->activityName());
+    return result;
+  }
+  return std::nullopt;
+}
+
+}  // namespace pal::syntax
