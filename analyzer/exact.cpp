@@ -60,7 +60,7 @@ class Analyzer {
     verdict.statistics.classes += graph.classes().size();
   }
 
-  Limits limits() { return {options_.max_states, options_.stop, &workers_}; }
+  Limits limits() { return {options_.max_states, options_.stop, {}, &workers_}; }
 
   static Verdict blank(const Requirement& requirement) {
     Verdict verdict;

@@ -40,6 +40,7 @@ void Findings::add(const Findings& later, bool least) {
   measured(later.certain, least);
   if (!failure) failure = later.failure;
   if (!growing) growing = later.growing;
+  if (!beyond) beyond = later.beyond;
   if (stuck < 0) stuck = later.stuck;
   passed = passed || later.passed;
   over_cap = over_cap || later.over_cap;
@@ -97,6 +98,7 @@ bool ZoneGraph::explore(const Limits& limits) {
   while (!open_.empty() && !findings_.failure && !findings_.outgrown) {
     if (classes_.size() > limits.classes) return false;
     if (limits.stop && limits.stop()) return false;
+    if (limits.enough && limits.enough(*this)) return false;
     std::vector<int> batch;
     std::vector<int> untried;
     while (!open_.empty() && batch.size() < batch_size) {
@@ -177,6 +179,8 @@ void ZoneGraph::measure(int from, const Move& move, const Dbm& fired, std::size_
     peak.step = outcome.measured_steps[i];
     if (peak.measured == Outcome::older_than_cap) {
       findings.over_cap = true;
+      if (!findings.beyond) findings.beyond = peak;
+      if (findings.beyond->value < 0) findings.beyond->value = cap_ + 1;
       continue;
     }
     const std::size_t observer = 1 + timers + static_cast<std::size_t>(std::max(peak.measured, 0));

@@ -22,12 +22,16 @@
 
 namespace pal::analyzer {
 
+class ZoneGraph;
+
 /// Bounds on an exploration, and who helps with it.
 struct Limits {
   std::size_t classes = 2'000'000;
   /// If given, asked now and then, always by the thread that explores; ends the exploration when it says
   /// true.
   std::function<bool()> stop;
+  /// If given, asked now and then whether what was found is enough.
+  std::function<bool(const ZoneGraph&)> enough;
   Workers* workers = nullptr;  // none: the thread that explores works alone
 };
 
@@ -59,8 +63,9 @@ struct Findings {
   std::optional<Peak> failure;
   /// The first firing after which a value that still grows can be greater than the limit.
   std::optional<Peak> growing;
-  int stuck = -1;       // a class in which nothing happens any more while a value grows
-  bool passed = false;  // what is watched happens in some run
+  int stuck = -1;              // a class in which nothing happens any more while a value grows
+  bool passed = false;         // what is watched happens in some run
+  std::optional<Peak> beyond;  // the first value greater than the cap
   bool over_cap = false;
   bool never_answered = false;  // a value grows beyond the cap, or for ever
   bool outgrown = false;        // a count outgrew the machine: nothing may be concluded

@@ -35,7 +35,8 @@ double seconds_of(const std::string& text) {
   const std::string number = text.substr(0, end);
   const std::size_t unit = end == std::string::npos ? end : text.find_first_not_of(' ', end);
   const auto duration = parse_duration(number, unit == std::string::npos ? "s" : text.substr(unit));
-  if (const auto* time = std::get_if<Duration>(&duration)) return std::chrono::duration<double>(*time).count();
+  if (const auto* time = std::get_if<Duration>(&duration))
+    return std::chrono::duration<double>(*time).count();
   throw CLI::ValidationError("--timeout", "'" + text + "' is no length of time, as 90 s or 500 ms is");
 }
 
@@ -51,22 +52,27 @@ void add_limits(CLI::App& command, ProofLimits& limits) {
   command.add_option("--threads", limits.threads, "threads at work; 0: one a core")->capture_default_str();
 }
 
+void add_format(CLI::App& command, Format& format) {
+  command.add_option("--format", format, "text or json")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Format>{{"text", Format::text}, {"json", Format::json}}))
+      ->type_name("FORMAT");
+}
+
 void add_check(CLI::App& app, CheckOptions& options) {
   CLI::App* command =
       app.add_subcommand("check", "Finds what is wrong, and proves or refutes every requirement");
   add_selection(*command, options.selection);
   add_limits(*command, options.limits);
-  command->add_option("--format", options.format, "text or json")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Format>{{"text", Format::text}, {"json", Format::json}}))
-      ->type_name("FORMAT");
+  add_format(*command, options.format);
   command->add_option("--emit", options.emit, "also print what stands between two stages: tree or pan")
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, Stage>{{"tree", Stage::tree}, {"pan", Stage::pan}}))
       ->type_name("STAGE");
   command->add_option("--witness", options.witness, "write the run that shows each bound, for pal replay")
       ->type_name("FILE");
-  command->add_flag("--statistics", options.statistics, "print states, classes, seconds and peak memory of each requirement and of all");
+  command->add_flag("--statistics", options.statistics,
+                    "print states, classes, seconds and peak memory of each requirement and of all");
   command->footer(statuses);
 }
 
@@ -79,6 +85,28 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
       "Exit status: 0 all are confirmed; 1 the specification is wrong; 2 bad usage, or a file could not be "
       "read; "
       "3 some witness is refused.");
+}
+
+void add_what_if(CLI::App& app, WhatIfOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "whatif", "Says how much longer everything may take, and what other figures and placements do");
+  add_selection(*command, options.selection);
+  add_limits(*command, options.limits);
+  add_format(*command, options.format);
+  command
+      ->add_option("--set", options.changes,
+                   "the verdicts with another figure: 'extract-z = 5..7 ms', 'SM1.priority = 3', "
+                   "'SM1.processor = P1', 'alter.period = 20 ms'; may be repeated")
+      ->type_name("CHANGE")
+      ->take_all();
+  command
+      ->add_option_function<int>(
+          "--place", [&options](int processors) { options.place = processors; },
+          "every placement on N processors that meets every requirement; 0: on as few as do")
+      ->type_name("N")
+      ->check(CLI::Range(0, 100));
+  command->add_flag("--priorities", options.priorities, "place in every order by priority, too");
+  command->footer(statuses);
 }
 
 void add_pan(CLI::App& app, PanOptions& options) {
@@ -180,6 +208,8 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   ExplainOptions explain_options;
   add_check(app, check_options);
   add_replay(app, replay_options);
+  WhatIfOptions what_if_options;
+  add_what_if(app, what_if_options);
   add_pan(app, pan_options);
   add_atc(app, atc_options);
   add_generate(app, generate_options);
@@ -196,6 +226,7 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   }
   if (app.got_subcommand("check")) return check(check_options, console);
   if (app.got_subcommand("replay")) return replay(replay_options, console);
+  if (app.got_subcommand("whatif")) return what_if(what_if_options, console);
   if (app.got_subcommand("pan")) return draw_pan(pan_options, console);
   if (app.got_subcommand("atc")) return draw_atc(atc_options, console);
   if (app.got_subcommand("fmt")) return format(format_options, console);
