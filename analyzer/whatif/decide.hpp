@@ -13,7 +13,7 @@ namespace pal::analyzer {
 /// the witness.
 struct Decision {
   Verdict::State state = Verdict::State::undecided;
-  std::optional<Witness> witness;  // fails
+  std::optional<Witness> witness;  // fails; nothing if a simulation sufficed
   std::size_t classes = 0;         // that it took
 };
 Decision decide(const Problem& problem, std::size_t requirement, const Options& options, Workers& workers);

@@ -132,7 +132,7 @@ class SlackSearch {
     while (known.holds < most && open > most && !judge_.stopped()) {
       const Nanoseconds extra = most - known.holds <= step ? most : known.holds + step;
       heard(extra, asker(extra));
-      step *= 4;
+      step *= 100;  // a run that fails leads back at once
     }
     bool next_to_failure = true;
     while (open - known.holds > grain && !judge_.stopped()) {
@@ -141,9 +141,8 @@ class SlackSearch {
       Nanoseconds extra = try_it ? open - 1 : known.holds + (open - known.holds) / 2;
       if (grain > 1) extra -= extra % grain;  // these are decided best
       if (extra <= known.holds) break;
-      const Nanoseconds before = open;
       heard(extra, asker(extra));
-      next_to_failure = !try_it || open < before - 1;
+      next_to_failure = !try_it || open < extra;  // sharpened: worth another try
     }
     // What could not be decided lies between: the least that fails.
     Nanoseconds low = open;
