@@ -35,7 +35,7 @@ ExitStatus replay(const ReplayOptions& options, const Console& console);
 
 struct WhatIfOptions {
   Selection selection;
-  ProofLimits limits{100'000, 0, 0, false};  // many questions are asked
+  ProofLimits limits;
   Format format = Format::text;
   std::vector<std::string> changes;  // "NAME = VALUE"; without any, and without place: slack
   std::optional<int> place;          // placements on so many processors; 0: the fewest that do
