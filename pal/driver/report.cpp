@@ -79,11 +79,11 @@ std::string json(const std::vector<Proof>& proofs, const Session& session, bool 
       row["attained_ns"] = least ? nlohmann::ordered_json(least->count()) : nlohmann::ordered_json();
       row["exact"] = verdict.exact;
       row["verdict"] = analyzer::name(verdict.state);
-      if (statistics) add_statistics(verdict.statistics, row);
+      if (statistics) row["statistics"] = nlohmann::ordered_json::parse(json(verdict.statistics));
       document["requirements"].push_back(std::move(row));
     }
   }
-  if (statistics) add_statistics(sum_of(proofs), document);
+  if (statistics) document["statistics"] = nlohmann::ordered_json::parse(json(sum_of(proofs)));
   return document.dump(2) + "\n";
 }
 

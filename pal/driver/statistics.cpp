@@ -37,11 +37,12 @@ void write_statistics(const std::vector<Proof>& proofs, std::ostream& out) {
   write_line("all", width, sum_of(proofs), out);
 }
 
-void add_statistics(const analyzer::Statistics& statistics, nlohmann::ordered_json& row) {
-  row["statistics"] = {{"states", statistics.states},
-                       {"classes", statistics.classes},
-                       {"seconds", statistics.seconds},
-                       {"peak_bytes", statistics.peak_memory}};
+std::string json(const analyzer::Statistics& statistics) {
+  const nlohmann::ordered_json members{{"states", statistics.states},
+                                       {"classes", statistics.classes},
+                                       {"seconds", statistics.seconds},
+                                       {"peak_bytes", statistics.peak_memory}};
+  return members.dump();
 }
 
 }  // namespace pal::driver

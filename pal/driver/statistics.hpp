@@ -2,7 +2,7 @@
 #pragma once
 
 #include <iosfwd>
-#include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <vector>
 
 #include "pal/driver/proof.hpp"
@@ -15,7 +15,7 @@ analyzer::Statistics sum_of(const std::vector<Proof>& proofs);
 /// A line a requirement, and one for all.
 void write_statistics(const std::vector<Proof>& proofs, std::ostream& out);
 
-/// Adds "statistics": {states, classes, seconds, peak_bytes}.
-void add_statistics(const analyzer::Statistics& statistics, nlohmann::ordered_json& row);
+/// {states, classes, seconds, peak_bytes}.
+std::string json(const analyzer::Statistics& statistics);
 
 }  // namespace pal::driver
