@@ -5,6 +5,23 @@
 namespace pal::analyzer {
 namespace {
 
+/// What those can have left that got back a time that is not fixed.
+void find_left(const Machine& machine, const State& state, Move& move) {
+  const auto priority = [&](int timer) {
+    return machine.problem().threads[static_cast<std::size_t>(timer)].priority;
+  };
+  for (std::size_t k = 0; k < move.timers.size(); ++k) {
+    if (!move.timers[k].repaid) continue;
+    // Those that interrupted it, and were interrupted themselves, have not given back theirs yet.
+    Range left{0, machine.cost(state, move.timers[k].timer).worst};
+    for (const Move::Kept& other : move.timers) {
+      if (other.repaid && priority(other.timer) > priority(move.timers[k].timer))
+        left.best -= machine.cost(state, other.timer).worst;
+    }
+    move.left.push_back({k + 1, left});
+  }
+}
+
 void follow_timers(const Machine& machine, const Place& from, Move& move) {
   int processor = -1;
   if (move.timer >= 0) {
@@ -18,10 +35,11 @@ void follow_timers(const Machine& machine, const Place& from, Move& move) {
     Move::Kept kept;
     kept.timer = from.timers[k];
     kept.before = static_cast<int>(k);
-    kept.frozen = kept.stays_frozen = from.frozen[k];
-    // An action that ends has kept its processor from those that were preempted there.
-    kept.pays = kept.frozen && processor >= 0 &&
-                machine.problem().threads[static_cast<std::size_t>(kept.timer)].processor == processor;
+    kept.frozen = from.frozen[k];
+    // An action that ends gives back its time to those that were preempted on its processor: they have as
+    // much left as before.
+    kept.repaid = kept.frozen && processor >= 0 &&
+                  machine.problem().threads[static_cast<std::size_t>(kept.timer)].processor == processor;
     move.timers.push_back(kept);
   }
   for (const TimerChange& change : move.outcome.changes) {
@@ -42,13 +60,13 @@ void follow_timers(const Machine& machine, const Place& from, Move& move) {
         found->frozen = true;
         break;
       case TimerChange::Kind::resume:
-        found->resumed = found->stays_frozen;
-        found->frozen = found->stays_frozen = false;
+        found->frozen = false;
         break;
     }
   }
   std::sort(move.timers.begin(), move.timers.end(),
             [](const Move::Kept& a, const Move::Kept& b) { return a.timer < b.timer; });
+  if (move.cost.best != move.cost.worst) find_left(machine, from.state, move);
   for (const Move::Kept& kept : move.timers) {
     move.numbers.push_back(kept.timer);
     move.frozen.push_back(kept.frozen);
@@ -112,40 +130,24 @@ bool follow(const ZoneClass& from, const Dbm& fired, const Move& move, std::size
             std::vector<Source>& sources, ZoneClass& made) {
   sources.clear();
   sources.push_back({move.variable, 0, 0});
-  made.relaxed = from.relaxed;
-  made.owed.clear();
-  for (std::size_t k = 0; k < move.timers.size(); ++k) {
-    const Move::Kept& kept = move.timers[k];
+  made.relaxed = from.relaxed || !move.left.empty();
+  for (const Move::Kept& kept : move.timers) {
     if (kept.before < 0) {
       sources.push_back({move.variable, kept.range.best, kept.range.worst});
-      continue;
+    } else {
+      sources.push_back({static_cast<std::size_t>(kept.before) + 1, kept.repaid ? move.cost.best : 0,
+                         kept.repaid ? move.cost.worst : 0});
     }
-    const auto before = static_cast<std::size_t>(kept.before);
-    sources.push_back({before + 1, 0, 0});
-    if (!kept.resumed && !kept.frozen) continue;
-    Range owed = from.owed.empty() ? Range{} : from.owed[before];
-    if (kept.pays) {
-      owed.best += move.cost.best;
-      owed.worst += move.cost.worst;
-    }
-    if (kept.resumed) {
-      made.relaxed = made.relaxed || owed.best != owed.worst;
-      sources.back().low = owed.best;
-      sources.back().high = owed.worst;
-    }
-    if (!kept.frozen) continue;
-    made.owed.resize(move.timers.size());
-    if (kept.stays_frozen) made.owed[k] = owed;
   }
   for (int origin : move.outcome.origin) {
     sources.push_back(
         {origin < 0 ? move.variable : 1 + timers_before + static_cast<std::size_t>(origin), 0, 0});
   }
   derive(fired, sources, made.zone);
-  if (!made.relaxed) return true;
-  for (std::size_t k = 0; k < move.timers.size(); ++k) {
-    // What is left of an action is never negative, whatever the relaxation says.
-    if (move.timers[k].resumed && !made.zone.constrain(0, k + 1, 0)) return false;
+  for (const Move::Left& left : move.left) {
+    if (!made.zone.constrain(0, left.variable, -left.range.best) ||
+        !made.zone.constrain(left.variable, 0, left.range.worst))
+      return false;
   }
   return true;
 }

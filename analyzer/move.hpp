@@ -12,10 +12,8 @@ namespace pal::analyzer {
 /// Something known of a skill at one instant: its state, what the active timers and the observers can show,
 /// and how it came to be.
 struct ZoneClass {
-  int state = -1;           // a place
-  Dbm zone;                 // variables: 0, the state's timers, its observers
-  std::vector<Range> owed;  // to each timer of the state, if it is frozen: processor time that others had;
-                            // empty if none is
+  int state = -1;  // a place
+  Dbm zone;        // variables: 0, the state's timers, its observers
   int parent = -1;
   int timer = -1;  // whose firing led here from the parent
   std::vector<std::uint8_t> choices;
@@ -28,12 +26,15 @@ struct Move {
   /// A timer that is active afterwards.
   struct Kept {
     int timer = -1;
-    int before = -1;       // its index among the timers before; -1: started now
-    Range range;           // started now
-    bool pays = false;     // it is owed the time of the action that ended
-    bool resumed = false;  // it gets back what it is owed
+    int before = -1;      // its index among the timers before; -1: started now
+    Range range;          // started now
+    bool repaid = false;  // the action that ended gives its time back to it
     bool frozen = false;
-    bool stays_frozen = false;  // … since before
+  };
+  /// What a timer can have left, where the time that it got back is not fixed.
+  struct Left {
+    std::size_t variable;
+    Range range;
   };
 
   int timer = -1;  // -1: the start
@@ -42,6 +43,7 @@ struct Move {
   std::size_t variable = 0;  // of the timer
   Range cost;                // of the action that ended
   std::vector<Kept> timers;  // by number
+  std::vector<Left> left;
   std::vector<int> numbers;
   std::vector<bool> frozen;
   int target = -1;  // the place that it leads to, once that is known; only if no observer passes the cap

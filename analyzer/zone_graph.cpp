@@ -21,7 +21,7 @@ std::size_t arrival_of(int number) {
 }
 
 bool around(const ZoneClass& outer, const ZoneClass& inner) {
-  return outer.owed == inner.owed && (!outer.relaxed || inner.relaxed) && outer.zone.includes(inner.zone);
+  return (!outer.relaxed || inner.relaxed) && outer.zone.includes(inner.zone);
 }
 
 }  // namespace
@@ -343,7 +343,6 @@ void ZoneGraph::enter() {
       ZoneClass& replaced = classes_[static_cast<std::size_t>(number_of(id))];
       replaced.replaced_by = arrival->number;
       replaced.zone = Dbm(0);  // only its ancestry is asked for again
-      replaced.owed = {};
     }
   }
 }

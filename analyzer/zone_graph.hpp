@@ -31,7 +31,7 @@ struct Limits {
   /// true.
   std::function<bool()> stop;
   /// If given, asked now and then whether what was found is enough.
-  std::function<bool(const ZoneGraph&)> enough;
+  std::function<bool(const ZoneGraph&)> enough = {};
   Workers* workers = nullptr;  // none: the thread that explores works alone
 };
 

@@ -57,7 +57,7 @@ TEST_CASE("the zone graph does not depend on the number of threads") {
       for (std::size_t c = 0; c < one.classes().size(); ++c) {
         const ZoneClass& mine = one.classes()[c];
         const ZoneClass& theirs = other.classes()[c];
-        same = same && mine.state == theirs.state && mine.zone == theirs.zone && mine.owed == theirs.owed &&
+        same = same && mine.state == theirs.state && mine.zone == theirs.zone &&
                mine.parent == theirs.parent && mine.timer == theirs.timer && mine.choices == theirs.choices &&
                mine.replaced_by == theirs.replaced_by;
       }
