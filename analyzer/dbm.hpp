@@ -19,6 +19,11 @@ class Dbm {
   explicit Dbm(std::size_t size = 1) : size_(size), bounds_(size * size, 0) {}
 
   std::size_t size() const { return size_; }
+  /// As new, of another size, in the memory that it has.
+  void reset(std::size_t size) {
+    size_ = size;
+    bounds_.assign(size * size, 0);
+  }
   std::int64_t& at(std::size_t i, std::size_t j) { return bounds_[i * size_ + j]; }
   std::int64_t at(std::size_t i, std::size_t j) const { return bounds_[i * size_ + j]; }
 

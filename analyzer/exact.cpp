@@ -35,12 +35,13 @@ Nanoseconds first_cap(const Problem& problem, Nanoseconds limit) {
 
 class Analyzer {
  public:
-  Analyzer(const Problem& problem, const Options& options) : problem_(problem), options_(options) {}
+  Analyzer(const Problem& problem, const Options& options)
+      : problem_(problem), options_(options), workers_(options.threads) {}
 
   Analysis run() {
-    const double begun = now();
+    memory();
     for (const Requirement& requirement : problem_.requirements) {
-      const double before = now();
+      const double begun = now();
       Verdict& verdict = analysis_.verdicts.emplace_back(blank(requirement));
       if (!fits_exploration(problem_)) {
         verdict.explanation = "The skill has too many threads or channels for the exact analysis.";
@@ -51,16 +52,23 @@ class Analyzer {
       } else {
         timed(requirement, watch_of(problem_, requirement), verdict);
       }
-      analysis_.statistics.states += verdict.states;
-      verdict.seconds = now() - before;
+      verdict.statistics.seconds = now() - begun;
+      verdict.statistics.peak_memory = memory();
+      analysis_.statistics += verdict.statistics;
     }
-    analysis_.statistics.seconds = now() - begun;
     return std::move(analysis_);
   }
 
  private:
   double now() const { return options_.clock ? options_.clock() : 0; }
-  Limits limits() const { return {options_.max_states, options_.stop}; }
+  std::size_t memory() const { return options_.peak_memory ? options_.peak_memory() : 0; }
+
+  static void count(const ZoneGraph& graph, Verdict& verdict) {
+    verdict.statistics.states += graph.places().size();
+    verdict.statistics.classes += graph.classes().size();
+  }
+
+  Limits limits() { return {options_.max_states, options_.stop, {}, &workers_}; }
 
   static Verdict blank(const Requirement& requirement) {
     Verdict verdict;
@@ -78,7 +86,7 @@ class Analyzer {
     for (int attempt = 0;; ++attempt, cap = std::min(8 * cap, most_cap)) {
       ZoneGraph graph(machine, cap, false);
       const bool complete = graph.explore(limits());
-      verdict.states += graph.classes().size();
+      count(graph, verdict);
       const bool bounded = watch.least && graph.peak().value >= 0;
       const bool beyond = !bounded && (graph.over_cap() || graph.never_answered());
       // A greater cap may find a bound; of what fails already it is asked only where there is likely to be
@@ -94,18 +102,18 @@ class Analyzer {
 
   /// Of several processors the one that is busy for longest counts.
   void busy(const Requirement& requirement, Verdict& verdict) {
-    std::size_t states = 0;
+    Statistics statistics;
     bool first = true;
     for (const int processor : requirement.processors) {
       Verdict each = blank(requirement);
       timed(requirement, watch_of(problem_, requirement, processor), each);
-      states += each.states;
+      statistics += each.statistics;
       each.explanation = "processor " + problem_.processors[static_cast<std::size_t>(processor)].name + ": " +
                          each.explanation;
       if (first || worse(each, verdict)) verdict = std::move(each);
       first = false;
     }
-    verdict.states = states;
+    verdict.statistics = statistics;
   }
 
   static bool worse(const Verdict& a, const Verdict& b) {
@@ -126,6 +134,8 @@ class Analyzer {
     if (any) verdict.witness = witness_of(machine, graph, graph.peak());
     const bool shown = verdict.witness && breaks(requirement, verdict.witness->measured.value);
     if (!shown && beyond && !requirement.at_least) find_growth(requirement, machine, graph, verdict);
+    const Peak& certain = graph.findings().certain;
+    if (!verdict.witness && certain.value >= 0) verdict.witness = witness_of(machine, graph, certain);
     if (verdict.witness) verdict.reasons = reasons(problem_, requirement, *verdict.witness);
     const bool broken = verdict.witness && breaks(requirement, verdict.witness->measured.value);
     if (!complete) {
@@ -185,7 +195,7 @@ class Analyzer {
     const Machine machine(problem_, nothing);
     ZoneGraph graph(machine, 0, true);
     const bool complete = graph.explore(limits());
-    verdict.states += graph.classes().size();
+    count(graph, verdict);
     if (!complete) {
       verdict.bound = Duration(1'000'000'000);
       verdict.state = requirement.limit >= 1'000'000'000 ? Is::holds : Is::undecided;
@@ -199,7 +209,7 @@ class Analyzer {
     for (std::size_t i = 0; i < bounds.size(); ++i) {
       LoadBound& bound = bounds[i];
       const int processor = requirement.processors[i];
-      verdict.states += bound.states;
+      verdict.statistics.classes += bound.states;
       const bool more = busiest < 0 || greater(bound.most, worst.most);
       if (!others.empty()) others += ", ";
       others += problem_.processors[static_cast<std::size_t>(processor)].name + " " + percent(bound);
@@ -233,6 +243,7 @@ class Analyzer {
 
   const Problem& problem_;
   const Options& options_;
+  Workers workers_;
   Analysis analysis_;
 };
 

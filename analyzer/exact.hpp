@@ -12,20 +12,20 @@ namespace pal::analyzer {
 struct Options {
   /// Classes (age, response) or states (load) that one requirement may take; beyond that it is undecided.
   std::size_t max_states = 1'000'000;
+  /// At work on one requirement after the other; 0: as many as the machine has cores. Says nothing about the
+  /// result, which is the same for any number.
+  unsigned threads = 0;
   /// Asked now and then; once it says true, what is not decided stays undecided.
   std::function<bool()> stop;
   /// For the statistics: seconds from some beginning. Without it they say 0.
   std::function<double()> clock;
-};
-
-struct Statistics {
-  std::size_t states = 0;
-  double seconds = 0;
+  /// For the statistics: the most memory that the program took since it was last asked, in bytes.
+  std::function<std::size_t()> peak_memory;
 };
 
 struct Analysis {
   std::vector<Verdict> verdicts;  // in the order of Problem::requirements
-  Statistics statistics;
+  Statistics statistics;          // sums; the greatest peak
 };
 
 Analysis analyze(const Problem& problem, const Options& options = {});

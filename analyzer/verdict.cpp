@@ -1,6 +1,22 @@
 #include "analyzer/verdict.hpp"
 
+#include <algorithm>
+
 namespace pal::analyzer {
+
+Statistics& Statistics::operator+=(const Statistics& other) {
+  states += other.states;
+  classes += other.classes;
+  seconds += other.seconds;
+  peak_memory = std::max(peak_memory, other.peak_memory);
+  return *this;
+}
+
+std::optional<Duration> attained(const Verdict& verdict) {
+  if (verdict.measure == Requirement::Measure::load || !verdict.witness || verdict.witness->failed)
+    return std::nullopt;
+  return Duration(verdict.witness->measured.value);
+}
 
 const char* name(Verdict::State state) {
   switch (state) {

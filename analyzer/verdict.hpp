@@ -30,6 +30,17 @@ struct Reason {
   int line = 0;  // 0: no place in a text
 };
 
+/// What it took to decide.
+struct Statistics {
+  std::size_t states = 0;       // of the skill, times aside
+  std::size_t classes = 0;      // sets of times at a state (and for loads points of the grid)
+  double seconds = 0;           // by Options::clock
+  std::size_t peak_memory = 0;  // bytes, by Options::peak_memory
+
+  /// Sums; the greater peak.
+  Statistics& operator+=(const Statistics& other);
+};
+
 struct Verdict {
   using State = VerdictState;
   std::string requirement;
@@ -50,9 +61,12 @@ struct Verdict {
   /// Without gaps from the birth of what is measured to its use; the lengths add up to the witness's value.
   std::vector<Reason> reasons;
   SourceSpan where;
-  std::size_t states = 0;  // that were looked at to decide
-  double seconds = 0;      // that it took, by Options::clock
+  Statistics statistics;
 };
+
+/// The greatest value (the least, of a requirement that says at least) that a run was shown to attain, if the
+/// verdict knows one. Load: nothing.
+std::optional<Duration> attained(const Verdict& verdict);
 
 /// "holds", "fails", "undecided", "never".
 const char* name(Verdict::State state);

@@ -49,6 +49,8 @@ class Schedule {
   }
 
   bool feasible() const { return feasible_; }
+  /// Times were fixed: another pin may give other ones.
+  bool pinned() const { return pinned_; }
 
   enum class Aim { any, greatest, least };
 
@@ -181,6 +183,7 @@ class Schedule {
     for (std::size_t t = 0; t < machine_.problem().threads.size(); ++t) {
       if (static_cast<int>(t) == timer || !lives_[t].active || !lives_[t].frozen) continue;
       if (machine_.problem().threads[t].processor != processor) continue;
+      pinned_ = pinned_ || range.best != range.worst;
       if (range.best != range.worst) range.best = range.worst = pin_ == Pin::worst ? range.worst : range.best;
       lives_[t].owed += range.best;
     }
@@ -221,6 +224,7 @@ class Schedule {
   std::vector<std::size_t> births_at_end_;
   std::size_t count_ = 0;
   bool feasible_ = false;
+  bool pinned_ = false;
 };
 
 std::vector<ScriptedFiring> path_to(const ZoneGraph& graph, const Peak& peak) {
@@ -310,30 +314,33 @@ std::optional<Witness> stuck_witness(const Machine& machine, const ZoneGraph& gr
   return made;
 }
 
-std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak) {
-  std::vector<ScriptedFiring> path = path_to(graph, peak);
+std::optional<Witness> witness_along(const Machine& machine, std::vector<ScriptedFiring> path, bool measured,
+                                     int growing) {
   const Watch& watch = machine.watch();
-  const bool timed = peak.value >= 0 && watch.kind != Watch::Kind::loss;
+  const bool timed = measured && watch.kind != Watch::Kind::loss;
   const Schedule::Aim aim = !timed        ? Schedule::Aim::any
                             : watch.least ? Schedule::Aim::least
                                           : Schedule::Aim::greatest;
   std::optional<Witness> best;
-  // With what all times can be at once, if that is asked for at all; then with fixed ones.
-  for (const Schedule::Pin pin : {Schedule::Pin::open, Schedule::Pin::worst, Schedule::Pin::best}) {
-    if (pin == Schedule::Pin::open && !peak.relaxed) continue;
-    Schedule schedule(machine, path, pin, peak.grows ? peak.measured : -1);
+  // With times fixed where preemption makes sums of them; if there are such, with what all can be at once.
+  for (const Schedule::Pin pin : {Schedule::Pin::worst, Schedule::Pin::open, Schedule::Pin::best}) {
+    Schedule schedule(machine, path, pin, growing);
     if (!schedule.feasible()) continue;
-    const auto times = schedule.solve(aim, peak.grows ? watch.limit + 1 : none);
+    const auto times = schedule.solve(aim, growing >= 0 ? watch.limit + 1 : none);
     if (!times) continue;
     for (std::size_t k = 0; k < path.size(); ++k) path[k].at = (*times)[k];
-    std::optional<Witness> made = replay(machine, path, peak.grows);
+    std::optional<Witness> made = replay(machine, path, growing >= 0);
     if (!made) continue;
     const bool better = !best || (watch.least ? made->measured.value < best->measured.value
                                               : made->measured.value > best->measured.value);
     if (better) best = std::move(made);
-    if (!peak.relaxed || pin == Schedule::Pin::open) break;
+    if (!schedule.pinned()) break;
   }
   return best;
+}
+
+std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak) {
+  return witness_along(machine, path_to(graph, peak), peak.value >= 0, peak.grows ? peak.measured : -1);
 }
 
 }  // namespace pal::analyzer

@@ -43,6 +43,13 @@ std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, con
 std::optional<Witness> stuck_witness(const Machine& machine, const ZoneGraph& graph, int stuck,
                                      Nanoseconds value);
 
+/// The run that fires as `path` does, at other times, in which what its end measures is greatest (or least,
+/// if that is watched); any times, if nothing is `measured`. `growing`: the observer whose value is asked for
+/// instead. Nothing, if there is none, or none was confirmed by replay. The path may come from another
+/// problem.
+std::optional<Witness> witness_along(const Machine& machine, std::vector<ScriptedFiring> path, bool measured,
+                                     int growing = -1);
+
 /// The run along the path to `peak` in which the measured value is greatest (or least, if that is watched).
 /// Nothing, if none was confirmed by replay.
 std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak);

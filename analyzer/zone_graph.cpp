@@ -5,41 +5,57 @@
 namespace pal::analyzer {
 namespace {
 
-/// Where a variable of the next class comes from: an old one, moved by something in [low, high].
-struct Source {
-  std::size_t variable;
-  Nanoseconds low;
-  Nanoseconds high;
-};
+/// So many classes are expanded before their successors are compared: enough to share, few enough that not
+/// much is expanded that a successor would have replaced.
+constexpr std::size_t batch_size = 2048;
 
-Dbm derived(const Dbm& from, const std::vector<Source>& sources) {
-  Dbm made(sources.size());
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    for (std::size_t j = 0; j < sources.size(); ++j) {
-      if (i == j) continue;
-      const Nanoseconds between = from.at(sources[i].variable, sources[j].variable);
-      made.at(i, j) = sources[i].high >= Range::unbounded
-                          ? Dbm::unbounded
-                          : Dbm::sum(between, sources[i].high - sources[j].low);
-    }
-  }
-  return made;
+/// So many classes are found sooner by one thread than by several that have to wait for one another.
+constexpr std::size_t worth_sharing = 8192;
+
+/// Arrivals have numbers below those of classes, and below -1, which is none.
+int number_of_arrival(std::size_t index) {
+  return -2 - static_cast<int>(index);
+}
+std::size_t arrival_of(int number) {
+  return static_cast<std::size_t>(-2 - number);
 }
 
-/// Only runs in which the timer of `variable` is the first to fire. False: there is none.
-bool fire_first(Dbm& zone, std::size_t variable, const std::vector<bool>& frozen) {
-  for (std::size_t k = 0; k < frozen.size(); ++k) {
-    if (frozen[k] || k + 1 == variable) continue;
-    if (!zone.constrain(variable, k + 1, 0)) return false;
-  }
-  return true;
-}
-
-std::size_t position(const std::vector<int>& timers, int timer) {
-  return static_cast<std::size_t>(std::find(timers.begin(), timers.end(), timer) - timers.begin());
+bool around(const ZoneClass& outer, const ZoneClass& inner) {
+  return (!outer.relaxed || inner.relaxed) && outer.zone.includes(inner.zone);
 }
 
 }  // namespace
+
+void Findings::measured(const Peak& value, bool least) {
+  const auto better = [&](const Peak& than) {
+    return value.value >= 0 &&
+           (than.value < 0 || (least ? value.value < than.value : value.value > than.value));
+  };
+  if (better(peak)) peak = value;
+  if (!value.relaxed && better(certain)) certain = value;
+}
+
+void Findings::add(const Findings& later, bool least) {
+  measured(later.peak, least);
+  measured(later.certain, least);
+  if (!failure) failure = later.failure;
+  if (!growing) growing = later.growing;
+  if (!beyond) beyond = later.beyond;
+  if (stuck < 0) stuck = later.stuck;
+  passed = passed || later.passed;
+  over_cap = over_cap || later.over_cap;
+  never_answered = never_answered || later.never_answered;
+  outgrown = outgrown || later.outgrown;
+  relaxed = relaxed || later.relaxed;
+}
+
+void ZoneGraph::in_parts(const Limits& limits, std::size_t count, std::size_t grain,
+                         const std::function<void(std::size_t)>& part) const {
+  if (limits.workers != nullptr && classes_.size() >= worth_sharing) {
+    return limits.workers->each(count, grain, part);
+  }
+  for (std::size_t i = 0; i < count; ++i) part(i);
+}
 
 ZoneGraph::ZoneGraph(const Machine& machine, Nanoseconds cap, bool keep_edges)
     : machine_(machine), cap_(cap), keep_edges_(keep_edges) {}
@@ -51,284 +67,284 @@ int ZoneGraph::current(int index) const {
   return index;
 }
 
-int ZoneGraph::place_of(State state, std::vector<int> timers, std::vector<bool> frozen) {
-  const auto [found, added] = index_.try_emplace(std::move(state), static_cast<int>(places_.size()));
-  if (added) {
-    places_.push_back({found->first, std::move(timers), std::move(frozen), std::nullopt});
-    classes_of_.emplace_back();
-  }
-  return found->second;
+void ZoneGraph::Expansion::begin() {
+  used = 0;
+  findings = {};
+}
+
+ZoneGraph::Arrival& ZoneGraph::Expansion::arrival(Move& move) {
+  if (used == arrivals.size()) arrivals.emplace_back();
+  Arrival& arrival = arrivals[used++];
+  arrival.move = &move;
+  arrival.passed.reset();
+  arrival.replaces.clear();
+  return arrival;
 }
 
 bool ZoneGraph::explore(const Limits& limits) {
-  AllChoices choices;
-  do {
-    Transition start;
-    start.outcome = machine_.initial(choices, false);
-    start.choices = choices.taken();
-    outgrown_ = outgrown_ || start.outcome.too_many;
-    passed_ = passed_ || start.outcome.passed;
-    follow(-1, start, Dbm(1), 0);
-  } while (choices.next());
-  std::size_t rounds = 0;
-  while (!open_.empty() && !failure_ && !outgrown_) {
+  expansions_.resize(batch_size);
+  first_moves_ = first_moves(machine_);
+  for (Move& move : first_moves_) {
+    Expansion& expansion = expansions_.front();
+    expansion.findings.outgrown |= move.outcome.too_many;
+    expansion.findings.passed |= move.outcome.passed;
+    Arrival& arrival = expansion.arrival(move);
+    arrival.made.choices = move.choices;
+    follow(ZoneClass(), Dbm(1), move, 0, expansion.sources, arrival.made);
+    observe_growth(arrival, expansion.findings);
+    split(arrival, expansion);
+  }
+  merge(1, limits);
+  while (!open_.empty() && !findings_.failure && !findings_.outgrown) {
     if (classes_.size() > limits.classes) return false;
-    if (++rounds % 256 == 0 && limits.stop && limits.stop()) return false;
-    const int next = open_.front();
-    open_.pop_front();
-    if (classes_[static_cast<std::size_t>(next)].replaced_by < 0) expand(next);
+    if (limits.stop && limits.stop()) return false;
+    if (limits.enough && limits.enough(*this)) return false;
+    std::vector<int> batch;
+    std::vector<int> untried;
+    while (!open_.empty() && batch.size() < batch_size) {
+      const int next = open_.front();
+      open_.pop_front();
+      const ZoneClass& of = classes_[static_cast<std::size_t>(next)];
+      if (of.replaced_by >= 0) continue;
+      batch.push_back(next);
+      Place& place = places_[static_cast<std::size_t>(of.state)];
+      if (!place.moves_known) untried.push_back(of.state);
+      place.moves_known = true;
+    }
+    in_parts(limits, untried.size(), 4, [&](std::size_t i) {
+      Place& place = places_[static_cast<std::size_t>(untried[i])];
+      if (!place.state.ended) place.moves = moves_from(machine_, place);
+    });
+    in_parts(limits, batch.size(), 8, [&](std::size_t i) { expand(batch[i], expansions_[i]); });
+    merge(batch.size(), limits);
   }
   for (Edge& edge : edges_) {
     edge.from = current(edge.from);
     edge.to = current(edge.to);
   }
-  return !outgrown_;
+  return !findings_.outgrown;
 }
 
-void ZoneGraph::compute_transitions(int index) {
-  std::vector<Transition> transitions;
-  const std::vector<int> timers = places_[static_cast<std::size_t>(index)].timers;
-  const std::vector<bool> frozen = places_[static_cast<std::size_t>(index)].frozen;
-  const State state = places_[static_cast<std::size_t>(index)].state;
-  for (std::size_t k = 0; k < timers.size(); ++k) {
-    if (frozen[k]) continue;
-    AllChoices choices;
-    do {
-      Transition made;
-      if (!machine_.fire(state, timers[k], choices, false, made.outcome)) break;
-      made.timer = timers[k];
-      made.choices = choices.taken();
-      transitions.push_back(std::move(made));
-    } while (choices.next());
+void ZoneGraph::expand(int index, Expansion& expansion) {
+  const ZoneClass& from = classes_[static_cast<std::size_t>(index)];
+  Place& here = places_[static_cast<std::size_t>(from.state)];
+  expansion.begin();
+  if (here.state.ended) return;
+  if (here.timers.empty() && machine_.watch().grows() && here.state.observers > 0 &&
+      (machine_.watch().kind == Watch::Kind::response || here.state.reference != tag::none)) {
+    expansion.findings.stuck = index;
+    expansion.findings.never_answered = true;
   }
-  places_[static_cast<std::size_t>(index)].transitions = std::move(transitions);
-}
-
-void ZoneGraph::expand(int index) {
-  const int place = classes_[static_cast<std::size_t>(index)].state;
-  {
-    const Place& here = places_[static_cast<std::size_t>(place)];
-    if (here.state.ended) return;
-    if (here.timers.empty() && machine_.watch().grows() && here.state.observers > 0) {
-      const bool growing =
-          machine_.watch().kind == Watch::Kind::response || here.state.reference != tag::none;
-      if (growing && stuck_ < 0) stuck_ = index;
-      never_answered_ = never_answered_ || growing;
-    }
-    if (!here.transitions) compute_transitions(place);
-  }
-  // Following may add places, and so move them: the transitions are held while it does.
-  const std::vector<Transition> transitions =
-      std::move(*places_[static_cast<std::size_t>(place)].transitions);
-  const std::vector<int> timers = places_[static_cast<std::size_t>(place)].timers;
-  const std::vector<bool> frozen = places_[static_cast<std::size_t>(place)].frozen;
   int fired_timer = -1;
   bool possible = false;
-  Dbm fired;
-  std::size_t variable = 0;
-  for (const Transition& transition : transitions) {
-    if (transition.timer != fired_timer) {
-      fired_timer = transition.timer;
-      variable = position(timers, fired_timer) + 1;
-      fired = classes_[static_cast<std::size_t>(index)].zone;
-      possible = fire_first(fired, variable, frozen);
+  for (Move& move : here.moves) {
+    if (move.timer != fired_timer) {
+      fired_timer = move.timer;
+      expansion.fired = from.zone;
+      possible = fire_first(expansion.fired, move.variable, here.frozen);
     }
     if (!possible) continue;
-    outgrown_ = outgrown_ || transition.outcome.too_many;
-    measure(index, transition, fired, variable);
-    follow(index, transition, fired, variable);
+    expansion.findings.outgrown |= move.outcome.too_many;
+    measure(index, move, expansion.fired, here.timers.size(), expansion.findings);
+    Arrival& arrival = expansion.arrival(move);
+    arrival.made.parent = index;
+    arrival.made.timer = move.timer;
+    arrival.made.choices = move.choices;
+    const bool left =
+        follow(from, expansion.fired, move, here.timers.size(), expansion.sources, arrival.made);
+    expansion.findings.relaxed |= arrival.made.relaxed;
+    if (left) {
+      observe_growth(arrival, expansion.findings);
+      split(arrival, expansion);
+    } else {
+      --expansion.used;
+    }
   }
-  places_[static_cast<std::size_t>(place)].transitions = std::move(transitions);
 }
 
-void ZoneGraph::measure(int from, const Transition& transition, const Dbm& fired, std::size_t variable) {
-  const ZoneClass& parent = classes_[static_cast<std::size_t>(from)];
-  const std::size_t timers = places_[static_cast<std::size_t>(parent.state)].timers.size();
+void ZoneGraph::measure(int from, const Move& move, const Dbm& fired, std::size_t timers,
+                        Findings& findings) const {
+  const Outcome& outcome = move.outcome;
+  const bool failed = outcome.state.failed && !findings.failure;
+  findings.passed = findings.passed || outcome.passed;
+  if (outcome.measured.empty() && outcome.lost < 0 && !failed) return;
   const bool least = machine_.watch().least;
-  const Outcome& outcome = transition.outcome;
-  passed_ = passed_ || outcome.passed;
   Peak peak;
   peak.parent = from;
-  peak.timer = transition.timer;
-  peak.choices = transition.choices;
-  peak.relaxed = parent.relaxed;
+  peak.timer = move.timer;
+  peak.choices = move.choices;
+  peak.relaxed = classes_[static_cast<std::size_t>(from)].relaxed;
   for (std::size_t i = 0; i < outcome.measured.size(); ++i) {
     peak.measured = outcome.measured[i];
     peak.step = outcome.measured_steps[i];
     if (peak.measured == Outcome::older_than_cap) {
-      over_cap_ = true;
+      findings.over_cap = true;
+      if (!findings.beyond) findings.beyond = peak;
+      if (findings.beyond->value < 0) findings.beyond->value = cap_ + 1;
       continue;
     }
     const std::size_t observer = 1 + timers + static_cast<std::size_t>(std::max(peak.measured, 0));
     peak.value = peak.measured == Outcome::born_now ? 0
-                 : least                            ? -fired.at(observer, variable)
-                                                    : fired.at(variable, observer);
-    const bool first = peak_.value < 0;
-    if (first || (least ? peak.value < peak_.value : peak.value > peak_.value)) peak_ = peak;
+                 : least                            ? -fired.at(observer, move.variable)
+                                                    : fired.at(move.variable, observer);
+    findings.measured(peak, least);
   }
-  if (outcome.lost > peak_.value) {
+  if (outcome.lost >= 0) {
     peak.value = outcome.lost;
     peak.measured = Outcome::born_now;
-    peak_ = peak;
+    findings.measured(peak, false);
   }
-  if (outcome.state.failed && !failure_) failure_ = peak;
+  if (failed) findings.failure = peak;
 }
 
 /// What grows counts as soon as it is greater than the limit, whether it is ever measured or not.
-void ZoneGraph::observe_growth(int from, const Transition& transition, const ZoneClass& made,
-                               std::size_t timers) {
+void ZoneGraph::observe_growth(const Arrival& arrival, Findings& findings) const {
   const Watch& watch = machine_.watch();
-  if (growing_ || !watch.grows()) return;
-  for (int o = 0; o < transition.outcome.state.observers; ++o) {
-    const Nanoseconds value = made.zone.at(0, 1 + timers + static_cast<std::size_t>(o));
-    if (value <= watch.limit || !grows(transition.outcome.state, watch, o)) continue;
-    growing_ = Peak{value, from, transition.timer, transition.choices, o, -1, made.relaxed, true};
+  if (findings.growing || !watch.grows()) return;
+  const State& state = arrival.move->outcome.state;
+  for (int o = 0; o < state.observers; ++o) {
+    const Nanoseconds value =
+        arrival.made.zone.at(0, 1 + arrival.move->timers.size() + static_cast<std::size_t>(o));
+    if (value <= watch.limit || !grows(state, watch, o)) continue;
+    findings.growing = Peak{
+        value, arrival.made.parent, arrival.move->timer, arrival.move->choices, o, -1, arrival.made.relaxed,
+        true};
     return;
   }
 }
 
-void ZoneGraph::follow(int from, const Transition& transition, const Dbm& fired, std::size_t variable) {
-  static const std::vector<int> none;
-  static const std::vector<bool> none_frozen;
-  const int place = from < 0 ? -1 : classes_[static_cast<std::size_t>(from)].state;
-  const std::vector<int>& old_timers = place < 0 ? none : places_[static_cast<std::size_t>(place)].timers;
-  const std::vector<bool>& old_frozen =
-      place < 0 ? none_frozen : places_[static_cast<std::size_t>(place)].frozen;
-
-  // The timers that there are now: by number, where from, and whether frozen.
-  struct Timer {
-    int timer;
-    Source source;
-    bool frozen;
-  };
-  std::vector<Timer> timers;
-  for (std::size_t k = 0; k < old_timers.size(); ++k) {
-    if (old_timers[k] == transition.timer) continue;
-    timers.push_back({old_timers[k], {k + 1, 0, 0}, old_frozen[k]});
-  }
-  // An action that ends gives back its time to those that were preempted on its processor: they have as much
-  // left as before.
-  bool relaxed = from >= 0 && classes_[static_cast<std::size_t>(from)].relaxed;
-  std::vector<std::pair<int, Range>> repaid;  // timer, what it can have left
-  const int processor =
-      place < 0 ? -1
-                : machine_.processor_of(places_[static_cast<std::size_t>(place)].state, transition.timer);
-  if (processor >= 0) {
-    const State& state = places_[static_cast<std::size_t>(place)].state;
-    const Range cost = machine_.cost(state, transition.timer);
-    const auto priority = [this](int timer) {
-      return machine_.problem().threads[static_cast<std::size_t>(timer)].priority;
-    };
-    std::vector<int> preempted;
-    for (Timer& timer : timers) {
-      if (!timer.frozen ||
-          machine_.problem().threads[static_cast<std::size_t>(timer.timer)].processor != processor)
-        continue;
-      timer.source.low += cost.best;
-      timer.source.high += cost.worst;
-      if (cost.best != cost.worst) preempted.push_back(timer.timer);
-    }
-    for (int timer : preempted) {
-      relaxed = relaxed_ = true;
-      // Those that interrupted it, and were interrupted themselves, have not given back theirs yet.
-      Range left{0, machine_.cost(state, timer).worst};
-      for (int other : preempted) {
-        if (priority(other) > priority(timer)) left.best -= machine_.cost(state, other).worst;
-      }
-      repaid.emplace_back(timer, left);
-    }
-  }
-  for (const TimerChange& change : transition.outcome.changes) {
-    const auto found =
-        std::find_if(timers.begin(), timers.end(), [&](const Timer& t) { return t.timer == change.timer; });
-    switch (change.kind) {
-      case TimerChange::Kind::start:
-        timers.push_back({change.timer, {variable, change.range.best, change.range.worst}, false});
-        break;
-      case TimerChange::Kind::stop:
-        timers.erase(found);
-        break;
-      case TimerChange::Kind::freeze:
-        found->frozen = true;
-        break;
-      case TimerChange::Kind::resume:
-        found->frozen = false;
-        break;
-    }
-  }
-  std::sort(timers.begin(), timers.end(), [](const Timer& a, const Timer& b) { return a.timer < b.timer; });
-
-  std::vector<Source> sources{{variable, 0, 0}};
-  std::vector<int> numbers;
-  std::vector<bool> frozen;
-  ZoneClass made;
-  for (const Timer& timer : timers) {
-    sources.push_back(timer.source);
-    numbers.push_back(timer.timer);
-    frozen.push_back(timer.frozen);
-  }
-  for (int origin : transition.outcome.origin) {
-    sources.push_back(
-        {origin < 0 ? variable : 1 + old_timers.size() + static_cast<std::size_t>(origin), 0, 0});
-  }
-  made.zone = derived(fired, sources);
-  made.relaxed = relaxed;
-  for (const auto& [timer, left] : repaid) {
-    const std::size_t v = position(numbers, timer) + 1;
-    if (!made.zone.constrain(0, v, -left.best) || !made.zone.constrain(v, 0, left.worst)) return;
-  }
-  observe_growth(from, transition, made, timers.size());
-  split(from, transition, transition.outcome.state, std::move(numbers), std::move(frozen), std::move(made));
-}
-
 /// An observer that may be beyond the cap is two cases: within it, and beyond.
-void ZoneGraph::split(int from, const Transition& transition, State state, std::vector<int> timers,
-                      std::vector<bool> frozen, ZoneClass made) {
-  for (std::size_t o = 0; o < state.observers; ++o) {
-    const std::size_t variable = 1 + timers.size() + o;
-    if (made.zone.at(0, variable) <= cap_) continue;
-    ZoneClass beyond = made;
-    if (beyond.zone.constrain(variable, 0, -cap_ - 1)) {
-      std::vector<Source> kept;
-      for (std::size_t v = 0; v < beyond.zone.size(); ++v) {
-        if (v != variable) kept.push_back({v, 0, 0});
-      }
-      beyond.zone = derived(beyond.zone, kept);
-      State passed = state;
-      pass_cap(passed, machine_.watch(), static_cast<int>(o));
-      if (grows(state, machine_.watch(), static_cast<int>(o))) never_answered_ = true;
-      split(from, transition, std::move(passed), timers, frozen, std::move(beyond));
+void ZoneGraph::split(Arrival& arrival, Expansion& expansion) const {
+  const std::size_t first = 1 + arrival.move->timers.size();
+  std::size_t variable = first;
+  while (variable < arrival.made.zone.size() && arrival.made.zone.at(0, variable) <= cap_) ++variable;
+  if (variable == arrival.made.zone.size()) return;
+
+  // Making arrivals moves those that there are.
+  Move& move = *arrival.move;
+  ZoneClass made = arrival.made;
+  const std::optional<State> passed = arrival.passed;
+  --expansion.used;
+  ZoneClass beyond = made;
+  if (beyond.zone.constrain(variable, 0, -cap_ - 1)) {
+    expansion.sources.clear();
+    for (std::size_t v = 0; v < made.zone.size(); ++v) {
+      if (v != variable) expansion.sources.push_back({v, 0, 0});
     }
-    if (!made.zone.constrain(0, variable, cap_)) return;
+    const Dbm whole = beyond.zone;
+    derive(whole, expansion.sources, beyond.zone);
+    Arrival& later = expansion.arrival(move);
+    later.passed = passed ? *passed : move.outcome.state;
+    if (grows(*later.passed, machine_.watch(), static_cast<int>(variable - first)))
+      expansion.findings.never_answered = true;
+    pass_cap(*later.passed, machine_.watch(), static_cast<int>(variable - first));
+    later.made = std::move(beyond);
+    split(later, expansion);
   }
-  const int place = place_of(std::move(state), std::move(timers), std::move(frozen));
-  add(from, transition, place, std::move(made));
+  if (!made.zone.constrain(0, variable, cap_)) return;
+  Arrival& within = expansion.arrival(move);
+  within.passed = passed;
+  within.made = std::move(made);
+  split(within, expansion);
 }
 
-void ZoneGraph::add(int from, const Transition& transition, int place, ZoneClass made) {
-  std::vector<int>& known = classes_of_[static_cast<std::size_t>(place)];
-  const int number = static_cast<int>(classes_.size());
-  for (int other : known) {
-    const ZoneClass& there = classes_[static_cast<std::size_t>(other)];
-    if (there.zone.includes(made.zone) && (!there.relaxed || made.relaxed)) {
-      if (keep_edges_ && from >= 0) edges_.push_back({from, other, transition.timer});
-      return;
+int ZoneGraph::place_of(Arrival& arrival) {
+  Move& move = *arrival.move;
+  if (!arrival.passed && move.target >= 0) return move.target;
+  const State& state = arrival.passed ? *arrival.passed : move.outcome.state;
+  const auto [found, added] = index_.try_emplace(state, static_cast<int>(places_.size()));
+  if (added) {
+    places_.push_back({state, move.numbers, move.frozen, {}, false});
+    known_.emplace_back();
+    landing_of_.push_back(-1);
+  }
+  if (!arrival.passed) move.target = found->second;
+  return found->second;
+}
+
+void ZoneGraph::merge(std::size_t expanded, const Limits& limits) {
+  arrivals_.clear();
+  landings_.clear();
+  for (std::size_t e = 0; e < expanded; ++e) {
+    Expansion& expansion = expansions_[e];
+    findings_.add(expansion.findings, machine_.watch().least);
+    for (std::size_t a = 0; a < expansion.used; ++a) {
+      Arrival& arrival = expansion.arrivals[a];
+      const std::size_t index = arrivals_.size();
+      arrivals_.push_back(&arrival);
+      arrival.made.state = place_of(arrival);
+      int& landing = landing_of_[static_cast<std::size_t>(arrival.made.state)];
+      if (landing < 0) {
+        landing = static_cast<int>(landings_.size());
+        landings_.push_back({arrival.made.state, index, index, 1});
+        continue;
+      }
+      Landing& chain = landings_[static_cast<std::size_t>(landing)];
+      arrivals_[chain.last]->next = index;
+      chain.last = index;
+      ++chain.count;
     }
   }
-  made.state = place;
-  made.parent = from;
-  made.timer = transition.timer;
-  made.choices = transition.choices;
-  std::erase_if(known, [&](int other) {
-    ZoneClass& there = classes_[static_cast<std::size_t>(other)];
-    if (!made.zone.includes(there.zone) || (made.relaxed && !there.relaxed)) return false;
-    there.replaced_by = number;
-    return true;
-  });
-  known.push_back(number);
-  classes_.push_back(std::move(made));
-  open_.push_back(number);
-  if (keep_edges_ && from >= 0) edges_.push_back({from, number, transition.timer});
+  // The most work first, so that nobody waits for one who began it last.
+  const auto work = [this](const Landing& landing) {
+    return landing.count * (1 + known_[static_cast<std::size_t>(landing.place)].ids().size());
+  };
+  std::sort(landings_.begin(), landings_.end(),
+            [&](const Landing& a, const Landing& b) { return work(a) > work(b); });
+  in_parts(limits, landings_.size(), 1, [this](std::size_t i) { compare(landings_[i]); });
+  enter();
+  for (const Landing& landing : landings_) {
+    const auto place = static_cast<std::size_t>(landing.place);
+    landing_of_[place] = -1;
+    std::vector<int>& ids = known_[place].ids();
+    // New ones stand at the end.
+    for (std::size_t k = ids.size(); k-- > 0 && ids[k] < -1;) ids[k] = arrivals_[arrival_of(ids[k])]->number;
+  }
+}
+
+const ZoneClass& ZoneGraph::zone_class(int id) const {
+  return id < -1 ? arrivals_[arrival_of(id)]->made : classes_[static_cast<std::size_t>(id)];
+}
+
+void ZoneGraph::compare(const Landing& landing) {
+  KnownZones& known = known_[static_cast<std::size_t>(landing.place)];
+  Outline outline;
+  std::size_t index = landing.first;
+  for (std::size_t k = 0; k < landing.count; ++k, index = arrivals_[index]->next) {
+    Arrival& arrival = *arrivals_[index];
+    outline.of(arrival.made.zone);
+    arrival.held_by =
+        known.first_around(outline, [&](int id) { return around(zone_class(id), arrival.made); });
+    if (arrival.held_by != -1) continue;
+    known.erase_within(outline, [&](int id) {
+      if (!around(arrival.made, zone_class(id))) return false;
+      arrival.replaces.push_back(id);
+      return true;
+    });
+    known.add(number_of_arrival(index), outline);
+  }
+}
+
+void ZoneGraph::enter() {
+  const auto number_of = [&](int id) { return id < -1 ? arrivals_[arrival_of(id)]->number : id; };
+  std::vector<Arrival*> entering;
+  for (Arrival* arrival : arrivals_) {
+    const bool enters = arrival->held_by == -1;
+    arrival->number =
+        enters ? static_cast<int>(classes_.size() + entering.size()) : number_of(arrival->held_by);
+    if (enters) entering.push_back(arrival);
+    if (keep_edges_ && arrival->made.parent >= 0)
+      edges_.push_back({arrival->made.parent, arrival->number, arrival->made.timer});
+  }
+  for (const Arrival* arrival : entering) {
+    classes_.push_back(arrival->made);
+    open_.push_back(arrival->number);
+    for (int id : arrival->replaces) {
+      ZoneClass& replaced = classes_[static_cast<std::size_t>(number_of(id))];
+      replaced.replaced_by = arrival->number;
+      replaced.zone = Dbm(0);  // only its ancestry is asked for again
+    }
+  }
 }
 
 }  // namespace pal::analyzer

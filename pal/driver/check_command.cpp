@@ -5,6 +5,7 @@
 #include "pal/driver/commands.hpp"
 #include "pal/driver/report.hpp"
 #include "pal/driver/sarif.hpp"
+#include "pal/driver/statistics.hpp"
 #include "pal/driver/witness.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/output.hpp"
@@ -52,14 +53,18 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
   if (options.emit == Stage::pan) emit_pan(session.specification, console.out);
 
   std::vector<Proof> proofs;
-  if (!session.diagnostics.has_errors()) proofs = prove(session, options.limits);
+  if (!session.diagnostics.has_errors()) {
+    ProofLimits limits = options.limits;
+    limits.peak_memory = options.statistics;
+    proofs = prove(session, limits);
+  }
   const ExitStatus found = status_of_findings(session);
   const bool wrong = found != ExitStatus::all_hold;
   report_unmet(proofs, session);
 
   const ExitStatus status = wrong ? found : all_hold(proofs) ? ExitStatus::all_hold : ExitStatus::not_met;
   if (options.format == Format::json) {
-    console.out << json(proofs, session);
+    console.out << json(proofs, session, options.statistics);
   } else if (options.format == Format::sarif) {
     console.out << sarif(proofs, session, status);
   } else {
@@ -67,7 +72,7 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
     if (!wrong) say_what_was_not_proved(session, console.err);
     write_table(proofs, console.out);
   }
-  if (options.statistics) write_statistics(proofs, console.err);
+  if (options.statistics && options.format == Format::text) write_statistics(proofs, console.err);
   if (!options.witness.empty() && !wrong) {
     if (const auto problem = write_witnesses(options.witness, proofs, session)) {
       console.err << "pal: " << *problem << "\n";

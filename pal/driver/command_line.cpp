@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "pal/driver/commands.hpp"
+#include "pal/support/duration_text.hpp"
 #include "pal/support/nearest.hpp"
 
 namespace pal::driver {
@@ -28,13 +29,34 @@ void add_selection(CLI::App& command, Selection& selection) {
       ->type_name("NAME");
 }
 
+/// Seconds in "90", "90 s", "1.5min".
+double seconds_of(const std::string& text) {
+  const std::size_t end = text.find_first_not_of("0123456789.");
+  const std::string number = text.substr(0, end);
+  const std::size_t unit = end == std::string::npos ? end : text.find_first_not_of(' ', end);
+  const auto duration = parse_duration(number, unit == std::string::npos ? "s" : text.substr(unit));
+  if (const auto* time = std::get_if<Duration>(&duration))
+    return std::chrono::duration<double>(*time).count();
+  throw CLI::ValidationError("--timeout", "'" + text + "' is no length of time, as 90 s or 500 ms is");
+}
+
 void add_limits(CLI::App& command, ProofLimits& limits) {
   command
       .add_option("--max-states", limits.max_states, "give up a requirement after so many states (undecided)")
       ->capture_default_str();
-  command.add_option("--timeout", limits.seconds, "give up after so many seconds (undecided); 0: never")
-      ->type_name("SECONDS")
-      ->check(CLI::NonNegativeNumber);
+  command
+      .add_option_function<std::string>(
+          "--timeout", [&limits](const std::string& text) { limits.seconds = seconds_of(text); },
+          "give up after so long (undecided): 90 s, 2min, 500ms; a number alone is seconds, 0: never")
+      ->type_name("DURATION");
+  command.add_option("--threads", limits.threads, "threads at work; 0: one a core")->capture_default_str();
+}
+
+void add_format(CLI::App& command, Format& format) {
+  command.add_option("--format", format, "text or json")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Format>{{"text", Format::text}, {"json", Format::json}}))
+      ->type_name("FORMAT");
 }
 
 void add_check(CLI::App& app, CheckOptions& options) {
@@ -44,15 +66,16 @@ void add_check(CLI::App& app, CheckOptions& options) {
   add_limits(*command, options.limits);
   using Choice = analyzer::AnalysisChoice;
   command
-      ->add_option("--analysis", options.limits.analysis,
-                   "exact, compositional (bounds, however large the skill), or auto: exact, and compositional for "
-                   "what that leaves undecided")
+      ->add_option(
+          "--analysis", options.limits.analysis,
+          "exact, compositional (bounds, however large the skill), or auto: exact, and compositional for "
+          "what that leaves undecided")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Choice>{
           {"exact", Choice::exact}, {"compositional", Choice::compositional}, {"auto", Choice::automatic}}))
       ->type_name("ANALYSIS");
   command->add_option("--format", options.format, "text, json or sarif (2.1.0)")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Format>{{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}}))
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Format>{
+          {"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}}))
       ->type_name("FORMAT");
   command->add_option("--emit", options.emit, "also print what stands between two stages: tree or pan")
       ->transform(
@@ -60,7 +83,8 @@ void add_check(CLI::App& app, CheckOptions& options) {
       ->type_name("STAGE");
   command->add_option("--witness", options.witness, "write the run that shows each bound, for pal replay")
       ->type_name("FILE");
-  command->add_flag("--statistics", options.statistics, "print states explored and seconds taken");
+  command->add_flag("--statistics", options.statistics,
+                    "print states, classes, seconds and peak memory of each requirement and of all");
   command->footer(statuses);
 }
 
@@ -73,6 +97,28 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
       "Exit status: 0 all are confirmed; 1 the specification is wrong; 2 bad usage, or a file could not be "
       "read; "
       "3 some witness is refused.");
+}
+
+void add_what_if(CLI::App& app, WhatIfOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "whatif", "Says how much longer everything may take, and what other figures and placements do");
+  add_selection(*command, options.selection);
+  add_limits(*command, options.limits);
+  add_format(*command, options.format);
+  command
+      ->add_option("--set", options.changes,
+                   "the verdicts with another figure: 'extract-z = 5..7 ms', 'SM1.priority = 3', "
+                   "'SM1.processor = P1', 'alter.period = 20 ms'; may be repeated")
+      ->type_name("CHANGE")
+      ->take_all();
+  command
+      ->add_option_function<int>(
+          "--place", [&options](int processors) { options.place = processors; },
+          "every placement on N processors that meets every requirement; 0: on as few as do")
+      ->type_name("N")
+      ->check(CLI::Range(0, 100));
+  command->add_flag("--priorities", options.priorities, "place in every order by priority, too");
+  command->footer(statuses);
 }
 
 void add_pan(CLI::App& app, PanOptions& options) {
@@ -138,7 +184,8 @@ void add_format(CLI::App& app, FormatOptions& options) {
 }
 
 void add_sequence(CLI::App& app, SequenceOptions& options) {
-  CLI::App* command = app.add_subcommand("sequence", "Draws the runs into deadlocks as message sequence charts");
+  CLI::App* command =
+      app.add_subcommand("sequence", "Draws the runs into deadlocks as message sequence charts");
   add_selection(*command, options.selection);
   command->add_option("-o,--output", options.output, "folder for SKILL.N.sequence.svg")
       ->type_name("FOLDER")
@@ -146,22 +193,25 @@ void add_sequence(CLI::App& app, SequenceOptions& options) {
 }
 
 void add_resources(CLI::App& app, ResourcesOptions& options) {
-  CLI::App* command = app.add_subcommand("resources", "Lists what skills need, and what environments lack of it");
+  CLI::App* command =
+      app.add_subcommand("resources", "Lists what skills need, and what environments lack of it");
   add_selection(*command, options.selection);
-  command->add_option("--format", options.format, "text or json")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Format>{{"text", Format::text}, {"json", Format::json}}))
-      ->type_name("FORMAT");
+  add_format(*command, options.format);
 }
 
 void add_doc(CLI::App& app, DocOptions& options) {
   CLI::App* command = app.add_subcommand("doc", "Writes the templates of skills as documents");
-  command->add_option("files", options.selection.files, "PAL files with the skills")->required()->type_name("FILE");
-  command->add_option("-s,--skill", options.selection.skill, "only the skill of this name")->type_name("NAME");
+  command->add_option("files", options.selection.files, "PAL files with the skills")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("-s,--skill", options.selection.skill, "only the skill of this name")
+      ->type_name("NAME");
   command->add_option("--format", options.format, "md or html; without it, as the output is called, else md")
       ->check(CLI::IsMember({"md", "html"}))
       ->type_name("FORMAT");
-  command->add_option("-o,--output", options.output, "the document; drawings that it names are written beside it")
+  command
+      ->add_option("-o,--output", options.output,
+                   "the document; drawings that it names are written beside it")
       ->type_name("FILE");
   command->footer(statuses);
 }
@@ -207,6 +257,8 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   ResourcesOptions resources_options;
   add_check(app, check_options);
   add_replay(app, replay_options);
+  WhatIfOptions what_if_options;
+  add_what_if(app, what_if_options);
   add_pan(app, pan_options);
   add_atc(app, atc_options);
   add_generate(app, generate_options);
@@ -226,6 +278,7 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   }
   if (app.got_subcommand("check")) return check(check_options, console);
   if (app.got_subcommand("replay")) return replay(replay_options, console);
+  if (app.got_subcommand("whatif")) return what_if(what_if_options, console);
   if (app.got_subcommand("pan")) return draw_pan(pan_options, console);
   if (app.got_subcommand("atc")) return draw_atc(atc_options, console);
   if (app.got_subcommand("fmt")) return format(format_options, console);

@@ -33,6 +33,16 @@ struct ReplayOptions {
 /// Confirms witnesses without the analysis. not_met: some could not be.
 ExitStatus replay(const ReplayOptions& options, const Console& console);
 
+struct WhatIfOptions {
+  Selection selection;
+  ProofLimits limits;
+  Format format = Format::text;
+  std::vector<std::string> changes;  // "NAME = VALUE"; without any, and without place: slack
+  std::optional<int> place;          // placements on so many processors; 0: the fewest that do
+  bool priorities = false;           // … with every order by priority
+};
+ExitStatus what_if(const WhatIfOptions& options, const Console& console);
+
 struct PanOptions {
   Selection selection;
   std::string module;  // empty: every module with a body

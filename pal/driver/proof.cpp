@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "pal/check/resources.hpp"
+#include "pal/driver/interruption.hpp"
+#include "pal/driver/memory.hpp"
 #include "pal/support/duration_text.hpp"
 
 namespace pal::driver {
@@ -33,13 +35,22 @@ std::string statements_text(const analyzer::Problem& problem, const analyzer::Re
 
 }  // namespace
 
-std::vector<Proof> prove(Session& session, const ProofLimits& limits) {
+analyzer::Options options_of(const ProofLimits& limits) {
   const auto begin = Clock::now();
   analyzer::Options options;
   options.max_states = limits.max_states;
+  options.threads = limits.threads;
   options.clock = [begin] { return seconds_since(begin); };
-  if (limits.seconds > 0) options.stop = [begin, limits] { return seconds_since(begin) > limits.seconds; };
+  if (limits.peak_memory) options.peak_memory = peak_memory;
+  options.stop = [begin, seconds = limits.seconds] {
+    return Interruption::asked_for() || (seconds > 0 && seconds_since(begin) > seconds);
+  };
+  return options;
+}
 
+std::vector<Proof> prove(Session& session, const ProofLimits& limits) {
+  const Interruption interruption;
+  const analyzer::Options options = options_of(limits);
   std::vector<Proof> proofs;
   for (const pan::Network& skill : session.specification.skills) {
     for (const pan::Environment& environment : session.specification.environments) {

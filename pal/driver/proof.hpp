@@ -21,10 +21,15 @@ struct ProofLimits {
   std::size_t max_states = 1'000'000;  // a requirement
   double seconds = 0;                  // of everything together; 0: as long as it takes
   analyzer::AnalysisChoice analysis = analyzer::AnalysisChoice::automatic;
+  unsigned threads = 0;                // at work; 0: one a core
+  bool peak_memory = false;            // count it
 };
 
-/// Proves every skill of the session in every one of its environments. What keeps a model from being built is
-/// added to the session's findings.
+/// The limits as an analysis wants them, from now on: also Ctrl-C ends it, as long as an Interruption lives.
+analyzer::Options options_of(const ProofLimits& limits);
+
+/// Proves every skill of the session in every one of its environments. Ctrl-C leaves what is not decided by
+/// then undecided. What keeps a model from being built is added to the session's findings.
 std::vector<Proof> prove(Session& session, const ProofLimits& limits);
 
 /// "age of pc-force at TXM( motion to MC1 ) in SM1", "response from tick of alter to TXM( correction to alter

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "pal/driver/statistics.hpp"
 #include "pal/support/render.hpp"
 
 namespace pal::driver {
@@ -28,7 +29,11 @@ std::string margin_text(const analyzer::Verdict& verdict) {
 
 std::string bound_text(const analyzer::Verdict& verdict) {
   if (verdict.state == State::never) return "never";
-  if (!verdict.bound) return "unbounded";
+  if (!verdict.bound) {
+    const auto least = attained(verdict);
+    if (least) return (verdict.at_least ? "<= " : ">= ") + figure_text(verdict.measure, *least);
+    return verdict.state == State::undecided ? "no bound" : "unbounded";
+  }
   return (verdict.exact      ? ""
           : verdict.at_least ? ">= "
                              : "<= ") +
@@ -60,14 +65,7 @@ void write_table(const std::vector<Proof>& proofs, std::ostream& out) {
   }
 }
 
-void write_statistics(const std::vector<Proof>& proofs, std::ostream& out) {
-  for (const Proof& proof : proofs) {
-    out << fmt::format("{} in {}: {} states in {:.2f} s\n", proof.problem.skill, proof.problem.environment,
-                       proof.analysis.statistics.states, proof.analysis.statistics.seconds);
-  }
-}
-
-std::string json(const std::vector<Proof>& proofs, const Session& session) {
+std::string json(const std::vector<Proof>& proofs, const Session& session, bool statistics) {
   nlohmann::ordered_json document;
   document["diagnostics"] =
       nlohmann::ordered_json::parse(render_json(session.diagnostics.sorted(), session.sources));
@@ -82,12 +80,16 @@ std::string json(const std::vector<Proof>& proofs, const Session& session) {
       row["limit_ns"] = verdict.limit.count();
       row["bound_ns"] =
           verdict.bound ? nlohmann::ordered_json(verdict.bound->count()) : nlohmann::ordered_json();
+      const auto least = attained(verdict);
+      row["attained_ns"] = least ? nlohmann::ordered_json(least->count()) : nlohmann::ordered_json();
       row["exact"] = verdict.exact;
       row["analysis"] = analyzer::name(verdict.method);
       row["verdict"] = analyzer::name(verdict.state);
+      if (statistics) row["statistics"] = nlohmann::ordered_json::parse(json(verdict.statistics));
       document["requirements"].push_back(std::move(row));
     }
   }
+  if (statistics) document["statistics"] = nlohmann::ordered_json::parse(json(sum_of(proofs)));
   return document.dump(2) + "\n";
 }
 

@@ -12,12 +12,9 @@ namespace pal::driver {
 /// A table: a line a requirement, with its verdict, bound, limit and margin.
 void write_table(const std::vector<Proof>& proofs, std::ostream& out);
 
-/// Classes explored and seconds taken, a line a proof.
-void write_statistics(const std::vector<Proof>& proofs, std::ostream& out);
-
-/// {"diagnostics": [...], "requirements": [{name, skill, environment, measure, limit_ns, bound_ns, exact,
-/// verdict}]} (docs/command-line.md). bound_ns is null where there is no bound. Of a load, both figures are
-/// nanoseconds of work a second.
-std::string json(const std::vector<Proof>& proofs, const Session& session);
+/// {"diagnostics": [...], "requirements": [{name, skill, environment, measure, limit_ns, bound_ns,
+/// attained_ns, exact, verdict}]} (docs/command-line.md), with what they took if `statistics`. A figure that
+/// is not known is null. Of a load, both figures are nanoseconds of work a second.
+std::string json(const std::vector<Proof>& proofs, const Session& session, bool statistics = false);
 
 }  // namespace pal::driver

@@ -20,7 +20,11 @@ SourceSpan place_of(const analyzer::Problem& problem, const analyzer::Reason& re
 }
 
 std::string figure_of(const analyzer::Verdict& verdict) {
-  if (!verdict.bound) return "without bound";
+  if (!verdict.bound) {
+    const auto least = attained(verdict);
+    if (least) return (verdict.at_least ? "at most " : "at least ") + figure_text(verdict.measure, *least);
+    return verdict.state == State::undecided ? "without a bound that was found" : "without bound";
+  }
   const std::string sound = verdict.at_least ? "at least " : "at most ";
   return (verdict.state == State::undecided ? sound : "") + figure_text(verdict.measure, *verdict.bound);
 }

@@ -5,6 +5,7 @@
 #include "analyzer/chart/labels.hpp"
 #include "analyzer/chart/svg_writer.hpp"
 #include "analyzer/chart/text_width.hpp"
+#include "pal/support/xml.hpp"
 
 namespace pal::chart {
 namespace {
@@ -46,8 +47,8 @@ TEST_CASE("a place is given once") {
 }
 
 TEST_CASE("what XML does not allow is replaced") {
-  CHECK(escaped("a<b>&\"c\"") == "a&lt;b&gt;&amp;&quot;c&quot;");
-  CHECK(escaped(std::string(1, '\x01')) == "\uFFFD");
+  CHECK(xml_escaped("a<b>&\"c\"") == "a&lt;b&gt;&amp;&quot;c&quot;");
+  CHECK(xml_escaped(std::string(1, '\x01')) == "\uFFFD");
 }
 
 }  // namespace

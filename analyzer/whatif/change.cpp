@@ -1,0 +1,99 @@
+// Reading a change of a figure.
+#include <charconv>
+#include <regex>
+
+#include "analyzer/whatif/figures.hpp"
+#include "pal/support/duration_text.hpp"
+
+namespace pal::analyzer {
+namespace {
+
+std::optional<Duration> length(const std::string& number, const std::string& unit) {
+  const auto parsed = parse_duration(number, unit);
+  const auto* value = std::get_if<Duration>(&parsed);
+  return value == nullptr ? std::nullopt : std::optional(*value);
+}
+
+/// "5..7 ms", "5 TO 7 ms", "5 ms TO 0.1 s", "5 ms".
+std::optional<Interval> interval(const std::string& text) {
+  static const std::regex form(
+      R"(\s*([0-9.eE+-]*[0-9])\s*([a-z]*)\s*(?:(?:\.\.|TO|to)\s*([0-9.eE+-]*[0-9])\s*([a-z]+))?\s*)");
+  std::smatch parts;
+  std::string spaced = text;
+  if (const auto dots = spaced.find(".."); dots != std::string::npos) spaced.replace(dots, 2, " TO ");
+  if (!std::regex_match(spaced, parts, form)) return std::nullopt;
+  const std::string last_unit = parts[4].matched ? parts[4].str() : parts[2].str();
+  const auto best = length(parts[1], parts[2].length() > 0 ? parts[2].str() : last_unit);
+  const auto worst = parts[3].matched ? length(parts[3], last_unit) : best;
+  if (!best || !worst || *best > *worst || best->count() < 0) return std::nullopt;
+  return Interval{*best, *worst};
+}
+
+std::string set_device(pan::Environment& environment, const std::string& device, const std::string& what,
+                       const std::string& value) {
+  const auto time = interval(value);
+  if (!time || time->best != time->worst) return "'" + value + "' is no length of time";
+  for (pan::DeviceTiming& timing : environment.devices) {
+    if (timing.device != device) continue;
+    auto* event = std::get_if<pan::EventDevice>(&timing.behaviour);
+    auto* frames = std::get_if<pan::FrameDevice>(&timing.behaviour);
+    if (event != nullptr && what == "period") return event->period = time->best, "";
+    if (event != nullptr && what == "jitter") return event->jitter = time->best, "";
+    if (event != nullptr && what == "phase") return event->phase = time->best, "";
+    if (frames != nullptr && what == "period") return frames->period = time->best, "";
+    if (frames != nullptr && what == "collecting") return frames->collecting = time->best, "";
+    if (frames != nullptr && what == "phase") return frames->phase = time->best, "";
+    return "device " + device + " has no " + what;
+  }
+  return "there is no device " + device + " in environment " + environment.name;
+}
+
+std::string set_placement(pan::Environment& environment, const std::string& thread, const std::string& what,
+                          const std::string& value) {
+  pan::Placement* found = nullptr;
+  for (pan::Placement& placement : environment.placements) {
+    if (placement.thread == thread) found = &placement;
+  }
+  if (found == nullptr) return "environment " + environment.name + " places no " + thread;
+  if (what == "processor") return found->processor = value, "";
+  int priority = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), priority);
+  if (error != std::errc() || end != value.data() + value.size()) return "'" + value + "' is no priority";
+  return found->priority = priority, "";
+}
+
+std::string trimmed(const std::string& text) {
+  const auto from = text.find_first_not_of(' ');
+  return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(' ') - from + 1);
+}
+
+}  // namespace
+
+std::string change(pan::Environment& environment, const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos) return "'" + text + "' is no change: write NAME = VALUE";
+  const std::string name = trimmed(text.substr(0, equals));
+  const std::string value = trimmed(text.substr(equals + 1));
+  if (const auto dot = name.rfind('.'); dot != std::string::npos) {
+    const std::string what = name.substr(dot + 1);
+    if (what == "priority" || what == "processor")
+      return set_placement(environment, name.substr(0, dot), what, value);
+    if (what == "period" || what == "jitter" || what == "phase" || what == "collecting")
+      return set_device(environment, name.substr(0, dot), what, value);
+  }
+  const auto time = interval(value);
+  bool known = false;
+  if (Interval* figure = find_figure(environment, name)) {
+    known = true;
+    if (time) *figure = *time;
+  }
+  for (pan::ActivityTime& each : environment.activities) {
+    if (each.activity != name) continue;
+    known = true;
+    if (time) each.time = *time;
+  }
+  if (!known) return "environment " + environment.name + " gives no figure for '" + name + "'";
+  return time ? "" : "'" + value + "' is no time: write 5 ms, or 5 TO 7 ms with the shorter one first";
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,126 @@
+#include "analyzer/whatif/decide.hpp"
+
+#include <algorithm>
+
+#include "analyzer/simulate.hpp"
+
+namespace pal::analyzer {
+namespace {
+
+using Measure = Requirement::Measure;
+using Is = Verdict::State;
+
+/// Requirements that one watch decides, and for which growing beyond the limit is failing.
+bool has_cap(const Requirement& requirement) {
+  const bool timed = requirement.measure == Measure::age || requirement.measure == Measure::response ||
+                     requirement.measure == Measure::reaction || requirement.measure == Measure::duration;
+  return timed && !requirement.at_least;
+}
+
+bool broken(const Requirement& requirement, const Witness& witness) {
+  if (witness.failed) return true;
+  const Nanoseconds value = witness.measured.value;
+  return requirement.at_least ? value < requirement.limit : value > requirement.limit;
+}
+
+/// Looks at what an exploration found so far for a run that breaks the requirement.
+class Search {
+ public:
+  Search(const Requirement& requirement, const Machine& machine)
+      : requirement_(requirement), machine_(machine) {}
+
+  bool found(const ZoneGraph& graph) {
+    const Findings& findings = graph.findings();
+    if (findings.failure) attempt(graph, unmeasured(*findings.failure), failure_tried_);
+    if (findings.beyond) attempt(graph, *findings.beyond, beyond_tried_);
+    for (const Peak* peak : {&findings.certain, &findings.peak}) {
+      if (peak->value <= std::max(requirement_.limit, tried_)) continue;
+      tried_ = peak->value;
+      bool once = false;
+      attempt(graph, *peak, once);
+    }
+    return witness.has_value();
+  }
+
+  std::optional<Witness> witness;
+
+ private:
+  static Peak unmeasured(Peak peak) {
+    peak.value = -1;
+    return peak;
+  }
+
+  void attempt(const ZoneGraph& graph, const Peak& peak, bool& tried) {
+    if (witness || tried) return;
+    tried = true;
+    auto made = witness_of(machine_, graph, peak);
+    if (made && broken(requirement_, *made)) witness = std::move(made);
+  }
+
+  const Requirement& requirement_;
+  const Machine& machine_;
+  bool failure_tried_ = false;
+  bool beyond_tried_ = false;
+  Nanoseconds tried_ = -1;
+};
+
+/// Whether one of a few runs by chance with worst times breaks the requirement: cheap, and often enough.
+bool simulated_break(const Requirement& requirement, const Machine& machine) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SimulationOptions how;
+    how.times = SimulationOptions::Times::worst;
+    how.seed = seed;
+    how.until = Range::unbounded;
+    how.max_events = 1'500;
+    how.record = false;
+    const Simulation run = simulate(machine, how);
+    if (run.failed) return true;
+    for (const Measurement& made : run.measured) {
+      if (made.value > requirement.limit) return true;
+    }
+  }
+  return false;
+}
+
+Decision by_analysis(const Problem& problem, std::size_t requirement, const Options& options) {
+  Problem alone = problem;
+  alone.requirements = {problem.requirements[requirement]};
+  Verdict verdict = std::move(analyze(alone, options).verdicts.front());
+  const bool fails = verdict.state == Is::fails;
+  return {verdict.state == Is::never ? Is::holds : verdict.state,
+          fails ? std::move(verdict.witness) : std::nullopt, verdict.statistics.classes};
+}
+
+}  // namespace
+
+Decision decide(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
+  const Requirement& requirement = problem.requirements[index];
+  if (!has_cap(requirement)) return by_analysis(problem, index, options);
+  const Watch watch = watch_of(problem, requirement);
+  const Machine machine(problem, watch);
+  if (simulated_break(requirement, machine)) return {Is::fails, std::nullopt, 0};
+  Search search(requirement, machine);
+  ZoneGraph graph(machine, requirement.limit, false);
+  const bool complete =
+      graph.explore({options.max_states, options.stop,
+                     [&](const ZoneGraph& so_far) { return search.found(so_far); }, &workers});
+  if (search.found(graph)) return {Is::fails, std::move(search.witness), graph.classes().size()};
+  const Findings& findings = graph.findings();
+  const bool clean = !findings.failure && !findings.over_cap && !findings.never_answered &&
+                     findings.peak.value <= requirement.limit;
+  if (complete && clean) return {Is::holds, std::nullopt, graph.classes().size()};
+  if (!complete) return {};
+  return by_analysis(problem, index, options);  // what is over the limit may not be possible
+}
+
+bool refutes(const Problem& problem, std::size_t index, const Witness& witness) {
+  const Requirement& requirement = problem.requirements[index];
+  const bool one_run = requirement.measure != Measure::load && requirement.measure != Measure::busy;
+  if (!one_run || witness.grows || witness.script.empty()) return false;
+  const Watch watch = watch_of(problem, requirement);
+  const Machine machine(problem, watch);
+  const auto made = witness_along(machine, witness.script, !witness.failed);
+  return made && broken(requirement, *made);
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,25 @@
+// Whether a requirement holds, and no more: cheaper than its bound.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "analyzer/exact.hpp"
+
+namespace pal::analyzer {
+
+/// `holds` (also where no run measures anything) and `fails` are proved as by analyze(). Values are followed
+/// up to the limit only, and the exploration ends with the first run that is confirmed to exceed it; that is
+/// the witness.
+struct Decision {
+  Verdict::State state = Verdict::State::undecided;
+  std::optional<Witness> witness;  // fails; nothing if a simulation sufficed
+  std::size_t classes = 0;         // that it took
+};
+Decision decide(const Problem& problem, std::size_t requirement, const Options& options, Workers& workers);
+
+/// Whether a run that fires as `script` does, at times of its own, breaks the requirement; `script` may come
+/// from a problem with other figures. False says nothing.
+bool refutes(const Problem& problem, std::size_t requirement, const Witness& witness);
+
+}  // namespace pal::analyzer

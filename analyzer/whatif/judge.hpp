@@ -1,0 +1,57 @@
+// A skill's requirements asked again and again, with other figures.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "analyzer/whatif/decide.hpp"
+#include "pal/pan/environment.hpp"
+#include "pal/pan/network.hpp"
+
+namespace pal::analyzer {
+
+/// What a set of requirements comes to: `holds` if all do, `fails` if one does, else `undecided`.
+struct Ruling {
+  Verdict::State state = Verdict::State::undecided;
+  int requirement = -1;  // that fails, or is undecided
+};
+
+/// A load is given up when it takes many times as many states as the first time that it was asked for.
+/// Keeps the runs that refuted something: one that still breaks its requirement with the new figures spares
+/// the exploration. The requirement that failed last is asked first, and the first that fails ends the
+/// asking.
+class Judge {
+ public:
+  Judge(const pan::Network& network, const Options& options)
+      : network_(network), options_(options), workers_(options.threads) {}
+
+  /// Nothing: the environment is no model (a time is too long, …).
+  std::optional<Problem> problem(const pan::Environment& environment) const;
+
+  /// Of the requirements given, by index.
+  Ruling ask(const Problem& problem, const std::vector<std::size_t>& requirements);
+
+  /// Whether a known run refutes it without exploration: the requirement, or -1.
+  int refuted(const Problem& problem, const std::vector<std::size_t>& requirements);
+
+  bool stopped() const { return options_.stop && options_.stop(); }
+  const Options& options() const { return options_; }
+
+ private:
+  struct Refutation {
+    std::size_t requirement;
+    Witness witness;
+  };
+
+  Options options_for(const Problem& problem, std::size_t requirement) const;
+
+  const pan::Network& network_;
+  Options options_;
+  Workers workers_;
+  std::vector<Refutation> refutations_;      // the last ones first
+  std::vector<std::size_t> failed_;          // requirements, the last first
+  std::map<std::size_t, std::size_t> cost_;  // of the first decision on each load, in classes
+};
+
+}  // namespace pal::analyzer

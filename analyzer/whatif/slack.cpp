@@ -1,0 +1,235 @@
+#include "analyzer/whatif/slack.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pal::analyzer {
+namespace {
+
+using Is = Verdict::State;
+
+/// The model allows no longer time (problem.cpp).
+constexpr Nanoseconds longest_time = 1'000'000'000'000'000;
+
+/// How an environment looks when some worst times have grown.
+class Growth {
+ public:
+  Growth(const pan::Environment& environment, std::vector<std::string> names)
+      : environment_(environment), names_(std::move(names)) {
+    pan::Environment copy = environment;
+    for (const std::string& name : names_)
+      longest_ = std::max(longest_, find_figure(copy, name)->worst.count());
+    single_ = names_.size() == 1;
+  }
+
+  Nanoseconds longest() const { return longest_; }
+  Nanoseconds most() const { return longest_time - longest_; }
+
+  enum class Rounding { none, up, down };
+  /// `extra`: of the longest. Each growth is rounded to a multiple of `unit`.
+  pan::Environment by(Nanoseconds extra, Nanoseconds unit, Rounding rounding) const {
+    pan::Environment grown = environment_;
+    for (const std::string& name : names_) {
+      Interval& time = *find_figure(grown, name);
+      time.worst += Duration(rounded(share(time.worst.count(), extra), unit, rounding));
+      time.worst = std::min(time.worst, Duration(longest_time));
+    }
+    return grown;
+  }
+
+ private:
+  __extension__ using Wide = __int128;
+
+  Nanoseconds share(Nanoseconds worst, Nanoseconds extra) const {
+    if (single_ || longest_ == 0) return single_ ? extra : 0;
+    return static_cast<Nanoseconds>((static_cast<Wide>(worst) * extra + longest_ - 1) / longest_);
+  }
+
+  static Nanoseconds rounded(Nanoseconds time, Nanoseconds unit, Rounding rounding) {
+    if (rounding == Rounding::none || unit <= 1) return time;
+    const Nanoseconds rest = time % unit;
+    return time - rest + (rounding == Rounding::up && rest > 0 ? unit : 0);
+  }
+
+  const pan::Environment& environment_;
+  std::vector<std::string> names_;
+  Nanoseconds longest_ = 0;
+  bool single_ = false;
+};
+
+class SlackSearch {
+ public:
+  SlackSearch(Judge& judge, const Problem& problem, Nanoseconds unit) : judge_(judge), unit_(unit) {
+    for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
+      const bool load = problem.requirements[r].measure == Requirement::Measure::load;
+      (load ? loads_ : timed_).push_back(r);
+    }
+  }
+
+  void find(const Growth& growth, Slack& slack) {
+    Nanoseconds most = growth.most();
+    Known known = narrow(
+        growth, most, timed_, [&](Nanoseconds extra) { return ask(growth, extra, timed_); }, 1);
+    if (!loads_.empty()) {
+      // Loads are asked last: never beyond what the others allow.
+      const Known load = narrow(
+          growth, known.holds, loads_, [&](Nanoseconds extra) { return ask_loads(growth, extra); }, unit_);
+      if (load.holds < known.holds) known = load;
+    }
+    slack.holds = Duration(known.holds);
+    slack.unlimited = known.holds == most;
+    if (known.fails >= 0) slack.fails = Duration(known.fails);
+    slack.requirement = known.requirement;
+  }
+
+ private:
+  struct Known {
+    Nanoseconds holds = 0;
+    Nanoseconds fails = -1;  // -1: nothing is known to fail
+    int requirement = -1;
+  };
+
+  Ruling ask(const Growth& growth, Nanoseconds extra, const std::vector<std::size_t>& requirements) {
+    const auto problem = judge_.problem(growth.by(extra, 1, Growth::Rounding::none));
+    return problem ? judge_.ask(*problem, requirements) : Ruling{};
+  }
+
+  /// The exploration of loads counts in common divisors of all times: growths that keep these are tried
+  /// first. If it holds with more it holds, if it fails with less it fails.
+  Ruling ask_loads(const Growth& growth, Nanoseconds extra) {
+    const auto above = judge_.problem(growth.by(extra, unit_, Growth::Rounding::up));
+    Ruling ruling;
+    if (above) ruling = judge_.ask(*above, loads_);
+    if (ruling.state == Is::holds || extra % unit_ == 0) return ruling;
+    const auto below = judge_.problem(growth.by(extra, unit_, Growth::Rounding::down));
+    const Ruling less = below ? judge_.ask(*below, loads_) : Ruling{};
+    if (less.state == Is::fails) return less;
+    return {Is::undecided, ruling.requirement};
+  }
+
+  /// Greatest growth up to `most` that is known to hold, and the least beyond it that is known to fail, as
+  /// far as that can be told: answers that lie within `grain` of one another are not told apart.
+  template <class Asker>
+  Known narrow(const Growth& growth, Nanoseconds most, const std::vector<std::size_t>& requirements,
+               const Asker& asker, Nanoseconds grain) {
+    Known known;
+    Nanoseconds open = most + 1;  // nothing from here on is asked
+    Nanoseconds step = std::max<Nanoseconds>(growth.longest(), 1'000);
+    const auto heard = [&](Nanoseconds extra, const Ruling& ruling) {
+      if (ruling.state == Is::holds) {
+        known.holds = extra;
+        return;
+      }
+      open = extra;
+      if (ruling.state == Is::fails) {
+        known.fails = extra;
+        sharpen(growth, requirements, known);
+        open = known.fails;
+      }
+      known.requirement = ruling.requirement;
+    };
+    if (most < growth.most()) heard(most, asker(most));  // others allow no more: is it enough?
+    while (known.holds < most && open > most && !judge_.stopped()) {
+      const Nanoseconds extra = most - known.holds <= step ? most : known.holds + step;
+      heard(extra, asker(extra));
+      step *= 100;  // a run that fails leads back at once
+    }
+    bool next_to_failure = true;
+    while (open - known.holds > grain && !judge_.stopped()) {
+      // The least growth with which a known run fails is often the least of all.
+      const bool try_it = next_to_failure && known.fails == open;
+      Nanoseconds extra = try_it ? open - 1 : known.holds + (open - known.holds) / 2;
+      if (grain > 1) extra -= extra % grain;  // these are decided best
+      if (extra <= known.holds) break;
+      heard(extra, asker(extra));
+      next_to_failure = !try_it || open < extra;  // sharpened: worth another try
+    }
+    // What could not be decided lies between: the least that fails.
+    Nanoseconds low = open;
+    while (known.fails - low > grain && !judge_.stopped()) {
+      const Nanoseconds middle = low + (known.fails - low) / 2;
+      (asker(middle).state == Is::fails ? known.fails : low) = middle;
+    }
+    return known;
+  }
+
+  /// Down to the least growth with which a known run fails: replays only.
+  void sharpen(const Growth& growth, const std::vector<std::size_t>& requirements, Known& known) {
+    Nanoseconds low = known.holds;
+    while (known.fails - low > 1) {
+      const Nanoseconds middle = low + (known.fails - low) / 2;
+      const auto problem = judge_.problem(growth.by(middle, 1, Growth::Rounding::none));
+      if (problem && judge_.refuted(*problem, requirements) >= 0) {
+        known.fails = middle;
+      } else {
+        low = middle;
+      }
+    }
+  }
+
+  Judge& judge_;
+  Nanoseconds unit_;
+  std::vector<std::size_t> timed_;
+  std::vector<std::size_t> loads_;
+};
+
+/// Common divisor of all times of the problem.
+Nanoseconds unit_of(const Problem& problem) {
+  Nanoseconds unit = 0;
+  const auto add = [&unit](Nanoseconds time) { unit = std::gcd(unit, time); };
+  const auto add_range = [&](const Range& range) {
+    add(range.best);
+    if (range.worst < Range::unbounded) add(range.worst);
+  };
+  for (const Step& step : problem.steps) {
+    add_range(step.cost);
+    add_range(step.give_up_cost);
+    add(step.within.value_or(0));
+  }
+  add_range(problem.within_processor);
+  add_range(problem.between_processors);
+  for (const Device& device : problem.devices) {
+    if (const auto* event = std::get_if<pan::EventDevice>(&device.behaviour)) {
+      add(event->period.count());
+      add(event->jitter.count());
+      add(event->phase.value_or(Duration(0)).count());
+    } else if (const auto* request = std::get_if<pan::RequestDevice>(&device.behaviour)) {
+      add_range({request->answer.best.count(), request->answer.worst.count()});
+    } else if (const auto* frames = std::get_if<pan::FrameDevice>(&device.behaviour)) {
+      add(frames->period.count());
+      add(frames->collecting.count());
+      add(frames->phase.value_or(Duration(0)).count());
+    }
+  }
+  return std::max<Nanoseconds>(unit, 1);
+}
+
+}  // namespace
+
+std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& environment,
+                          const Options& options) {
+  std::vector<Slack> all;
+  std::vector<std::string> names;
+  for (const Figure& figure : figures(network, environment)) {
+    all.push_back({figure.name, figure.time, {}, {}, false, -1});
+    names.push_back(figure.name);
+  }
+  const Growth together(environment, names);
+  all.push_back({"", {Duration(0), Duration(together.longest())}, {}, {}, false, -1});
+
+  Judge judge(network, options);
+  const auto problem = judge.problem(environment);
+  if (!problem) return {};
+  std::vector<std::size_t> everything(problem->requirements.size());
+  std::iota(everything.begin(), everything.end(), std::size_t{0});
+  const Ruling now = judge.ask(*problem, everything);
+  SlackSearch search(judge, *problem, unit_of(*problem));
+  for (Slack& slack : all) {
+    slack.requirement = now.requirement;
+    if (now.state != Is::holds) continue;
+    search.find(slack.figure.empty() ? together : Growth(environment, {slack.figure}), slack);
+  }
+  return all;
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,38 @@
+// By how much worst times may grow before some requirement no longer holds.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analyzer/whatif/figures.hpp"
+#include "analyzer/whatif/judge.hpp"
+
+namespace pal::analyzer {
+
+/// Best times stay: a grown time is an interval that holds the old one, every old run is still a run, and so
+/// what breaks a requirement goes on breaking it (docs/what-if.md).
+struct Slack {
+  std::string figure;  // empty: all together
+  Interval time;       // as it is; all together: the longest worst time
+  /// It was proved that everything holds with so much more. Nothing: not even as it is.
+  std::optional<Duration> holds;
+  /// It was proved that something fails with so much more. Nothing: not found.
+  std::optional<Duration> fails;
+  /// Everything holds whatever the time, up to the longest that the model allows.
+  bool unlimited = false;
+  int requirement = -1;  // that fails, or could not be decided
+
+  /// To the nanosecond.
+  bool exact() const { return unlimited || (holds && fails && *fails - *holds == Duration(1)); }
+};
+
+/// Slack of each figure by itself, then of all together. All together grow in proportion: with `holds` = k
+/// each worst time w becomes w + w · k / longest, rounded up, where `longest` is the longest of them.
+/// `progress`, if given, is told the name of each before it is looked for. Requirements that do not hold as
+/// things are make every slack nothing; their index is in `requirement`.
+std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& environment,
+                          const Options& options);
+
+}  // namespace pal::analyzer

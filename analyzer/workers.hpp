@@ -1,0 +1,49 @@
+// Threads that share one task after another.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace pal::analyzer {
+
+/// What is worked on must be the same whoever works on which part of it, so that results do not depend on the
+/// number of threads.
+class Workers {
+ public:
+  /// With the caller `threads` at work; 0: as many as the machine has cores. They begin when they are needed.
+  explicit Workers(unsigned threads);
+  ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  /// Calls part(0) … part(count - 1), in any order and at the same time, and returns when all have returned.
+  /// Throws what one of them threw. `grain`: so many neighbours are given out at once.
+  void each(std::size_t count, std::size_t grain, const std::function<void(std::size_t)>& part);
+
+ private:
+  void help();
+  void work();
+
+  const unsigned threads_;
+  std::mutex mutex_;
+  std::condition_variable begin_;
+  std::condition_variable done_;
+  std::atomic<std::size_t> round_ = 0;
+  std::atomic<std::size_t> busy_ = 0;
+  std::atomic<bool> end_ = false;
+  std::exception_ptr thrown_;
+
+  const std::function<void(std::size_t)>* part_ = nullptr;
+  std::size_t count_ = 0;
+  std::size_t grain_ = 1;
+  std::atomic<std::size_t> next_ = 0;
+  std::vector<std::thread> helpers_;
+};
+
+}  // namespace pal::analyzer

@@ -1,0 +1,19 @@
+// Ctrl-C: the first time what is being proved ends as undecided, the second time the program does.
+#pragma once
+
+namespace pal::driver {
+
+/// While it lives, the first SIGINT or SIGTERM only sets a mark; the next one ends the program as if nobody
+/// had listened. One at a time.
+class Interruption {
+ public:
+  Interruption();
+  ~Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+
+  /// May be asked by any thread.
+  static bool asked_for();
+};
+
+}  // namespace pal::driver

@@ -1,0 +1,34 @@
+// What `pal whatif` answers, and its two forms.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analyzer/whatif/placement.hpp"
+#include "analyzer/whatif/slack.hpp"
+#include "pal/driver/proof.hpp"
+
+namespace pal::driver {
+
+/// Of one skill in one environment; only what was asked for is there.
+struct WhatIfAnswer {
+  std::string skill;
+  std::string environment;
+  std::vector<std::string> requirements;
+  std::vector<analyzer::Slack> slacks;
+  std::vector<Proof> before_and_after;  // both, or neither
+  std::vector<std::string> processors;  // of the environment
+  std::vector<analyzer::Placements> placements;
+  bool fewest = false;  // the placements answer how few processors do
+  double seconds = 0;
+};
+
+std::string text(const WhatIfAnswer& answer);
+/// {"what_if": [{skill, environment, slack, changed, placements}]} (docs/what-if.md).
+std::string json(const std::vector<WhatIfAnswer>& answers);
+
+/// Whether all that was asked for is proved and every requirement met: slack known to the nanosecond, all
+/// hold after the change, a placement found.
+bool good(const WhatIfAnswer& answer);
+
+}  // namespace pal::driver

@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <ostream>
+
+#include "pal/driver/commands.hpp"
+#include "pal/driver/interruption.hpp"
+#include "pal/driver/whatif_answer.hpp"
+
+namespace pal::driver {
+namespace {
+
+using State = analyzer::VerdictState;
+
+/// Nothing, and what is wrong on `err`, if the changes cannot be made.
+std::optional<pan::Environment> changed(const pan::Environment& environment,
+                                        const std::vector<std::string>& changes, std::ostream& err) {
+  pan::Environment made = environment;
+  for (const std::string& each : changes) {
+    const std::string wrong = analyzer::change(made, each);
+    if (wrong.empty()) continue;
+    err << "pal: " << wrong << "\n";
+    return std::nullopt;
+  }
+  return made;
+}
+
+class Question {
+ public:
+  Question(const WhatIfOptions& options, Session& session, const analyzer::Options& analysis)
+      : options_(options), session_(session), analysis_(analysis) {}
+
+  /// False: the changes are wrong.
+  bool answer(const pan::Network& skill, const pan::Environment& environment, WhatIfAnswer& answer,
+              std::ostream& err) {
+    auto problem = analyzer::make_problem(skill, environment, session_.diagnostics, &session_.sources);
+    if (!problem) return true;
+    answer.skill = problem->skill;
+    answer.environment = problem->environment;
+    for (const auto& requirement : problem->requirements) answer.requirements.push_back(requirement.name);
+    for (const auto& processor : problem->processors) answer.processors.push_back(processor.name);
+    const auto other = changed(environment, options_.changes, err);
+    if (!other) return false;
+    if (!options_.changes.empty() && !compare(skill, *other, std::move(*problem), answer)) return true;
+    if (options_.place) place(skill, *other, answer);
+    if (options_.changes.empty() && !options_.place)
+      answer.slacks = analyzer::slacks(skill, environment, analysis_);
+    return true;
+  }
+
+ private:
+  bool compare(const pan::Network& skill, const pan::Environment& other, analyzer::Problem before,
+               WhatIfAnswer& answer) {
+    auto after = analyzer::make_problem(skill, other, session_.diagnostics, &session_.sources);
+    if (!after) return false;
+    for (analyzer::Problem* problem : {&before, &*after}) {
+      analyzer::Analysis analysis = analyzer::analyze(*problem, analysis_);
+      answer.before_and_after.push_back({std::move(*problem), std::move(analysis)});
+    }
+    return true;
+  }
+
+  void place(const pan::Network& skill, const pan::Environment& environment, WhatIfAnswer& answer) {
+    analyzer::Judge judge(skill, analysis_);
+    analyzer::PlacementOptions how;
+    how.priorities = options_.priorities;
+    answer.fewest = *options_.place == 0;
+    if (answer.fewest) {
+      answer.placements = analyzer::fewest_processors(environment, judge, how);
+    } else {
+      answer.placements = {analyzer::placements_on(*options_.place, environment, judge, how)};
+    }
+  }
+
+  const WhatIfOptions& options_;
+  Session& session_;
+  const analyzer::Options& analysis_;
+};
+
+}  // namespace
+
+bool good(const WhatIfAnswer& answer) {
+  const bool slack = std::all_of(answer.slacks.begin(), answer.slacks.end(),
+                                 [](const auto& each) { return each.holds.has_value(); });
+  const bool after = answer.before_and_after.empty() || all_hold({answer.before_and_after.back()});
+  const bool placed = answer.placements.empty() || !answer.placements.back().meet.empty();
+  return slack && after && placed;
+}
+
+ExitStatus what_if(const WhatIfOptions& options, const Console& console) {
+  Session session;
+  if (!read(options.selection, console, session)) return ExitStatus::usage;
+  if (!session.diagnostics.has_errors() && session.specification.environments.empty()) {
+    console.err << "pal: what if needs times: give an environment with --environment FILE\n";
+    return ExitStatus::usage;
+  }
+  const Interruption interruption;
+  const analyzer::Options analysis = options_of(options.limits);
+  std::vector<WhatIfAnswer> answers;
+  bool sound_changes = true;
+  if (!session.diagnostics.has_errors()) {
+    Question question(options, session, analysis);
+    for (const pan::Network& skill : session.specification.skills) {
+      for (const pan::Environment& environment : session.specification.environments) {
+        WhatIfAnswer& answer = answers.emplace_back();
+        sound_changes = sound_changes && question.answer(skill, environment, answer, console.err);
+      }
+    }
+  }
+  show_findings(session, console);
+  if (!sound_changes) return ExitStatus::usage;
+  if (session.diagnostics.has_errors()) return status_of_findings(session);
+  if (options.format == Format::json) {
+    console.out << json(answers);
+  } else {
+    for (const WhatIfAnswer& answer : answers) console.out << text(answer);
+  }
+  return std::all_of(answers.begin(), answers.end(), good) ? ExitStatus::all_hold : ExitStatus::not_met;
+}
+
+}  // namespace pal::driver

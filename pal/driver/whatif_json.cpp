@@ -1,0 +1,76 @@
+// The answer for programs.
+#include <nlohmann/json.hpp>
+
+#include "pal/driver/whatif_answer.hpp"
+
+namespace pal::driver {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json nanoseconds(const std::optional<Duration>& time) {
+  return time ? Json(time->count()) : Json();
+}
+
+Json requirement(const WhatIfAnswer& answer, int index) {
+  return index < 0 ? Json() : Json(answer.requirements[static_cast<std::size_t>(index)]);
+}
+
+Json slack_row(const WhatIfAnswer& answer, const analyzer::Slack& slack) {
+  return {{"figure", slack.figure.empty() ? Json() : Json(slack.figure)},
+          {"worst_ns", slack.time.worst.count()},
+          {"holds_with_ns", nanoseconds(slack.holds)},
+          {"fails_with_ns", nanoseconds(slack.fails)},
+          {"unlimited", slack.unlimited},
+          {"exact", slack.exact()},
+          {"requirement", requirement(answer, slack.requirement)}};
+}
+
+Json verdict_row(const analyzer::Verdict& verdict) {
+  return {{"verdict", analyzer::name(verdict.state)},
+          {"bound_ns", nanoseconds(verdict.bound)},
+          {"exact", verdict.exact}};
+}
+
+Json placed_row(const WhatIfAnswer& answer, const analyzer::Placed& placed) {
+  Json row;
+  row["threads"] = Json::array();
+  for (const analyzer::Seat& seat : placed.seats)
+    row["threads"].push_back(
+        {{"thread", seat.thread}, {"processor", seat.processor}, {"priority", seat.priority}});
+  if (placed.ruling.requirement >= 0) row["requirement"] = requirement(answer, placed.ruling.requirement);
+  return row;
+}
+
+Json placements_row(const WhatIfAnswer& answer, const analyzer::Placements& on) {
+  Json row{{"processors", on.processors}, {"tried", on.tried},     {"refuted", on.refuted},
+           {"complete", on.complete},     {"meet", Json::array()}, {"undecided", Json::array()}};
+  for (const auto& placed : on.meet) row["meet"].push_back(placed_row(answer, placed));
+  for (const auto& placed : on.undecided) row["undecided"].push_back(placed_row(answer, placed));
+  return row;
+}
+
+}  // namespace
+
+std::string json(const std::vector<WhatIfAnswer>& answers) {
+  Json document;
+  document["what_if"] = Json::array();
+  for (const WhatIfAnswer& answer : answers) {
+    Json row{{"skill", answer.skill}, {"environment", answer.environment}};
+    for (const auto& slack : answer.slacks) row["slack"].push_back(slack_row(answer, slack));
+    if (answer.before_and_after.size() == 2) {
+      const auto& before = answer.before_and_after[0].analysis.verdicts;
+      const auto& after = answer.before_and_after[1].analysis.verdicts;
+      for (std::size_t r = 0; r < after.size(); ++r)
+        row["changed"].push_back({{"requirement", after[r].requirement},
+                                  {"limit_ns", after[r].limit.count()},
+                                  {"before", verdict_row(before[r])},
+                                  {"after", verdict_row(after[r])}});
+    }
+    for (const auto& on : answer.placements) row["placements"].push_back(placements_row(answer, on));
+    document["what_if"].push_back(std::move(row));
+  }
+  return document.dump(2) + "\n";
+}
+
+}  // namespace pal::driver

@@ -1,0 +1,137 @@
+// The answer as tables.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pal/driver/whatif_answer.hpp"
+#include "pal/support/duration_text.hpp"
+
+namespace pal::driver {
+namespace {
+
+using analyzer::Slack;
+using State = analyzer::VerdictState;
+
+std::string named(const WhatIfAnswer& answer, int requirement) {
+  return requirement < 0 ? "" : answer.requirements[static_cast<std::size_t>(requirement)];
+}
+
+std::string slack_text(const Slack& slack) {
+  if (slack.unlimited) return "unlimited";
+  if (!slack.holds) return "none";
+  return (slack.exact() ? "" : ">= ") + to_text(*slack.holds);
+}
+
+std::string reason_text(const WhatIfAnswer& answer, const Slack& slack) {
+  if (slack.unlimited) return "";
+  const std::string name = named(answer, slack.requirement);
+  if (!slack.holds) return "'" + name + "' does not hold as things are";
+  if (slack.exact()) return "then '" + name + "' fails";
+  if (slack.fails) return "'" + name + "' fails at " + to_text(*slack.fails) + " more; between is undecided";
+  return "beyond that '" + name + "' is undecided";
+}
+
+std::string now_text(const Slack& slack) {
+  return slack.figure.empty() ? to_text(slack.time.worst) : to_text(slack.time);
+}
+
+std::string percent(const Slack& slack) {
+  if (!slack.holds || slack.time.worst.count() == 0 || slack.unlimited) return "";
+  const auto tenths = slack.holds->count() / (slack.time.worst.count() / 1000 + 1);
+  return fmt::format("{}.{} %", tenths / 10, tenths % 10);
+}
+
+std::string slack_table(const WhatIfAnswer& answer) {
+  if (answer.slacks.empty()) return "";
+  std::size_t width = 12;
+  for (const Slack& slack : answer.slacks) width = std::max(width, slack.figure.size());
+  std::string out =
+      fmt::format("  {:{}}  {:>17}  {:>15}  {:>10}\n", "worst time of", width, "now", "may grow by", "");
+  for (const Slack& slack : answer.slacks) {
+    const std::string name = slack.figure.empty() ? "all together" : slack.figure;
+    out +=
+        fmt::format("  {:{}}  {:>17}  {:>15}  {:>10}  {}\n", name, width, now_text(slack), slack_text(slack),
+                    slack.figure.empty() ? percent(slack) : "", reason_text(answer, slack));
+  }
+  return out;
+}
+
+std::string bound_text(const analyzer::Verdict& verdict) {
+  if (!verdict.bound) {
+    const auto least = attained(verdict);
+    return least ? ">= " + figure_text(verdict.measure, *least) : "no bound";
+  }
+  return (verdict.exact ? "" : "<= ") + figure_text(verdict.measure, *verdict.bound);
+}
+
+std::string change_table(const WhatIfAnswer& answer) {
+  if (answer.before_and_after.size() != 2) return "";
+  std::size_t width = 11;
+  for (const std::string& name : answer.requirements) width = std::max(width, name.size());
+  std::string out = fmt::format("  {:{}}  {:>9}  {:9}  {:>12}    {:9}  {:>12}\n", "requirement", width,
+                                "limit", "before", "", "after", "");
+  const auto& before = answer.before_and_after[0].analysis.verdicts;
+  const auto& after = answer.before_and_after[1].analysis.verdicts;
+  for (std::size_t r = 0; r < after.size(); ++r) {
+    out += fmt::format("  {:{}}  {:>9}  {:9}  {:>12}  {} {:9}  {:>12}\n", after[r].requirement, width,
+                       figure_text(after[r].measure, after[r].limit), analyzer::name(before[r].state),
+                       bound_text(before[r]), before[r].state == after[r].state ? " " : "*",
+                       analyzer::name(after[r].state), bound_text(after[r]));
+  }
+  return out;
+}
+
+std::string seats_text(const WhatIfAnswer& answer, const analyzer::Placed& placed, int processors) {
+  std::string out;
+  for (int processor = 0; processor < processors; ++processor) {
+    const auto index = static_cast<std::size_t>(processor);
+    out += (processor == 0 ? "" : "; ") +
+           (index < answer.processors.size() ? answer.processors[index] : "P" + std::to_string(processor)) +
+           ":";
+    for (const analyzer::Seat& seat : placed.seats) {
+      if (seat.processor == processor) out += " " + seat.thread + "(" + std::to_string(seat.priority) + ")";
+    }
+  }
+  return out;
+}
+
+std::string placement_lines(const WhatIfAnswer& answer, const analyzer::Placements& on) {
+  std::string out = fmt::format(
+      "  {} processor{}: {} placement{} tried, {} meet{} every requirement, {} refuted, {} undecided{}\n",
+      on.processors, on.processors == 1 ? "" : "s", on.tried, on.tried == 1 ? "" : "s", on.meet.size(),
+      on.meet.size() == 1 ? "s" : "", on.refuted, on.undecided.size(),
+      on.complete ? "" : "; not all were tried");
+  for (std::size_t r = 0; r < on.broken.size(); ++r) {
+    if (on.broken[r] > 0)
+      out += fmt::format("    a run breaks '{}' in {}\n", answer.requirements[r], on.broken[r]);
+  }
+  for (const auto& placed : on.meet)
+    out += "    meets      " + seats_text(answer, placed, on.processors) + "\n";
+  for (const auto& placed : on.undecided) {
+    out += "    undecided  " + seats_text(answer, placed, on.processors) + "\n";
+  }
+  return out;
+}
+
+std::string conclusion(const WhatIfAnswer& answer) {
+  if (!answer.fewest || answer.placements.empty()) return "";
+  const analyzer::Placements& last = answer.placements.back();
+  if (last.meet.empty()) return "  No placement was found that meets every requirement.\n";
+  const bool proved = std::all_of(answer.placements.begin(), answer.placements.end() - 1,
+                                  [](const auto& on) { return on.complete && on.undecided.empty(); });
+  if (last.processors == 1) return "  One processor does.\n";
+  return fmt::format("  {} processors do; {}.\n", last.processors,
+                     proved ? "fewer do not: each placement on fewer has a run that breaks a requirement"
+                            : "that fewer do not is not proved");
+}
+
+}  // namespace
+
+std::string text(const WhatIfAnswer& answer) {
+  std::string out = answer.skill + " in " + answer.environment + "\n";
+  out += slack_table(answer) + change_table(answer);
+  for (const analyzer::Placements& on : answer.placements) out += placement_lines(answer, on);
+  return out + conclusion(answer);
+}
+
+}  // namespace pal::driver

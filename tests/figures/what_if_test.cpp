@@ -1,0 +1,136 @@
+// Slack that can be reckoned by hand, and how many processors figure 3.6 needs.
+#include <catch2/catch.hpp>
+
+#include "analyzer/whatif/placement.hpp"
+#include "analyzer/whatif/slack.hpp"
+#include "tests/support/skill.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+
+namespace {
+
+std::unique_ptr<test::Skill> figure(const std::string& file) {
+  return test::skill_from_files({PAL_SOURCE_DIR "/tests/figures/" + file});
+}
+
+Options few_states() {
+  Options options;
+  options.max_states = 100'000;
+  return options;
+}
+
+/// What the exact analysis says of all requirements when the worst time of `name` is so much longer.
+Verdict::State with(const test::Skill& skill, const std::string& name, Duration extra) {
+  pan::Environment environment = skill.specification.environments.front();
+  find_figure(environment, name)->worst += extra;
+  Diagnostics diagnostics;
+  const auto problem = make_problem(skill.specification.skills.front(), environment, diagnostics);
+  REQUIRE(problem);
+  Verdict::State worst = Verdict::State::holds;
+  for (const Verdict& verdict : analyze(*problem, few_states()).verdicts) {
+    if (verdict.state == Verdict::State::undecided && worst == Verdict::State::holds) worst = verdict.state;
+    if (verdict.state == Verdict::State::fails) worst = verdict.state;
+  }
+  return worst;
+}
+
+}  // namespace
+
+// The last of three drivers, 5 of 40 ms, must end within 26 ms; above it are 3 of 7 and 3 of 12. The time
+// demand (J. Lehoczky, L. Sha, Y. Ding, The rate monotonic scheduling algorithm, 1989) must fit at some point
+// before a release or the deadline: 7, 12, 14, 21, 24, 26. For each activity the best point is 21: 3 C1 + 2
+// C2 + C3 <= 21, so C1 may be 10/3, C2 3.5 and C3 6. A tick at the very instant of the end may come first
+// here, so the two that are whole nanoseconds must stay one below.
+TEST_CASE("slack of rate monotonic drivers is what the time demand leaves, to the nanosecond") {
+  const auto skill = figure("rate_monotonic.pal");
+  REQUIRE(skill->problem);
+  const auto all =
+      slacks(skill->specification.skills.front(), skill->specification.environments.front(), few_states());
+  const auto of = [&](const std::string& name) {
+    for (const Slack& slack : all) {
+      if (slack.figure == name) return slack;
+    }
+    throw std::runtime_error("no figure " + name);
+  };
+  for (const auto& [name, nanoseconds] :
+       {std::pair{"work-1", 333'333}, {"work-2", 499'999}, {"work-3", 999'999}}) {
+    INFO(name);
+    const Slack slack = of(name);
+    CHECK(slack.exact());
+    CHECK(slack.holds == Duration(nanoseconds));
+    CHECK(slack.fails == Duration(nanoseconds + 1));
+    CHECK(slack.requirement == 2);
+    // The same, asked of the exact analysis.
+    CHECK(with(*skill, name, *slack.holds) == Verdict::State::holds);
+    CHECK(with(*skill, name, *slack.fails) == Verdict::State::fails);
+  }
+  CHECK(of("SEND").unlimited);  // nobody sends
+  CHECK(of("").exact());
+}
+
+TEST_CASE("slack is nothing where a requirement does not hold as things are") {
+  const auto skill = figure("rate_monotonic.pal");
+  pan::Environment environment = skill->specification.environments.front();
+  REQUIRE(change(environment, "work-3 = 7 ms").empty());
+  for (const Slack& slack : slacks(skill->specification.skills.front(), environment, few_states())) {
+    CHECK_FALSE(slack.holds);
+    CHECK(slack.requirement == 2);
+  }
+}
+
+TEST_CASE("an interrupted search says only what was proved") {
+  const auto skill = figure("rate_monotonic.pal");
+  Options options = few_states();
+  int asked = 0;
+  options.stop = [&asked] { return ++asked > 40; };
+  for (const Slack& slack :
+       slacks(skill->specification.skills.front(), skill->specification.environments.front(), options)) {
+    INFO(slack.figure);
+    if (!slack.holds || slack.figure.empty()) continue;
+    if (slack.figure == "work-1") CHECK(*slack.holds <= Duration(333'333));
+    if (slack.figure == "work-1" && slack.fails) CHECK(*slack.fails > Duration(333'333));
+  }
+}
+
+// Section 3.3.2.1 says that the skill of figure 3.6 requires two processors. Who waits needs none; so one
+// does, unless the processor itself reads the sensor and cannot be interrupted.
+TEST_CASE("figure 3.6 needs two processors only if one of them is kept busy by reading") {
+  const auto skill = figure("figure_3_6_places.pal");
+  PlacementOptions how;
+  how.priorities = true;
+  for (const pan::Environment& environment : skill->specification.environments) {
+    INFO(environment.name);
+    Judge judge(skill->specification.skills.front(), few_states());
+    const auto all = fewest_processors(environment, judge, how);
+    REQUIRE(all.size() == (environment.name == "reading" ? 2 : 1));
+    CHECK_FALSE(all.back().meet.empty());
+    if (environment.name != "reading") continue;
+    CHECK(all.front().tried == 6);  // every order of three threads
+    CHECK(all.front().refuted == 6);
+    CHECK(all.front().complete);
+  }
+}
+
+TEST_CASE("changes of figures: read, or refused with a reason") {
+  const auto skill = figure("rate_monotonic.pal");
+  const pan::Environment& before = skill->specification.environments.front();
+  const auto changed = [&](const std::string& text) {
+    pan::Environment environment = before;
+    INFO(text);
+    CHECK(change(environment, text) == "");
+    return environment;
+  };
+  CHECK(changed("work-1 = 1..2 ms").activities[0].time == Interval{Duration(1'000'000), Duration(2'000'000)});
+  CHECK(changed("work-1 = 500us TO 2 ms").activities[0].time.best == Duration(500'000));
+  CHECK(changed("SEND=0.1ms").costs.send.worst == Duration(100'000));
+  CHECK(changed("MC1.priority = 7").placements[0].priority == 7);
+  CHECK(changed("MC1.processor = P1").placements[0].processor == "P1");
+  for (const char* wrong :
+       {"work-1", "work-9 = 1 ms", "work-1 = 2..1 ms", "work-1 = soon", "MC1.priority = high",
+        "clock-1.collecting = 1 ms", "MC9.processor = P1", "work-1 = -1 ms", "= 1 ms"}) {
+    pan::Environment environment = before;
+    INFO(wrong);
+    CHECK_FALSE(change(environment, wrong).empty());
+  }
+}

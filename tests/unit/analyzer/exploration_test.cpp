@@ -1,0 +1,72 @@
+// The zone graph is the same whoever explores it.
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <stdexcept>
+
+#include "analyzer/workers.hpp"
+#include "analyzer/zone_graph.hpp"
+#include "tests/support/random_skill.hpp"
+#include "tests/support/skill.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+
+TEST_CASE("workers do each part once, and pass on what is thrown") {
+  Workers workers(3);
+  for (const std::size_t grain : {std::size_t{1}, std::size_t{7}}) {
+    std::vector<std::atomic<int>> done(1000);
+    workers.each(done.size(), grain, [&](std::size_t i) { ++done[i]; });
+    for (const auto& times : done) CHECK(times == 1);
+  }
+  CHECK_THROWS_AS(workers.each(100, 1,
+                               [](std::size_t i) {
+                                 if (i == 42) throw std::runtime_error("part");
+                               }),
+                  std::runtime_error);
+  std::atomic<std::size_t> after = 0;
+  workers.each(100, 1, [&](std::size_t) { ++after; });
+  CHECK(after == 100);
+}
+
+TEST_CASE("the zone graph does not depend on the number of threads") {
+  std::size_t largest = 0;
+  for (const std::uint64_t seed : {1U, 3U, 8U, 11U, 20U}) {
+    INFO("seed " << seed);
+    const auto skill = test::skill_from_text(test::RandomSkill(seed, 10).text());
+    if (!skill->problem) continue;
+    const Watch watch = watch_of(*skill->problem, skill->problem->requirements.front());
+    const Machine machine(*skill->problem, watch);
+    const auto explored = [&](unsigned threads) {
+      Workers workers(threads);
+      Limits limits;
+      limits.classes = 30'000;
+      limits.workers = &workers;
+      ZoneGraph graph(machine, 100'000'000, true);
+      graph.explore(limits);
+      return graph;
+    };
+    const ZoneGraph one = explored(1);
+    largest = std::max(largest, one.classes().size());
+    for (const unsigned threads : {2U, 5U}) {
+      const ZoneGraph other = explored(threads);
+      REQUIRE(other.classes().size() == one.classes().size());
+      REQUIRE(other.edges().size() == one.edges().size());
+      CHECK(other.peak().value == one.peak().value);
+      CHECK(other.peak().parent == one.peak().parent);
+      bool same = true;
+      for (std::size_t c = 0; c < one.classes().size(); ++c) {
+        const ZoneClass& mine = one.classes()[c];
+        const ZoneClass& theirs = other.classes()[c];
+        same = same && mine.state == theirs.state && mine.zone == theirs.zone &&
+               mine.parent == theirs.parent && mine.timer == theirs.timer && mine.choices == theirs.choices &&
+               mine.replaced_by == theirs.replaced_by;
+      }
+      for (std::size_t e = 0; e < one.edges().size(); ++e) {
+        same =
+            same && one.edges()[e].from == other.edges()[e].from && one.edges()[e].to == other.edges()[e].to;
+      }
+      CHECK(same);
+    }
+  }
+  CHECK(largest >= 30'000);  // otherwise hardly anything was shared
+}
