@@ -20,7 +20,7 @@ std::string read(const std::filesystem::path& path) {
 }
 
 std::string drawn(const std::string& file, const std::string& name) {
-  const auto folder = std::filesystem::temp_directory_path() / ("pal_sequence_" + name);
+  const auto folder = std::filesystem::temp_directory_path() / test::own_name("pal_sequence_" + name);
   std::filesystem::create_directories(folder);
   const auto answer = test::pal({"sequence", file, "-o", folder.string()});
   INFO(answer.err);

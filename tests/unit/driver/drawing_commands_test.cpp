@@ -17,7 +17,8 @@ const std::string touch = skill("touch/touch.pal");
 /// A folder that is gone when the test is.
 class Folder {
  public:
-  explicit Folder(const std::string& name) : path_(fs::temp_directory_path() / ("pal-driver-" + name)) {
+  explicit Folder(const std::string& name)
+      : path_(fs::temp_directory_path() / pal::test::own_name("pal-driver-" + name)) {
     fs::remove_all(path_);
   }
   ~Folder() { fs::remove_all(path_); }

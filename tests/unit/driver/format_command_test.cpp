@@ -19,7 +19,7 @@ const std::string wrong = "MESSAGE tick SIGNAL\n";
 /// A folder of real files that is removed at the end.
 class Folder {
  public:
-  Folder() : path_(fs::temp_directory_path() / "pal-format-test") {
+  Folder() : path_(fs::temp_directory_path() / pal::test::own_name("pal-format-test")) {
     fs::remove_all(path_);
     fs::create_directories(path_ / ".hidden");
   }

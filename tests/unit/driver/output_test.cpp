@@ -1,4 +1,5 @@
 #include "pal/support/output.hpp"
+#include "tests/unit/driver/program.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -7,7 +8,7 @@
 namespace fs = std::filesystem;
 
 TEST_CASE("files are written whole or not at all") {
-  const fs::path folder = fs::temp_directory_path() / "pal-output-test";
+  const fs::path folder = fs::temp_directory_path() / pal::test::own_name("pal-output-test");
   fs::remove_all(folder);
   const std::string good = (folder / "a" / "good.txt").string();
   CHECK_FALSE(pal::write_files({{good, "one"}}));

@@ -1,6 +1,8 @@
 // The program pal, run without a process.
 #pragma once
 
+#include <unistd.h>
+
 #include <sstream>
 #include <string>
 #include <vector>
@@ -22,6 +24,11 @@ inline Answer pal(const std::vector<std::string>& arguments, const FileSystem& f
 
 inline std::string skill(const std::string& file) {
   return std::string(PAL_SOURCE_DIR) + "/skills_pal/" + file;
+}
+
+/// A name for a temporary file or folder that no test running beside this one has.
+inline std::string own_name(const std::string& name) {
+  return name + "-" + std::to_string(::getpid());
 }
 
 }  // namespace pal::test

@@ -20,7 +20,8 @@ const std::string read_first = skill("touch/touch_read_first.pal");
 class File {
  public:
   explicit File(const std::string& name)
-      : path_((std::filesystem::temp_directory_path() / ("pal_" + name + ".json")).string()) {}
+      : path_((std::filesystem::temp_directory_path() / (pal::test::own_name("pal_" + name) + ".json"))
+                  .string()) {}
   ~File() { std::filesystem::remove(path_); }
   File(const File&) = delete;
   File& operator=(const File&) = delete;
