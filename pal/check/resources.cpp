@@ -51,6 +51,9 @@ class Collector {
   void module(pan::ModuleId id) {
     const auto& module = network_.modules[id.index()];
     if (module.executed_by.valid()) return;  // runs in its caller's place
+    if (group_of(module.kind) != Resource::Group::skill_module) {
+      add(group_of(module.kind), Resource::Kind::listed, module.name, module.name, module.where);
+    }
     if (module.body.empty() && !sends(id)) return;  // takes what comes; how it behaves does not matter
     const auto kind = module.body.empty() ? Resource::Kind::device : Resource::Kind::processor;
     add(group_of(module.kind), kind, module.name, module.name, module.where);
@@ -88,6 +91,22 @@ class Collector {
   std::set<std::tuple<Resource::Kind, std::string, std::string>> seen_;
 };
 
+/// The environment's list of the group; empty: it has none.
+pan::Resources::List list_of(const pan::Environment& environment, Resource::Group group) {
+  switch (group) {
+    case Resource::Group::sensor_driver:
+      return environment.resources.sensor_drivers;
+    case Resource::Group::logical_sensor:
+      return environment.resources.logical_sensors;
+    case Resource::Group::robotic_machine:
+      return environment.resources.machine_controllers;
+    case Resource::Group::skill_module:
+    case Resource::Group::activity:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 bool has(const pan::Environment& environment, const Resource& resource) {
   const auto any = [](const auto& range, const auto& fits) {
     return std::any_of(range.begin(), range.end(), fits);
@@ -101,6 +120,10 @@ bool has(const pan::Environment& environment, const Resource& resource) {
       return any(environment.activities, [&](const pan::ActivityTime& t) {
         return t.activity == resource.name && (t.module.empty() || t.module == resource.module);
       });
+    case Resource::Kind::listed: {
+      const auto list = list_of(environment, resource.group);
+      return !list || any(*list, [&](const std::string& name) { return name == resource.name; });
+    }
   }
   return false;
 }
@@ -143,30 +166,25 @@ std::string kind_text(Resource::Kind kind) {
       return "a behaviour (DEVICE)";
     case Resource::Kind::time:
       return "a time (TIME)";
+    case Resource::Kind::listed:
+      return "to be listed";
   }
   return {};
 }
 
-bool check_resources(const pan::Network& network, const pan::Environment& environment,
-                     Diagnostics& diagnostics) {
-  const auto missing = missing_resources(needed_resources(network), environment);
-  if (missing.empty()) return true;
-  std::string groups;
-  for (std::size_t i = 0; i < missing.size(); ++i) {
-    if (i > 0 && missing[i].group == missing[i - 1].group) continue;
-    groups += (groups.empty() ? "" : ", ") + group_text(missing[i].group);
-  }
-  auto& finding = diagnostics.report(Code::PAL0740, environment.where,
-                                     "environment " + quoted(environment.name) + " lacks what skill " +
-                                         quoted(network.skill.name) + " needs: " + groups,
-                                     "add what is missing, or run the skill in another workcell");
+void check_listed(const pan::Network& network, const pan::Environment& environment,
+                  Diagnostics& diagnostics) {
+  auto missing = missing_resources(needed_resources(network), environment);
+  std::erase_if(missing, [](const Resource& resource) { return resource.kind != Resource::Kind::listed; });
+  if (missing.empty()) return;
+  auto& finding =
+      diagnostics.report(Code::PAL0740, environment.where,
+                         "environment " + quoted(environment.name) + " does not list what skill " +
+                             quoted(network.skill.name) + " needs",
+                         "add what the notes name to its lists, or run the skill in another workcell");
   for (const auto& resource : missing) {
-    const bool of_itself = resource.name == resource.module;
-    finding.notes.push_back({resource.where, group_text(resource.group) + ": " + quoted(resource.name) +
-                                                 (of_itself ? "" : " of " + resource.module) + " needs " +
-                                                 kind_text(resource.kind)});
+    finding.notes.push_back({resource.where, group_text(resource.group) + ": " + quoted(resource.name)});
   }
-  return false;
 }
 
 }  // namespace pal::frontend

@@ -18,8 +18,9 @@ struct Resource {
   /// The groups of section 2.3.3: SD, LS, RM; the modules of the skill itself; activities, each with the
   /// module that does it.
   enum class Group { sensor_driver, logical_sensor, robotic_machine, skill_module, activity };
-  /// What an environment must say for it to be there.
-  enum class Kind { processor, device, time };
+  /// What an environment must say for it to be there. `listed`: if it lists what it has of the group, this,
+  /// too.
+  enum class Kind { processor, device, time, listed };
   Group group = Group::sensor_driver;
   Kind kind = Kind::processor;
   std::string name;    // "SD1", "force-torque", "extract-z"
@@ -28,7 +29,8 @@ struct Resource {
 };
 
 /// The configuration that the skill needs: every module with a body a processor, every device that a module
-/// talks to a behaviour, every activity that stands in a body a time. By group, in the order of the text.
+/// waits for a behaviour, every activity that stands in a body a time; drivers, sensors and machines are to
+/// be listed. By group, in the order of the text.
 std::vector<Resource> needed_resources(const pan::Network& network);
 
 /// Those that the environment has not.
@@ -37,11 +39,11 @@ std::vector<Resource> missing_resources(const std::vector<Resource>& needed,
 
 /// "sensor drivers", …
 std::string group_text(Resource::Group group);
-/// "a processor (PLACE)", "a behaviour (DEVICE)", "a time (TIME)".
+/// "a processor (PLACE)", "a behaviour (DEVICE)", "a time (TIME)", "to be listed".
 std::string kind_text(Resource::Kind kind);
 
-/// Reports what is missing, in one finding with a note a resource. True: nothing is.
-bool check_resources(const pan::Network& network, const pan::Environment& environment,
-                     Diagnostics& diagnostics);
+/// Reports what the environment's lists lack, in one finding with a note a resource. (A missing processor,
+/// behaviour or time is found, one by one, where a model is made of the two.)
+void check_listed(const pan::Network& network, const pan::Environment& environment, Diagnostics& diagnostics);
 
 }  // namespace pal::frontend

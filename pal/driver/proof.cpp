@@ -54,7 +54,7 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits) {
   std::vector<Proof> proofs;
   for (const pan::Network& skill : session.specification.skills) {
     for (const pan::Environment& environment : session.specification.environments) {
-      frontend::check_resources(skill, environment, session.diagnostics);
+      frontend::check_listed(skill, environment, session.diagnostics);
       auto problem = analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
       if (!problem) continue;
       analyzer::Analysis analysis = analyzer::analyze(*problem, limits.analysis, options);

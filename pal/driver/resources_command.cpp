@@ -62,7 +62,7 @@ void write_table(const Comparison& comparison, const std::vector<pan::Environmen
 }
 
 nlohmann::json json(const Resource& resource) {
-  static constexpr const char* kinds[] = {"processor", "device", "time"};
+  static constexpr const char* kinds[] = {"processor", "device", "time", "listed"};
   return {{"group", frontend::group_text(resource.group)},
           {"kind", kinds[static_cast<std::size_t>(resource.kind)]},
           {"name", resource.name},
