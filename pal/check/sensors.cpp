@@ -51,8 +51,8 @@ void compare(const syntax::NameSlot& slot, const Uses& uses, Code code, const st
                        "remove it here, or add what the body lacks");
   }
   for (const auto& [used, where] : uses) {
-    const bool named =
-        std::any_of(slot.names.begin(), slot.names.end(), [&](const auto& n) { return n.text == used; });
+    const bool named = std::any_of(slot.names.begin(), slot.names.end(),
+                                   [&name = used](const auto& n) { return n.text == name; });
     if (named) continue;
     auto& finding =
         diagnostics.report(code, slot.where, quoted(sensor) + " also " + does + " " + quoted(used),
