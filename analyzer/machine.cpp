@@ -3,6 +3,14 @@
 #include "analyzer/firing.hpp"
 
 namespace pal::analyzer {
+namespace {
+
+const std::string& party(const Problem& problem, int device, int module) {
+  return device >= 0 ? problem.devices[static_cast<std::size_t>(device)].name
+                     : problem.module_names[static_cast<std::size_t>(module)];
+}
+
+}  // namespace
 
 int AllChoices::pick(int n) {
   if (at_ == taken_.size()) {
@@ -50,9 +58,16 @@ Range Machine::cost(const State& state, int timer) const {
 
 std::string Machine::timer_name(int timer) const {
   if (timer < flight_timer(0)) return problem_.threads[static_cast<std::size_t>(timer)].name;
-  if (timer < next_timer(0))
-    return problem_.channels[static_cast<std::size_t>((timer - flight_timer(0)) / 2)].message;
-  return problem_.devices[static_cast<std::size_t>((timer - next_timer(0)) / 2)].name;
+  if (timer < next_timer(0)) {
+    const int flight = timer - flight_timer(0);
+    const Channel& channel = problem_.channels[static_cast<std::size_t>(flight / 2)];
+    return channel.message + " from " + party(problem_, channel.sender_device, channel.sender_module) +
+           " to " + party(problem_, channel.receiver_device, channel.receiver_module) +
+           (flight % 2 == 0 ? "" : " between processors");
+  }
+  const int device = (timer - next_timer(0)) / 2;
+  return problem_.devices[static_cast<std::size_t>(device)].name +
+         (timer == next_timer(device) ? "" : " service");
 }
 
 Outcome Machine::initial(Choices& choices, bool record) const {

@@ -93,7 +93,7 @@ class Machine {
   int processor_of(const State& state, int timer) const;
   /// Processor time of the action that a thread's timer measures in `state`.
   Range cost(const State& state, int timer) const;
-  /// "SM1.2", "force-torque", …: whose timer it is.
+  /// "SM1.2", "Zforce from LS1 to SM1 between processors", "force-torque service", …: no two have one name.
   std::string timer_name(int timer) const;
 
   Outcome initial(Choices& choices, bool record) const;

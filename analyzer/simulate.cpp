@@ -46,6 +46,7 @@ Simulation simulate(const Machine& machine, const SimulationOptions& options) {
       Clockwork::Timer& started = clockwork.timers()[static_cast<std::size_t>(timer)];
       started.duration = duration(started.range, options.times, dice);
     }
+    made.end = clockwork.now();
     if (clockwork.state().ended || clockwork.state().failed) break;
     std::vector<int> first;
     Nanoseconds least = Range::unbounded;
@@ -58,7 +59,10 @@ Simulation simulate(const Machine& machine, const SimulationOptions& options) {
       least = std::min(least, left);
     }
     const Nanoseconds at = clockwork.now() + least;
-    if (first.empty() || at > options.until) break;
+    if (first.empty() || at > options.until) {
+      made.end = options.until;
+      break;
+    }
     bool fired = false;
     while (!fired && !first.empty()) {
       const auto chosen = first.begin() + dice.pick(static_cast<int>(first.size()));

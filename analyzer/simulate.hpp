@@ -25,6 +25,7 @@ struct Simulation {
   std::vector<Measurement> measured;
   bool ended = false;     // the skill did
   bool failed = false;    // an event of what is watched can have no response
+  Nanoseconds end = 0;    // all that happens up to then is known
   Nanoseconds grown = 0;  // the greatest value that still grows at the end
 };
 

@@ -16,8 +16,14 @@ std::string subject(const Layer& layer) {
 
 std::string run_of(const Layer& layer) {
   if (layer.timeline->origin == "predicted") return "a predicted run";
+  if (layer.timeline->origin == "simulated") return "a simulated run";
   if (layer.timeline->origin == "measured") return "a measured run";
   return "a run";
+}
+
+std::string margin(std::int64_t limit, std::int64_t value) {
+  return value <= limit ? "margin " + duration_text(limit - value)
+                        : duration_text(value - limit) + " too much";
 }
 
 std::string figures(const Caption& caption) {
@@ -27,14 +33,13 @@ std::string figures(const Caption& caption) {
         (caption.exact ? "worst case " : "at most ") + duration_text(caption.bound_ns) +
         (caption.exact ? " (exact: the run below attains it)" : " (a bound; no run is known to attain it)");
   }
-  if (caption.bound_ns < 0 && !caption.verdict.empty()) text = "no bound is known";
+  const std::int64_t value = caption.bound_ns >= 0 ? caption.bound_ns : caption.shown_ns;
+  if (caption.bound_ns < 0 && caption.shown_ns >= 0) text = duration_text(caption.shown_ns) + " in this run";
+  if (value < 0 && !caption.verdict.empty()) text = "no bound is known";
   if (caption.limit_ns >= 0) {
     if (!text.empty()) text += ", ";
     text += "limit " + duration_text(caption.limit_ns);
-    if (caption.bound_ns >= 0) {
-      const std::int64_t margin = caption.limit_ns - caption.bound_ns;
-      text += ", " + (margin >= 0 ? "margin " + duration_text(margin) : duration_text(-margin) + " too much");
-    }
+    if (value >= 0) text += ", " + margin(caption.limit_ns, value);
   }
   return text;
 }

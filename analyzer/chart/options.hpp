@@ -50,6 +50,7 @@ struct Caption {
   std::int64_t bound_ns = -1;  // proved, or measured
   bool exact = false;          // a run attains the bound
   std::int64_t limit_ns = -1;
+  std::int64_t shown_ns = -1;  // by this run, where nothing is proved
 };
 
 struct ChartOptions {

@@ -30,14 +30,14 @@ void add_selection(CLI::App& command, Selection& selection) {
 }
 
 /// Seconds in "90", "90 s", "1.5min".
-double seconds_of(const std::string& text) {
+double seconds_of(const std::string& text, const char* option) {
   const std::size_t end = text.find_first_not_of("0123456789.");
   const std::string number = text.substr(0, end);
   const std::size_t unit = end == std::string::npos ? end : text.find_first_not_of(' ', end);
   const auto duration = parse_duration(number, unit == std::string::npos ? "s" : text.substr(unit));
   if (const auto* time = std::get_if<Duration>(&duration))
     return std::chrono::duration<double>(*time).count();
-  throw CLI::ValidationError("--timeout", "'" + text + "' is no length of time, as 90 s or 500 ms is");
+  throw CLI::ValidationError(option, "'" + text + "' is no length of time, as 90 s or 500 ms is");
 }
 
 void add_limits(CLI::App& command, ProofLimits& limits) {
@@ -46,7 +46,7 @@ void add_limits(CLI::App& command, ProofLimits& limits) {
       ->capture_default_str();
   command
       .add_option_function<std::string>(
-          "--timeout", [&limits](const std::string& text) { limits.seconds = seconds_of(text); },
+          "--timeout", [&limits](const std::string& text) { limits.seconds = seconds_of(text, "--timeout"); },
           "give up after so long (undecided): 90 s, 2min, 500ms; a number alone is seconds, 0: never")
       ->type_name("DURATION");
   command.add_option("--threads", limits.threads, "threads at work; 0: one a core")->capture_default_str();
@@ -97,6 +97,54 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
       "Exit status: 0 all are confirmed; 1 the specification is wrong; 2 bad usage, or a file could not be "
       "read; "
       "3 some witness is refused.");
+}
+
+void add_simulate(CLI::App& app, SimulateOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "simulate", "Makes runs, by chance or by script, and says what they show of every requirement");
+  add_selection(*command, options.selection);
+  add_format(*command, options.format);
+  using Times = analyzer::SimulationOptions::Times;
+  auto* script = command
+                     ->add_option("--script", options.script,
+                                  "the runs that check --witness wrote, made again from their scripts")
+                     ->type_name("FILE");
+  command
+      ->add_option("--times", options.times,
+                   "how long everything takes: random, worst, best, or extremes (best or worst, by chance)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Times>{{"random", Times::random},
+                                                                       {"worst", Times::worst},
+                                                                       {"best", Times::best},
+                                                                       {"extremes", Times::extremes}}))
+      ->type_name("TIMES")
+      ->excludes(script);
+  command->add_option("--runs", options.runs, "so many runs")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1'000'000))
+      ->excludes(script);
+  command->add_option("--seed", options.seed, "of the first run; each next one has the next")
+      ->capture_default_str()
+      ->excludes(script);
+  command
+      ->add_option_function<std::string>(
+          "--until", [&options](const std::string& text) { options.seconds = seconds_of(text, "--until"); },
+          "a run's length in its own time, if the skill does not complete before (10 s)")
+      ->type_name("DURATION")
+      ->excludes(script);
+  command
+      ->add_option("-r,--requirement", options.requirement,
+                   "whose run to write; without it the first that is broken, else the tightest")
+      ->type_name("NAME");
+  command->add_option("--trace", options.trace, "write the run that shows its value as a trace")
+      ->type_name("FILE");
+  command->add_flag("--chrome", options.chrome, "… in Chrome's trace-event form, as Perfetto opens it");
+  command->add_option("--chart", options.chart, "draw that run as an activity timing chart, SVG")
+      ->type_name("FILE");
+  command->footer(
+      "Runs prove nothing: pal check does. Exit status: 0 no run breaks a requirement; 1 the specification "
+      "is "
+      "wrong; 2 bad usage, or a file could not be read or written; 3 a run breaks one, or a script cannot be "
+      "followed.");
 }
 
 void add_what_if(CLI::App& app, WhatIfOptions& options) {
@@ -257,6 +305,8 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   ResourcesOptions resources_options;
   add_check(app, check_options);
   add_replay(app, replay_options);
+  SimulateOptions simulate_options;
+  add_simulate(app, simulate_options);
   WhatIfOptions what_if_options;
   add_what_if(app, what_if_options);
   add_pan(app, pan_options);
@@ -278,6 +328,7 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   }
   if (app.got_subcommand("check")) return check(check_options, console);
   if (app.got_subcommand("replay")) return replay(replay_options, console);
+  if (app.got_subcommand("simulate")) return simulate(simulate_options, console);
   if (app.got_subcommand("whatif")) return what_if(what_if_options, console);
   if (app.got_subcommand("pan")) return draw_pan(pan_options, console);
   if (app.got_subcommand("atc")) return draw_atc(atc_options, console);

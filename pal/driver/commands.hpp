@@ -1,10 +1,12 @@
 // The commands of the program pal, each a function from options to exit status.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "analyzer/simulate.hpp"
 #include "pal/driver/console.hpp"
 #include "pal/driver/exit_status.hpp"
 #include "pal/driver/proof.hpp"
@@ -32,6 +34,22 @@ struct ReplayOptions {
 };
 /// Confirms witnesses without the analysis. not_met: some could not be.
 ExitStatus replay(const ReplayOptions& options, const Console& console);
+
+struct SimulateOptions {
+  Selection selection;
+  Format format = Format::text;
+  analyzer::SimulationOptions::Times times = analyzer::SimulationOptions::Times::random;
+  std::size_t runs = 100;
+  std::uint64_t seed = 1;   // of the first run; each next one has the next
+  double seconds = 10;      // of each run at most, in its own time
+  std::string script;       // a file that check --witness wrote: its scripts, instead of chance
+  std::string requirement;  // of trace and chart; empty: the most interesting
+  std::string trace;        // where to write the trace of the run that shows the requirement's value
+  bool chrome = false;      // … in the form of trace viewers
+  std::string chart;        // where to write its chart
+};
+/// Makes runs and measures every requirement in them. not_met: one is broken, or a script cannot be followed.
+ExitStatus simulate(const SimulateOptions& options, const Console& console);
 
 struct WhatIfOptions {
   Selection selection;
@@ -106,7 +124,8 @@ struct ResourcesOptions {
   Selection selection;
   Format format = Format::text;
 };
-/// Prints what each skill needs, and what the environments have not. wrong_specification: something is missing.
+/// Prints what each skill needs, and what the environments have not. wrong_specification: something is
+/// missing.
 ExitStatus show_resources(const ResourcesOptions& options, const Console& console);
 
 }  // namespace pal::driver

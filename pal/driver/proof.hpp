@@ -7,6 +7,7 @@
 
 #include "analyzer/analysis.hpp"
 #include "analyzer/problem.hpp"
+#include "pal/driver/measure_text.hpp"
 #include "pal/driver/selection.hpp"
 
 namespace pal::driver {
@@ -21,8 +22,8 @@ struct ProofLimits {
   std::size_t max_states = 1'000'000;  // a requirement
   double seconds = 0;                  // of everything together; 0: as long as it takes
   analyzer::AnalysisChoice analysis = analyzer::AnalysisChoice::automatic;
-  unsigned threads = 0;                // at work; 0: one a core
-  bool peak_memory = false;            // count it
+  unsigned threads = 0;      // at work; 0: one a core
+  bool peak_memory = false;  // count it
 };
 
 /// The limits as an analysis wants them, from now on: also Ctrl-C ends it, as long as an Interruption lives.
@@ -31,14 +32,6 @@ analyzer::Options options_of(const ProofLimits& limits);
 /// Proves every skill of the session in every one of its environments. Ctrl-C leaves what is not decided by
 /// then undecided. What keeps a model from being built is added to the session's findings.
 std::vector<Proof> prove(Session& session, const ProofLimits& limits);
-
-/// "age of pc-force at TXM( motion to MC1 ) in SM1", "response from tick of alter to TXM( correction to alter
-/// )", …
-std::string measure_text(const Proof& proof, std::size_t requirement);
-
-/// A length of time, of a load its percentage, of a loss its number: "7.35 ms", "41.2 %", "none". A bound's
-/// percentage is rounded up.
-std::string figure_text(analyzer::Requirement::Measure measure, Duration value);
 
 /// Whether every verdict is `holds`.
 bool all_hold(const std::vector<Proof>& proofs);

@@ -12,38 +12,11 @@ namespace {
 using Measure = analyzer::Requirement::Measure;
 using State = analyzer::VerdictState;
 
-std::string label(const Proof& proof, std::size_t index) {
-  const analyzer::Requirement& requirement = proof.problem.requirements[index];
-  const std::string known =
-      requirement.condition >= 0 ? proof.problem.conditions[static_cast<std::size_t>(requirement.condition)]
-      : requirement.samples.empty()
-          ? std::string()
-          : proof.problem.channels[static_cast<std::size_t>(requirement.samples.front())].message;
-  switch (requirement.measure) {
-    case Measure::age:
-      return "age of " + known;
-    case Measure::reaction:
-      return "reaction to " + known;
-    case Measure::response:
-      return "response to " + proof.problem.channels[static_cast<std::size_t>(requirement.event)].message;
-    case Measure::interval:
-      return "interval";
-    case Measure::duration:
-      return "duration";
-    case Measure::busy:
-      return "busy period";
-    case Measure::loss:
-    case Measure::load:
-      break;
-  }
-  return {};
-}
-
 chart::Caption caption(const Proof& proof, std::size_t index) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   chart::Caption result;
   result.requirement = verdict.requirement;
-  result.measure = measure_text(proof, index);
+  result.measure = measure_text(proof.problem, index);
   result.verdict = analyzer::name(verdict.state);
   if (verdict.bound) result.bound_ns = verdict.bound->count();
   result.exact = verdict.exact;
@@ -55,7 +28,7 @@ chart::Highlight highlight(const Proof& proof, std::size_t index, std::int64_t f
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   const std::int64_t limit = verdict.limit.count();
   const bool over = verdict.at_least ? to - from < limit : to - from > limit;
-  return {from, to, label(proof, index), over, limit};
+  return {from, to, short_measure_text(proof.problem, index), over, limit};
 }
 
 /// "touch.pal:57": the folder would only take room.

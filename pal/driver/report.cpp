@@ -52,13 +52,13 @@ void write_table(const std::vector<Proof>& proofs, std::ostream& out) {
     std::size_t name_width = 0, measure_width = 0;
     for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
       name_width = std::max(name_width, proof.analysis.verdicts[i].requirement.size());
-      measure_width = std::max(measure_width, measure_text(proof, i).size());
+      measure_width = std::max(measure_width, measure_text(proof.problem, i).size());
     }
     out << proof.problem.skill << " in " << proof.problem.environment << "\n";
     for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
       const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
       out << fmt::format("  {:9}  {:{}}  {:{}}  {:>11}  of {:>7}  {}{}\n", analyzer::name(verdict.state),
-                         verdict.requirement, name_width, measure_text(proof, i), measure_width,
+                         verdict.requirement, name_width, measure_text(proof.problem, i), measure_width,
                          bound_text(verdict), figure_text(verdict.measure, verdict.limit),
                          margin_text(verdict), method_text(verdict));
     }

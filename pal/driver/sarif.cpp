@@ -50,8 +50,8 @@ class Log {
     const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
     const std::string bound = verdict.bound ? figure_text(verdict.measure, *verdict.bound) : "without bound";
     Json result = head(Code::PAL0890, "none",
-                       "'" + verdict.requirement + "' holds: " + measure_text(proof, index) + " is at most " +
-                           bound + " in " + proof.problem.environment + ", at most " +
+                       "'" + verdict.requirement + "' holds: " + measure_text(proof.problem, index) +
+                           " is at most " + bound + " in " + proof.problem.environment + ", at most " +
                            figure_text(verdict.measure, verdict.limit) + " is required",
                        verdict.where);
     result["kind"] = "pass";

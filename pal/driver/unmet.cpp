@@ -29,8 +29,8 @@ std::string figure_of(const analyzer::Verdict& verdict) {
   return (verdict.state == State::undecided ? sound : "") + figure_text(verdict.measure, *verdict.bound);
 }
 
-/// The longest piece of the time in which the thread that decided, the last of the story, did nothing but wait
-/// after it had read.
+/// The longest piece of the time in which the thread that decided, the last of the story, did nothing but
+/// wait after it had read.
 const analyzer::Reason* longest_wait_after_read(const analyzer::Verdict& verdict) {
   const analyzer::Reason* longest = nullptr;
   for (std::size_t i = 1; i < verdict.reasons.size(); ++i) {
@@ -80,12 +80,13 @@ void report(const Proof& proof, std::size_t index, Session& session) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   const bool fails = verdict.state == State::fails;
   const std::string what = fails ? " fails: " : " is undecided: ";
-  Diagnostic& finding = session.diagnostics.report(
-      fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
-      "'" + verdict.requirement + "'" + what + measure_text(proof, index) + " is " + figure_of(verdict) +
-          " in " + proof.problem.environment + ", " + (verdict.at_least ? "at least " : "at most ") +
-          figure_text(verdict.measure, verdict.limit) + " is required",
-      hint_of(verdict));
+  Diagnostic& finding =
+      session.diagnostics.report(fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
+                                 "'" + verdict.requirement + "'" + what + measure_text(proof.problem, index) +
+                                     " is " + figure_of(verdict) + " in " + proof.problem.environment + ", " +
+                                     (verdict.at_least ? "at least " : "at most ") +
+                                     figure_text(verdict.measure, verdict.limit) + " is required",
+                                 hint_of(verdict));
   if (verdict.reasons.empty()) finding.notes.push_back({verdict.where, verdict.explanation});
   for (const analyzer::Reason& reason : verdict.reasons) {
     finding.notes.push_back({place_of(proof.problem, reason), to_text(Duration(reason.to - reason.from)) +

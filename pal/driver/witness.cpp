@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ostream>
 #include <sstream>
+#include <stdexcept>
 
 #include "analyzer/machine.hpp"
 #include "analyzer/replay/check_run.hpp"
@@ -52,7 +53,40 @@ FiledWitness filed(const Proof& proof, const analyzer::Verdict& verdict, const S
   return made;
 }
 
-/// Why the witness shows nothing; empty: it is confirmed.
+std::string shown(const FiledWitness& witness) {
+  if (witness.measure == "load") return "a run of the skill; a load shows in no finite run";
+  if (witness.failed) return "an event without a response";
+  if (witness.measure == "loss") return std::to_string(witness.value) + " lost";
+  return witness.measure + (witness.grows ? " of more than " : " ") + to_text(Duration(witness.value));
+}
+
+}  // namespace
+
+std::vector<FiledWitness> witnesses_of(const std::vector<Proof>& proofs, const Session& session) {
+  std::vector<FiledWitness> made;
+  for (const Proof& proof : proofs) {
+    for (const analyzer::Verdict& verdict : proof.analysis.verdicts) {
+      if (verdict.witness) made.push_back(filed(proof, verdict, session));
+    }
+  }
+  return made;
+}
+
+std::optional<std::vector<FiledWitness>> read_witness_file(const std::string& path, const Console& console) {
+  const auto content = console.files.read(path);
+  if (const auto* error = std::get_if<FileError>(&content)) {
+    console.err << fmt::format("pal: cannot read '{}': {}\n", path, error->reason);
+    return std::nullopt;
+  }
+  try {
+    std::istringstream in(std::get<std::string>(content));
+    return analyzer::rules::read_witnesses(in);
+  } catch (const std::runtime_error& error) {
+    console.err << fmt::format("pal: '{}' has no witnesses: {}\n", path, error.what());
+    return std::nullopt;
+  }
+}
+
 std::string refusal(const FiledWitness& witness, Session& session) {
   if (identity_of(session, witness.skill, witness.environment) != witness.identity) {
     return "it is a run of other texts than these";
@@ -82,25 +116,6 @@ std::string refusal(const FiledWitness& witness, Session& session) {
     }
   }
   return "there is no such skill, or no such environment";
-}
-
-std::string shown(const FiledWitness& witness) {
-  if (witness.measure == "load") return "a run of the skill; a load shows in no finite run";
-  if (witness.failed) return "an event without a response";
-  if (witness.measure == "loss") return std::to_string(witness.value) + " lost";
-  return witness.measure + (witness.grows ? " of more than " : " ") + to_text(Duration(witness.value));
-}
-
-}  // namespace
-
-std::vector<FiledWitness> witnesses_of(const std::vector<Proof>& proofs, const Session& session) {
-  std::vector<FiledWitness> made;
-  for (const Proof& proof : proofs) {
-    for (const analyzer::Verdict& verdict : proof.analysis.verdicts) {
-      if (verdict.witness) made.push_back(filed(proof, verdict, session));
-    }
-  }
-  return made;
 }
 
 bool confirm(const std::vector<FiledWitness>& witnesses, Session& session, std::ostream& out) {

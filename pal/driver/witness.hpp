@@ -2,6 +2,8 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "analyzer/replay/witness_file.hpp"
@@ -11,10 +13,20 @@
 namespace pal::driver {
 
 /// The witnesses of all verdicts that have one.
-std::vector<analyzer::rules::FiledWitness> witnesses_of(const std::vector<Proof>& proofs, const Session& session);
+std::vector<analyzer::rules::FiledWitness> witnesses_of(const std::vector<Proof>& proofs,
+                                                        const Session& session);
 
-/// Confirms or refutes each witness against the skills and environments of `session`, a line each. False: some could
-/// not be confirmed.
-bool confirm(const std::vector<analyzer::rules::FiledWitness>& witnesses, Session& session, std::ostream& out);
+/// Those in the file; says on `console.err` why they cannot be had.
+std::optional<std::vector<analyzer::rules::FiledWitness>> read_witness_file(const std::string& path,
+                                                                            const Console& console);
+
+/// Why the run of the witness does not show what it claims of a skill and an environment of `session`; empty:
+/// it is confirmed.
+std::string refusal(const analyzer::rules::FiledWitness& witness, Session& session);
+
+/// Confirms or refutes each witness against the skills and environments of `session`, a line each. False:
+/// some could not be confirmed.
+bool confirm(const std::vector<analyzer::rules::FiledWitness>& witnesses, Session& session,
+             std::ostream& out);
 
 }  // namespace pal::driver

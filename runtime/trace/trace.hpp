@@ -72,7 +72,7 @@ struct Channel {
 struct Trace {
   std::string skill;
   std::string environment;
-  std::string origin;  // "predicted" or "measured"
+  std::string origin;  // "predicted", "simulated" or "measured"
   std::vector<Actor> actors;
   std::vector<Statement> statements;
   std::vector<Channel> channels;

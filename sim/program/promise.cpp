@@ -47,7 +47,7 @@ std::vector<Promise> promises(const KnownSkill& skill, const std::vector<std::st
       const analyzer::Requirement& requirement = proof.problem.requirements[i];
       if (!driver::shows_in_runs(requirement) || !verdict.witness || !verdict.bound) continue;
       Promise promise{
-          verdict.requirement, driver::measure_text(proof, i), *verdict.bound, verdict.exact, {}, {}};
+          verdict.requirement, driver::measure_text(proof.problem, i), *verdict.bound, verdict.exact, {}, {}};
       if (const auto longest = driver::longest_in(run, proof, i))
         promise.measured = Duration(longest->length_ns());
       promise.chart = driver::overlay_chart(proof, i, run);

@@ -1,0 +1,102 @@
+#include "pal/driver/measure_text.hpp"
+
+#include <set>
+
+#include "pal/support/duration_text.hpp"
+
+namespace pal::driver {
+namespace {
+
+using Measure = analyzer::Requirement::Measure;
+
+/// The distinct statements that a requirement is about: "TXM( motion to MC1 ) in SM1".
+std::string statements_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
+  std::set<std::string> texts;
+  for (std::size_t step = 0; step < requirement.at.size(); ++step) {
+    if (!requirement.at[step] || problem.steps[step].statement < 0) continue;
+    const auto& statement = problem.statements[static_cast<std::size_t>(problem.steps[step].statement)];
+    texts.insert(statement.text + " in " + statement.module);
+  }
+  std::string result;
+  for (const std::string& text : texts) result += (result.empty() ? "" : " and ") + text;
+  return result;
+}
+
+std::string known_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
+  if (requirement.samples.empty()) return problem.conditions[static_cast<std::size_t>(requirement.condition)];
+  return problem.channels[static_cast<std::size_t>(requirement.samples.front())].message + " from " +
+         problem.devices[static_cast<std::size_t>(requirement.device)].name;
+}
+
+std::string processor_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
+  if (requirement.processors.size() != 1) return "each processor";
+  return problem.processors[static_cast<std::size_t>(requirement.processors.front())].name;
+}
+
+}  // namespace
+
+std::string measure_text(const analyzer::Problem& problem, std::size_t index) {
+  const analyzer::Requirement& requirement = problem.requirements[index];
+  switch (requirement.measure) {
+    case Measure::age:
+      return "age of " + known_text(problem, requirement) + " at " + statements_text(problem, requirement);
+    case Measure::reaction:
+      return "reaction of " + known_text(problem, requirement) + " at " +
+             statements_text(problem, requirement);
+    case Measure::response:
+      return "response from " + problem.channels[static_cast<std::size_t>(requirement.event)].message +
+             " of " + problem.devices[static_cast<std::size_t>(requirement.device)].name + " to " +
+             statements_text(problem, requirement);
+    case Measure::interval:
+      return std::string(requirement.at_least ? "least" : "greatest") + " interval of " +
+             statements_text(problem, requirement);
+    case Measure::loss:
+      return "loss of " + problem.devices[static_cast<std::size_t>(requirement.device)].name +
+             (requirement.in == 1 ? "" : " in " + std::to_string(requirement.in));
+    case Measure::duration:
+      return "duration to completion " + std::to_string(requirement.code);
+    case Measure::busy:
+      return "busy period of " + processor_text(problem, requirement);
+    case Measure::load:
+      break;
+  }
+  return "load of " + processor_text(problem, requirement);
+}
+
+std::string short_measure_text(const analyzer::Problem& problem, std::size_t index) {
+  const analyzer::Requirement& requirement = problem.requirements[index];
+  const std::string known =
+      requirement.condition >= 0 ? problem.conditions[static_cast<std::size_t>(requirement.condition)]
+      : requirement.samples.empty()
+          ? std::string()
+          : problem.channels[static_cast<std::size_t>(requirement.samples.front())].message;
+  switch (requirement.measure) {
+    case Measure::age:
+      return "age of " + known;
+    case Measure::reaction:
+      return "reaction to " + known;
+    case Measure::response:
+      return "response to " + problem.channels[static_cast<std::size_t>(requirement.event)].message;
+    case Measure::interval:
+      return "interval";
+    case Measure::duration:
+      return "duration";
+    case Measure::busy:
+      return "busy period";
+    case Measure::loss:
+    case Measure::load:
+      break;
+  }
+  return {};
+}
+
+std::string figure_text(Measure measure, Duration value) {
+  if (measure == Measure::loss) return value.count() == 0 ? "none" : std::to_string(value.count());
+  if (measure != Measure::load) return to_text(value);
+  const auto hundredths = (value.count() + 99'999) / 100'000;  // 1e9 ns in a second are 100.00 %
+  const std::string fraction = std::to_string(hundredths % 100);
+  return std::to_string(hundredths / 100) +
+         (hundredths % 100 == 0 ? "" : (fraction.size() < 2 ? ".0" : ".") + fraction) + " %";
+}
+
+}  // namespace pal::driver

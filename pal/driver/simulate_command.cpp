@@ -1,0 +1,207 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <ostream>
+#include <sstream>
+
+#include "analyzer/chart/chart.hpp"
+#include "pal/driver/commands.hpp"
+#include "pal/driver/runs.hpp"
+#include "pal/driver/simulated.hpp"
+#include "pal/driver/witness.hpp"
+#include "pal/driver/write.hpp"
+#include "pal/support/duration_text.hpp"
+
+namespace pal::driver {
+namespace {
+
+using analyzer::rules::FiledWitness;
+
+analyzer::SimulationOptions simulation_of(const SimulateOptions& options) {
+  analyzer::SimulationOptions made;
+  made.times = options.times;
+  made.seed = options.seed;
+  made.until = static_cast<analyzer::Nanoseconds>(options.seconds * 1e9);
+  return made;
+}
+
+std::string how(const SimulateOptions& options) {
+  if (!options.script.empty()) return "by script";
+  using Times = analyzer::SimulationOptions::Times;
+  const char* times = options.times == Times::random  ? "random"
+                      : options.times == Times::worst ? "worst"
+                      : options.times == Times::best  ? "best"
+                                                      : "extreme";
+  const auto until = Duration(static_cast<Duration::rep>(options.seconds * 1e9));
+  return fmt::format("{} times, seeds {} to {}, each of at most {}", times, options.seed,
+                     options.seed + options.runs - 1, to_text(until));
+}
+
+/// A skill in an environment with all its runs, which can be made again.
+struct Study {
+  Simulated simulated;
+  std::vector<FiledWitness> witnesses;  // by script: those of this skill and environment
+  Runs runs;
+};
+
+/// Why a run by script is not what its witness claims; empty: it is.
+std::string refusal_of(FiledWitness witness, const std::optional<KnownRun>& run, Session& session) {
+  if (!run) return "its script cannot be followed";
+  witness.run = run->trace;
+  return refusal(witness, session);
+}
+
+void survey(Study& study, Session& session) {
+  Simulated& simulated = study.simulated;
+  simulated.run_names = study.runs.names;
+  Survey survey(simulated.problem);
+  for (std::size_t number = 0; number < study.runs.names.size(); ++number) {
+    const auto run = study.runs.make(number);
+    if (!study.witnesses.empty()) {
+      const std::string why = refusal_of(study.witnesses[number], run, session);
+      if (!why.empty()) simulated.refused.push_back(study.runs.names[number] + ": " + why);
+    }
+    if (run) survey.add(*run, number);
+  }
+  simulated.runs = study.runs.names.size();
+  simulated.completed = survey.completed();
+  simulated.seen = survey.seen();
+  for (const std::string& refused : survey.refused()) simulated.refused.push_back(refused);
+}
+
+/// The studies stay where they are: runs point into them.
+std::vector<std::unique_ptr<Study>> studies_of(const SimulateOptions& options,
+                                               const std::vector<FiledWitness>& witnesses, Session& session) {
+  std::vector<std::unique_ptr<Study>> studies;
+  for (const pan::Network& skill : session.specification.skills) {
+    for (const pan::Environment& environment : session.specification.environments) {
+      auto problem = analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
+      if (!problem) continue;
+      auto study = std::make_unique<Study>();
+      study->simulated.problem = std::move(*problem);
+      study->simulated.how = how(options);
+      for (const FiledWitness& witness : witnesses) {
+        if (witness.skill == skill.skill.name && witness.environment == environment.name)
+          study->witnesses.push_back(witness);
+      }
+      if (!options.script.empty() && study->witnesses.empty()) continue;
+      const analyzer::Problem& known = study->simulated.problem;
+      study->runs = options.script.empty() ? runs_by_chance(known, simulation_of(options), options.runs)
+                                           : scripted_runs(known, study->witnesses);
+      studies.push_back(std::move(study));
+    }
+  }
+  return studies;
+}
+
+/// The study and the requirement whose run is to be written; says why there is none.
+std::optional<std::pair<const Study*, std::size_t>> choose(const std::vector<std::unique_ptr<Study>>& studies,
+                                                           const std::string& name, std::ostream& err) {
+  for (const auto& study : studies) {
+    const Simulated& simulated = study->simulated;
+    if (name.empty()) {
+      const auto best = most_interesting(simulated.problem, simulated.seen);
+      if (best) return std::pair(study.get(), *best);
+      continue;
+    }
+    for (std::size_t r = 0; r < simulated.seen.size(); ++r) {
+      if (simulated.problem.requirements[r].name == name && simulated.seen[r].extreme)
+        return std::pair(study.get(), r);
+    }
+  }
+  err << (name.empty() ? "pal: no run shows a requirement's value, so there is none to write\n"
+                       : fmt::format("pal: no run shows a value of '{}', so there is none to write\n", name));
+  return std::nullopt;
+}
+
+std::string chart_of(const Study& study, std::size_t index, const KnownRun& run) {
+  const Seen& seen = study.simulated.seen[index];
+  const analyzer::Problem& problem = study.simulated.problem;
+  const analyzer::Requirement& requirement = problem.requirements[index];
+  chart::ChartOptions options;
+  options.caption.requirement = requirement.name;
+  options.caption.measure = measure_text(problem, index) + "; " + study.runs.names[seen.run];
+  options.caption.verdict = seen.breaking > 0 ? "broken" : "kept";
+  options.caption.limit_ns = requirement.limit;
+  if (requirement.measure != analyzer::Requirement::Measure::loss &&
+      requirement.measure != analyzer::Requirement::Measure::load)
+    options.caption.shown_ns = seen.extreme->value;
+  const std::string label = short_measure_text(problem, index);
+  if (!label.empty() && seen.extreme->value > 0) {
+    const bool over = requirement.at_least ? seen.extreme->value < requirement.limit
+                                           : seen.extreme->value > requirement.limit;
+    options.highlight =
+        chart::Highlight{seen.extreme->born, seen.extreme->at, label, over, requirement.limit};
+  }
+  return chart::svg(chart::timeline(run.trace), options);
+}
+
+ExitStatus write_run(const SimulateOptions& options, const std::vector<std::unique_ptr<Study>>& studies,
+                     const Console& console) {
+  const auto chosen = choose(studies, options.requirement, console.err);
+  if (!chosen) return ExitStatus::usage;
+  const auto& [study, index] = *chosen;
+  const auto run = study->runs.make(study->simulated.seen[index].run);
+  std::vector<OutputFile> files;
+  if (!options.trace.empty()) {
+    std::ostringstream text;
+    options.chrome ? trace::write_chrome(run->trace, text) : trace::write_json(run->trace, text);
+    files.push_back({options.trace, text.str()});
+  }
+  if (!options.chart.empty()) files.push_back({options.chart, chart_of(*study, index, *run)});
+  return write_and_list(files, console);
+}
+
+/// Nothing, if it can be simulated; else why not.
+std::string obstacle(const Session& session, const std::vector<std::unique_ptr<Study>>& studies) {
+  if (session.specification.environments.empty())
+    return "a simulation needs times: give an environment with --environment FILE";
+  for (const auto& study : studies) {
+    if (!analyzer::fits_exploration(study->simulated.problem))
+      return "'" + study->simulated.problem.skill +
+             "' is too large to simulate (more than 100 threads or 120 channels)";
+  }
+  return {};
+}
+
+}  // namespace
+
+ExitStatus simulate(const SimulateOptions& options, const Console& console) {
+  std::optional<std::vector<FiledWitness>> witnesses{std::in_place};
+  if (!options.script.empty()) witnesses = read_witness_file(options.script, console);
+  if (!witnesses) return ExitStatus::usage;
+  Session session;
+  if (!read(options.selection, console, session)) return ExitStatus::usage;
+  std::vector<std::unique_ptr<Study>> studies;
+  if (!session.diagnostics.has_errors()) studies = studies_of(options, *witnesses, session);
+  show_findings(session, console);
+  if (session.diagnostics.has_errors()) return status_of_findings(session);
+  std::string wrong = obstacle(session, studies);
+  if (wrong.empty() && studies.empty()) wrong = "'" + options.script + "' has no run of these skills";
+  if (!wrong.empty()) {
+    console.err << "pal: " << wrong << "\n";
+    return ExitStatus::usage;
+  }
+  bool good = true;
+  std::vector<Simulated> simulations;
+  for (const auto& study : studies) {
+    survey(*study, session);
+    const Simulated& simulated = study->simulated;
+    good = good && simulated.refused.empty() &&
+           std::all_of(simulated.seen.begin(), simulated.seen.end(),
+                       [](const Seen& seen) { return seen.breaking == 0; });
+  }
+  for (const auto& study : studies) {
+    if (options.format == Format::text) console.out << text(study->simulated);
+    simulations.push_back(study->simulated);
+  }
+  if (options.format == Format::json) console.out << json(simulations);
+  if (!options.trace.empty() || !options.chart.empty()) {
+    const ExitStatus written = write_run(options, studies, console);
+    if (written != ExitStatus::all_hold) return written;
+  }
+  return good ? ExitStatus::all_hold : ExitStatus::not_met;
+}
+
+}  // namespace pal::driver

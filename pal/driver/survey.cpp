@@ -1,0 +1,108 @@
+#include "pal/driver/survey.hpp"
+
+#include <algorithm>
+
+#include "runtime/trace/slices.hpp"
+
+namespace pal::driver {
+namespace {
+
+using analyzer::Nanoseconds;
+using analyzer::Requirement;
+using analyzer::rules::Measured;
+
+constexpr double second = 1e9;
+
+bool beyond(const Requirement& requirement, Nanoseconds value) {
+  return requirement.at_least ? value < requirement.limit : value > requirement.limit;
+}
+
+/// Whether `value` says more of the requirement than what was seen so far.
+bool further(const Requirement& requirement, Nanoseconds value, const std::optional<Measured>& extreme) {
+  if (!extreme) return true;
+  return requirement.at_least ? value < extreme->value : value > extreme->value;
+}
+
+Nanoseconds busy_time(const std::vector<trace::Slice>& slices, const trace::Trace& run,
+                      const std::string& processor) {
+  Nanoseconds sum = 0;
+  for (const trace::Slice& slice : slices) {
+    if (slice.state != trace::State::running || slice.actor < 0) continue;
+    if (run.actors[static_cast<std::size_t>(slice.actor)].processor == processor)
+      sum += slice.to_ns - slice.from_ns;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Survey::Survey(const analyzer::Problem& problem) : problem_(problem), seen_(problem.requirements.size()) {}
+
+void Survey::add(const KnownRun& run, std::size_t number) {
+  completed_ += run.completed ? 1 : 0;
+  const auto ruling = analyzer::rules::check_run(problem_, nullptr, run.trace,
+                                                 run.completed ? std::nullopt : std::optional(run.end));
+  if (!ruling.broken.empty()) {
+    refused_.push_back("run " + std::to_string(number) + ": " + ruling.broken);
+    return;
+  }
+  for (std::size_t r = 0; r < seen_.size(); ++r) {
+    if (problem_.requirements[r].measure == Requirement::Measure::load) {
+      measure_load(r, run, number);
+    } else {
+      measure(r, run, number);
+    }
+  }
+}
+
+void Survey::measure(std::size_t index, const KnownRun& run, std::size_t number) {
+  const Requirement& requirement = problem_.requirements[index];
+  Seen& seen = seen_[index];
+  const auto ruling = analyzer::rules::check_run(problem_, &requirement, run.trace);
+  bool breaks = ruling.failed;
+  const auto note = [&](const Measured& measured, bool grows) {
+    breaks = breaks || beyond(requirement, measured.value);
+    if (!further(requirement, measured.value, seen.extreme)) return;
+    seen.extreme = measured;
+    seen.grows = grows;
+    seen.run = number;
+  };
+  for (const Measured& measured : ruling.measured) note(measured, false);
+  if (ruling.growing_since) note({run.end - *ruling.growing_since, *ruling.growing_since, run.end, -1}, true);
+  seen.values += ruling.measured.size();
+  seen.unanswered += ruling.failed ? 1 : 0;
+  seen.breaking += breaks ? 1 : 0;
+}
+
+void Survey::measure_load(std::size_t index, const KnownRun& run, std::size_t number) {
+  if (run.end == 0) return;
+  Seen& seen = seen_[index];
+  const auto slices = trace::slices(run.trace);
+  for (const int processor : problem_.requirements[index].processors) {
+    const Nanoseconds busy =
+        busy_time(slices, run.trace, problem_.processors[static_cast<std::size_t>(processor)].name);
+    const auto share = static_cast<Nanoseconds>(second * static_cast<double>(busy) / static_cast<double>(run.end));
+    ++seen.values;
+    if (!further(problem_.requirements[index], share, seen.extreme)) continue;
+    seen.extreme = Measured{share, 0, run.end, -1};
+    seen.run = number;
+  }
+}
+
+std::optional<std::size_t> most_interesting(const analyzer::Problem& problem, const std::vector<Seen>& seen) {
+  std::optional<std::size_t> best;
+  double best_share = -1;
+  for (std::size_t r = 0; r < seen.size(); ++r) {
+    const Requirement& requirement = problem.requirements[r];
+    if (!seen[r].extreme || requirement.measure == Requirement::Measure::load) continue;
+    if (seen[r].breaking > 0) return r;
+    if (requirement.limit == 0 || requirement.at_least) continue;
+    const double share = static_cast<double>(seen[r].extreme->value) / static_cast<double>(requirement.limit);
+    if (share <= best_share) continue;
+    best = r;
+    best_share = share;
+  }
+  return best;
+}
+
+}  // namespace pal::driver

@@ -1,0 +1,58 @@
+// What runs of a skill show of its requirements, however they were made: measured by the referee.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analyzer/replay/check_run.hpp"
+
+namespace pal::driver {
+
+struct KnownRun {
+  trace::Trace trace;
+  analyzer::Nanoseconds end = 0;  // nothing more happens up to then
+  bool completed = false;         // the skill ended
+};
+
+/// What the runs show of one requirement.
+struct Seen {
+  std::size_t values = 0;  // so many were measured
+  /// The greatest value, also of those that still grew at the end of a run (the least, of a requirement that
+  /// says at least). Of a load: the nanoseconds in a second that a processor was busy, of a whole run.
+  std::optional<analyzer::rules::Measured> extreme;
+  bool grows = false;          // the extreme did
+  std::size_t run = 0;         // that shows it
+  std::size_t breaking = 0;    // runs with a value beyond the limit, or with an event that has no response
+  std::size_t unanswered = 0;  // runs with an event that has no response
+};
+
+/// Collects what run after run shows. A load is a fraction in the long run, so no run breaks it.
+class Survey {
+ public:
+  explicit Survey(const analyzer::Problem& problem);
+
+  void add(const KnownRun& run, std::size_t number);
+
+  /// By requirement.
+  const std::vector<Seen>& seen() const { return seen_; }
+  std::size_t completed() const { return completed_; }
+  /// Runs that are none, with the rule that each breaks.
+  const std::vector<std::string>& refused() const { return refused_; }
+
+ private:
+  void measure(std::size_t requirement, const KnownRun& run, std::size_t number);
+  void measure_load(std::size_t requirement, const KnownRun& run, std::size_t number);
+
+  const analyzer::Problem& problem_;
+  std::vector<Seen> seen_;
+  std::size_t completed_ = 0;
+  std::vector<std::string> refused_;
+};
+
+/// The requirement that a reader wants to see: the first that a run breaks, else the one of which a run comes
+/// nearest to the limit. Nothing, if nothing was measured.
+std::optional<std::size_t> most_interesting(const analyzer::Problem& problem, const std::vector<Seen>& seen);
+
+}  // namespace pal::driver
