@@ -36,7 +36,9 @@ std::string count_text(const Simulated& simulated, std::size_t r) {
   const Seen& seen = simulated.seen[r];
   std::vector<std::string> parts;
   if (seen.extreme)
-    parts.push_back(simulated.run_names[seen.run] + " of " + count(seen.values, "value", "values"));
+    parts.push_back(fmt::format("{} of {}, in {}",
+                                simulated.problem.requirements[r].at_least ? "least" : "greatest",
+                                count(seen.values, "value", "values"), simulated.run_names[seen.run]));
   if (seen.breaking > 0) parts.push_back(count(seen.breaking, "run breaks it", "runs break it"));
   if (seen.unanswered > 0) parts.push_back(count(seen.unanswered, "event", "events") + " without a response");
   return fmt::format("{}", fmt::join(parts, ", "));

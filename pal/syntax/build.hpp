@@ -69,6 +69,9 @@ class Builder {
   EnvironmentUnit environment_unit(Parser::EnvironmentUnitContext* context);
   bool add_resource(Resources& resources, Parser::ItemContext* context);
   void add_item(EnvironmentUnit& environment, Parser::ItemContext* context);
+  template <typename Behaviour>
+  void add_device(EnvironmentUnit& environment, const std::string& name, SourceSpan where,
+                  const Behaviour& behaviour);
   pan::EventDevice event_device(Parser::EventDeviceContext* context);
   pan::FrameDevice frame_device(Parser::FrameDeviceContext* context);
 

@@ -40,6 +40,15 @@ bool Builder::add_resource(Resources& resources, Parser::ItemContext* context) {
   return false;
 }
 
+/// What else there is to say of a device with an unreadable time would only follow from that.
+template <typename Behaviour>
+void Builder::add_device(EnvironmentUnit& environment, const std::string& name, SourceSpan where,
+                         const Behaviour& behaviour) {
+  const auto errors = diagnostics_.errors();
+  environment.devices.push_back({name, behaviour(), where});
+  if (diagnostics_.errors() != errors) diagnostics_.distrust(where);
+}
+
 void Builder::add_item(EnvironmentUnit& environment, Parser::ItemContext* context) {
   if (add_resource(environment.resources, context)) return;
   const auto where = span(context);
@@ -52,16 +61,14 @@ void Builder::add_item(EnvironmentUnit& environment, Parser::ItemContext* contex
     return;
   }
   if (auto* c = dynamic_cast<Parser::EventDeviceContext*>(context)) {
-    environment.devices.push_back({name(c->name()).text, event_device(c), where});
-    return;
+    return add_device(environment, name(c->name()).text, where, [&] { return event_device(c); });
   }
   if (auto* c = dynamic_cast<Parser::RequestDeviceContext*>(context)) {
-    environment.devices.push_back({name(c->name()).text, pan::RequestDevice{interval(c->interval())}, where});
-    return;
+    return add_device(environment, name(c->name()).text, where,
+                      [&] { return pan::RequestDevice{interval(c->interval())}; });
   }
   if (auto* c = dynamic_cast<Parser::FrameDeviceContext*>(context)) {
-    environment.devices.push_back({name(c->name()).text, frame_device(c), where});
-    return;
+    return add_device(environment, name(c->name()).text, where, [&] { return frame_device(c); });
   }
   if (auto* c = dynamic_cast<Parser::PlacementContext*>(context)) {
     auto thread = name(c->name(0)).text;

@@ -52,12 +52,24 @@ std::vector<Name> Builder::names(Parser::NamesContext* context) const {
   return context == nullptr ? std::vector<Name>{} : names(context->name());
 }
 
+namespace {
+
+/// Whether a text ends with a quote of its own: one that no backslash escapes.
+bool is_closed(const std::string& quoted) {
+  std::size_t i = 1;
+  while (i < quoted.size() && quoted[i] != '"') i += quoted[i] == '\\' ? 2 : 1;
+  return i < quoted.size();
+}
+
+}  // namespace
+
 std::string Builder::text(antlr4::tree::TerminalNode* string) {
   if (string == nullptr || is_made_up(string->getSymbol())) return {};
   const auto quoted = string->getText();
+  const std::size_t end = quoted.size() - (is_closed(quoted) ? 1 : 0);
   std::string result;
-  for (std::size_t i = 1; i + 1 < quoted.size(); ++i) {
-    if (quoted[i] == '\\' && i + 2 < quoted.size()) {
+  for (std::size_t i = 1; i < end; ++i) {
+    if (quoted[i] == '\\' && i + 1 < end) {
       ++i;
       if (quoted[i] != '"' && quoted[i] != '\\') {
         auto& finding =
