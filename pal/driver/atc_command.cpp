@@ -57,13 +57,10 @@ std::string trace_text(const trace::Trace& run, bool chrome) {
 
 /// The trace in `path`; says why it cannot be had.
 std::optional<trace::Trace> read_trace(const std::string& path, const Console& console) {
-  const auto content = console.files.read(path);
-  if (const auto* error = std::get_if<FileError>(&content)) {
-    console.err << fmt::format("pal: cannot read '{}': {}\n", path, error->reason);
-    return std::nullopt;
-  }
+  const auto content = read_text(path, console);
+  if (!content) return std::nullopt;
   try {
-    std::istringstream in(std::get<std::string>(content));
+    std::istringstream in(*content);
     return trace::read_json(in);
   } catch (const std::runtime_error& error) {
     console.err << fmt::format("pal: '{}' is no trace: {}\n", path, error.what());

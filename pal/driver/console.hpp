@@ -3,6 +3,8 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
+#include <string>
 
 #include "pal/support/file_system.hpp"
 
@@ -13,5 +15,8 @@ struct Console {
   std::ostream& err;
   const FileSystem& files;
 };
+
+/// The text of a file of the command line; says on `console.err` why it cannot be had.
+std::optional<std::string> read_text(const std::string& path, const Console& console);
 
 }  // namespace pal::driver

@@ -73,13 +73,10 @@ std::vector<FiledWitness> witnesses_of(const std::vector<Proof>& proofs, const S
 }
 
 std::optional<std::vector<FiledWitness>> read_witness_file(const std::string& path, const Console& console) {
-  const auto content = console.files.read(path);
-  if (const auto* error = std::get_if<FileError>(&content)) {
-    console.err << fmt::format("pal: cannot read '{}': {}\n", path, error->reason);
-    return std::nullopt;
-  }
+  const auto content = read_text(path, console);
+  if (!content) return std::nullopt;
   try {
-    std::istringstream in(std::get<std::string>(content));
+    std::istringstream in(*content);
     return analyzer::rules::read_witnesses(in);
   } catch (const std::runtime_error& error) {
     console.err << fmt::format("pal: '{}' has no witnesses: {}\n", path, error.what());

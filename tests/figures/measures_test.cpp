@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/exact.hpp"
+#include "tests/figures/range_finder.hpp"
 #include "tests/support/confirm.hpp"
 #include "tests/support/skill.hpp"
 
@@ -12,49 +13,6 @@ using pal::test::sound_skill;
 using namespace std::chrono_literals;
 
 namespace {
-
-/// A sensor driver SD1 with the body given, and a robot that may stop it at any time.
-std::string range_finder(const std::string& body, const std::string& interpretation,
-                         const std::string& requirements) {
-  return R"(
-MESSAGE profile : REAL mm
-MESSAGE stop : SIGNAL
-DEVICE finder "range finder"
-SKILL scan
-  SENSOR DRIVER      SD1
-  LOGICAL SENSOR     NONE
-  MACHINE CONTROLLER MC1
-  MODEL DATA         NONE
-  SKILL METHOD       SM1
-  COMPLETION 0 NORMAL "stopped"
-  COMPLETION 1 ERROR  "any other error"
-)" + requirements +
-         R"(END SKILL
-Machine Controller: MC1
-Sensor Driver: SD1
-  ACTIVITY interpret READS profile
-BEGIN
-)" + body +
-         R"(
-END
-Skill Module: SM1
-BEGIN
-  WTM( Coordinator )
-  WTM( stop from MC1 )
-  TXM( Completion Protocol 0 )
-END
-ENVIRONMENT cell
-  PROCESSOR P0
-  PROCESSOR P1
-  DEVICE MC1    EVENT stop SPORADIC 1 ms
-  DEVICE finder FRAMES EVERY 78 ms COLLECTING 76 ms
-  TIME interpret : )" +
-         interpretation + R"(
-  PLACE SM1 ON P0 PRIORITY 1
-  PLACE SD1 ON P1 PRIORITY 1
-END ENVIRONMENT
-)";
-}
 
 const char* const asks_after = R"(
   REPEAT
@@ -105,7 +63,7 @@ constexpr VerdictState fails = VerdictState::fails;
 }  // namespace
 
 TEST_CASE("case 3: asking after interpreting, every second frame is lost, one result each 156 ms") {
-  const auto skill = sound_skill(range_finder(asks_after, "10 TO 15 ms", losses_and_pace));
+  const auto skill = sound_skill(test::range_finder(asks_after, "10 TO 15 ms", losses_and_pace));
   const Analysis analysis = analyze(*skill->problem);
   check_exact(analysis, "each", 1ns, fails);
   check_exact(analysis, "second", 1ns, holds);
@@ -116,7 +74,7 @@ TEST_CASE("case 3: asking after interpreting, every second frame is lost, one re
 }
 
 TEST_CASE("case 3: asking before interpreting, none is lost, one result each 78 ms") {
-  const auto skill = sound_skill(range_finder(asks_before, "10 TO 15 ms", losses_and_pace));
+  const auto skill = sound_skill(test::range_finder(asks_before, "10 TO 15 ms", losses_and_pace));
   const Analysis analysis = analyze(*skill->problem);
   check_exact(analysis, "each", 0ns, holds);
   check_exact(analysis, "take.least", 78ms, holds);
@@ -127,10 +85,10 @@ TEST_CASE("case 3: asking before interpreting, none is lost, one result each 78 
 
 TEST_CASE("case 3: an interpretation of 78 ms still loses none, a longer one does") {
   const char* const loss = "  REQUIREMENT each : LOSS OF finder NONE\n";
-  check_exact(analyze(*sound_skill(range_finder(asks_before, "10 TO 78 ms", loss))->problem), "each", 0ns,
-              holds);
-  check_exact(analyze(*sound_skill(range_finder(asks_before, "10 TO 79 ms", loss))->problem), "each", 1ns,
-              fails);
+  check_exact(analyze(*sound_skill(test::range_finder(asks_before, "10 TO 78 ms", loss))->problem), "each",
+              0ns, holds);
+  check_exact(analyze(*sound_skill(test::range_finder(asks_before, "10 TO 79 ms", loss))->problem), "each",
+              1ns, fails);
 }
 
 TEST_CASE(
@@ -140,18 +98,19 @@ TEST_CASE(
   REQUIREMENT reaction : REACTION OF profile FROM finder AT interpret IN SD1 AT MOST 200 ms
   REQUIREMENT busy     : BUSY PERIOD OF P1 AT MOST 15 ms
 )";
-  const Analysis before = analyze(*sound_skill(range_finder(asks_before, "10 TO 15 ms", ages))->problem);
+  const Analysis before =
+      analyze(*sound_skill(test::range_finder(asks_before, "10 TO 15 ms", ages))->problem);
   check_exact(before, "fresh", 91ms, holds);
   check_exact(before, "reaction", 169ms, holds);  // 78 + 76 + 15
   check_exact(before, "busy", 15ms, holds);
-  const Analysis after = analyze(*sound_skill(range_finder(asks_after, "10 TO 15 ms", ages))->problem);
+  const Analysis after = analyze(*sound_skill(test::range_finder(asks_after, "10 TO 15 ms", ages))->problem);
   check_exact(after, "fresh", 91ms, holds);
   check_exact(after, "reaction", 247ms, fails);  // 2 · 78 + 76 + 15
 }
 
 TEST_CASE("case 3: the referee confirms the runs behind all of this") {
   for (const char* body : {asks_after, asks_before}) {
-    const auto skill = sound_skill(range_finder(body, "10 TO 15 ms", losses_and_pace));
+    const auto skill = sound_skill(test::range_finder(body, "10 TO 15 ms", losses_and_pace));
     CHECK(test::unconfirmed(*skill->problem, analyze(*skill->problem)) == "");
   }
 }
@@ -161,7 +120,7 @@ TEST_CASE("the skill may end whenever the robot stops it, and never with an erro
   REQUIREMENT normal : DURATION TO COMPLETION 0 AT MOST 1 s
   REQUIREMENT error  : DURATION TO COMPLETION 1 AT MOST 1 s
 )";
-  const Analysis analysis = analyze(*sound_skill(range_finder(asks_before, "15 ms", ends))->problem);
+  const Analysis analysis = analyze(*sound_skill(test::range_finder(asks_before, "15 ms", ends))->problem);
   const Verdict& normal = verdict(analysis, "normal");
   CHECK(normal.state == fails);
   CHECK_FALSE(normal.bound);

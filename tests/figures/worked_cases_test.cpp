@@ -5,6 +5,7 @@
 
 #include "analyzer/exact.hpp"
 #include "analyzer/simulate.hpp"
+#include "tests/figures/range_finder.hpp"
 #include "tests/support/confirm.hpp"
 #include "tests/support/skill.hpp"
 
@@ -156,44 +157,9 @@ END ENVIRONMENT
 )";
 }
 
-/// A driver of the range finder of section 5.3.3: profiles of 76 ms with a gap of 2 ms.
-std::string range_finder(const std::string& body) {
-  return R"(
-MESSAGE profile : REAL mm
-SKILL scan
-  SENSOR DRIVER      SD1
-  LOGICAL SENSOR     NONE
-  MACHINE CONTROLLER MC1
-  MODEL DATA         NONE
-  SKILL METHOD       SM1
-  COMPLETION 0 NORMAL "stopped"
-  COMPLETION 1 ERROR  "any other error"
-END SKILL
-DEVICE finder "range finder"
-MESSAGE stop : SIGNAL
-Machine Controller: MC1
-Sensor Driver: SD1
-  ACTIVITY interpret READS profile
-BEGIN
-)" + body +
-         R"(
-END
-Skill Module: SM1
-BEGIN
-  WTM( Coordinator )
-  WTM( stop from MC1 )
-  TXM( Completion Protocol 0 )
-END
-ENVIRONMENT cell
-  PROCESSOR P0
-  PROCESSOR P1
-  DEVICE MC1    EVENT stop EVERY 100 s PHASE 99 s
-  DEVICE finder FRAMES EVERY 78 ms COLLECTING 76 ms
-  TIME interpret : 10 TO 15 ms
-  PLACE SM1 ON P0 PRIORITY 1
-  PLACE SD1 ON P1 PRIORITY 1
-END ENVIRONMENT
-)";
+/// Nobody stops it while the simulation lasts.
+std::string undisturbed_range_finder(const std::string& body) {
+  return pal::test::range_finder(body, "10 TO 15 ms", "", "EVERY 100 s PHASE 99 s");
 }
 
 const char* const three_drivers = R"(
@@ -298,7 +264,7 @@ TEST_CASE("case 2: with the sensor on request it takes 6 ms") {
 
 TEST_CASE("case 3: asking after interpreting loses every second frame, asking before loses none") {
   const auto gaps = [](const std::string& body) {
-    const auto skill = sound_skill(range_finder(body));
+    const auto skill = sound_skill(undisturbed_range_finder(body));
     const Watch nothing;
     const Machine machine(*skill->problem, nothing);
     SimulationOptions options;
