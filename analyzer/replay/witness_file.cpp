@@ -16,6 +16,9 @@ Json to_json(const FiledWitness& witness) {
   made["skill"] = witness.skill;
   made["environment"] = witness.environment;
   made["identity"] = witness.identity;
+  for (const FiledSeat& seat : witness.placement)
+    made["placement"].push_back(
+        {{"thread", seat.thread}, {"processor", seat.processor}, {"priority", seat.priority}});
   made["requirement"] = witness.requirement;
   made["measure"] = witness.measure;
   made["failed"] = witness.failed;
@@ -38,6 +41,14 @@ FiledWitness from_json(const Json& json) {
   made.skill = json.at("skill").get<std::string>();
   made.environment = json.at("environment").get<std::string>();
   made.identity = json.at("identity").get<std::string>();
+  if (json.contains("placement")) {
+    for (const Json& seat : json.at("placement")) {
+      made.placement.push_back({seat.at("thread").get<std::string>(), seat.at("processor").get<int>(),
+                                seat.at("priority").get<int>()});
+      if (made.placement.back().processor < 0 || made.placement.back().processor >= 100)
+        throw std::runtime_error("no witnesses: a processor of a placement is not between 0 and 99");
+    }
+  }
   made.requirement = json.at("requirement").get<std::string>();
   made.measure = json.at("measure").get<std::string>();
   made.failed = json.at("failed").get<bool>();

@@ -18,11 +18,19 @@ struct Firing {
   std::vector<std::uint8_t> choices;
 };
 
+/// Where a thread runs, if not where the environment says.
+struct FiledSeat {
+  std::string thread;
+  int processor = 0;  // index
+  int priority = 0;
+};
+
 /// A run, and what it shows of a requirement.
 struct FiledWitness {
   std::string skill;
   std::string environment;
-  std::string identity;  // of the skill and the environment that it is a run of
+  std::string identity;              // of the skill and the environment that it is a run of
+  std::vector<FiledSeat> placement;  // all threads, on the first processors; empty: as the environment says
   std::string requirement;
   std::string measure;  // "age", "response", …
   bool failed = false;  // shows an event without a response, and no value

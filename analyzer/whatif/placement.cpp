@@ -8,14 +8,36 @@ namespace {
 
 using Is = Verdict::State;
 
+void add_processor(pan::Environment& environment) {
+  pan::Processor more = environment.processors.back();
+  for (int number = static_cast<int>(environment.processors.size());; ++number) {
+    more.name = "P" + std::to_string(number);
+    const auto same = [&](const pan::Processor& each) { return each.name == more.name; };
+    if (std::none_of(environment.processors.begin(), environment.processors.end(), same)) break;
+  }
+  environment.processors.push_back(more);
+}
+
+void fit_processors(pan::Environment& environment, int processors) {
+  while (static_cast<int>(environment.processors.size()) < processors) add_processor(environment);
+  environment.processors.resize(static_cast<std::size_t>(processors));
+}
+
+void sit(pan::Environment& environment, const std::vector<Seat>& seats) {
+  environment.placements.clear();
+  for (const Seat& seat : seats) {
+    const auto& processor = environment.processors[static_cast<std::size_t>(seat.processor)];
+    environment.placements.push_back({seat.thread, processor.name, seat.priority, {}});
+  }
+}
+
 class PlacementSearch {
  public:
   PlacementSearch(int processors, const pan::Environment& environment, Judge& judge,
                   const PlacementOptions& options)
       : environment_(environment), judge_(judge), options_(options) {
     found_.processors = processors;
-    while (static_cast<int>(environment_.processors.size()) < processors) add_processor();
-    environment_.processors.resize(static_cast<std::size_t>(processors));
+    fit_processors(environment_, processors);
   }
 
   Placements run(const Problem& as_it_is) {
@@ -40,16 +62,6 @@ class PlacementSearch {
   }
 
  private:
-  void add_processor() {
-    pan::Processor more = environment_.processors.back();
-    for (int number = static_cast<int>(environment_.processors.size());; ++number) {
-      more.name = "P" + std::to_string(number);
-      const auto same = [&](const pan::Processor& each) { return each.name == more.name; };
-      if (std::none_of(environment_.processors.begin(), environment_.processors.end(), same)) break;
-    }
-    environment_.processors.push_back(more);
-  }
-
   bool enough() {
     if (options_.first_is_enough && !found_.meet.empty()) return true;
     if (found_.tried < options_.most && !judge_.stopped()) return false;
@@ -101,15 +113,11 @@ class PlacementSearch {
 
   void attempt() {
     ++found_.tried;
-    environment_.placements.clear();
-    for (const Seat& seat : seats_) {
-      const auto& processor = environment_.processors[static_cast<std::size_t>(seat.processor)];
-      environment_.placements.push_back({seat.thread, processor.name, seat.priority, {}});
-    }
+    sit(environment_, seats_);
     const auto problem = judge_.problem(environment_);
     const Ruling ruling = problem ? judge_.ask(*problem, requirements_) : Ruling{};
     if (ruling.state == Is::fails) {
-      ++found_.refuted;
+      found_.refuted.push_back({seats_, ruling});
       ++found_.broken[static_cast<std::size_t>(ruling.requirement)];
     } else {
       (ruling.state == Is::holds ? found_.meet : found_.undecided).push_back({seats_, ruling});
@@ -125,6 +133,12 @@ class PlacementSearch {
 };
 
 }  // namespace
+
+pan::Environment placed(pan::Environment environment, int processors, const std::vector<Seat>& seats) {
+  fit_processors(environment, processors);
+  sit(environment, seats);
+  return environment;
+}
 
 Placements placements_on(int processors, const pan::Environment& environment, Judge& judge,
                          const PlacementOptions& options) {

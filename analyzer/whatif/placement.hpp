@@ -26,7 +26,7 @@ struct Placed {
 struct Placements {
   int processors = 0;
   std::size_t tried = 0;
-  std::size_t refuted = 0;  // shown to break a requirement
+  std::vector<Placed> refuted;  // shown to break a requirement
   std::vector<Placed> meet;
   std::vector<Placed> undecided;
   std::vector<std::size_t> broken;  // by requirement: how many placements it was shown to fail in
@@ -40,6 +40,10 @@ struct PlacementOptions {
   bool first_is_enough = false;  // stop at the first that meets everything
   std::size_t most = 20'000;     // to try, of one number of processors
 };
+
+/// `environment` with its first `processors` processors (more like its last, if it has fewer) and each thread
+/// where `seats` says.
+pan::Environment placed(pan::Environment environment, int processors, const std::vector<Seat>& seats);
 
 /// On exactly `processors`: those of the environment, in their order; where it has fewer, more like its last.
 Placements placements_on(int processors, const pan::Environment& environment, Judge& judge,

@@ -159,13 +159,17 @@ void add_what_if(CLI::App& app, WhatIfOptions& options) {
                    "'SM1.processor = P1', 'alter.period = 20 ms'; may be repeated")
       ->type_name("CHANGE")
       ->take_all();
-  command
-      ->add_option_function<int>(
-          "--place", [&options](int processors) { options.place = processors; },
-          "every placement on N processors that meets every requirement; 0: on as few as do")
-      ->type_name("N")
-      ->check(CLI::Range(0, 100));
-  command->add_flag("--priorities", options.priorities, "place in every order by priority, too");
+  auto* place = command
+                    ->add_option_function<int>(
+                        "--place", [&options](int processors) { options.place = processors; },
+                        "every placement on N processors that meets every requirement; 0: on as few as do")
+                    ->type_name("N")
+                    ->check(CLI::Range(0, 100));
+  command->add_flag("--priorities", options.priorities, "place in every order by priority, too")
+      ->needs(place);
+  command->add_option("--witness", options.witness, "write a run for each placement refuted, for pal replay")
+      ->type_name("FILE")
+      ->needs(place);
   command->footer(statuses);
 }
 

@@ -58,6 +58,7 @@ struct WhatIfOptions {
   std::vector<std::string> changes;  // "NAME = VALUE"; without any, and without place: slack
   std::optional<int> place;          // placements on so many processors; 0: the fewest that do
   bool priorities = false;           // … with every order by priority
+  std::string witness;               // where to write a run for each placement that is refuted
 };
 ExitStatus what_if(const WhatIfOptions& options, const Console& console);
 

@@ -47,6 +47,7 @@ struct Study {
 
 /// Why a run by script is not what its witness claims; empty: it is.
 std::string refusal_of(FiledWitness witness, const std::optional<KnownRun>& run, Session& session) {
+  if (!witness.placement.empty()) return "it has its threads elsewhere; pal replay confirms it";
   if (!run) return "its script cannot be followed";
   witness.run = run->trace;
   return refusal(witness, session);

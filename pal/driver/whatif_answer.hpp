@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "analyzer/replay/witness_file.hpp"
 #include "analyzer/whatif/placement.hpp"
 #include "analyzer/whatif/slack.hpp"
 #include "pal/driver/proof.hpp"
@@ -19,7 +20,8 @@ struct WhatIfAnswer {
   std::vector<Proof> before_and_after;  // both, or neither
   std::vector<std::string> processors;  // of the environment
   std::vector<analyzer::Placements> placements;
-  bool fewest = false;  // the placements answer how few processors do
+  std::vector<analyzer::rules::FiledWitness> witnesses;  // of refuted placements, if asked for
+  bool fewest = false;                                   // the placements answer how few processors do
   double seconds = 0;
 };
 

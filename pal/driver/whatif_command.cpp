@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <ostream>
+#include <sstream>
 
 #include "pal/driver/commands.hpp"
 #include "pal/driver/interruption.hpp"
 #include "pal/driver/whatif_answer.hpp"
+#include "pal/driver/witness.hpp"
+#include "pal/driver/write.hpp"
 
 namespace pal::driver {
 namespace {
@@ -68,12 +71,31 @@ class Question {
     } else {
       answer.placements = {analyzer::placements_on(*options_.place, environment, judge, how)};
     }
+    if (!options_.witness.empty())
+      answer.witnesses = witnesses_of(answer.placements, skill, environment, analysis_);
   }
 
   const WhatIfOptions& options_;
   Session& session_;
   const analyzer::Options& analysis_;
 };
+
+ExitStatus write_witnesses(const std::vector<WhatIfAnswer>& answers, const std::string& path,
+                           const Console& console) {
+  std::vector<analyzer::rules::FiledWitness> all;
+  std::size_t refuted = 0;
+  for (const WhatIfAnswer& answer : answers) {
+    all.insert(all.end(), answer.witnesses.begin(), answer.witnesses.end());
+    for (const analyzer::Placements& on : answer.placements) refuted += on.refuted.size();
+  }
+  if (all.size() < refuted) {
+    console.err << "pal: of " << refuted - all.size() << " of " << refuted
+                << " placements refuted the exact analysis finds no run within its limits\n";
+  }
+  std::ostringstream text;
+  analyzer::rules::write_witnesses(all, text);
+  return write_and_list({{path, text.str()}}, console);
+}
 
 }  // namespace
 
@@ -112,6 +134,10 @@ ExitStatus what_if(const WhatIfOptions& options, const Console& console) {
     console.out << json(answers);
   } else {
     for (const WhatIfAnswer& answer : answers) console.out << text(answer);
+  }
+  if (!options.witness.empty()) {
+    const ExitStatus written = write_witnesses(answers, options.witness, console);
+    if (written != ExitStatus::all_hold) return written;
   }
   return std::all_of(answers.begin(), answers.end(), good) ? ExitStatus::all_hold : ExitStatus::not_met;
 }

@@ -43,7 +43,7 @@ Json placed_row(const WhatIfAnswer& answer, const analyzer::Placed& placed) {
 }
 
 Json placements_row(const WhatIfAnswer& answer, const analyzer::Placements& on) {
-  Json row{{"processors", on.processors}, {"tried", on.tried},     {"refuted", on.refuted},
+  Json row{{"processors", on.processors}, {"tried", on.tried},     {"refuted", on.refuted.size()},
            {"complete", on.complete},     {"meet", Json::array()}, {"undecided", Json::array()}};
   for (const auto& placed : on.meet) row["meet"].push_back(placed_row(answer, placed));
   for (const auto& placed : on.undecided) row["undecided"].push_back(placed_row(answer, placed));

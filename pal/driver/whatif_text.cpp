@@ -99,7 +99,7 @@ std::string placement_lines(const WhatIfAnswer& answer, const analyzer::Placemen
   std::string out = fmt::format(
       "  {} processor{}: {} placement{} tried, {} meet{} every requirement, {} refuted, {} undecided{}\n",
       on.processors, on.processors == 1 ? "" : "s", on.tried, on.tried == 1 ? "" : "s", on.meet.size(),
-      on.meet.size() == 1 ? "s" : "", on.refuted, on.undecided.size(),
+      on.meet.size() == 1 ? "s" : "", on.refuted.size(), on.undecided.size(),
       on.complete ? "" : "; not all were tried");
   for (std::size_t r = 0; r < on.broken.size(); ++r) {
     if (on.broken[r] > 0)

@@ -17,25 +17,19 @@ namespace {
 
 using analyzer::rules::FiledWitness;
 
-/// What both a skill and an environment say, so that a witness of others is noticed; nothing if there are no
-/// such.
-std::string identity_of(const Session& session, const std::string& skill, const std::string& environment) {
+/// What both a skill and an environment say, so that a witness of others is noticed.
+std::string identity_of(const pan::Network& skill, const pan::Environment& environment) {
   std::ostringstream text;
-  for (const pan::Network& network : session.specification.skills) {
-    if (network.skill.name == skill) pan::dump(network, text);
-  }
-  for (const pan::Environment& each : session.specification.environments) {
-    if (each.name == environment) pan::dump(each, text);
-  }
-  return text.str().empty() ? std::string() : analyzer::rules::identity(text.str());
+  pan::dump(skill, text);
+  pan::dump(environment, text);
+  return analyzer::rules::identity(text.str());
 }
 
-FiledWitness filed(const Proof& proof, const analyzer::Verdict& verdict, const Session& session) {
+FiledWitness filed(const analyzer::Problem& problem, const analyzer::Verdict& verdict) {
   const analyzer::Witness& witness = *verdict.witness;
   FiledWitness made;
-  made.skill = proof.problem.skill;
-  made.environment = proof.problem.environment;
-  made.identity = identity_of(session, made.skill, made.environment);
+  made.skill = problem.skill;
+  made.environment = problem.environment;
   made.requirement = verdict.requirement;
   made.measure = analyzer::name(verdict.measure);
   made.failed = witness.failed;
@@ -44,13 +38,51 @@ FiledWitness filed(const Proof& proof, const analyzer::Verdict& verdict, const S
   made.born = witness.measured.born;
   made.at = witness.measured.at;
   const analyzer::Watch nothing;
-  const analyzer::Machine machine(proof.problem, nothing);
+  const analyzer::Machine machine(problem, nothing);
   for (const analyzer::ScriptedFiring& firing : witness.script) {
     made.script.push_back(
         {firing.at, firing.timer < 0 ? "" : machine.timer_name(firing.timer), firing.choices});
   }
   made.run = witness.trace;
   return made;
+}
+
+/// The environment in which the witness has its threads.
+pan::Environment placed(const pan::Environment& environment, const FiledWitness& witness) {
+  if (witness.placement.empty()) return environment;
+  std::vector<analyzer::Seat> seats;
+  int processors = 1;
+  for (const auto& seat : witness.placement) {
+    seats.push_back({seat.thread, seat.processor, seat.priority});
+    processors = std::max(processors, seat.processor + 1);
+  }
+  return analyzer::placed(environment, processors, seats);
+}
+
+/// Why the run does not show what the witness claims of `requirement`; empty: it does.
+std::string refusal(const FiledWitness& witness, const analyzer::Problem& problem,
+                    const analyzer::Requirement& requirement) {
+  const analyzer::rules::Ruling ruling = analyzer::rules::check_run(
+      problem, &requirement, witness.run, witness.grows ? std::optional(witness.at) : std::nullopt);
+  if (!ruling.broken.empty()) return ruling.broken;
+  if (requirement.measure == analyzer::Requirement::Measure::load) return {};
+  if (witness.failed) return ruling.failed ? "" : "every event in it has its response";
+  if (witness.grows) {
+    const bool longer = ruling.growing_since && witness.at - *ruling.growing_since >= witness.value;
+    return longer ? "" : "nothing in it has grown to " + to_text(Duration(witness.value));
+  }
+  const bool is_shown = std::any_of(ruling.measured.begin(), ruling.measured.end(), [&](const auto& each) {
+    return each.value == witness.value && each.born == witness.born && each.at == witness.at;
+  });
+  return is_shown ? "" : "it does not show " + to_text(Duration(witness.value));
+}
+
+std::string placement_text(const FiledWitness& witness) {
+  std::string text;
+  for (const auto& seat : witness.placement)
+    text += fmt::format("{}{} on processor {} with priority {}", text.empty() ? ", " : "; ", seat.thread,
+                        seat.processor + 1, seat.priority);
+  return text;
 }
 
 std::string shown(const FiledWitness& witness) {
@@ -66,7 +98,36 @@ std::vector<FiledWitness> witnesses_of(const std::vector<Proof>& proofs, const S
   std::vector<FiledWitness> made;
   for (const Proof& proof : proofs) {
     for (const analyzer::Verdict& verdict : proof.analysis.verdicts) {
-      if (verdict.witness) made.push_back(filed(proof, verdict, session));
+      if (!verdict.witness) continue;
+      made.push_back(filed(proof.problem, verdict));
+      for (const pan::Network& skill : session.specification.skills) {
+        for (const pan::Environment& environment : session.specification.environments) {
+          if (skill.skill.name == proof.problem.skill && environment.name == proof.problem.environment)
+            made.back().identity = identity_of(skill, environment);
+        }
+      }
+    }
+  }
+  return made;
+}
+
+std::vector<FiledWitness> witnesses_of(const std::vector<analyzer::Placements>& placements,
+                                       const pan::Network& network, const pan::Environment& environment,
+                                       const analyzer::Options& options) {
+  std::vector<FiledWitness> made;
+  for (const analyzer::Placements& on : placements) {
+    for (const analyzer::Placed& refuted : on.refuted) {
+      const pan::Environment there = analyzer::placed(environment, on.processors, refuted.seats);
+      Diagnostics known;
+      auto problem = analyzer::make_problem(network, there, known);
+      if (!problem) continue;
+      problem->requirements = {problem->requirements[static_cast<std::size_t>(refuted.ruling.requirement)]};
+      const analyzer::Analysis analysis = analyzer::analyze(*problem, options);
+      if (!analysis.verdicts.front().witness) continue;
+      made.push_back(filed(*problem, analysis.verdicts.front()));
+      made.back().identity = identity_of(network, there);
+      for (const analyzer::Seat& seat : refuted.seats)
+        made.back().placement.push_back({seat.thread, seat.processor, seat.priority});
     }
   }
   return made;
@@ -85,31 +146,17 @@ std::optional<std::vector<FiledWitness>> read_witness_file(const std::string& pa
 }
 
 std::string refusal(const FiledWitness& witness, Session& session) {
-  if (identity_of(session, witness.skill, witness.environment) != witness.identity) {
-    return "it is a run of other texts than these";
-  }
   for (const pan::Network& skill : session.specification.skills) {
-    for (const pan::Environment& environment : session.specification.environments) {
-      if (skill.skill.name != witness.skill || environment.name != witness.environment) continue;
+    for (const pan::Environment& each : session.specification.environments) {
+      if (skill.skill.name != witness.skill || each.name != witness.environment) continue;
+      const pan::Environment environment = placed(each, witness);
+      if (identity_of(skill, environment) != witness.identity) return "it is a run of other texts than these";
       const auto problem = analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
       if (!problem) return "the texts have errors";
-      const auto requirement =
-          std::find_if(problem->requirements.begin(), problem->requirements.end(),
-                       [&](const auto& each) { return each.name == witness.requirement; });
-      if (requirement == problem->requirements.end()) return "there is no such requirement";
-      const analyzer::rules::Ruling ruling = analyzer::rules::check_run(
-          *problem, &*requirement, witness.run, witness.grows ? std::optional(witness.at) : std::nullopt);
-      if (!ruling.broken.empty()) return ruling.broken;
-      if (requirement->measure == analyzer::Requirement::Measure::load) return {};
-      if (witness.failed) return ruling.failed ? "" : "every event in it has its response";
-      if (witness.grows) {
-        const bool longer = ruling.growing_since && witness.at - *ruling.growing_since >= witness.value;
-        return longer ? "" : "nothing in it has grown to " + to_text(Duration(witness.value));
+      for (const auto& requirement : problem->requirements) {
+        if (requirement.name == witness.requirement) return refusal(witness, *problem, requirement);
       }
-      const bool shown = std::any_of(ruling.measured.begin(), ruling.measured.end(), [&](const auto& each) {
-        return each.value == witness.value && each.born == witness.born && each.at == witness.at;
-      });
-      return shown ? "" : "it does not show " + to_text(Duration(witness.value));
+      return "there is no such requirement";
     }
   }
   return "there is no such skill, or no such environment";
@@ -120,8 +167,8 @@ bool confirm(const std::vector<FiledWitness>& witnesses, Session& session, std::
   for (const FiledWitness& witness : witnesses) {
     const std::string why = refusal(witness, session);
     all = all && why.empty();
-    out << fmt::format("{:9}  {} of {} in {}: {}\n", why.empty() ? "confirmed" : "refused",
-                       witness.requirement, witness.skill, witness.environment,
+    out << fmt::format("{:9}  {} of {} in {}{}: {}\n", why.empty() ? "confirmed" : "refused",
+                       witness.requirement, witness.skill, witness.environment, placement_text(witness),
                        why.empty() ? shown(witness) : why);
   }
   return all;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analyzer/replay/witness_file.hpp"
+#include "analyzer/whatif/placement.hpp"
 #include "pal/driver/proof.hpp"
 #include "pal/driver/selection.hpp"
 
@@ -15,6 +16,13 @@ namespace pal::driver {
 /// The witnesses of all verdicts that have one.
 std::vector<analyzer::rules::FiledWitness> witnesses_of(const std::vector<Proof>& proofs,
                                                         const Session& session);
+
+/// A run that breaks a requirement, for each placement that was refuted and of which the exact analysis finds
+/// one. `network` and `environment` are those of the session that the placements are of.
+std::vector<analyzer::rules::FiledWitness> witnesses_of(const std::vector<analyzer::Placements>& placements,
+                                                        const pan::Network& network,
+                                                        const pan::Environment& environment,
+                                                        const analyzer::Options& options);
 
 /// Those in the file; says on `console.err` why they cannot be had.
 std::optional<std::vector<analyzer::rules::FiledWitness>> read_witness_file(const std::string& path,

@@ -88,3 +88,23 @@ TEST_CASE("replay says when there is no such file, or no witness in it") {
   CHECK(answer.status == ExitStatus::usage);
   CHECK(answer.err.find("no witnesses") != std::string::npos);
 }
+
+TEST_CASE("that no placement on one processor does is proved by a run for each") {
+  const std::string places = std::string(PAL_SOURCE_DIR) + "/tests/figures/figure_3_6_places.pal";
+  const File file("replay_placements");
+  CHECK(pal::test::pal({"whatif", places, "--environment-name", "reading", "--place", "1", "--priorities",
+                        "--witness", file.path()})
+            .status == ExitStatus::not_met);
+  Json runs = file.read();
+  CHECK(runs.at("witnesses").size() == 6);
+  const Answer confirmed = pal::test::pal({"replay", file.path(), places});
+  CHECK(confirmed.status == ExitStatus::all_hold);
+  CHECK(confirmed.out.find("refused") == std::string::npos);
+
+  // The run of one placement is none of another.
+  runs.at("witnesses").at(0).at("placement") = runs.at("witnesses").at(1).at("placement");
+  file.write(runs);
+  const Answer refused = pal::test::pal({"replay", file.path(), places});
+  CHECK(refused.status == ExitStatus::not_met);
+  CHECK(refused.out.find("it is a run of other texts than these") != std::string::npos);
+}
