@@ -1,0 +1,114 @@
+"""Interrupts `pal check` at work: run.py PAL. What it knows by then must be reported, and files be whole or as they were."""
+import json
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+PERIODS = [7, 11, 13, 17, 19, 23, 29]  # ms: without a common divisor, so the exact analysis is not done for hours
+
+SKILL = """
+SKILL drivers
+  MACHINE CONTROLLER {machines}, MC0
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL "done"
+  COMPLETION 1 ERROR  "any other error"
+{requirements}
+END SKILL
+Machine Controller: MC0
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  WTM( stop from MC0 )
+  TXM( Completion Protocol 0 )
+END
+MESSAGE stop : SIGNAL
+"""
+
+DRIVER = """
+MESSAGE tick-{k} : SIGNAL
+DEVICE clock-{k} "every {period} ms"
+Machine Controller: MC{k}
+  ACTIVITY work-{k}
+BEGIN
+  REPEAT
+    WTM( tick-{k} from clock-{k} )
+    work-{k}
+  UNTIL( forever )
+END
+"""
+
+
+def specification():
+    """Periodic drivers on one processor, and requirements that take long to decide exactly."""
+    numbers = range(1, len(PERIODS) + 1)
+    drivers = "".join(DRIVER.format(k=k, period=p) for k, p in zip(numbers, PERIODS))
+    requirements = "\n".join(
+        f"  REQUIREMENT r{k} : RESPONSE FROM tick-{k} OF clock-{k} TO work-{k} IN MC{k} AT MOST 100 ms" for k in numbers)
+    items = "".join(f"  DEVICE clock-{k} EVENT tick-{k} EVERY {p} ms\n  TIME work-{k} : 0.5 TO 1 ms\n"
+                    f"  PLACE MC{k} ON P0 PRIORITY {k}\n" for k, p in zip(numbers, PERIODS))
+    return (drivers + SKILL.format(machines=", ".join(f"MC{k}" for k in numbers), requirements=requirements) +
+            "ENVIRONMENT cell\n  PROCESSOR P0\n  PROCESSOR P1\n  DEVICE MC0 EVENT stop SPORADIC 1 ms\n"
+            "  PLACE SM1 ON P1 PRIORITY 1\n" + items + "END ENVIRONMENT\n")
+
+
+def is_at_work(process):
+    """Whether it has used so much processor time that it must be proving."""
+    fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
+    return int(fields[11]) > 30  # clock ticks in user mode: a start takes one or two
+
+
+def interrupted(pal, folder, signals):
+    """Status, report and error text of a check that gets `signals` when it is at work."""
+    command = [pal, "check", "drivers.pal", "--analysis", "exact", "--max-states", "1000000000", "--format", "json",
+               "--witness", "runs.json"]
+    with open(folder / "report", "wb") as out, open(folder / "errors", "wb") as err:
+        process = subprocess.Popen(command, cwd=folder, stdout=out, stderr=err)
+        deadline = time.monotonic() + 60
+        while not is_at_work(process):
+            assert process.poll() is None, "it ended by itself: " + (folder / "errors").read_text()
+            assert time.monotonic() < deadline, "it does not begin to prove"
+        for each in signals:
+            process.send_signal(each)
+        status = process.wait(timeout=60)
+    return status, (folder / "report").read_text()
+
+
+def check_one_signal(pal, which):
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "drivers.pal").write_text(specification())
+        status, report = interrupted(pal, folder, [which])
+        assert status == 3, f"{which.name}: status {status}"
+        rows = json.loads(report)["requirements"]
+        assert len(rows) == len(PERIODS), f"{which.name}: {len(rows)} requirements"
+        undecided = [row for row in rows if row["verdict"] == "undecided"]
+        assert undecided, f"{which.name}: all was decided before the signal"
+        assert not any(row["exact"] for row in undecided), f"{which.name}: an undecided bound is called exact"
+        attained = [row["attained_ns"] for row in rows if row["attained_ns"] is not None]
+        assert attained and all(value > 0 for value in attained), f"{which.name}: nothing was shown to be attained"
+        assert "witnesses" in json.loads((folder / "runs.json").read_text())
+
+
+def check_two_signals(pal):
+    """The second ends it at once, if it has not ended by then; the file is the old one or a whole new one."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "drivers.pal").write_text(specification())
+        (folder / "runs.json").write_text("old")
+        status, _ = interrupted(pal, folder, [signal.SIGINT, signal.SIGTERM])
+        assert status in (-signal.SIGTERM, -signal.SIGINT, 3), f"two signals: status {status}"
+        left = (folder / "runs.json").read_text()
+        assert left == "old" or "witnesses" in json.loads(left), "two signals: half a file"
+
+
+def main():
+    pal = sys.argv[1]
+    for which in (signal.SIGINT, signal.SIGTERM):
+        check_one_signal(pal, which)
+    check_two_signals(pal)
+
+
+main()
