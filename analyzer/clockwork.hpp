@@ -16,6 +16,13 @@ struct Measurement {
   int step = -1;
 };
 
+/// One event of a run.
+struct ScriptedFiring {
+  int timer = -1;  // -1: the start
+  std::vector<std::uint8_t> choices;
+  Nanoseconds at = 0;
+};
+
 /// Keeps what a run is made of. Who runs it (a script, a simulation) says which timer fires when; the
 /// clockwork checks nothing but keeps exact account of the work that each timer has done.
 class Clockwork {

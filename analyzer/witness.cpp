@@ -315,7 +315,7 @@ std::optional<Witness> stuck_witness(const Machine& machine, const ZoneGraph& gr
 }
 
 std::optional<Witness> witness_along(const Machine& machine, std::vector<ScriptedFiring> path, bool measured,
-                                     int growing) {
+                                     int growing, bool quick) {
   const Watch& watch = machine.watch();
   const bool timed = measured && watch.kind != Watch::Kind::loss;
   const Schedule::Aim aim = !timed        ? Schedule::Aim::any
@@ -334,7 +334,7 @@ std::optional<Witness> witness_along(const Machine& machine, std::vector<Scripte
     const bool better = !best || (watch.least ? made->measured.value < best->measured.value
                                               : made->measured.value > best->measured.value);
     if (better) best = std::move(made);
-    if (!schedule.pinned()) break;
+    if (!schedule.pinned() || quick) break;
   }
   return best;
 }

@@ -10,13 +10,6 @@
 
 namespace pal::analyzer {
 
-/// One event of a run.
-struct ScriptedFiring {
-  int timer = -1;  // -1: the start
-  std::vector<std::uint8_t> choices;
-  Nanoseconds at = 0;
-};
-
 /// A run that can be replayed step by step, and what it shows.
 struct Witness {
   std::vector<ScriptedFiring> script;
@@ -46,9 +39,10 @@ std::optional<Witness> stuck_witness(const Machine& machine, const ZoneGraph& gr
 /// The run that fires as `path` does, at other times, in which what its end measures is greatest (or least,
 /// if that is watched); any times, if nothing is `measured`. `growing`: the observer whose value is asked for
 /// instead. Nothing, if there is none, or none was confirmed by replay. The path may come from another
-/// problem.
+/// problem. `quick`: where actions whose time is not fixed preempt others, they take their worst time, and no
+/// other times are looked for.
 std::optional<Witness> witness_along(const Machine& machine, std::vector<ScriptedFiring> path, bool measured,
-                                     int growing = -1);
+                                     int growing = -1, bool quick = false);
 
 /// The run along the path to `peak` in which the measured value is greatest (or least, if that is watched).
 /// Nothing, if none was confirmed by replay.

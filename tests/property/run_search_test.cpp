@@ -1,0 +1,112 @@
+// Runs that are looked for: facts, never beyond what is proved, and mostly the worst there are.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <iostream>
+
+#include "analyzer/analysis.hpp"
+#include "analyzer/run_search.hpp"
+#include "tests/support/chain_system.hpp"
+#include "tests/support/confirm.hpp"
+#include "tests/support/random_skill.hpp"
+#include "tests/support/skill.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+
+namespace {
+
+/// PAL_SEED and PAL_ROUNDS in the environment make a run longer, or another one.
+std::uint64_t setting(const char* name, std::uint64_t usual) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? usual : std::strtoull(value, nullptr, 10);
+}
+
+struct Tally {
+  std::size_t found = 0;
+  std::size_t exact = 0;
+  std::size_t worst = 0;  // the run is the worst there is
+};
+
+void check_found(const Problem& problem, std::size_t r, const Verdict& exact, Tally& tally) {
+  const Requirement& requirement = problem.requirements[r];
+  RunSearchOptions how;
+  how.runs = 60;
+  const auto found = search_runs(problem, requirement, how);
+  if (!found) return;
+  ++tally.found;
+  INFO(requirement.name << ": found " << found->measured.value << ", failed " << found->failed << "; "
+                        << name(exact.state) << " " << (exact.bound ? exact.bound->count() : -1) << ", "
+                        << exact.explanation);
+  REQUIRE(test::refusal(problem, requirement, *found, found->trace) == "");
+  REQUIRE(exact.state != Verdict::State::never);
+  if (found->failed) REQUIRE(exact.state != Verdict::State::holds);
+  if (found->failed || !exact.bound) return;
+  const Nanoseconds bound = exact.bound->count();
+  if (requirement.at_least) {
+    REQUIRE(found->measured.value >= bound);
+  } else {
+    REQUIRE(found->measured.value <= bound);
+  }
+  tally.exact += exact.exact ? 1 : 0;
+  tally.worst += exact.exact && found->measured.value == bound ? 1 : 0;
+}
+
+void check_all(const Problem& problem, Tally& tally) {
+  Options options;
+  options.max_states = 2'000;
+  const Analysis exact = analyze(problem, options);
+  for (std::size_t r = 0; r < problem.requirements.size(); ++r)
+    check_found(problem, r, exact.verdicts[r], tally);
+}
+
+}  // namespace
+
+TEST_CASE("runs that are looked for are runs, and within what is proved") {
+  Tally tally;
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 60); ++seed) {
+    const std::string text = test::RandomSkill(seed, seed % 2 == 0 ? 9 : 40).text();
+    const auto skill = test::skill_from_text(text);
+    if (!skill->problem) continue;
+    INFO("seed " << seed << "\n" << text);
+    check_all(*skill->problem, tally);
+  }
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 60); ++seed) {
+    const test::ChainSystem system = test::small_chains(seed);
+    INFO("seed " << seed << "\n" << test::text_of(system));
+    check_all(test::problem_of(system), tally);
+  }
+  std::cout << tally.found << " runs found; of " << tally.exact << " with an exact bound " << tally.worst
+            << " attain it\n";
+  CHECK(tally.found > 0);
+  CHECK(10 * tally.worst > 7 * tally.exact);
+}
+
+TEST_CASE("a large system's requirement is refuted by a run where its bound is beyond the limit") {
+  test::ChainShape shape;
+  shape.processors = 3;
+  shape.chains = 6;
+  shape.load = 0.7;
+  Problem problem = test::problem_of(test::random_chains(3, shape));
+  Options few;
+  few.max_states = 200;
+  const Analysis before = analyze(problem, AnalysisChoice::automatic, few);
+  std::size_t refuted = 0;
+  for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
+    const Verdict& verdict = before.verdicts[r];
+    if (!verdict.witness || verdict.exact) continue;
+    REQUIRE(verdict.state != Verdict::State::fails);
+    problem.requirements[r].limit = verdict.witness->measured.value - 1;
+  }
+  const Analysis after = analyze(problem, AnalysisChoice::automatic, few);
+  REQUIRE(test::unconfirmed(problem, after) == "");
+  for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
+    const Verdict& verdict = after.verdicts[r];
+    CHECK(test::unexplained(verdict) == "");
+    if (verdict.state != Verdict::State::fails) continue;
+    ++refuted;
+    REQUIRE(verdict.witness);
+    CHECK((verdict.witness->failed || verdict.witness->measured.value > verdict.limit.count()));
+  }
+  CHECK(refuted > 0);
+}
