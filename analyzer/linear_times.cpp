@@ -19,7 +19,8 @@ std::optional<std::vector<Nanoseconds>> linear_times(std::size_t count,
                                                      const std::vector<Work>& works,
                                                      const std::optional<Goal>& goal) {
   try {
-    z3::context context;
+    // Making one takes longer than most systems take to be solved.
+    thread_local z3::context context;
     z3::optimize solver(context);
     z3::params parameters(context);
     parameters.set("timeout", most_milliseconds);

@@ -339,8 +339,10 @@ std::optional<Witness> witness_along(const Machine& machine, std::vector<Scripte
   return best;
 }
 
-std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak) {
-  return witness_along(machine, path_to(graph, peak), peak.value >= 0, peak.grows ? peak.measured : -1);
+std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak,
+                                  bool quick) {
+  return witness_along(machine, path_to(graph, peak), peak.value >= 0, peak.grows ? peak.measured : -1,
+                       quick);
 }
 
 }  // namespace pal::analyzer

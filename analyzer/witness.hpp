@@ -46,6 +46,7 @@ std::optional<Witness> witness_along(const Machine& machine, std::vector<Scripte
 
 /// The run along the path to `peak` in which the measured value is greatest (or least, if that is watched).
 /// Nothing, if none was confirmed by replay.
-std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak);
+std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak,
+                                  bool quick = false);
 
 }  // namespace pal::analyzer

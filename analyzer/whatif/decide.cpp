@@ -53,8 +53,11 @@ class Search {
   void attempt(const ZoneGraph& graph, const Peak& peak, bool& tried) {
     if (witness || tried) return;
     tried = true;
-    auto made = witness_of(machine_, graph, peak);
-    if (made && broken(requirement_, *made)) witness = std::move(made);
+    for (const bool quick : {true, false}) {
+      auto made = witness_of(machine_, graph, peak, quick);
+      if (made && broken(requirement_, *made)) witness = std::move(made);
+      if (witness) return;
+    }
   }
 
   const Requirement& requirement_;
@@ -119,7 +122,7 @@ bool refutes(const Problem& problem, std::size_t index, const Witness& witness) 
   if (!one_run || witness.grows || witness.script.empty()) return false;
   const Watch watch = watch_of(problem, requirement);
   const Machine machine(problem, watch);
-  const auto made = witness_along(machine, witness.script, !witness.failed);
+  const auto made = witness_along(machine, witness.script, !witness.failed, -1, true);
   return made && broken(requirement, *made);
 }
 
