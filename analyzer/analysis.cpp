@@ -28,6 +28,7 @@ void complete(Verdict& verdict, Verdict bound) {
   bound.witness = std::move(verdict.witness);
   bound.reasons = std::move(verdict.reasons);
   bound.explanation += " The exact analysis: " + verdict.explanation;
+  bound.statistics += verdict.statistics;
   verdict = std::move(bound);
 }
 
