@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analyzer/compositional/compositional.hpp"
 #include "analyzer/simulate.hpp"
 
 namespace pal::analyzer {
@@ -94,10 +95,18 @@ Decision by_analysis(const Problem& problem, std::size_t requirement, const Opti
           fails ? std::move(verdict.witness) : std::nullopt, verdict.statistics.classes};
 }
 
+/// Bounds of the compositional analysis cost next to nothing, and often suffice.
+bool holds_by_bound(const Problem& problem, std::size_t requirement) {
+  Problem alone = problem;
+  alone.requirements = {problem.requirements[requirement]};
+  return analyze_compositionally(alone).verdicts.front().state == Is::holds;
+}
+
 }  // namespace
 
 Decision decide(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
   const Requirement& requirement = problem.requirements[index];
+  if (holds_by_bound(problem, index)) return {Is::holds, std::nullopt, 0};
   if (!has_cap(requirement)) return by_analysis(problem, index, options);
   const Watch watch = watch_of(problem, requirement);
   const Machine machine(problem, watch);

@@ -48,7 +48,8 @@ Ruling Judge::ask(const Problem& problem, const std::vector<std::size_t>& requir
   for (std::size_t r : order) {
     if (stopped()) return {Verdict::State::undecided, static_cast<int>(r)};
     Decision decision = decide(problem, r, options_for(problem, r), workers_);
-    if (problem.requirements[r].measure == Requirement::Measure::load) cost_.emplace(r, decision.classes);
+    if (problem.requirements[r].measure == Requirement::Measure::load && decision.classes > 0)
+      cost_.emplace(r, decision.classes);
     if (decision.state == Verdict::State::holds) continue;
     ruling = {decision.state, static_cast<int>(r)};
     if (decision.state != Verdict::State::fails) continue;
