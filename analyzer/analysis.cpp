@@ -1,5 +1,7 @@
 #include "analyzer/analysis.hpp"
 
+#include <algorithm>
+
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/explain.hpp"
 #include "analyzer/run_search.hpp"
@@ -10,14 +12,17 @@ namespace {
 
 using State = Verdict::State;
 
-bool has_undecided(const Analysis& analysis) {
-  for (const Verdict& verdict : analysis.verdicts) {
-    if (verdict.state == State::undecided) return true;
-  }
-  return false;
+/// So many classes decide most skills at once; of larger ones cheaper answers are asked first.
+constexpr std::size_t brief_exploration = 20'000;
+
+/// Whether the run that the verdict knows attains its bound.
+bool attains(const Verdict& verdict) {
+  const auto& witness = verdict.witness;
+  return verdict.bound && witness && !witness->failed && !witness->grows &&
+         verdict.measure != Requirement::Measure::load && witness->measured.value == verdict.bound->count();
 }
 
-/// What the compositional analysis adds to an exact one that came to no end.
+/// What the compositional analysis adds to an exact verdict.
 void complete(Verdict& verdict, Verdict bound) {
   if (verdict.state != State::undecided) return;
   if (!bound.bound) {
@@ -29,6 +34,8 @@ void complete(Verdict& verdict, Verdict bound) {
   bound.reasons = std::move(verdict.reasons);
   bound.explanation += " The exact analysis: " + verdict.explanation;
   bound.statistics += verdict.statistics;
+  bound.gave_up = verdict.gave_up;
+  bound.exact = attains(bound);
   verdict = std::move(bound);
 }
 
@@ -49,51 +56,91 @@ bool says_more(const Requirement& requirement, const Witness& found, const std::
 void confront(const Problem& problem, const Requirement& requirement, Witness found, Verdict& verdict) {
   if (!says_more(requirement, found, verdict.witness)) return;
   const bool fails = beyond(requirement, found);
-  const bool attains = verdict.bound && !found.failed && found.measured.value == verdict.bound->count();
   verdict.witness = std::move(found);
   verdict.reasons = reasons(problem, requirement, *verdict.witness);
   if (fails) verdict.state = State::fails;
-  verdict.exact = attains || verdict.witness->failed;
+  verdict.exact = attains(verdict) || verdict.witness->failed;
   if (verdict.witness->failed) verdict.bound.reset();
-  if (fails || attains) verdict.explanation = explanation(problem, requirement, verdict);
+  if (fails || verdict.exact) verdict.explanation = explanation(problem, requirement, verdict);
 }
 
 /// Looks for runs where a bound is not known to be attained.
-void search(const Problem& problem, const Options& options, Analysis& analysis) {
-  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
-    Verdict& verdict = analysis.verdicts[r];
-    const bool open = verdict.state == State::undecided || (verdict.state == State::holds && !verdict.exact);
-    if (!open) continue;
-    RunSearchOptions how;
-    how.stop = options.stop;
-    if (verdict.bound) how.bound = verdict.bound->count();
-    auto found = search_runs(problem, problem.requirements[r], how);
-    if (found) confront(problem, problem.requirements[r], std::move(*found), verdict);
+void search(const Problem& problem, const Requirement& requirement, const Options& options,
+            Verdict& verdict) {
+  const bool open = verdict.state == State::undecided || (verdict.state == State::holds && !verdict.exact);
+  if (!open) return;
+  RunSearchOptions how;
+  how.stop = options.stop;
+  if (verdict.bound) how.bound = verdict.bound->count();
+  auto found = search_runs(problem, requirement, how);
+  if (found) confront(problem, requirement, std::move(*found), verdict);
+}
+
+void search_all(const Problem& problem, const Options& options, Analysis& analysis) {
+  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r)
+    search(problem, problem.requirements[r], options, analysis.verdicts[r]);
+}
+
+/// Its time is short, and what it is for is the case in which that of the exact one has run out.
+Analysis bounds_of(const Problem& problem, Options options) {
+  options.stop = nullptr;
+  return analyze_compositionally(problem, options);
+}
+
+/// Explores until all runs are seen, or the limits met, what is not known exactly by now.
+void explore_further(const Problem& problem, const Options& options, const Analysis& bounds,
+                     Analysis& known) {
+  Problem rest = problem;
+  rest.requirements.clear();
+  std::vector<std::size_t> open;
+  for (std::size_t r = 0; r < known.verdicts.size(); ++r) {
+    if (!known.verdicts[r].gave_up || known.verdicts[r].exact) continue;
+    open.push_back(r);
+    rest.requirements.push_back(problem.requirements[r]);
   }
+  if (open.empty() || options.max_states <= brief_exploration) return;
+  Analysis further = analyze(rest, options);
+  known.statistics += further.statistics;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    Verdict& before = known.verdicts[open[i]];
+    Verdict& now = further.verdicts[i];
+    const Statistics statistics = now.statistics;
+    const bool refuted = now.state == State::fails && before.state != State::fails;
+    if (now.gave_up && !refuted) {
+      if (now.witness && !now.witness->grows)
+        confront(problem, rest.requirements[i], std::move(*now.witness), before);
+    } else {
+      complete(now, bounds.verdicts[open[i]]);
+      search(problem, rest.requirements[i], options, now);
+      now.statistics = before.statistics;
+      before = std::move(now);
+    }
+    before.statistics += statistics;
+  }
+}
+
+Analysis analyze_automatically(const Problem& problem, const Options& options) {
+  Options brief = options;
+  brief.max_states = std::min(options.max_states, brief_exploration);
+  Analysis analysis = analyze(problem, brief);
+  const bool open = std::any_of(
+      analysis.verdicts.begin(), analysis.verdicts.end(),
+      [](const Verdict& verdict) { return verdict.gave_up || verdict.state == State::undecided; });
+  const Analysis bounds = open ? bounds_of(problem, options) : Analysis{};
+  for (std::size_t r = 0; r < bounds.verdicts.size(); ++r) complete(analysis.verdicts[r], bounds.verdicts[r]);
+  search_all(problem, options, analysis);
+  if (!(options.stop && options.stop())) explore_further(problem, options, bounds, analysis);
+  analysis.statistics.seconds += bounds.statistics.seconds;
+  return analysis;
 }
 
 }  // namespace
 
 Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
-  if (choice == AnalysisChoice::compositional) {
-    Analysis analysis = analyze_compositionally(problem, options);
-    search(problem, options, analysis);
-    return analysis;
-  }
-  Analysis analysis = analyze(problem, options);
-  if (choice == AnalysisChoice::exact || !has_undecided(analysis)) {
-    search(problem, options, analysis);
-    return analysis;
-  }
-  // Its time is short, and what it is for is the case in which the other one's has run out.
-  Options quick = options;
-  quick.stop = nullptr;
-  Analysis second = analyze_compositionally(problem, quick);
-  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
-    complete(analysis.verdicts[r], std::move(second.verdicts[r]));
-  }
-  analysis.statistics.seconds += second.statistics.seconds;
-  search(problem, options, analysis);
+  if (choice == AnalysisChoice::automatic) return analyze_automatically(problem, options);
+  Analysis analysis =
+      choice == AnalysisChoice::exact ? analyze(problem, options) : analyze_compositionally(problem, options);
+  search_all(problem, options, analysis);
   return analysis;
 }
 

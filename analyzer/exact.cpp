@@ -138,6 +138,7 @@ class Analyzer {
     if (!verdict.witness && certain.value >= 0) verdict.witness = witness_of(machine, graph, certain);
     if (verdict.witness) verdict.reasons = reasons(problem_, requirement, *verdict.witness);
     const bool broken = verdict.witness && breaks(requirement, verdict.witness->measured.value);
+    verdict.gave_up = !complete;
     if (!complete) {
       verdict.state = broken ? Is::fails : Is::undecided;
       if (verdict.witness) verdict.explanation = explanation(problem_, requirement, verdict) + " ";
@@ -196,6 +197,7 @@ class Analyzer {
     ZoneGraph graph(machine, 0, true);
     const bool complete = graph.explore(limits());
     count(graph, verdict);
+    verdict.gave_up = !complete;
     if (!complete) {
       verdict.bound = Duration(1'000'000'000);
       verdict.state = requirement.limit >= 1'000'000'000 ? Is::holds : Is::undecided;

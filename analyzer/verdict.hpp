@@ -54,6 +54,8 @@ struct Verdict {
   std::optional<Duration> bound;
   /// A run that was replayed attains the bound (load: comes as near to it as one likes).
   bool exact = false;
+  /// The exact analysis met one of its limits before it had seen all runs.
+  bool gave_up = false;
   /// The run in which the requirement comes nearest to failing, or fails first.
   std::optional<Witness> witness;
   /// For people: one paragraph.
