@@ -216,8 +216,10 @@ pan::ActivityId Names::trusted_activity(const syntax::Name& name, pan::ModuleId 
 
 void Names::report_no_activity(const syntax::Name& name, pan::ModuleId module) {
   std::vector<std::string> known;
-  for (const auto& activity : network_.activities) {
-    if (activity.module == module) known.push_back(activity.name);
+  if (may_guess(diagnostics_, network_.activities.size())) {
+    for (const auto& activity : network_.activities) {
+      if (activity.module == module) known.push_back(activity.name);
+    }
   }
   const auto& owner = network_.modules[module.index()].name;
   report_unknown(diagnostics_, Code::PAL0204, "activity of " + owner, name, known,

@@ -73,9 +73,10 @@ struct GenerateOptions {
 ExitStatus generate(const GenerateOptions& options, const Console& console);
 
 struct FormatOptions {
-  std::vector<std::string> paths;  // files, folders, or "-"
-  bool check = false;              // change nothing, list what would change
-  bool diff = false;               // … and show how
+  std::vector<std::string> paths;               // files, folders, or "-"
+  bool check = false;                           // change nothing, list what would change
+  bool diff = false;                            // … and show how
+  std::size_t max_errors = default_max_errors;  // findings that are shown; 0: all
 };
 ExitStatus format(const FormatOptions& options, const Console& console);
 
@@ -106,7 +107,8 @@ struct ResourcesOptions {
   Selection selection;
   Format format = Format::text;
 };
-/// Prints what each skill needs, and what the environments have not. wrong_specification: something is missing.
+/// Prints what each skill needs, and what the environments have not. wrong_specification: something is
+/// missing.
 ExitStatus show_resources(const ResourcesOptions& options, const Console& console);
 
 }  // namespace pal::driver
