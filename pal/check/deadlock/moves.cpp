@@ -327,25 +327,11 @@ bool Moves::reads(const State& state, std::size_t thread, pan::ConditionId condi
   return bit(state, values_, *known);
 }
 
-bool Moves::holds(const State& state, std::size_t thread, const pan::Guard& guard) const {
-  const auto inner = [&](const pan::Guard& term) { return holds(state, thread, term); };
-  switch (guard.kind) {
-    case pan::Guard::Kind::equals:
-      return reads(state, thread, guard.condition) == guard.value;
-    case pan::Guard::Kind::all_of:
-      return std::all_of(guard.terms.begin(), guard.terms.end(), inner);
-    case pan::Guard::Kind::any_of:
-      return std::any_of(guard.terms.begin(), guard.terms.end(), inner);
-    case pan::Guard::Kind::negation:
-      return !inner(guard.terms.front());
-  }
-  return false;
-}
-
 void Moves::test(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const {
   const auto index = static_cast<std::size_t>(&step - automata_.steps.data());
+  const auto read = [&](pan::ConditionId condition) { return reads(state, thread, condition); };
   std::size_t branch = 0;
-  while (branch < step.guards.size() && !holds(state, thread, step.guards[branch])) ++branch;
+  while (branch < step.guards.size() && !holds(step.guards[branch], read)) ++branch;
   Move move{{Deed::Kind::finds, thread, index}, state, false, false};
   move.deed.branch = branch;
   for (std::size_t w = 0; w < 2 * bit_words_; ++w) move.state[latched(thread) + w] = 0;

@@ -120,7 +120,6 @@ class Moves {
   void stop(Move move, std::size_t thread, std::vector<Move>& result) const;
   void go(Move move, std::size_t next, std::vector<Move>& result) const;
   bool can_take(const State& state, pan::ChannelId channel) const;
-  bool holds(const State& state, std::size_t thread, const pan::Guard& guard) const;
   bool reads(const State& state, std::size_t thread, pan::ConditionId condition) const;
 
   void wait(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const;
