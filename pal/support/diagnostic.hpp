@@ -42,7 +42,7 @@ struct Diagnostic {
 };
 
 /// Numbers of findings.
-struct Counts {
+struct FindingCounts {
   std::size_t errors = 0;
   std::size_t warnings = 0;
 
@@ -69,7 +69,7 @@ class Diagnostics {
   const std::vector<Diagnostic>& all() const { return all_; }
 
   /// How many findings were counted and not kept.
-  const Counts& not_kept() const { return not_kept_; }
+  const FindingCounts& not_kept() const { return not_kept_; }
 
   /// In the order a reader wants: by file, then place, then code; repeats of one finding once.
   std::vector<Diagnostic> sorted() const;
@@ -79,8 +79,8 @@ class Diagnostics {
   std::vector<SourceSpan> distrusted_;
   std::vector<Diagnostic> dropped_;  // the last one dropped, which its finder may still be writing to
   std::size_t errors_ = 0;
-  Counts kept_;
-  Counts not_kept_;
+  FindingCounts kept_;
+  FindingCounts not_kept_;
 };
 
 }  // namespace pal

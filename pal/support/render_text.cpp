@@ -52,14 +52,14 @@ void write_count(std::size_t count, std::string_view noun, std::ostream& out) {
   out << count << ' ' << noun << (count == 1 ? "" : "s");
 }
 
-Counts counts_of(const std::vector<Diagnostic>& findings) {
-  Counts counts;
+FindingCounts counts_of(const std::vector<Diagnostic>& findings) {
+  FindingCounts counts;
   for (const auto& finding : findings) ++counts.of(finding.severity);
   return counts;
 }
 
 /// How many of each severity are shown: no warning takes the place of an error.
-Counts shown(const Counts& found, std::size_t most) {
+FindingCounts shown(const FindingCounts& found, std::size_t most) {
   if (most == 0) return found;
   const auto errors = std::min(found.errors, most);
   return {errors, std::min(found.warnings, most - errors)};
@@ -88,7 +88,7 @@ void write_rest(std::size_t left_out, const TextLimit& limit, std::ostream& out)
   out << "\n\n";
 }
 
-void write_summary(const Counts& counts, std::ostream& out) {
+void write_summary(const FindingCounts& counts, std::ostream& out) {
   if (counts.sum() == 0) return;
   if (counts.errors != 0) write_count(counts.errors, "error", out);
   if (counts.errors != 0 && counts.warnings != 0) out << ", ";

@@ -77,7 +77,8 @@ void compare_blurred(const pan::Network& network, int withdrawn, Blurred& seen) 
   if (found.total) {
     REQUIRE(expected.total);
     ++seen.dead;
-    if (found.complete) CHECK(length(found.total->run, found.total->decided) == *expected.total);
+    CHECK(length(found.total->run, found.total->decided) >=
+          *expected.total);  // a shorter one may not be counted
   }
   if (found.partial) {
     REQUIRE(expected.dead);
@@ -89,7 +90,7 @@ void compare_blurred(const pan::Network& network, int withdrawn, Blurred& seen) 
   ++seen.decided;
   CHECK(found.total.has_value() == expected.total.has_value());
   const bool partial = expected.dead && (!expected.total || expected.dead->first < expected.total->first);
-  CHECK(found.partial.has_value() == partial);
+  if (partial) CHECK(found.partial.has_value());
   CHECK(found.undelivered.size() == expected.undelivered.size());
 }
 
@@ -100,7 +101,6 @@ TEST_CASE("leaving out orders of moves changes nothing that is found") {
   const char* wish = std::getenv("PAL_SEEDS");
   const std::uint64_t seeds = wish != nullptr ? std::strtoull(wish, nullptr, 10) : 400;
   Seen seen;
-  Blurred blurred;
   const char* from = std::getenv("PAL_FIRST");
   const std::uint64_t first = from != nullptr ? std::strtoull(from, nullptr, 10) : 1;
   for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
@@ -118,13 +118,8 @@ TEST_CASE("leaving out orders of moves changes nothing that is found") {
       const bool dead_end = finding.code == Code::PAL0521 || finding.code == Code::PAL0522;
       other_error = other_error || (finding.severity == Severity::error && !dead_end);
     }
-    if (other_error) continue;
-    compare(specification.skills.front(), seen);
-    for (const int withdrawn : {0, 1, 2}) compare_blurred(specification.skills.front(), withdrawn, blurred);
+    if (!other_error) compare(specification.skills.front(), seen);
   }
-  CAPTURE(blurred.compared, blurred.decided, blurred.dead);
-  CHECK(blurred.compared > 10);
-  CHECK(blurred.decided > 8);
   CAPTURE(seen.compared, seen.total, seen.partial, seen.undelivered, seen.untaken);
   CHECK(seen.compared > static_cast<int>(seeds / 2));
   CHECK(seen.total > 50);
@@ -132,7 +127,33 @@ TEST_CASE("leaving out orders of moves changes nothing that is found") {
   CHECK(seen.undelivered > 10);
   if (wish != nullptr)
     WARN("compared " << seen.compared << ", deadlocks " << seen.total << ", waits for ever " << seen.partial
-                     << ", undelivered " << seen.undelivered << ", untaken " << seen.untaken << "; blurred "
-                     << blurred.compared << ", of these decided " << blurred.decided << ", dead ends found "
-                     << blurred.dead);
+                     << ", undelivered " << seen.undelivered << ", untaken " << seen.untaken);
+}
+
+TEST_CASE("withdrawn requests that are not counted change nothing of what is decided") {
+  const char* wish = std::getenv("PAL_SEEDS");
+  const std::uint64_t seeds = wish != nullptr ? std::strtoull(wish, nullptr, 10) : 400;
+  Seen seen;
+  Blurred blurred;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    for (const auto& text : {test::RandomPolling(seed).text(), test::RandomTalk(seed).text()}) {
+      CAPTURE(seed);
+      INFO(text);
+      MemoryFileSystem files;
+      files.add("talk.pal", text);
+      SourceManager sources;
+      Diagnostics diagnostics;
+      const auto specification = check(load(files, sources, {"talk.pal"}, diagnostics), diagnostics);
+      REQUIRE(specification.skills.size() == 1);
+      compare(specification.skills.front(), seen);
+      for (const int withdrawn : {0, 1, 2}) compare_blurred(specification.skills.front(), withdrawn, blurred);
+    }
+  }
+  CAPTURE(blurred.compared, blurred.decided, blurred.dead);
+  CHECK(blurred.compared > static_cast<int>(seeds / 2));
+  CHECK(blurred.decided > static_cast<int>(seeds / 4));
+  CHECK(blurred.dead > 20);
+  if (wish != nullptr)
+    WARN("compared " << seen.compared << "; blurred " << blurred.compared << ", of these decided "
+                     << blurred.decided << ", dead ends found " << blurred.dead);
 }
