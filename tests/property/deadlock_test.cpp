@@ -132,7 +132,7 @@ TEST_CASE("leaving out orders of moves changes nothing that is found") {
 
 TEST_CASE("withdrawn requests that are not counted change nothing of what is decided") {
   const char* wish = std::getenv("PAL_SEEDS");
-  const std::uint64_t seeds = wish != nullptr ? std::strtoull(wish, nullptr, 10) : 400;
+  const std::uint64_t seeds = wish != nullptr ? std::strtoull(wish, nullptr, 10) : 200;
   Seen seen;
   Blurred blurred;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -152,7 +152,7 @@ TEST_CASE("withdrawn requests that are not counted change nothing of what is dec
   CAPTURE(blurred.compared, blurred.decided, blurred.dead);
   CHECK(blurred.compared > static_cast<int>(seeds / 2));
   CHECK(blurred.decided > static_cast<int>(seeds / 4));
-  CHECK(blurred.dead > 20);
+  CHECK(blurred.dead > static_cast<int>(seeds / 20));
   if (wish != nullptr)
     WARN("compared " << seen.compared << "; blurred " << blurred.compared << ", of these decided "
                      << blurred.decided << ", dead ends found " << blurred.dead);
