@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -53,6 +54,8 @@ class ProblemBuilder final : public TimesAndPlaces {
   void device(const World& thing, int index);
   void event_device(const pan::EventDevice& event, const pan::DeviceTiming& timing, int index,
                     std::set<int>& sent, Device& made);
+  void phase(const std::optional<Duration>& value, Duration period, const pan::DeviceTiming& timing,
+             const std::string& device);
   void served_device(const pan::DeviceTiming& timing, int index, std::set<int>& sent, Device& made);
 
   // What is required (problem_requirements.cpp).

@@ -60,6 +60,15 @@ void ProblemBuilder::device(const World& thing, int index) {
   problem_.devices.push_back(std::move(made));
 }
 
+void ProblemBuilder::phase(const std::optional<Duration>& value, Duration period, const DeviceTiming& timing,
+                           const std::string& device) {
+  if (!value) return;
+  time(*value, timing.where, "the phase of " + device);
+  if (*value <= period) return;
+  diagnostics_.report(Code::PAL0709, timing.where, "the phase of " + device + " is longer than its period",
+                      "write the phase within one period");
+}
+
 void ProblemBuilder::event_device(const EventDevice& event, const DeviceTiming& timing, int index,
                                   std::set<int>& sent, Device& made) {
   made.behaviour = event;
@@ -70,14 +79,7 @@ void ProblemBuilder::event_device(const EventDevice& event, const DeviceTiming& 
                         "the jitter of " + made.name + " is not shorter than its period",
                         "make JITTER shorter than EVERY: a later event does not overtake an earlier one");
   }
-  if (event.phase) {
-    time(*event.phase, timing.where, "the phase of " + made.name);
-    if (*event.phase > event.period) {
-      diagnostics_.report(Code::PAL0709, timing.where,
-                          "the phase of " + made.name + " is longer than its period",
-                          "write the phase within one period");
-    }
-  }
+  phase(event.phase, event.period, timing, made.name);
   for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
     const Channel& channel = problem_.channels[c];
     if (channel.sender_device == index && channel.message == event.message) {
@@ -108,14 +110,7 @@ void ProblemBuilder::served_device(const DeviceTiming& timing, int index, std::s
                           made.name + " collects a frame for longer than its period",
                           "make COLLECTING at most EVERY");
     }
-    if (frames.phase) {
-      time(*frames.phase, timing.where, "the phase of " + made.name);
-      if (*frames.phase > frames.period) {
-        diagnostics_.report(Code::PAL0709, timing.where,
-                            "the phase of " + made.name + " is longer than its period",
-                            "write the phase within one period");
-      }
-    }
+    phase(frames.phase, frames.period, timing, made.name);
   }
   for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
     Channel& channel = problem_.channels[c];

@@ -20,6 +20,9 @@ std::vector<GeneratedFile> emit_wiring(const Plan& plan);
 std::vector<GeneratedFile> emit_skill(const Plan& plan);
 
 /// The body of a module or of a block as C++ statements.
+/// The store that the module keeps its messages in; null: in members of its own.
+const PlannedStore* store_of(const Plan& plan, const PlannedModule& module);
+
 void write_body(Writer& out, const Plan& plan, const PlannedModule& module, const PlannedBody& body);
 
 }  // namespace pal::codegen

@@ -70,7 +70,10 @@ class BodyWriter {
     return "channel::" + plan_.channels[end.channel].constant;
   }
   std::string condition(std::size_t index) const { return "condition::" + plan_.conditions[index].constant; }
-  std::string member(std::size_t message) const { return plan_.messages[message].variable + "_"; }
+  std::string member(std::size_t message) const {
+    const std::string& name = plan_.messages[message].variable;
+    return store_of(plan_, module_) != nullptr ? "messages_." + name : name + "_";
+  }
 
   std::string call(const PlannedMethod& method) const {
     std::string arguments;

@@ -25,45 +25,56 @@ struct Member {
 std::vector<Member> given(const Plan& plan, const PlannedModule& module) {
   std::vector<Member> members;
   if (!module.interface.empty()) members.push_back({module.interface, "activities"});
+  if (const PlannedStore* store = store_of(plan, module)) members.push_back({store->type, "messages"});
   for (const std::size_t other : module.executes) {
     members.push_back({plan.modules[other].type, plan.modules[other].variable});
   }
   return members;
 }
 
-std::string constructor(const Plan& plan, const PlannedModule& module) {
-  const auto members = given(plan, module);
-  if (members.empty()) return "";
-  std::string arguments;
-  std::string initialisers;
+void write_constructor(Writer& out, const PlannedModule& module, const std::vector<Member>& members) {
+  if (members.empty()) return;
+  std::vector<std::string> arguments;
+  std::vector<std::string> initialisers;
   for (const Member& member : members) {
-    arguments += (arguments.empty() ? "" : ", ") + member.type + "& " + member.name;
-    initialisers += (initialisers.empty() ? " : " : ", ") + member.name + "_(" + member.name + ")";
+    arguments.push_back(member.type + "& " + member.name);
+    initialisers.push_back(member.name + "_(" + member.name + ")");
   }
-  return (members.size() == 1 ? "explicit " : "") + module.type + "(" + arguments + ")" + initialisers +
-         " {}";
+  out.list((members.size() == 1 ? "explicit " : "") + module.type + "(", arguments, ")");
+  out.list("    : ", initialisers, " {}").line();
 }
 
 void write_class(Writer& out, const Plan& plan, const PlannedModule& module) {
   out.line("/// " + module.kind + " " + module.pal_name + (module.file.empty() ? "" : ", " + module.file));
   out.line("class " + module.type + " {");
   out.line(" public:").indent();
-  if (const std::string made = constructor(plan, module); !made.empty()) out.line(made).line();
+  const auto members = given(plan, module);
+  write_constructor(out, module, members);
   out.line("/// Forgets all messages; the activities get the parameters.");
   out.line("void start(const Parameters& parameters);").line();
   out.line("runtime::Task body(runtime::Thread& thread);");
   for (const auto& block : module.blocks) {
     out.line("runtime::Task " + block.function + "(runtime::Thread& thread);");
   }
-  const auto members = given(plan, module);
+  const bool stored = store_of(plan, module) != nullptr;
   if (!members.empty() || !module.messages.empty()) {
     out.outdent().line().line(" private:").indent();
     for (const Member& member : members) out.line(member.type + "& " + member.name + "_;");
-    for (const std::size_t message : module.messages) {
+    for (const std::size_t message : stored ? std::vector<std::size_t>{} : module.messages) {
       out.line(plan.messages[message].type + " " + plan.messages[message].variable + "_;");
     }
   }
   out.close("};");
+}
+
+void write_store(Writer& out, const Plan& plan, const PlannedStore& store) {
+  out.line("/// What " + plan.modules[store.keeper].pal_name +
+           " and the modules that it executes keep: one value of each message.");
+  out.line("struct " + store.type + " {").indent();
+  for (const std::size_t message : store.messages) {
+    out.line(plan.messages[message].type + " " + plan.messages[message].variable + ";");
+  }
+  out.close("};").line();
 }
 
 std::string header(const Plan& plan) {
@@ -83,6 +94,7 @@ std::string header(const Plan& plan) {
     }
   }
   if (forward) out.line();
+  for (const PlannedStore& store : plan.stores) write_store(out, plan, store);
   for (const PlannedModule& module : plan.modules) {
     if (&module != &plan.modules.front()) out.line();
     write_class(out, plan, module);
@@ -115,7 +127,11 @@ void write_function(Writer& out, const Plan& plan, const PlannedModule& module, 
 void write_start(Writer& out, const Plan& plan, const PlannedModule& module) {
   const bool used = !module.interface.empty();
   out.open("void " + module.type + "::start(const Parameters&" + (used ? " parameters" : "") + ") {");
-  for (const std::size_t message : module.messages) out.line(plan.messages[message].variable + "_ = {};");
+  if (const PlannedStore* store = store_of(plan, module)) {
+    if (&plan.modules[store->keeper] == &module) out.line("messages_ = {};");
+  } else {
+    for (const std::size_t message : module.messages) out.line(plan.messages[message].variable + "_ = {};");
+  }
   if (used) out.line("activities_.start(parameters);");
   out.close();
 }
@@ -143,6 +159,16 @@ std::string source(const Plan& plan) {
 }
 
 }  // namespace
+
+const PlannedStore* store_of(const Plan& plan, const PlannedModule& module) {
+  if (!module.keeper) return nullptr;
+  // A module that is executed and has no messages does not need it.
+  if (module.executed && module.messages.empty()) return nullptr;
+  for (const PlannedStore& store : plan.stores) {
+    if (store.keeper == *module.keeper) return &store;
+  }
+  return nullptr;  // none of them has any message
+}
 
 std::vector<GeneratedFile> emit_modules(const Plan& plan) {
   return {{plan.file + "_modules.hpp", header(plan)}, {plan.file + "_modules.cpp", source(plan)}};

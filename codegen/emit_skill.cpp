@@ -114,6 +114,7 @@ void write_class(Writer& out, const Plan& plan) {
       out.line("std::unique_ptr<" + module.interface + "> " + module.variable + "_activities_;");
     }
   }
+  for (const PlannedStore& store : plan.stores) out.line(store.type + " " + store.variable + "_;");
   // A module comes after those that it executes.
   std::vector<bool> written(plan.modules.size(), false);
   for (std::size_t round = 0; round < plan.modules.size(); ++round) {
@@ -125,6 +126,8 @@ void write_class(Writer& out, const Plan& plan) {
       written[m] = true;
       std::string made;
       if (!module.interface.empty()) made = "*" + module.variable + "_activities_";
+      if (const PlannedStore* store = store_of(plan, module))
+        made += (made.empty() ? "" : ", ") + store->variable + "_";
       for (const std::size_t other : module.executes) {
         made += (made.empty() ? "" : ", ") + plan.modules[other].variable + "_";
       }

@@ -45,6 +45,7 @@ class Planner {
     modules();
     threads();
     bodies();
+    stores();
     if (diagnostics_.errors() != errors) return std::nullopt;
     return std::move(plan_);
   }
@@ -161,6 +162,42 @@ class Planner {
     find_ends(plan_);
   }
 
+  void stores() {
+    for (std::size_t m = 0; m < network_.modules.size(); ++m) {
+      if (!indices_.modules[m] || !network_.modules[m].executed_by.valid()) continue;
+      PlannedModule& executed = plan_.modules[*indices_.modules[m]];
+      const std::size_t keeper = *indices_.modules[outermost(m)];
+      executed.keeper = plan_.modules[keeper].keeper = keeper;
+      for (const std::size_t user : {keeper, *indices_.modules[m]}) {
+        for (const std::size_t message : plan_.modules[user].messages) add(store_of(keeper), message);
+      }
+    }
+  }
+
+  /// Executes a module, or modules that do, and is not executed.
+  std::size_t outermost(std::size_t module) const {
+    while (network_.modules[module].executed_by.valid())
+      module = network_.modules[module].executed_by.index();
+    return module;
+  }
+
+  PlannedStore& store_of(std::size_t keeper) {
+    for (PlannedStore& store : plan_.stores) {
+      if (store.keeper == keeper) return store;
+    }
+    const PlannedModule& module = plan_.modules[keeper];
+    plan_.stores.push_back({types_.unique(module.type + "Messages"),
+                            variables_.unique(module.variable + "_messages"),
+                            keeper,
+                            {}});
+    return plan_.stores.back();
+  }
+
+  static void add(PlannedStore& store, std::size_t message) {
+    const auto known = std::find(store.messages.begin(), store.messages.end(), message);
+    if (known == store.messages.end()) store.messages.push_back(message);
+  }
+
   const pan::Network& network_;
   const pan::Environment& environment_;
   const SourceManager& sources_;
@@ -169,7 +206,7 @@ class Planner {
   Indices indices_;
   // Besides our own: macros of the C library that look like names of types.
   Scope types_{{"Parameters", "NULL", "EOF", "NAN", "INFINITY", "BUFSIZ", "RAND_MAX", "CHAR_BIT"}};
-  Scope variables_{{"activities", "parameters"}};
+  Scope variables_{{"activities", "messages", "parameters"}};
 };
 
 }  // namespace

@@ -102,6 +102,9 @@ struct PlannedModule {
   std::string interface;  // C++ class of its methods; empty: it has none
   std::vector<PlannedMethod> methods;
   std::vector<std::size_t> messages;  // that it keeps a value of
+  /// The module in whose thread it runs, if one of that thread executes another: they keep their messages
+  /// together.
+  std::optional<std::size_t> keeper;
   std::vector<std::size_t> executes;  // modules that it runs
   bool executed = false;              // runs in another's thread only
   PlannedBody body;
@@ -111,6 +114,14 @@ struct PlannedModule {
     std::string function;
   };
   std::vector<Block> blocks;
+};
+
+/// One value of each message, for a module and all that it executes.
+struct PlannedStore {
+  std::string type;      // C++ struct
+  std::string variable;  // C++
+  std::size_t keeper = 0;
+  std::vector<std::size_t> messages;
 };
 
 struct PlannedThread {
@@ -158,6 +169,7 @@ struct Plan {
   pan::Environment environment;
   std::vector<PlannedMessage> messages;
   std::vector<PlannedModule> modules;  // those with a body
+  std::vector<PlannedStore> stores;
   std::vector<PlannedThread> threads;
   std::vector<PlannedRow> statements;
   std::vector<PlannedChannel> channels;

@@ -34,7 +34,8 @@ type : ( REAL | INTEGER | BOOLEAN ) physicalUnit? ;
 
 physicalUnit : unitFactor ( ( STAR | SLASH ) unitFactor )* | PERCENT ;
 
-unitFactor : NAME ( CARET NUMBER )? ;
+// `in` is the inch here.
+unitFactor : ( NAME | IN ) ( CARET NUMBER )? ;
 
 conditionUnit : CONDITION name ( FROM name ( COMMA name )* )? STRING? ;
 
@@ -161,7 +162,7 @@ names : NONE | name ( COMMA name )* ;
 
 strings : NONE | STRING+ ;
 
-literal : NUMBER | truth ;
+literal : NUMBER physicalUnit? | truth ;
 
 measure
   : RESPONSE FROM message OF party TO step AT MOST duration                           # response

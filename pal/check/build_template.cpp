@@ -1,10 +1,10 @@
 #include "pal/check/build_template.hpp"
 
-#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
 
+#include "pal/check/parameters.hpp"
 #include "pal/check/report.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
@@ -101,46 +101,8 @@ class TemplateBuilder {
         report_twice(diagnostics_, "parameter", written.name, *first->second);
         continue;
       }
-      network_.skill.parameters.push_back(parameter(written));
+      network_.skill.parameters.push_back(build_parameter(written, diagnostics_));
     }
-  }
-
-  pan::Parameter parameter(const syntax::Parameter& written) {
-    pan::Parameter result;
-    result.name = written.name.text;
-    result.type = written.type;
-    result.unit = written.unit;
-    result.description = written.description;
-    result.where = written.where;
-    const bool is_boolean = written.type == pan::ScalarType::boolean;
-    const auto report = [&](Code code, const std::string& what, const std::string& hint) {
-      diagnostics_.report(code, written.where, "parameter " + quoted(written.name.text) + what, hint);
-    };
-    if (!written.default_value || (!is_boolean && !written.low)) {
-      report(Code::PAL0604, is_boolean ? " has no default" : " needs a default and a range",
-             is_boolean ? "add DEFAULT TRUE or DEFAULT FALSE"
-                        : "add DEFAULT 5 RANGE 1 TO 40, with its own figures");
-    }
-    if (is_boolean && written.low) report(Code::PAL0604, " is BOOLEAN and has a range", "remove RANGE");
-    result.low = is_boolean ? 0 : written.low.value_or(0);
-    result.high = is_boolean ? 1 : written.high.value_or(result.low);
-    result.default_value = written.default_value.value_or(result.low);
-    const bool has_range = written.low && written.high;
-    if (has_range && result.low > result.high) {
-      report(Code::PAL0603, " has a range that runs backwards", "write the smaller figure first");
-    } else if (has_range && written.default_value &&
-               (result.default_value < result.low || result.default_value > result.high)) {
-      report(Code::PAL0602, " has a default outside its range", "change the default or the range");
-    }
-    if (written.type == pan::ScalarType::integer) {
-      for (const auto value : {result.low, result.high, result.default_value}) {
-        if (std::trunc(value) == value) continue;
-        report(Code::PAL0611, " is INTEGER, but not all of its figures are whole",
-               "use whole figures, or REAL");
-        break;
-      }
-    }
-    return result;
   }
 
   void completions() {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string_view>
 
 #include "pal/check/report.hpp"
 #include "pal/support/diagnostic_code.hpp"
@@ -48,9 +50,10 @@ bool has_concurrent(const syntax::Statements& statements) {
   });
 }
 
-bool is_activity(const syntax::ModuleUnit& unit, const std::string& name) {
-  return std::any_of(unit.activities.begin(), unit.activities.end(),
-                     [&](const syntax::ActivityHeading& a) { return a.name.text == name; });
+std::set<std::string_view> activities_of(const syntax::ModuleUnit& unit) {
+  std::set<std::string_view> names;
+  for (const auto& activity : unit.activities) names.insert(activity.name.text);
+  return names;
 }
 
 /// True if following executed_by from `from` comes to `to`.
@@ -89,8 +92,9 @@ void enter_calls(Names& names, pan::Network& network, Diagnostics& diagnostics) 
     const pan::ModuleId caller(i);
     const auto* unit = names.unit_of(caller);
     if (unit == nullptr) continue;
+    const auto activities = activities_of(*unit);
     each_call(unit->body, [&](const syntax::Name& name, bool in_block) {
-      if (is_activity(*unit, name.text) || !names.is_module(name.text)) return;
+      if (activities.contains(name.text) || !names.is_module(name.text)) return;
       const auto called = *names.module(name, false);
       const auto& module = network.modules[called.index()];
       if (in_block) called_in_block.emplace(called.index(), name.where);

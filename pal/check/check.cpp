@@ -60,9 +60,11 @@ class Checker {
     // What a syntax error hides would be missed everywhere else.
     if (!complete(scope)) return;
     const auto before = diagnostics_.all().size();
+    const auto errors_before = diagnostics_.errors();
     auto network = frontend::build_network(scope, skill, diagnostics_);
     check_network(network, every_name_known(before));
-    if (no_error_since(before)) frontend::check_deadlocks(network, frontend::Flow(network), diagnostics_);
+    if (diagnostics_.errors() == errors_before)
+      frontend::check_deadlocks(network, frontend::Flow(network), diagnostics_);
     result_.skills.push_back(std::move(network));
   }
 
@@ -86,18 +88,13 @@ class Checker {
   /// No finding since `first` says that a name in a body means nothing. (A figure in a template may be
   /// wrong.)
   bool every_name_known(std::size_t first) const {
+    if (diagnostics_.not_kept().errors != 0) return false;  // they may say so
     const auto& all = diagnostics_.all();
     return std::none_of(
         all.begin() + static_cast<std::ptrdiff_t>(first), all.end(), [](const Diagnostic& finding) {
           return finding.severity == Severity::error &&
                  (name(finding.code).starts_with("PAL02") || name(finding.code).starts_with("PAL03"));
         });
-  }
-
-  bool no_error_since(std::size_t first) const {
-    const auto& all = diagnostics_.all();
-    return std::none_of(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
-                        [](const Diagnostic& finding) { return finding.severity == Severity::error; });
   }
 
   /// `sound`: every name meant something. If not, statements are missing, and what is said of talk and flow

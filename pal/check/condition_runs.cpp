@@ -2,73 +2,29 @@
 
 #include <algorithm>
 #include <deque>
-#include <set>
 #include <utility>
 
-#include "pal/pan/dump.hpp"
+#include "pal/check/condition_blocks.hpp"
+#include "pal/check/condition_concern.hpp"
+#include "pal/check/condition_state.hpp"
+#include "pal/check/guards.hpp"
 
 namespace pal::frontend {
 
 namespace {
 
+using namespace conditions;
+
 constexpr std::size_t most_states = 50'000;
 constexpr std::size_t most_parts = 2'000'000;  // threads, calls and values of all states: some 200 MB
-constexpr std::size_t most_conditions = 10;    // in one test: 2^10 ways to read them
-
-struct Place {
-  pan::ModuleId module;
-  pan::NodeId node;
-  friend auto operator<=>(const Place&, const Place&) = default;
-};
-
-/// A thread: where it is, inside which Executes, and what it has latched. It is also the parent of the blocks
-/// that have its number.
-struct Thread {
-  std::int32_t number = 0;
-  std::int32_t parent = -1;
-  bool waits_for_blocks = false;
-  bool can_end = true;  // of a block
-  bool ended = false;
-  pan::ModuleId module;      // whose thread it is,
-  std::size_t name = 0;      // and which: index in Module::threads
-  std::vector<Place> calls;  // the Executes it is in
-  Place at;
-  std::map<pan::ConditionId, bool> latched;
-
-  friend auto operator<=>(const Thread&, const Thread&) = default;
-};
-
-struct State {
-  std::vector<Thread> threads;  // by number
-  std::map<pan::ConditionId, bool> values;
-  friend auto operator<=>(const State&, const State&) = default;
-};
 
 struct Origin {
   const State* from = nullptr;
   std::optional<RunStep> step;
 };
 
-using Values = std::map<pan::ConditionId, bool>;
-
-bool holds(const pan::Guard& guard, const Values& values) {
-  const auto inner = [&](const pan::Guard& term) { return holds(term, values); };
-  switch (guard.kind) {
-    case pan::Guard::Kind::equals:
-      return values.at(guard.condition) == guard.value;
-    case pan::Guard::Kind::all_of:
-      return std::all_of(guard.terms.begin(), guard.terms.end(), inner);
-    case pan::Guard::Kind::any_of:
-      return std::any_of(guard.terms.begin(), guard.terms.end(), inner);
-    case pan::Guard::Kind::negation:
-      return !holds(guard.terms.front(), values);
-  }
-  return false;
-}
-
-void conditions_of(const pan::Guard& guard, std::set<pan::ConditionId>& result) {
-  if (guard.kind == pan::Guard::Kind::equals) result.insert(guard.condition);
-  for (const auto& term : guard.terms) conditions_of(term, result);
+bool holds_for(const pan::Guard& guard, const Values& reading) {
+  return holds(guard, [&](pan::ConditionId condition) { return reading.at(condition); });
 }
 
 std::string truth(bool value) {
@@ -78,14 +34,13 @@ std::string truth(bool value) {
 class Explorer {
  public:
   Explorer(const pan::Network& network, const Flow& flow, pan::ModuleId root)
-      : network_(network), flow_(flow) {
-    find_conditions(root);
+      : network_(network), flow_(flow), concern_(network, root) {
     State first;
     Thread main;
     main.module = root;
     main.at = {root, pan::NodeId(0)};
     first.threads.push_back(main);
-    for (const auto c : own_) first.values[c] = false;
+    for (const auto c : concern_.own()) first.values[c] = false;
     reach(std::move(first), nullptr, std::nullopt);
   }
 
@@ -110,66 +65,12 @@ class Explorer {
     return network_.modules[place.module.index()].body[place.node];
   }
 
-  /// own_: conditions that this thread and its blocks set. tested_: those that a guard reads.
-  void find_conditions(pan::ModuleId root) {
-    std::set<pan::ModuleId> entered{root};
-    std::vector<pan::ModuleId> open{root};
-    while (!open.empty()) {
-      const auto module = open.back();
-      open.pop_back();
-      for (const auto& n : network_.modules[module.index()].body.nodes) {
-        if (const auto* set = std::get_if<pan::Set>(&n.content)) own_.insert(set->condition);
-        if (const auto* choose = std::get_if<pan::Choose>(&n.content)) {
-          for (const auto& guard : choose->guards) conditions_of(guard, tested_);
-        }
-        if (const auto* until = std::get_if<pan::Until>(&n.content); until != nullptr && until->guard) {
-          conditions_of(*until->guard, tested_);
-        }
-        if (const auto* execute = std::get_if<pan::Execute>(&n.content)) {
-          if (entered.insert(execute->module).second) open.push_back(execute->module);
-        }
-      }
-    }
-    // What no guard reads changes nothing.
-    for (auto it = own_.begin(); it != own_.end();)
-      it = tested_.contains(*it) ? std::next(it) : own_.erase(it);
-  }
-
   void reach(State state, const State* from, std::optional<RunStep> step) {
     const auto [entry, fresh] = seen_.emplace(std::move(state), Origin{from, std::move(step)});
     if (!fresh) return;
     open_.push_back(&entry->first);
     parts_ += entry->first.threads.size() + entry->first.values.size();
     for (const auto& thread : entry->first.threads) parts_ += thread.calls.size() + thread.latched.size();
-  }
-
-  /// Does reaching the statement at `place` and what it does concern no condition, and is there one way on?
-  /// Then nobody can tell whether a thread is there or already behind it.
-  bool is_silent(const Place& place) const {
-    const auto& content = node(place).content;
-    if (const auto* set = std::get_if<pan::Set>(&content)) return !own_.contains(set->condition);
-    if (const auto* read = std::get_if<pan::Read>(&content)) return !tested_.contains(read->condition);
-    if (const auto* until = std::get_if<pan::Until>(&content)) return !until->guard;
-    if (const auto* execute = std::get_if<pan::Execute>(&content))
-      return network_.modules[execute->module.index()].body.empty();
-    const bool matters =
-        std::holds_alternative<pan::Complete>(content) || std::holds_alternative<pan::End>(content) ||
-        std::holds_alternative<pan::Fork>(content) || std::holds_alternative<pan::Choose>(content);
-    return !matters && node(place).out.size() == 1;
-  }
-
-  /// The next place from here that concerns conditions; this one if the thread goes round for ever without
-  /// one.
-  Place settled(const Place& from) const {
-    Place place = from;
-    for (std::size_t steps = network_.modules[from.module.index()].body.nodes.size(); is_silent(place);
-         --steps) {
-      if (steps == 0) return from;
-      const auto& here = node(place);
-      const bool goes_back = std::holds_alternative<pan::Until>(here.content);
-      place.node = goes_back ? here.mate : here.out.front();
-    }
-    return place;
   }
 
   /// `thread` of a copy of the state.
@@ -181,7 +82,7 @@ class Explorer {
     if (!to.valid()) return;
     auto& place = at(state, thread).at;
     place.node = to;
-    place = settled(place);
+    place = concern_.settled(place);
     reach(std::move(state), &from, std::move(step));
   }
 
@@ -199,7 +100,7 @@ class Explorer {
         State next = state;
         auto& caller = at(next, thread);
         caller.calls.push_back(thread.at);
-        caller.at = settled({execute->module, pan::NodeId(0)});
+        caller.at = concern_.settled({execute->module, pan::NodeId(0)});
         return reach(std::move(next), &state, std::nullopt);
       }
     }
@@ -213,7 +114,7 @@ class Explorer {
 
   void set(const State& state, const Thread& thread, const pan::Set& set) {
     const auto to = node(thread.at).out.front();
-    if (!own_.contains(set.condition)) return go(state, state, thread, to, std::nullopt);
+    if (!concern_.sets(set.condition)) return go(state, state, thread, to, std::nullopt);
     for (const bool value : {true, false}) {
       if (set.value && *set.value != value) continue;
       State next = state;
@@ -235,7 +136,7 @@ class Explorer {
 
   void read(const State& state, const Thread& thread, const pan::Read& read) {
     const auto to = node(thread.at).out.front();
-    if (!tested_.contains(read.condition)) return go(state, state, thread, to, std::nullopt);
+    if (!concern_.is_tested(read.condition)) return go(state, state, thread, to, std::nullopt);
     for (const bool value : values_of(state, read.condition)) {
       State next = state;
       at(next, thread).latched[read.condition] = value;
@@ -246,7 +147,7 @@ class Explorer {
 
   /// Every way in which the conditions of a test can be read at one instant.
   std::vector<Values> readings(const State& state, const Thread& thread,
-                               const std::set<pan::ConditionId>& conditions) const {
+                               const std::vector<pan::ConditionId>& conditions) const {
     std::vector<Values> result{{}};
     for (const auto condition : conditions) {
       const auto latched = thread.latched.find(condition);
@@ -276,12 +177,12 @@ class Explorer {
   void choose(const State& state, const Thread& thread, const pan::Choose& choose) {
     auto& outcome = result_.cases[std::pair(thread.at.module, thread.at.node)];
     outcome.taken.resize(choose.guards.size());
-    std::set<pan::ConditionId> conditions;
+    std::vector<pan::ConditionId> conditions;
     for (const auto& guard : choose.guards) conditions_of(guard, conditions);
-    if (conditions.size() > most_conditions) return give_up();
+    if (conditions.size() > most_read_at_once) return give_up();
     for (const auto& reading : readings(state, thread, conditions)) {
       const auto arm = std::find_if(choose.guards.begin(), choose.guards.end(),
-                                    [&](const pan::Guard& guard) { return holds(guard, reading); });
+                                    [&](const pan::Guard& guard) { return holds_for(guard, reading); });
       if (arm == choose.guards.end()) {
         // The search goes breadth first, so the first run found is a shortest one.
         if (outcome.no_arm_holds) continue;
@@ -307,13 +208,13 @@ class Explorer {
   void until(const State& state, const Thread& thread, const pan::Until& until) {
     const auto& here = node(thread.at);
     if (!until.guard) return go(state, state, thread, here.mate, std::nullopt);
-    std::set<pan::ConditionId> conditions;
+    std::vector<pan::ConditionId> conditions;
     conditions_of(*until.guard, conditions);
-    if (conditions.size() > most_conditions) return give_up();
+    if (conditions.size() > most_read_at_once) return give_up();
     auto& ends = result_.loops[std::pair(thread.at.module, thread.at.node)];
     for (const auto& reading : readings(state, thread, conditions)) {
-      ends = ends || holds(*until.guard, reading);
-      const auto to = holds(*until.guard, reading) ? here.out.front() : here.mate;
+      ends = ends || holds_for(*until.guard, reading);
+      const auto to = holds_for(*until.guard, reading) ? here.out.front() : here.mate;
       State next = state;
       at(next, thread).latched.clear();
       go(state, std::move(next), thread, to, told(thread, "finds " + reading_text(reading)));
@@ -331,7 +232,7 @@ class Explorer {
       block.module = thread.at.module;
       block.name = fork.threads[i];
       block.can_end = flow_.block_can_end(thread.at.module, here.out[i]);
-      block.at = settled({thread.at.module, here.out[i]});
+      block.at = concern_.settled({thread.at.module, here.out[i]});
       block.latched = thread.latched;
       next.threads.push_back(std::move(block));
     }
@@ -353,54 +254,11 @@ class Explorer {
     if (std::any_of(next.threads.begin(), next.threads.end(), open)) {
       return reach(std::move(next), &state, std::nullopt);
     }
-    end_concurrent(state, std::move(next), thread.parent);
-  }
-
-  /// All blocks that can end have ended. Of the others, each has stopped or finishes the SPC that it is at.
-  void end_concurrent(const State& from, State state, std::int32_t parent) {
-    const auto below = [&](const Thread& thread) {
-      auto number = thread.parent;
-      while (number >= 0 && number != parent) number = state.threads[static_cast<std::size_t>(number)].parent;
-      return number == parent;
-    };
-    struct Ending {
-      Values values;
+    for (auto& ending : endings(network_, concern_, next, thread.parent)) {
       std::optional<RunStep> step;
-    };
-    std::vector<Ending> endings{{state.values, std::nullopt}};
-    for (const auto& thread : state.threads) {
-      if (!below(thread) || thread.ended || thread.waits_for_blocks) continue;
-      const auto* set = std::get_if<pan::Set>(&node(thread.at).content);
-      if (set == nullptr || !own_.contains(set->condition)) continue;
-      const auto stopped = endings;
-      for (const bool value : {true, false}) {
-        if (set->value && *set->value != value) continue;
-        for (auto ending : stopped) {
-          ending.values[set->condition] = value;
-          ending.step = told(thread, set_text(*set, value) + " before it is cancelled");
-          endings.push_back(std::move(ending));
-        }
-      }
-    }
-    std::erase_if(state.threads,
-                  [&](const Thread& thread) { return thread.number > parent && below(thread); });
-    // Blocks of other threads keep their order; numbers are places in the list.
-    std::map<std::int32_t, std::int32_t> renumbered;
-    for (std::size_t i = 0; i < state.threads.size(); ++i) {
-      renumbered[state.threads[i].number] = static_cast<std::int32_t>(i);
-    }
-    for (auto& thread : state.threads) {
-      thread.number = renumbered.at(thread.number);
-      if (thread.parent >= 0) thread.parent = renumbered.at(thread.parent);
-    }
-    auto& owner = state.threads[static_cast<std::size_t>(renumbered.at(parent))];
-    owner.waits_for_blocks = false;
-    owner.at.node = node(owner.at).mate;
-    owner.at = settled(owner.at);
-    for (auto& ending : endings) {
-      State next = state;
-      next.values = std::move(ending.values);
-      reach(std::move(next), &from, std::move(ending.step));
+      if (const auto& last = ending.last)
+        step = told(last->block, set_text(last->set, last->value) + " before it is cancelled");
+      reach(std::move(ending.state), &state, std::move(step));
     }
   }
 
@@ -417,8 +275,7 @@ class Explorer {
 
   const pan::Network& network_;
   const Flow& flow_;
-  std::set<pan::ConditionId> own_;
-  std::set<pan::ConditionId> tested_;
+  Concern concern_;
   std::map<State, Origin> seen_;
   std::size_t parts_ = 0;
   std::deque<const State*> open_;

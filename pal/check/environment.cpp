@@ -1,7 +1,7 @@
 #include "pal/check/environment.hpp"
 
-#include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -114,10 +114,11 @@ class BehaviourCheck {
 void check_placements(const pan::Environment& environment, Diagnostics& diagnostics) {
   std::vector<std::string> processors;
   for (const auto& processor : environment.processors) processors.push_back(processor.name);
+  const std::set<std::string> known(processors.begin(), processors.end());
   for (const auto& placement : environment.placements) {
-    if (std::find(processors.begin(), processors.end(), placement.processor) != processors.end()) continue;
-    if (placement.processor.empty()) continue;
-    const auto meant = nearest(placement.processor, processors);
+    if (known.contains(placement.processor) || placement.processor.empty()) continue;
+    const auto meant =
+        may_guess(diagnostics, processors.size()) ? nearest(placement.processor, processors) : std::nullopt;
     diagnostics.report(
         Code::PAL0713, placement.where,
         "there is no processor " + quoted(placement.processor) + " in this environment",

@@ -24,13 +24,28 @@ std::string slot_for(pan::ModuleKind kind, const std::string& name) {
   return name;
 }
 
+std::optional<std::vector<std::string>> names_of(const std::optional<syntax::NameSlot>& slot) {
+  if (!slot) return std::nullopt;
+  std::vector<std::string> names;
+  for (const auto& name : slot->names) names.push_back(name.text);
+  return names;
+}
+
 }  // namespace
 
 pan::ModuleId Names::enter_module(const syntax::ModuleUnit& unit) {
   if (const auto known = modules_.find(unit.name.text); known != modules_.end()) return known->second;
   const pan::ModuleId id(network_.modules.size());
-  network_.modules.push_back(
-      {unit.name.text, unit.kind, {}, {}, {}, unit.where, unit.descriptions, unit.sensor.methods});
+  network_.modules.push_back({unit.name.text,
+                              unit.kind,
+                              {},
+                              {},
+                              {},
+                              unit.where,
+                              unit.descriptions,
+                              unit.sensor.methods,
+                              names_of(unit.sensor.drivers),
+                              names_of(unit.sensor.returns)});
   units_.push_back(&unit);
   modules_.emplace(unit.name.text, id);
   return id;
@@ -56,7 +71,7 @@ std::optional<pan::ModuleId> Names::module(const syntax::Name& name, bool listed
     const auto [entry, added] = modules_.emplace(name.text, pan::ModuleId(network_.modules.size()));
     if (added) {
       network_.modules.push_back(
-          {name.text, pan::ModuleKind::contingency_module, {}, {}, {}, name.where, {}, {}});
+          {name.text, pan::ModuleKind::contingency_module, {}, {}, {}, name.where, {}, {}, {}, {}});
       units_.push_back(nullptr);
     }
     return entry->second;
@@ -216,8 +231,10 @@ pan::ActivityId Names::trusted_activity(const syntax::Name& name, pan::ModuleId 
 
 void Names::report_no_activity(const syntax::Name& name, pan::ModuleId module) {
   std::vector<std::string> known;
-  for (const auto& activity : network_.activities) {
-    if (activity.module == module) known.push_back(activity.name);
+  if (may_guess(diagnostics_, network_.activities.size())) {
+    for (const auto& activity : network_.activities) {
+      if (activity.module == module) known.push_back(activity.name);
+    }
   }
   const auto& owner = network_.modules[module.index()].name;
   report_unknown(diagnostics_, Code::PAL0204, "activity of " + owner, name, known,

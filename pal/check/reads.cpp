@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pal/check/families.hpp"
+#include "pal/check/guards.hpp"
 #include "pal/check/report.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
@@ -26,11 +27,6 @@ struct State {
     return old.reached != reached || old.may != may || old.must != must;
   }
 };
-
-void conditions_of(const pan::Guard& guard, std::vector<pan::ConditionId>& result) {
-  if (guard.kind == pan::Guard::Kind::equals) result.push_back(guard.condition);
-  for (const auto& term : guard.terms) conditions_of(term, result);
-}
 
 std::vector<pan::ConditionId> read_at(const pan::Content& content) {
   std::vector<pan::ConditionId> result;

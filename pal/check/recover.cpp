@@ -156,6 +156,13 @@ std::vector<syntax::Name> names(const pan::Network& network, const std::vector<p
   return result;
 }
 
+std::optional<syntax::NameSlot> slot(const std::optional<std::vector<std::string>>& listed) {
+  if (!listed) return std::nullopt;
+  syntax::NameSlot result;
+  for (const auto& name : *listed) result.names.push_back(named(name));
+  return result;
+}
+
 }  // namespace
 
 syntax::ModuleUnit to_unit(const pan::Network& network, pan::ModuleId module) {
@@ -168,6 +175,8 @@ syntax::ModuleUnit to_unit(const pan::Network& network, pan::ModuleId module) {
     unit.activities.push_back(
         {named(activity.name), names(network, activity.reads), names(network, activity.writes), {}});
   }
+  unit.descriptions = it.descriptions;
+  unit.sensor = {slot(it.drivers), it.methods, slot(it.returns), {}};
   unit.has_body = !it.body.empty();
   if (unit.has_body) unit.body = Recovery(network, it).statements(0, it.body.nodes.size());
   return unit;

@@ -17,11 +17,16 @@ void report_twice(Diagnostics& diagnostics, const std::string& what, const synta
   finding.notes.push_back({first.where, "it is also declared here"});
 }
 
+bool may_guess(const Diagnostics& diagnostics, std::size_t known) {
+  constexpr std::size_t most_guesses = 200;
+  constexpr std::size_t most_comparisons = 200'000;
+  const auto errors = diagnostics.errors();
+  return errors < most_guesses && errors * known < most_comparisons;
+}
+
 void report_unknown(Diagnostics& diagnostics, Code code, const std::string& what, const syntax::Name& name,
                     const std::vector<std::string>& known, const std::string& otherwise) {
-  // Where hundreds of names are unknown none is a slip of the fingers, and comparing all with all takes long.
-  constexpr std::size_t most_guesses = 200;
-  const auto meant = diagnostics.errors() < most_guesses ? nearest(name.text, known) : std::nullopt;
+  const auto meant = may_guess(diagnostics, known.size()) ? nearest(name.text, known) : std::nullopt;
   auto& finding = diagnostics.report(code, name.where, "there is no " + what + " " + quoted(name.text),
                                      meant ? "did you mean " + quoted(*meant) + "?" : otherwise);
   if (meant) finding.fix = {{name.where, *meant}};

@@ -13,6 +13,10 @@ namespace pal::frontend {
 void report_twice(Diagnostics& diagnostics, const std::string& what, const syntax::Name& second,
                   const syntax::Name& first);
 
+/// Whether to look which of so many known names an unknown one may be meant to be: not where hundreds are
+/// unknown, of which none is a slip of the fingers, and comparing all with all takes long.
+bool may_guess(const Diagnostics& diagnostics, std::size_t known);
+
 /// There is no `what` of that name; says which of `known` may be meant, else `otherwise`.
 void report_unknown(Diagnostics& diagnostics, Code code, const std::string& what, const syntax::Name& name,
                     const std::vector<std::string>& known, const std::string& otherwise);

@@ -33,6 +33,8 @@ class Collector {
   explicit Collector(const pan::Network& network) : network_(network) {}
 
   std::vector<Resource> collect() {
+    const auto& skill = network_.skill;
+    add(Resource::Group::generic_skill, Resource::Kind::listed, skill.name, skill.name, skill.where);
     for (std::size_t i = 0; i < network_.modules.size(); ++i) module(pan::ModuleId(i));
     for (const auto& channel : network_.channels) device(channel);
     for (const auto& module : network_.modules) activities(module);
@@ -44,7 +46,7 @@ class Collector {
  private:
   void add(Resource::Group group, Resource::Kind kind, const std::string& name, const std::string& module,
            SourceSpan where) {
-    if (seen_.insert({kind, name, kind == Resource::Kind::time ? module : ""}).second)
+    if (seen_.insert({group, kind, name, kind == Resource::Kind::time ? module : ""}).second)
       result_.push_back({group, kind, name, module, where});
   }
 
@@ -88,7 +90,7 @@ class Collector {
 
   const pan::Network& network_;
   std::vector<Resource> result_;
-  std::set<std::tuple<Resource::Kind, std::string, std::string>> seen_;
+  std::set<std::tuple<Resource::Group, Resource::Kind, std::string, std::string>> seen_;
 };
 
 /// The environment's list of the group; empty: it has none.
@@ -100,6 +102,8 @@ pan::Resources::List list_of(const pan::Environment& environment, Resource::Grou
       return environment.resources.logical_sensors;
     case Resource::Group::robotic_machine:
       return environment.resources.machine_controllers;
+    case Resource::Group::generic_skill:
+      return environment.resources.skills;
     case Resource::Group::skill_module:
     case Resource::Group::activity:
       return std::nullopt;
@@ -134,6 +138,20 @@ std::vector<Resource> needed_resources(const pan::Network& network) {
   return Collector(network).collect();
 }
 
+std::vector<Resource> needed_resources(const std::vector<pan::Network>& skills) {
+  std::vector<Resource> result;
+  std::set<std::tuple<Resource::Group, Resource::Kind, std::string, std::string>> seen;
+  for (const auto& skill : skills) {
+    for (auto& resource : needed_resources(skill)) {
+      if (seen.emplace(resource.group, resource.kind, resource.name, resource.module).second)
+        result.push_back(std::move(resource));
+    }
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Resource& a, const Resource& b) { return a.group < b.group; });
+  return result;
+}
+
 std::vector<Resource> missing_resources(const std::vector<Resource>& needed,
                                         const pan::Environment& environment) {
   std::vector<Resource> result;
@@ -150,6 +168,8 @@ std::string group_text(Resource::Group group) {
       return "logical sensors";
     case Resource::Group::robotic_machine:
       return "robotic machines";
+    case Resource::Group::generic_skill:
+      return "generic skills";
     case Resource::Group::skill_module:
       return "skill modules";
     case Resource::Group::activity:

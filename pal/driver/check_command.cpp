@@ -16,6 +16,7 @@ namespace {
 
 ExitStatus emit_tree(const Selection& selection, const Console& console) {
   Session session;
+  session.max_errors = selection.max_errors;
   for (const syntax::Tree& tree :
        load(console.files, session.sources, selection.files, session.diagnostics)) {
     syntax::dump(tree, session.sources, console.out);

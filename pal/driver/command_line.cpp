@@ -18,6 +18,12 @@ const char* const statuses =
     "read or "
     "written; 3 some requirement fails or is undecided.";
 
+void add_max_errors(CLI::App& command, std::size_t& most) {
+  command.add_option("--max-errors", most, "show so many findings, errors before warnings; 0: all")
+      ->type_name("N")
+      ->capture_default_str();
+}
+
 void add_selection(CLI::App& command, Selection& selection) {
   command.add_option("files", selection.files, "PAL files with the skills")->required()->type_name("FILE");
   command
@@ -27,6 +33,7 @@ void add_selection(CLI::App& command, Selection& selection) {
   command.add_option("-s,--skill", selection.skill, "only the skill of this name")->type_name("NAME");
   command.add_option("--environment-name", selection.environment, "only the environment of this name")
       ->type_name("NAME");
+  add_max_errors(command, selection.max_errors);
 }
 
 /// Seconds in "90", "90 s", "1.5min".
@@ -224,6 +231,7 @@ void add_generate(CLI::App& app, GenerateOptions& options) {
 
 void add_format(CLI::App& app, FormatOptions& options) {
   CLI::App* command = app.add_subcommand("fmt", "Gives PAL files their canonical layout");
+  add_max_errors(*command, options.max_errors);
   command->add_option("paths", options.paths, "PAL files, folders with them, or - (standard input to output)")
       ->required()
       ->type_name("FILE|FOLDER");

@@ -92,9 +92,10 @@ struct GenerateOptions {
 ExitStatus generate(const GenerateOptions& options, const Console& console);
 
 struct FormatOptions {
-  std::vector<std::string> paths;  // files, folders, or "-"
-  bool check = false;              // change nothing, list what would change
-  bool diff = false;               // … and show how
+  std::vector<std::string> paths;               // files, folders, or "-"
+  bool check = false;                           // change nothing, list what would change
+  bool diff = false;                            // … and show how
+  std::size_t max_errors = default_max_errors;  // findings that are shown; 0: all
 };
 ExitStatus format(const FormatOptions& options, const Console& console);
 

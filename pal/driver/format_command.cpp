@@ -20,7 +20,8 @@ class FormatCommand {
 
   ExitStatus run() {
     for (const std::string& path : options_.paths) add(path);
-    render_text(diagnostics_.sorted(), sources_, console_.err);
+    render_text(diagnostics_.sorted(), sources_, console_.err,
+                {options_.max_errors, diagnostics_.not_kept()});
     if (const auto problem = write_files(changed_)) {
       console_.err << "pal: " << *problem << "\n";
       return ExitStatus::usage;

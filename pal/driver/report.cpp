@@ -69,6 +69,7 @@ std::string json(const std::vector<Proof>& proofs, const Session& session, bool 
   nlohmann::ordered_json document;
   document["diagnostics"] =
       nlohmann::ordered_json::parse(render_json(session.diagnostics.sorted(), session.sources));
+  document["not_kept"] = session.diagnostics.not_kept().sum();
   document["requirements"] = nlohmann::ordered_json::array();
   for (const Proof& proof : proofs) {
     for (const analyzer::Verdict& verdict : proof.analysis.verdicts) {

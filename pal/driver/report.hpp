@@ -12,9 +12,9 @@ namespace pal::driver {
 /// A table: a line a requirement, with its verdict, bound, limit and margin.
 void write_table(const std::vector<Proof>& proofs, std::ostream& out);
 
-/// {"diagnostics": [...], "requirements": [{name, skill, environment, measure, limit_ns, bound_ns,
-/// attained_ns, exact, verdict}]} (docs/command-line.md), with what they took if `statistics`. A figure that
-/// is not known is null. Of a load, both figures are nanoseconds of work a second.
+/// {"diagnostics": [...], "not_kept", "requirements": [{name, skill, environment, measure, limit_ns,
+/// bound_ns, attained_ns, exact, verdict}]} (docs/command-line.md), with what they took if `statistics`. A
+/// figure that is not known is null. Of a load, both figures are nanoseconds of work a second.
 std::string json(const std::vector<Proof>& proofs, const Session& session, bool statistics = false);
 
 }  // namespace pal::driver

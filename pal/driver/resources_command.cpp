@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -13,22 +14,25 @@ namespace {
 
 using frontend::Resource;
 
-/// A skill's needs, and by environment what it has not.
+/// The needs of a skill, or of an operation of several, and by environment what it has not.
 struct Comparison {
-  const pan::Network* skill = nullptr;
+  std::vector<std::string> skills;
   std::vector<Resource> needed;
   std::vector<std::vector<Resource>> missing;  // by environment
 };
 
 bool contains(const std::vector<Resource>& resources, const Resource& resource) {
   return std::any_of(resources.begin(), resources.end(), [&](const Resource& other) {
-    return other.kind == resource.kind && other.name == resource.name && other.module == resource.module;
+    return other.group == resource.group && other.kind == resource.kind && other.name == resource.name &&
+           other.module == resource.module;
   });
 }
 
 void write_table(const Comparison& comparison, const std::vector<pan::Environment>& environments,
                  std::ostream& out) {
-  out << fmt::format("skill {} needs\n", comparison.skill->skill.name);
+  const auto& skills = comparison.skills;
+  out << (skills.size() == 1 ? fmt::format("skill {} needs\n", skills.front())
+                             : fmt::format("an operation of {} needs\n", fmt::join(skills, ", ")));
   const auto module_of = [](const Resource& resource) {
     return resource.name == resource.module ? "" : "of " + resource.module;
   };
@@ -80,9 +84,26 @@ nlohmann::json json(const Comparison& comparison, const std::vector<pan::Environ
   for (std::size_t i = 0; i < environments.size(); ++i) {
     compared.push_back({{"environment", environments[i].name}, {"missing", json(comparison.missing[i])}});
   }
-  return {{"skill", comparison.skill->skill.name},
-          {"needs", json(comparison.needed)},
-          {"environments", compared}};
+  nlohmann::json result = {{"needs", json(comparison.needed)}, {"environments", compared}};
+  if (comparison.skills.size() == 1) {
+    result["skill"] = comparison.skills.front();
+  } else {
+    result["operation"] = comparison.skills;
+  }
+  return result;
+}
+
+/// Of each skill, and of all together if there are several: the operation that they make up (thesis,
+/// section 2.3.4).
+std::vector<Comparison> comparisons(const std::vector<pan::Network>& skills) {
+  std::vector<Comparison> result;
+  std::vector<std::string> names;
+  for (const pan::Network& skill : skills) {
+    names.push_back(skill.skill.name);
+    result.push_back({{names.back()}, frontend::needed_resources(skill), {}});
+  }
+  if (skills.size() > 1) result.push_back({names, frontend::needed_resources(skills), {}});
+  return result;
 }
 
 }  // namespace
@@ -96,8 +117,7 @@ ExitStatus show_resources(const ResourcesOptions& options, const Console& consol
   const auto& environments = session.specification.environments;
   bool all = true;
   auto document = nlohmann::json::array();
-  for (const pan::Network& skill : session.specification.skills) {
-    Comparison comparison{&skill, frontend::needed_resources(skill), {}};
+  for (Comparison& comparison : comparisons(session.specification.skills)) {
     for (const pan::Environment& environment : environments) {
       comparison.missing.push_back(frontend::missing_resources(comparison.needed, environment));
       all = all && comparison.missing.back().empty();

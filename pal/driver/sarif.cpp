@@ -165,6 +165,12 @@ std::string sarif(const std::vector<Proof>& proofs, const Session& session, Exit
   driver["version"] = PAL_VERSION;
   driver["rules"] = Json::parse(sarif_rules());
   run["invocations"].push_back(invocation(status));
+  if (const auto not_kept = session.diagnostics.not_kept().sum(); not_kept != 0) {
+    Json notification;
+    notification["level"] = "warning";
+    notification["message"]["text"] = std::to_string(not_kept) + " further findings are not in this log";
+    run["invocations"].back()["toolExecutionNotifications"].push_back(std::move(notification));
+  }
   run["columnKind"] = "unicodeCodePoints";
   run["artifacts"] = log.artifacts();
   run["results"] = Json::array();

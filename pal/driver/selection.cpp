@@ -40,6 +40,7 @@ bool choose(std::vector<Thing>& things, const std::string& name, const char* kin
 }  // namespace
 
 bool read(const Selection& selection, const Console& console, Session& session) {
+  session.max_errors = selection.max_errors;
   std::vector<std::string> paths = selection.files;
   paths.insert(paths.end(), selection.environments.begin(), selection.environments.end());
   const std::vector<syntax::Tree> trees = load(console.files, session.sources, paths, session.diagnostics);
@@ -63,7 +64,8 @@ ExitStatus status_of_findings(const Session& session) {
 void show_findings(const Session& session, const Console& console) {
   // The stream may be one that writes each piece at once.
   std::ostringstream text;
-  render_text(session.diagnostics.sorted(), session.sources, text);
+  render_text(session.diagnostics.sorted(), session.sources, text,
+              {session.max_errors, session.diagnostics.not_kept()});
   console.err << text.str();
 }
 

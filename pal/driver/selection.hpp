@@ -1,6 +1,7 @@
 // What the commands have in common: the files to read, and which skill and environment of them is meant.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,12 +14,16 @@
 
 namespace pal::driver {
 
+/// Nobody reads more findings than this at once.
+constexpr std::size_t default_max_errors = 100;
+
 /// As given on the command line. Empty names choose everything.
 struct Selection {
   std::vector<std::string> files;         // .pal files, with the skills in question
   std::vector<std::string> environments;  // further .pal files, of which only the environments count
   std::string skill;
-  std::string environment;  // the name of one
+  std::string environment;                      // the name of one
+  std::size_t max_errors = default_max_errors;  // findings that text shows; 0: all
 };
 
 /// A specification with its texts and what was found wrong with it so far.
@@ -26,14 +31,15 @@ struct Session {
   SourceManager sources;
   Diagnostics diagnostics;
   Specification specification;
+  std::size_t max_errors = default_max_errors;
 };
 
 /// Reads and checks everything that `selection` names, and keeps of it what `selection` chooses. Findings are
 /// left in the session; a name that chooses nothing is reported to `console.err`, and the answer is false.
 bool read(const Selection& selection, const Console& console, Session& session);
 
-/// How a command ends that found errors: with `usage` if a file of the command line could not be read, else with
-/// `wrong_specification`. `all_hold` if there are no errors.
+/// How a command ends that found errors: with `usage` if a file of the command line could not be read, else
+/// with `wrong_specification`. `all_hold` if there are no errors.
 ExitStatus status_of_findings(const Session& session);
 
 /// Renders the findings as text to `console.err`.

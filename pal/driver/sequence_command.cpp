@@ -148,6 +148,7 @@ class Converter {
 /// No errors but those that the charts show.
 bool sound(const Session& session) {
   const auto& all = session.diagnostics.all();
+  if (session.diagnostics.not_kept().errors != 0) return false;
   return std::none_of(all.begin(), all.end(), [](const Diagnostic& finding) {
     return finding.severity == Severity::error && finding.code != Code::PAL0521 &&
            finding.code != Code::PAL0522;

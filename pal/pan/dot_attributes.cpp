@@ -1,6 +1,7 @@
 #include "pal/pan/dot_attributes.hpp"
 
 #include <set>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -44,6 +45,40 @@ std::string headings(const Network& network, const Activities& activities) {
     }
   }
   return result;
+}
+
+/// A text of a template as a part of a list: what DOT or the list would read as something else is %XX.
+std::string encoded(const std::string& text) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string result;
+  for (const char c : text) {
+    if (std::string_view("%;\"\\<>").find(c) == std::string_view::npos) {
+      result += c;
+      continue;
+    }
+    const auto byte = static_cast<unsigned char>(c);
+    result += '%';
+    result += digits[byte / 16];
+    result += digits[byte % 16];
+  }
+  return result;
+}
+
+/// Parts with semicolons between; nothing if there are none.
+void add_list(const char* name, const std::vector<std::string>& parts, DotAttributes& to) {
+  std::string all;
+  for (const auto& part : parts) all += (&part == &parts.front() ? "" : ";") + part;
+  if (!parts.empty()) to.emplace_back(name, all);
+}
+
+void add_texts(const char* name, const std::vector<std::string>& texts, DotAttributes& to) {
+  std::vector<std::string> parts;
+  for (const auto& text : texts) parts.push_back(encoded(text));
+  add_list(name, parts, to);
+}
+
+void add_names(const char* name, const std::optional<std::vector<std::string>>& names, DotAttributes& to) {
+  if (names) add_list(name, names->empty() ? std::vector<std::string>{"NONE"} : *names, to);
 }
 
 struct Describe {
@@ -146,6 +181,10 @@ DotAttributes content_attributes(const Network& network, ModuleId module) {
                           {"pal_skill", network.skill.name},
                           {"pal_module", it.name},
                           {"pal_module_kind", kind_text(it.kind)}};
+  add_texts("pal_description", it.descriptions, result);
+  add_names("pal_drivers", it.drivers, result);
+  add_texts("pal_method", it.methods, result);
+  add_names("pal_returns", it.returns, result);
   const Activities all = declared(network, module);
   if (all != performed(network, module)) result.emplace_back("pal_activities", headings(network, all));
   return result;

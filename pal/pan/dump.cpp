@@ -34,6 +34,13 @@ void dump_texts(const char* word, const std::vector<std::string>& texts, std::os
   for (const auto& text : texts) out << "  " << word << ' ' << quoted(text) << '\n';
 }
 
+void dump_names(const char* word, const std::optional<std::vector<std::string>>& names, std::ostream& out) {
+  if (!names) return;
+  out << "  " << word;
+  for (const auto& name : *names) out << (&name == &names->front() ? " " : ", ") << name;
+  out << (names->empty() ? " none\n" : "\n");
+}
+
 void dump_template(const Network& network, std::ostream& out) {
   const auto& skill = network.skill;
   out << "skill " << skill.name << '\n';
@@ -95,6 +102,10 @@ void dump_module(const Network& network, ModuleId id, std::ostream& out) {
   if (module.executed_by.valid()) out << " executed by " << network.modules[module.executed_by.index()].name;
   for (const auto& thread : module.threads) out << " thread " << thread;
   out << '\n';
+  dump_texts("description", module.descriptions, out);
+  dump_names("sensor driver", module.drivers, out);
+  dump_texts("method", module.methods, out);
+  dump_names("returns", module.returns, out);
   for (std::size_t i = 0; i < module.body.nodes.size(); ++i) {
     const auto& node = module.body.nodes[i];
     out << "  " << i << ' ' << statement_text(network, id, NodeId(i));

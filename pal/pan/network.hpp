@@ -75,6 +75,9 @@ struct Module {
   SourceSpan where;
   std::vector<std::string> descriptions;  // texts of its template
   std::vector<std::string> methods;       // of a logical sensor: how it gets what it returns
+  // Of a logical sensor: the drivers and messages that its template names, as its body has them; nothing if it does not say.
+  std::optional<std::vector<std::string>> drivers;
+  std::optional<std::vector<std::string>> returns;
 };
 
 /// Something outside the skill that sends, answers or takes messages.

@@ -64,8 +64,10 @@ Diagnostic& Diagnostics::report(Code code, SourceSpan where, std::string message
     return place.file == where.file && place.begin <= where.begin && where.begin < place.end;
   });
   if (!follows && level == Severity::error) ++errors_;
-  if (follows) dropped_.clear();
-  return (follows ? dropped_ : all_)
+  const bool full = kept_.of(level) == most_kept;
+  if (!follows) ++(full ? not_kept_ : kept_).of(level);
+  if (follows || full) dropped_.clear();
+  return (follows || full ? dropped_ : all_)
       .emplace_back(Diagnostic{code, level, where, std::move(message), {}, std::move(hint), {}});
 }
 

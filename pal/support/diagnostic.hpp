@@ -41,9 +41,21 @@ struct Diagnostic {
   std::vector<Edit> fix;
 };
 
+/// Numbers of findings.
+struct FindingCounts {
+  std::size_t errors = 0;
+  std::size_t warnings = 0;
+
+  std::size_t sum() const { return errors + warnings; }
+  std::size_t& of(Severity severity) { return severity == Severity::error ? errors : warnings; }
+};
+
 /// Where stages leave their findings. Stages go on after an error as far as they can.
 class Diagnostics {
  public:
+  /// Of each severity; what is beyond is counted only, so that no input can fill the memory with findings.
+  static constexpr std::size_t most_kept = 10'000;
+
   /// Reports with the severity that the table gives the code.
   Diagnostic& report(Code code, SourceSpan where, std::string message, std::string hint = {});
 
@@ -53,8 +65,11 @@ class Diagnostics {
   std::size_t errors() const { return errors_; }
   bool has_errors() const { return errors_ != 0; }
 
-  /// In the order reported.
+  /// What was kept, in the order reported.
   const std::vector<Diagnostic>& all() const { return all_; }
+
+  /// How many findings were counted and not kept.
+  const FindingCounts& not_kept() const { return not_kept_; }
 
   /// In the order a reader wants: by file, then place, then code; repeats of one finding once.
   std::vector<Diagnostic> sorted() const;
@@ -64,6 +79,8 @@ class Diagnostics {
   std::vector<SourceSpan> distrusted_;
   std::vector<Diagnostic> dropped_;  // the last one dropped, which its finder may still be writing to
   std::size_t errors_ = 0;
+  FindingCounts kept_;
+  FindingCounts not_kept_;
 };
 
 }  // namespace pal

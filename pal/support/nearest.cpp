@@ -51,6 +51,8 @@ std::optional<std::string> nearest(std::string_view name, const std::vector<std:
   Cost best_cost = limit + 1;
   for (const auto& candidate : candidates) {
     if (candidate.size() > longest || candidate == name) continue;
+    const auto longer = std::max(candidate.size(), name.size()) - std::min(candidate.size(), name.size());
+    if (longer * slip >= best_cost) continue;
     const auto cost = distance(name, candidate);
     if (cost < best_cost) {
       best_cost = cost;

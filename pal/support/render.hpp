@@ -10,10 +10,18 @@
 
 namespace pal {
 
+/// How much of the findings text shows.
+struct TextLimit {
+  std::size_t most = 0;  // findings, errors before warnings; 0: all
+  FindingCounts not_kept;       // found besides, as Diagnostics::not_kept() says
+};
+
 /// Writes each finding with its code, its place as file:line:column, the line it stands on with carets below
-/// the place, the notes at their own places, the hint, and what its fix changes. Ends with a line that counts errors and warnings,
-/// if any. `findings` as Diagnostics::sorted() gives them.
-void render_text(const std::vector<Diagnostic>& findings, const SourceManager& sources, std::ostream& out);
+/// the place, the notes at their own places, the hint, and what its fix changes. Ends with a line that says
+/// how many more there are than are shown, if any, and one that counts errors and warnings. `findings` as
+/// Diagnostics::sorted() gives them.
+void render_text(const std::vector<Diagnostic>& findings, const SourceManager& sources, std::ostream& out,
+                 const TextLimit& limit = {});
 
 /// A JSON array of one object each: {"code", "severity", "file", "line", "column", "end_line", "end_column",
 /// "message", "hint", "notes": [{"file", "line", "column", "end_line", "end_column", "message"}],

@@ -52,35 +52,64 @@ void write_count(std::size_t count, std::string_view noun, std::ostream& out) {
   out << count << ' ' << noun << (count == 1 ? "" : "s");
 }
 
-void write_summary(const std::vector<Diagnostic>& findings, std::ostream& out) {
-  const auto count = [&](Severity s) {
-    return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(),
-                                                  [&](const Diagnostic& d) { return d.severity == s; }));
-  };
-  const auto errors = count(Severity::error);
-  const auto warnings = count(Severity::warning);
-  if (errors == 0 && warnings == 0) return;
-  if (errors != 0) write_count(errors, "error", out);
-  if (errors != 0 && warnings != 0) out << ", ";
-  if (warnings != 0) write_count(warnings, "warning", out);
+FindingCounts counts_of(const std::vector<Diagnostic>& findings) {
+  FindingCounts counts;
+  for (const auto& finding : findings) ++counts.of(finding.severity);
+  return counts;
+}
+
+/// How many of each severity are shown: no warning takes the place of an error.
+FindingCounts shown(const FindingCounts& found, std::size_t most) {
+  if (most == 0) return found;
+  const auto errors = std::min(found.errors, most);
+  return {errors, std::min(found.warnings, most - errors)};
+}
+
+void write_finding(const Diagnostic& finding, const SourceManager& sources, std::ostream& out) {
+  out << name(finding.severity) << '[' << name(finding.code) << "]: " << printable(finding.message) << '\n';
+  if (finding.where.valid()) write_place(finding.where, sources, '^', out);
+  for (const auto& note : finding.notes) {
+    out << "note: " << printable(note.text) << '\n';
+    if (note.where.valid()) write_place(note.where, sources, '-', out);
+  }
+  if (!finding.hint.empty()) out << "hint: " << printable(finding.hint) << '\n';
+  write_suggestion(finding.fix, sources, out);
+  out << '\n';
+}
+
+void write_rest(std::size_t left_out, const TextLimit& limit, std::ostream& out) {
+  const auto more = left_out + limit.not_kept.sum();
+  if (more == 0) return;
+  out << "\u2026 and " << more << " more";
+  if (left_out != 0) out << "; --max-errors 0 shows " << (limit.not_kept.sum() == 0 ? "all" : "more");
+  if (limit.not_kept.sum() != 0) {
+    out << "; only the first " << Diagnostics::most_kept << " errors and as many warnings are kept";
+  }
+  out << "\n\n";
+}
+
+void write_summary(const FindingCounts& counts, std::ostream& out) {
+  if (counts.sum() == 0) return;
+  if (counts.errors != 0) write_count(counts.errors, "error", out);
+  if (counts.errors != 0 && counts.warnings != 0) out << ", ";
+  if (counts.warnings != 0) write_count(counts.warnings, "warning", out);
   out << '\n';
 }
 
 }  // namespace
 
-void render_text(const std::vector<Diagnostic>& findings, const SourceManager& sources, std::ostream& out) {
+void render_text(const std::vector<Diagnostic>& findings, const SourceManager& sources, std::ostream& out,
+                 const TextLimit& limit) {
+  const auto found = counts_of(findings);
+  const auto show = shown(found, limit.most);
+  auto left = show;
   for (const auto& finding : findings) {
-    out << name(finding.severity) << '[' << name(finding.code) << "]: " << printable(finding.message) << '\n';
-    if (finding.where.valid()) write_place(finding.where, sources, '^', out);
-    for (const auto& note : finding.notes) {
-      out << "note: " << printable(note.text) << '\n';
-      if (note.where.valid()) write_place(note.where, sources, '-', out);
-    }
-    if (!finding.hint.empty()) out << "hint: " << printable(finding.hint) << '\n';
-    write_suggestion(finding.fix, sources, out);
-    out << '\n';
+    if (left.of(finding.severity) == 0) continue;
+    --left.of(finding.severity);
+    write_finding(finding, sources, out);
   }
-  write_summary(findings, out);
+  write_rest(found.sum() - show.sum(), limit, out);
+  write_summary({found.errors + limit.not_kept.errors, found.warnings + limit.not_kept.warnings}, out);
 }
 
 }  // namespace pal

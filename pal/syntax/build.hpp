@@ -25,6 +25,11 @@ class Builder {
   Tree build(Parser::FileContext* file);
 
  private:
+  struct TypeOf {
+    pan::ScalarType type = pan::ScalarType::real;
+    std::string unit;
+  };
+
   // units: build_units.cpp
   std::optional<Unit> unit(Parser::UnitContext* context);
   Uses uses(Parser::UsesContext* context);
@@ -87,11 +92,12 @@ class Builder {
   std::vector<std::string> texts(Parser::StringsContext* context);
   std::optional<int> integer(antlr4::tree::TerminalNode* number);
   std::optional<double> real(antlr4::tree::TerminalNode* number);
-  std::optional<double> literal(Parser::LiteralContext* context);
+  std::optional<Literal> literal(Parser::LiteralContext* context);
   Duration duration(Parser::DurationContext* context);
   Duration duration(antlr4::tree::TerminalNode* number, antlr4::tree::TerminalNode* unit);
   Interval interval(Parser::IntervalContext* context);
   std::string unit(Parser::PhysicalUnitContext* context);
+  TypeOf type(Parser::TypeContext* context);
   std::optional<pan::ModuleKind> kind(Parser::KindContext* context) const;
   std::optional<pan::ModuleKind> kind(Parser::HeaderContext* context) const;
 

@@ -36,7 +36,8 @@ bool Builder::add_resource(Resources& resources, Parser::ItemContext* context) {
   if (auto* m = dynamic_cast<Parser::AvailableMachinesContext*>(context)) {
     return add(resources.machine_controllers, m->names());
   }
-  if (auto* g = dynamic_cast<Parser::AvailableSkillsContext*>(context)) return add(resources.skills, g->names());
+  if (auto* g = dynamic_cast<Parser::AvailableSkillsContext*>(context))
+    return add(resources.skills, g->names());
   return false;
 }
 

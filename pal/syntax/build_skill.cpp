@@ -83,12 +83,9 @@ Parameter Builder::parameter(Parser::ParameterSlotContext* context) {
   Parameter result;
   result.name = name(context->name());
   result.where = span(context);
-  if (auto* type = context->type()) {
-    result.type = type->INTEGER() != nullptr   ? pan::ScalarType::integer
-                  : type->BOOLEAN() != nullptr ? pan::ScalarType::boolean
-                                               : pan::ScalarType::real;
-    result.unit = unit(type->physicalUnit());
-  }
+  auto written = type(context->type());
+  result.type = written.type;
+  result.unit = std::move(written.unit);
   const auto literals = context->literal();
   std::size_t next = 0;
   const auto take = [&] { return next < literals.size() ? literal(literals[next++]) : std::nullopt; };

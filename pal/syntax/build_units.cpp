@@ -32,23 +32,13 @@ MessageUnit Builder::message_unit(Parser::MessageUnitContext* context) {
   MessageUnit result{name(context->name()), {}, {}, span(context)};
   auto* payload = context->payload();
   if (payload == nullptr) return result;
-  const auto type_of = [&](Parser::TypeContext* type) {
-    pan::Field field;
-    if (type == nullptr) return field;
-    field.type = type->INTEGER() != nullptr   ? pan::ScalarType::integer
-                 : type->BOOLEAN() != nullptr ? pan::ScalarType::boolean
-                                              : pan::ScalarType::real;
-    field.unit = unit(type->physicalUnit());
-    return field;
-  };
   if (payload->type() != nullptr) {
-    auto field = type_of(payload->type());
-    field.name = "value";
-    result.fields.push_back(std::move(field));
+    auto written = type(payload->type());
+    result.fields.push_back({"value", written.type, std::move(written.unit)});
     return result;
   }
   for (auto* group : payload->fieldGroup()) {
-    const auto field = type_of(group->type());
+    const auto field = type(group->type());
     for (auto& field_name : names(group->name())) {
       result.fields.push_back({field_name.text, field.type, field.unit});
       result.field_names.push_back(std::move(field_name));

@@ -119,10 +119,14 @@ std::optional<double> Builder::real(antlr4::tree::TerminalNode* number) {
   return value;
 }
 
-std::optional<double> Builder::literal(Parser::LiteralContext* context) {
+std::optional<Literal> Builder::literal(Parser::LiteralContext* context) {
   if (context == nullptr) return std::nullopt;
-  if (auto* truth = context->truth()) return truth->TRUE() != nullptr ? 1.0 : 0.0;
-  return real(context->NUMBER());
+  if (auto* truth = context->truth()) {
+    return Literal{{}, truth->TRUE() != nullptr ? 1.0 : 0.0, {}, span(context)};
+  }
+  const auto value = real(context->NUMBER());
+  if (!value) return std::nullopt;
+  return Literal{context->NUMBER()->getText(), *value, unit(context->physicalUnit()), span(context)};
 }
 
 Duration Builder::duration(Parser::DurationContext* context) {
@@ -191,6 +195,19 @@ std::string Builder::unit(Parser::PhysicalUnitContext* context) {
                         "units are products and quotients of " + physical_units());
   }
   return written;
+}
+
+Builder::TypeOf Builder::type(Parser::TypeContext* context) {
+  if (context == nullptr) return {};
+  const bool boolean = context->BOOLEAN() != nullptr;
+  if (boolean && context->physicalUnit() != nullptr) {
+    diagnostics_.report(Code::PAL0614, span(context), "a BOOLEAN has no unit",
+                        "remove the unit, or write REAL or INTEGER");
+  }
+  return {context->INTEGER() != nullptr ? pan::ScalarType::integer
+          : boolean                     ? pan::ScalarType::boolean
+                                        : pan::ScalarType::real,
+          unit(context->physicalUnit())};
 }
 
 std::optional<pan::ModuleKind> Builder::kind(Parser::KindContext* context) const {

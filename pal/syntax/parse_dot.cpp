@@ -23,6 +23,20 @@ void check_format(const DotGraph& graph, Diagnostics& diagnostics) {
   throw Reported{};
 }
 
+/// What the template of the module says beside its activities.
+void read_template(const DotGraph& graph, DotWords& words, ModuleUnit& unit) {
+  if (const DotValue* texts = graph.values.find("pal_description")) unit.descriptions = words.texts(*texts);
+  SensorTemplate& sensor = unit.sensor;
+  const auto slot = [&](const char* name) {
+    const DotValue* value = graph.values.find(name);
+    if (value != nullptr && !sensor.where.valid()) sensor.where = value->where;
+    return value;
+  };
+  if (const DotValue* names = slot("pal_drivers")) sensor.drivers = words.slot(*names);
+  if (const DotValue* texts = slot("pal_method")) sensor.methods = words.texts(*texts);
+  if (const DotValue* names = slot("pal_returns")) sensor.returns = words.slot(*names);
+}
+
 ModuleUnit read_module(const DotGraph& graph, Diagnostics& diagnostics) {
   check_format(graph, diagnostics);
   DotWords words(diagnostics);
@@ -35,6 +49,7 @@ ModuleUnit read_module(const DotGraph& graph, Diagnostics& diagnostics) {
   }
   unit.name = words.name(*name);
   if (const DotValue* kind = graph.values.find("pal_module_kind")) unit.kind = words.module_kind(*kind);
+  read_template(graph, words, unit);
   unit.has_body = true;
   unit.where = graph.where;
   unit.end = graph.where;

@@ -1,7 +1,5 @@
 #include "pal/syntax/print.hpp"
 
-#include <array>
-#include <charconv>
 #include <cstdint>
 #include <ostream>
 #include <sstream>
@@ -23,12 +21,6 @@ std::string quoted(const std::string& text) {
     result += c;
   }
   return result + '"';
-}
-
-std::string number(double value) {
-  std::array<char, 32> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  return {digits.data(), end};
 }
 
 std::string type(pan::ScalarType type, const std::string& unit) {
@@ -166,8 +158,9 @@ class Printer {
   }
 
   void parameter(const Parameter& p) {
-    const auto literal = [&](double value) {
-      return p.type == pan::ScalarType::boolean ? std::string(value != 0 ? "TRUE" : "FALSE") : number(value);
+    const auto literal = [](const Literal& value) {
+      if (value.digits.empty()) return std::string(value.value != 0 ? "TRUE" : "FALSE");
+      return value.digits + (value.unit.empty() ? "" : " " + value.unit);
     };
     auto text = "PARAMETER " + p.name.text + " : " + type(p.type, p.unit);
     if (p.default_value) text += " DEFAULT " + literal(*p.default_value);

@@ -86,13 +86,21 @@ struct Contingency {
   SourceSpan where;
 };
 
+/// A value of a parameter: 20, 2 cm/s, TRUE.
+struct Literal {
+  std::string digits;  // of a number, as written; empty: TRUE or FALSE
+  double value = 0;    // TRUE: 1
+  std::string unit;    // as written, without spaces; empty: none is given
+  SourceSpan where;
+};
+
 struct Parameter {
   Name name;
   pan::ScalarType type = pan::ScalarType::real;
   std::string unit;
-  std::optional<double> default_value;  // booleans: 0 or 1
-  std::optional<double> low;
-  std::optional<double> high;
+  std::optional<Literal> default_value;
+  std::optional<Literal> low;
+  std::optional<Literal> high;
   std::string description;
   SourceSpan where;
 };
@@ -192,8 +200,8 @@ struct CostItem {
   SourceSpan where;
 };
 
-/// SENSOR DRIVER, LOGICAL SENSOR, MACHINE CONTROLLER and GENERIC SKILL of an environment; a slot that is not given says
-/// nothing.
+/// SENSOR DRIVER, LOGICAL SENSOR, MACHINE CONTROLLER and GENERIC SKILL of an environment; a slot that is not
+/// given says nothing.
 struct Resources {
   std::optional<NameSlot> sensor_drivers;
   std::optional<NameSlot> logical_sensors;

@@ -15,7 +15,7 @@ bool is_keyword(const PlacedToken& here) {
   const auto type = here.token->getType();
   if (type != Parser::HEADER && type >= Parser::LEFT) return false;
   const auto rule = here.in->getRuleIndex();
-  return rule != Parser::RuleContextual && rule != Parser::RuleOpener;
+  return rule != Parser::RuleContextual && rule != Parser::RuleOpener && rule != Parser::RuleUnitFactor;
 }
 
 std::string in_case(std::string text, bool first_capital, bool rest_capital) {

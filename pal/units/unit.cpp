@@ -24,44 +24,65 @@ constexpr Dimension current{0, 0, 0, 1, 0, 0, 0};
 constexpr Dimension temperature{0, 0, 0, 0, 1, 0, 0};
 constexpr Dimension angle{0, 0, 0, 0, 0, 1, 0};
 constexpr Dimension number{0, 0, 0, 0, 0, 0, 1};
+constexpr Dimension volume{3, 0, 0, 0, 0, 0, 0};
 constexpr Dimension frequency{0, 0, -1, 0, 0, 0, 0};
+constexpr Dimension angular_speed{0, 0, -1, 0, 0, 1, 0};
 constexpr Dimension force{1, 1, -2, 0, 0, 0, 0};
 constexpr Dimension energy{2, 1, -2, 0, 0, 0, 0};
 constexpr Dimension power{2, 1, -3, 0, 0, 0, 0};
 constexpr Dimension pressure{-1, 1, -2, 0, 0, 0, 0};
 constexpr Dimension voltage{2, 1, -3, -1, 0, 0, 0};
 
-const std::array<Named, 31> known{{
+// International yard and pound of 1959: 1 in is 25.4 mm, 1 lb is 0.45359237 kg; the standard acceleration of
+// gravity is 9.80665 m/s^2 (BIPM, The International System of Units, and NIST SP 811, appendix B).
+const std::array<Named, 48> known{{
     {"m", {length, {}, 0, true}},
     {"mm", {length, {1, thousand}, 0, true}},
     {"um", {length, {1, million}, 0, true}},
     {"cm", {length, {1, 100}, 0, true}},
     {"km", {length, {thousand, 1}, 0, true}},
+    {"in", {length, {127, 5000}, 0, true}},
+    {"ft", {length, {381, 1250}, 0, true}},
+    {"l", {volume, {1, thousand}, 0, true}},
+    {"ml", {volume, {1, million}, 0, true}},
     {"N", {force, {}, 0, true}},
     {"mN", {force, {1, thousand}, 0, true}},
     {"kN", {force, {thousand, 1}, 0, true}},
+    {"kgf", {force, {196'133, 20'000}, 0, true}},
+    {"lbf", {force, {8'896'443'230'521, 2'000'000'000'000}, 0, true}},
     {"kg", {mass, {}, 0, true}},
     {"g", {mass, {1, thousand}, 0, true}},
+    {"lb", {mass, {45'359'237, 100'000'000}, 0, true}},
     {"s", {time, {}, 0, true}},
     {"ms", {time, {1, thousand}, 0, true}},
     {"us", {time, {1, million}, 0, true}},
     {"ns", {time, {1, billion}, 0, true}},
     {"min", {time, {60, 1}, 0, true}},
+    {"h", {time, {3600, 1}, 0, true}},
     {"rad", {angle, {}, 0, true}},
+    {"mrad", {angle, {1, thousand}, 0, true}},
     {"deg", {angle, {1, 180}, 1, true}},
+    {"rev", {angle, {2, 1}, 1, true}},
+    {"rpm", {angular_speed, {1, 30}, 1, true}},
     {"Hz", {frequency, {}, 0, true}},
     {"kHz", {frequency, {thousand, 1}, 0, true}},
+    {"MHz", {frequency, {million, 1}, 0, true}},
     {"V", {voltage, {}, 0, true}},
     {"mV", {voltage, {1, thousand}, 0, true}},
     {"A", {current, {}, 0, true}},
     {"mA", {current, {1, thousand}, 0, true}},
     {"W", {power, {}, 0, true}},
+    {"mW", {power, {1, thousand}, 0, true}},
+    {"kW", {power, {thousand, 1}, 0, true}},
     {"J", {energy, {}, 0, true}},
     {"K", {temperature, {}, 0, true}},
     {"degC", {temperature, {}, 0, false}},
     {"Pa", {pressure, {}, 0, true}},
     {"kPa", {pressure, {thousand, 1}, 0, true}},
+    {"MPa", {pressure, {million, 1}, 0, true}},
     {"bar", {pressure, {100 * thousand, 1}, 0, true}},
+    {"mbar", {pressure, {100, 1}, 0, true}},
+    {"psi", {pressure, {8'896'443'230'521, 1'290'320'000}, 0, true}},
     {"count", {number, {}, 0, true}},
 }};
 

@@ -204,6 +204,28 @@ def many_unknown_names(folder):
 
 
 @an_input
+def many_unknown_activities(folder):
+    """a hundred thousand unknown activities among as many known ones"""
+    known = "".join(f"ACTIVITY known-{i}\n" for i in range(N))
+    body = "".join(f"unknown-{i}\n" for i in range(N))
+    return [file(folder, skill(body).replace("SM1\nBEGIN", "SM1\n" + known + "BEGIN"))], 1, ["PAL0204", "more; --max-errors 0"]
+
+
+@an_input
+def many_unknown_units(folder):
+    """half a million errors, as a program reads them"""
+    return ["--format", "json", file(folder, "MESSAGE m : REAL furlong\n" * (N * 5 // 2))], 1, ["PAL0601", "not_kept"]
+
+
+@an_input
+def many_unknown_processors(folder):
+    """a hundred thousand unknown processors among as many known ones"""
+    known = "".join(f"PROCESSOR processor-{i}\n" for i in range(N))
+    placed = "".join(f"PLACE SM1.{i + 1} ON processer-{i} PRIORITY 1\n" for i in range(N))
+    return [file(folder, "ENVIRONMENT e\n" + known + placed + "END ENVIRONMENT\n")], 1, ["PAL0713", "more; --max-errors 0"]
+
+
+@an_input
 def twice(folder):
     """a name declared ten thousand times"""
     return [file(folder, "CONDITION c\n" * (N // 10))], None, []

@@ -131,6 +131,38 @@ TEST_CASE("a module drawn as DOT is read back as the same network") {
   }
 }
 
+TEST_CASE("the templates of logical sensors come back from PAN and from DOT") {
+  const std::string declarations =
+      "MESSAGE force : REAL N\nMESSAGE load : REAL N\nSensor Driver: SD1\nSensor Driver: SD2\nSkill Module: "
+      "SM1\n";
+  const std::string body =
+      "  ACTIVITY make READS load WRITES force\n"
+      "BEGIN\n  REPEAT\n    WTM( request force from SM1 )\n    TXM( request load from SD1 )\n"
+      "    WTM( load from SD1 )\n    make\n    TXM( force to SM1 )\n  UNTIL( forever )\nEND\n";
+  for (const std::string slots : {"", "  DESCRIPTION   \"the force; of the tool\"\n  SENSOR DRIVER SD1\n",
+                                  "  METHOD \"a; b\"\n  METHOD \"<c \\\"100 %\\\" \\\\>\"\n",
+                                  "  DESCRIPTION   \"one\"\n  DESCRIPTION   \"\"\n  SENSOR DRIVER SD1\n  "
+                                  "METHOD        \"m\"\n  RETURNS       force\n"}) {
+    const std::string text = "Logical Sensor: LS1\n" + slots + body;
+    const auto checked = test::check_text(declarations + text);
+    CAPTURE(text);
+    REQUIRE_FALSE(checked.diagnostics.has_errors());
+    const auto& network = checked.specification.sketches.front();
+    const auto once = module_of(network, "LS1");
+    CHECK(once == text);
+    for (std::size_t i = 0; i < network.modules.size(); ++i) {
+      if (network.modules[i].name != "LS1") continue;
+      MemoryFileSystem files;
+      files.add("LS1.dot", pan::to_dot(network, pan::ModuleId(i)));
+      files.add("a.pal", "USES \"LS1.dot\"\n" + declarations);
+      const auto again = test::check_files(files, {"a.pal"});
+      CAPTURE(pan::to_dot(network, pan::ModuleId(i)));
+      REQUIRE_FALSE(again.diagnostics.has_errors());
+      CHECK(module_of(again.specification.sketches.front(), "LS1") == text);
+    }
+  }
+}
+
 TEST_CASE("DOT texts cut off, doubled and shuffled are survived") {
   constexpr std::uint64_t seed = 20260713;
   CAPTURE(seed);

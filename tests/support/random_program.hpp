@@ -28,10 +28,25 @@ class RandomProgram {
   explicit RandomProgram(std::uint64_t seed, bool reachable = false) : engine_(seed), reachable_(reachable) {}
 
   std::string module() {
-    return "Skill Module: SM1\n  ACTIVITY think READS force WRITES motion\nBEGIN\n" + list(1, 4) + "END\n";
+    return "Skill Module: SM1\n" + descriptions() + "  ACTIVITY think READS force WRITES motion\nBEGIN\n" +
+           list(1, 4) + "END\n";
   }
 
  private:
+  /// Of the characters that a text may have, those that DOT and lists of attributes read as something else
+  /// among them.
+  std::string descriptions() {
+    static const std::string pieces[] = {"a", " ", ";", "\\\"", "\\\\", "%",  "%3B",   "<",
+                                         ">", "é", "…", "#",    "=",    "[]", "\\\\n", "&amp;"};
+    std::string out;
+    for (unsigned texts = below(3); texts > 0; --texts) {
+      out += "  DESCRIPTION \"";
+      for (unsigned length = below(12); length > 0; --length) out += pieces[below(16)];
+      out += "\"\n";
+    }
+    return out;
+  }
+
   unsigned below(unsigned n) { return static_cast<unsigned>(engine_() % n); }
   static std::string indent(unsigned depth) { return std::string(2 * depth, ' '); }
 

@@ -137,4 +137,60 @@ END SKILL
   bool two_ = false;
 };
 
+/// The text of a skill whose method asks one or two sensors a few times and mostly gives up, where the
+/// sensors do not answer every request once: requests are withdrawn that are yet to be answered, so many and
+/// no more.
+class RandomPolling {
+ public:
+  explicit RandomPolling(std::uint64_t seed) : engine_(seed) {}
+
+  std::string text() {
+    const bool blocks = chance(3) == 0;
+    std::string out =
+        "MESSAGE force : SIGNAL\nMESSAGE place : SIGNAL\nCONDITION c\nSKILL s\n  LOGICAL SENSOR LS1, LS2\n"
+        "  SKILL METHOD SM1\n  COMPLETION 0 NORMAL\n  COMPLETION 2 ERROR\nEND SKILL\n";
+    out += sensor("LS1", "force") + sensor("LS2", "place");
+    out += "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n";
+    const auto polls = [&] {
+      std::string some;
+      for (int i = 2 + chance(3); i > 0; --i)
+        some += chance(4) == 0 ? poll("LS2", "place") : poll("LS1", "force");
+      return some;
+    };
+    if (blocks) {
+      out += "  CONCURRENT\n  BEGIN\n  REPEAT\n" + ask("LS2", "place") + "  WTM( place from LS2 )\n" +
+             "  UNTIL( forever )\n  END\n  BEGIN\n" + polls() + "  END\n  END CONCURRENT\n";
+    } else {
+      out += polls() + poll("LS2", "place");
+    }
+    return out + "  TXM( Completion Protocol 0 )\nEND\n";
+  }
+
+ private:
+  int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
+
+  std::string sensor(const std::string& name, const std::string& message) {
+    const std::string take = "    WTM( request " + message + " from SM1 )\n";
+    const std::string give = "    TXM( " + message + " to SM1 )\n";
+    static const std::vector<std::string> orders = {"wt", "wt", "wwt", "wwtt", "wtwwt", "wwwt", "wwtwt"};
+    std::string body;
+    for (const char step : orders[static_cast<std::size_t>(chance(7))]) body += step == 'w' ? take : give;
+    return "Logical Sensor: " + name + "\nBEGIN\n  REPEAT\n" + body + "  UNTIL( forever )\nEND\n";
+  }
+
+  static std::string ask(const std::string& sensor, const std::string& message) {
+    return "  TXM( request " + message + " from " + sensor + " )\n";
+  }
+
+  std::string poll(const std::string& sensor, const std::string& message) {
+    const auto wait = "  WTM( " + message + " from " + sensor + " )";
+    const bool gives_up = chance(4) != 0;
+    const std::string then = chance(3) == 0 ? "    SPC( c )\n" : "    Do Nothing\n";
+    return ask(sensor, message) + wait +
+           (gives_up ? " WITHIN 1 ms\n" + then + "  ELSE\n    Do Nothing\n  END WTM\n" : "\n");
+  }
+
+  std::mt19937_64 engine_;
+};
+
 }  // namespace pal::test

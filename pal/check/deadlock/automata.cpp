@@ -246,11 +246,4 @@ Automata automata(const pan::Network& network, const Flow& flow) {
   return Compiler(network, flow).compile();
 }
 
-void conditions_of(const pan::Guard& guard, std::vector<pan::ConditionId>& result) {
-  if (guard.kind == pan::Guard::Kind::equals &&
-      std::find(result.begin(), result.end(), guard.condition) == result.end())
-    result.push_back(guard.condition);
-  for (const auto& term : guard.terms) conditions_of(term, result);
-}
-
 }  // namespace pal::frontend::deadlock

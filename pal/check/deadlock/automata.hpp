@@ -10,6 +10,7 @@
 
 #include "pal/check/deadlock/threads.hpp"
 #include "pal/check/flow.hpp"
+#include "pal/check/guards.hpp"
 #include "pal/pan/network.hpp"
 
 namespace pal::frontend::deadlock {
@@ -73,8 +74,5 @@ struct Automata {
 /// Every module with a body that is not executed by another one is a thread. Tests whose outcome makes no
 /// difference to what follows are left out, with the conditions that only they read.
 Automata automata(const pan::Network& network, const Flow& flow);
-
-/// The conditions of a guard, each once.
-void conditions_of(const pan::Guard& guard, std::vector<pan::ConditionId>& result);
 
 }  // namespace pal::frontend::deadlock

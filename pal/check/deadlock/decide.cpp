@@ -44,7 +44,9 @@ struct Frame {
 };
 
 /// Depth first, with Tarjan's strong components: what is left out must not be left out for ever, so of a
-/// component that no run leaves every move is followed somewhere (Valmari).
+/// component that no run leaves every move is followed somewhere (Valmari). Ways and components are those of
+/// moves that are not guessed, which every state that a blurred one stands for has: a thread that they move
+/// can move.
 class Decider {
  public:
   Decider(const Automata& automata, const Moves& moves, const Independence& independence, std::size_t most)
@@ -57,7 +59,7 @@ class Decider {
 
   Decision run() {
     begin(node_of(moves_.first()));
-    while (!frames_.empty() && result_.complete) {
+    while (result_.complete && (!frames_.empty() || begin_guessed())) {
       auto& frame = frames_.back();
       if (frame.next < frame.successors.size()) {
         follow(frame.node, frame.successors[frame.next++]);
@@ -71,6 +73,19 @@ class Decider {
   }
 
  private:
+  /// What guessed moves lead to is looked at by itself: that a run gets there, and on from there, cannot be
+  /// relied on.
+  bool begin_guessed() {
+    while (!guessed_.empty()) {
+      const auto id = guessed_.back();
+      guessed_.pop_back();
+      if (nodes_[id].index != none) continue;
+      begin(id);
+      return true;
+    }
+    return false;
+  }
+
   std::uint32_t node_of(State state) {
     const auto [entry, fresh] = seen_.emplace(std::move(state), static_cast<std::uint32_t>(nodes_.size()));
     if (fresh) {
@@ -107,6 +122,12 @@ class Decider {
   void add_successor(std::uint32_t from, const Move& move) {
     note(*nodes_[from].state, move);
     nodes_[from].followed.set(move.deed.thread);
+    if (move.guessed) {
+      result_.blurred = true;
+      add_moved(*nodes_[from].state, move, nodes_[from].moved);
+      if (!move.ended) guessed_.push_back(node_of(move.state));
+      return;
+    }
     if (move.ended) {
       nodes_[from].leaves = true;
       nodes_[from].moved.set();
@@ -240,6 +261,7 @@ class Decider {
   std::unordered_map<State, Chain> chains_;  // by the state that they begin in
   std::vector<Node> nodes_;
   std::vector<Frame> frames_;
+  std::vector<std::uint32_t> guessed_;
   std::vector<std::uint32_t> stack_;
   std::uint32_t count_ = 0;
   Decision result_;

@@ -11,6 +11,7 @@ namespace pal::frontend::deadlock {
 
 struct Decision {
   bool complete = true;  // false: the limit was reached, and what was not found may be there
+  bool blurred = false;  // what was found may not be there
   std::size_t states = 0;
   bool total = false;       // nothing moves any more
   bool partial = false;     // the first thread never goes on, whatever the others do

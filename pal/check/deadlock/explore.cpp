@@ -21,7 +21,7 @@ class Explorer {
  public:
   Explorer(const Automata& automata, const Limits& limits)
       : automata_(automata),
-        moves_(automata),
+        moves_(automata, limits.withdrawn),
         most_(std::min(limits.states, limits.words / moves_.words() + 1)),
         plain_(automata, moves_, std::vector<bool>(automata.request_of.size()), false) {}
 
@@ -29,7 +29,7 @@ class Explorer {
     const Independence absorbing(automata_, moves_, automata_.command, true);
     const auto decision = decide(automata_, moves_, absorbing, most_);
     result_.complete = decision.complete;
-    result_.overflowed = moves_.overflowed();
+    result_.blurred = decision.blurred;
     result_.states = decision.states;
     // What could not be decided is still looked for nearby.
     if (!decision.complete) most_ = std::min(most_, most_nearby);
@@ -43,6 +43,7 @@ class Explorer {
     for (std::size_t c = 0; c < decision.undelivered.size(); ++c) {
       if (decision.undelivered[c]) find_undelivered(pan::ChannelId(c));
     }
+    result_.overflowed = moves_.overflowed() || (decision.blurred && !result_.complete);
     return std::move(result_);
   }
 
@@ -155,7 +156,7 @@ class Explorer {
       }
       const Enabled enabled(moves_, at, automata_.threads.size());
       for (const auto* move : choose_moves(at, enabled, {})) {
-        if (move->timely || move->ended) continue;
+        if (move->timely || move->ended || moves_.blurred(move->state)) continue;
         if (by.emplace(move->state, std::pair(at, move->deed)).second) open.push_back(move->state);
       }
     }

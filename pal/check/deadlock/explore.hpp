@@ -38,13 +38,15 @@ struct Undelivered {
 
 struct Limits {
   std::size_t states = 200'000;
-  std::size_t words = 24'000'000;  // states times words of each
+  std::size_t words = 24'000'000;         // states times words of each
+  int withdrawn = Moves::most_withdrawn;  // requests, yet to be answered, that are counted exactly
 };
 
 struct Findings {
   bool complete = true;  // false: a limit was reached, and what was not found may be there
   bool overflowed =
       false;  // … because more requests than can be counted are open, or withdrawn and not yet answered
+  bool blurred = false;  // more requests were withdrawn than are counted; what is found is real all the same
   std::size_t states = 0;
   std::optional<DeadEnd> total;
   std::optional<DeadEnd> partial;       // not if `total` says as much

@@ -24,8 +24,9 @@ bool is_talk(const Deed& deed) {
   }
 }
 
-Moves::Moves(const Automata& automata)
+Moves::Moves(const Automata& automata, int withdrawn)
     : automata_(automata),
+      withdrawn_(withdrawn),
       to_be_read_(conditions_to_be_read(automata)),
       latches_to_be_read_(latches_to_be_read(automata)) {
   bit_words_ = (automata.bits + 15) / 16;
@@ -43,9 +44,9 @@ Moves::Slot Moves::slot(const State& state, pan::ChannelId channel) const {
 }
 
 void Moves::put_slot(State& state, pan::ChannelId channel, Slot slot) const {
-  if (slot.open > most_open || slot.unwanted > most_open) overflowed_ = true;
+  if (slot.open > most_open) overflowed_ = true;
   slot.open = std::min(slot.open, most_open);
-  slot.unwanted = std::min(slot.unwanted, most_open);
+  slot.unwanted = std::min(slot.unwanted, withdrawn_ + 1);
   if (slot.open == 0) slot.owner = 0;
   const auto at = channels_ + 2 * channel.index();
   state[at] = static_cast<char16_t>((slot.full ? 1 : 0) | slot.open << 1 | slot.unwanted << 4);
@@ -80,6 +81,17 @@ bool Moves::full(const State& state, pan::ChannelId channel) const {
 
 int Moves::open(const State& state, pan::ChannelId request) const {
   return slot(state, request).open;
+}
+
+bool Moves::blurred(const State& state) const {
+  for (std::size_t c = 0; c < automata_.request_of.size(); ++c) {
+    if (blurred(state, pan::ChannelId(c))) return true;
+  }
+  return false;
+}
+
+bool Moves::blurred(const State& state, pan::ChannelId answer) const {
+  return slot(state, answer).unwanted > withdrawn_;
 }
 
 std::optional<std::size_t> Moves::owner(const State& state, pan::ChannelId request) const {
@@ -265,9 +277,11 @@ void Moves::send(const State& state, std::size_t thread, const Step& step, std::
     return go(std::move(move), step.next.front(), result);
   }
   if (of.unwanted > 0) {
+    move.deed.kind = Deed::Kind::discards;
+    move.guessed = of.unwanted > withdrawn_;
+    if (move.guessed) go(move, step.next.front(), result);  // there are as many as before, or more
     --of.unwanted;
     put_slot(move.state, channel, of);
-    move.deed.kind = Deed::Kind::discards;
     return go(std::move(move), step.next.front(), result);
   }
   if (of.full) {
@@ -313,25 +327,11 @@ bool Moves::reads(const State& state, std::size_t thread, pan::ConditionId condi
   return bit(state, values_, *known);
 }
 
-bool Moves::holds(const State& state, std::size_t thread, const pan::Guard& guard) const {
-  const auto inner = [&](const pan::Guard& term) { return holds(state, thread, term); };
-  switch (guard.kind) {
-    case pan::Guard::Kind::equals:
-      return reads(state, thread, guard.condition) == guard.value;
-    case pan::Guard::Kind::all_of:
-      return std::all_of(guard.terms.begin(), guard.terms.end(), inner);
-    case pan::Guard::Kind::any_of:
-      return std::any_of(guard.terms.begin(), guard.terms.end(), inner);
-    case pan::Guard::Kind::negation:
-      return !inner(guard.terms.front());
-  }
-  return false;
-}
-
 void Moves::test(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const {
   const auto index = static_cast<std::size_t>(&step - automata_.steps.data());
+  const auto read = [&](pan::ConditionId condition) { return reads(state, thread, condition); };
   std::size_t branch = 0;
-  while (branch < step.guards.size() && !holds(state, thread, step.guards[branch])) ++branch;
+  while (branch < step.guards.size() && !holds(step.guards[branch], read)) ++branch;
   Move move{{Deed::Kind::finds, thread, index}, state, false, false};
   move.deed.branch = branch;
   for (std::size_t w = 0; w < 2 * bit_words_; ++w) move.state[latched(thread) + w] = 0;

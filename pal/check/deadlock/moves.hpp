@@ -51,13 +51,20 @@ struct Move {
   State state;
   bool ended = false;   // the skill has completed
   bool timely = false;  // only the right times bring this about: giving up, an answer that is lost
+  bool guessed =
+      false;  // one of two moves, of which the blurred count of the state before says not which is real
 };
 
 class Moves {
  public:
   static constexpr char16_t nowhere = 0xffff;  // of a thread that is not there
 
-  explicit Moves(const Automata& automata);
+  /// Withdrawn requests yet to be answered are counted up to this; what is more is one state, which is
+  /// blurred.
+  static constexpr int most_withdrawn = 6;
+
+  /// `withdrawn`: from 0 to most_withdrawn, counted instead of the latter.
+  explicit Moves(const Automata& automata, int withdrawn = most_withdrawn);
 
   State first() const;
   /// The moves of one thread; none: it is blocked, or not there.
@@ -72,6 +79,11 @@ class Moves {
   int open(const State& state, pan::ChannelId request) const;
   /// The thread that asked last, if the request is open.
   std::optional<std::size_t> owner(const State& state, pan::ChannelId request) const;
+  /// It stands for states with more withdrawn requests than are counted: moves from it exist, of two that are
+  /// guessed one, and it may be none that a run gets to.
+  bool blurred(const State& state) const;
+  /// … by what is counted of this answer.
+  bool blurred(const State& state, pan::ChannelId answer) const;
   /// What is left when the request is withdrawn.
   State without_request(const State& state, pan::ChannelId request) const;
   std::size_t words() const { return words_; }
@@ -108,7 +120,6 @@ class Moves {
   void stop(Move move, std::size_t thread, std::vector<Move>& result) const;
   void go(Move move, std::size_t next, std::vector<Move>& result) const;
   bool can_take(const State& state, pan::ChannelId channel) const;
-  bool holds(const State& state, std::size_t thread, const pan::Guard& guard) const;
   bool reads(const State& state, std::size_t thread, pan::ConditionId condition) const;
 
   void wait(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const;
@@ -117,6 +128,7 @@ class Moves {
   void test(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const;
 
   const Automata& automata_;
+  int withdrawn_;
   StepSets to_be_read_;
   StepSets latches_to_be_read_;
   std::size_t channels_ = 0;  // where slots begin

@@ -40,7 +40,7 @@ class Searcher {
         return {way_to(at, *nodes_[at].state), true};
       expand(at, enabled);
     }
-    return {};
+    return {std::nullopt, complete_};
   }
 
  private:
@@ -77,6 +77,8 @@ class Searcher {
         const auto length = nodes_[at].length.after(move);
         if (goal_.move && goal_.move(state, move)) {
           reach_goal(move.state, at, length, move.deed);
+        } else if (moves_.blurred(move.state)) {
+          complete_ = false;
         } else if (!move.ended) {
           reach(move.state, at, length, move.deed);
         }
@@ -102,6 +104,7 @@ class Searcher {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
   std::uint32_t goal_node_ = none;
   State goal_state_;
+  bool complete_ = true;
 };
 
 }  // namespace

@@ -7,32 +7,16 @@ namespace pal::frontend::deadlock {
 
 namespace {
 
-constexpr std::size_t most_conditions = 10;  // in one test: 2^10 ways to read them
-
-bool holds(const pan::Guard& guard, const std::map<pan::ConditionId, bool>& values) {
-  const auto inner = [&](const pan::Guard& term) { return holds(term, values); };
-  switch (guard.kind) {
-    case pan::Guard::Kind::equals:
-      return values.at(guard.condition) == guard.value;
-    case pan::Guard::Kind::all_of:
-      return std::all_of(guard.terms.begin(), guard.terms.end(), inner);
-    case pan::Guard::Kind::any_of:
-      return std::any_of(guard.terms.begin(), guard.terms.end(), inner);
-    case pan::Guard::Kind::negation:
-      return !inner(guard.terms.front());
-  }
-  return false;
-}
-
 /// Some guard holds, whatever the conditions are.
 bool exhaustive(const std::vector<pan::Guard>& guards) {
   std::vector<pan::ConditionId> conditions;
   for (const auto& guard : guards) conditions_of(guard, conditions);
-  if (conditions.size() > most_conditions) return false;
+  if (conditions.size() > most_read_at_once) return false;
   for (std::size_t bits = 0; bits < std::size_t{1} << conditions.size(); ++bits) {
     std::map<pan::ConditionId, bool> values;
     for (std::size_t i = 0; i < conditions.size(); ++i) values[conditions[i]] = (bits >> i & 1) != 0;
-    if (std::none_of(guards.begin(), guards.end(), [&](const auto& guard) { return holds(guard, values); }))
+    const auto read = [&](pan::ConditionId condition) { return values.at(condition); };
+    if (std::none_of(guards.begin(), guards.end(), [&](const auto& guard) { return holds(guard, read); }))
       return false;
   }
   return true;

@@ -26,6 +26,7 @@ bool WaysOn::follows(const State& from, std::size_t thread, const std::vector<De
     if (found == moves.end()) return false;
     if (i + 1 == run.size()) return moves_thread(state, *found, thread) || found->ended;
     if (found->ended) return false;
+    if (moves_.blurred(found->state)) return false;
     state = found->state;
   }
   return false;
@@ -33,7 +34,7 @@ bool WaysOn::follows(const State& from, std::size_t thread, const std::vector<De
 
 std::shared_ptr<const WaysOn::Way> WaysOn::described(const State& from, std::size_t thread,
                                                      std::vector<Deed> run) const {
-  Way way{std::move(run), {}};
+  Way way{std::move(run), {}, false};
   way.in_the_way.set(thread);
   State state = from;
   for (const auto& deed : way.run) {
@@ -64,12 +65,13 @@ const WaysOn::Way& WaysOn::way(const State& state, std::size_t thread) {
   if (found.way) run = std::move(found.way->run);
   // The search may have entered other states, and this one anew.
   auto& entry = ways_[state][thread];
-  entry = run.empty() ? std::make_shared<const Way>() : described(state, thread, std::move(run));
+  entry = run.empty() ? std::make_shared<const Way>(Way{{}, {}, found.complete})
+                      : described(state, thread, std::move(run));
   return *entry;
 }
 
 bool WaysOn::never_moves(const State& state, std::size_t thread) {
-  return way(state, thread).run.empty();
+  return way(state, thread).missing;
 }
 
 bool WaysOn::dead(const State& state) {
@@ -82,7 +84,7 @@ Threads WaysOn::in_the_way(const State& state) {
   deadlock::dead(automata_, moves_, state, 0, [&](std::size_t thread) {
     const auto& found = way(state, thread);
     result |= found.in_the_way;
-    return found.run.empty();
+    return found.missing;
   });
   // Threads that can go on at once, and blocks of them, must move before they are anywhere to wait for ever.
   for (std::size_t t = 0; t < automata_.threads.size(); ++t) {

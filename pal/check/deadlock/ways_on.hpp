@@ -20,7 +20,7 @@ class WaysOn {
          std::size_t most_states)
       : automata_(automata), moves_(moves), independence_(independence), most_states_(most_states) {}
 
-  /// The thread can never move again.
+  /// The thread can never move again. False if that was not found out.
   bool never_moves(const State& state, std::size_t thread);
   /// The first thread can never come to its end.
   bool dead(const State& state);
@@ -34,8 +34,9 @@ class WaysOn {
 
  private:
   struct Way {
-    std::vector<Deed> run;  // empty: there is none
+    std::vector<Deed> run;  // empty: none was found
     Threads in_the_way;
+    bool missing = false;  // there is none
   };
   using ByThread = std::map<std::size_t, std::shared_ptr<const Way>>;
 

@@ -35,8 +35,9 @@ const std::vector<DotKind>& kinds() {
 }
 
 constexpr std::array of_every_node{"pal_kind", "pal_node", "pal_mate"};
-constexpr std::array of_graphs{"pal_format",      "pal_skill",      "pal_module",
-                               "pal_module_kind", "pal_activities", "pal_uses"};
+constexpr std::array of_graphs{"pal_format",     "pal_skill",       "pal_module",  "pal_module_kind",
+                               "pal_activities", "pal_description", "pal_drivers", "pal_method",
+                               "pal_returns",    "pal_uses"};
 constexpr std::array of_edges{"pal_branch",      "pal_thread",    "pal_back",  "pal_stops",
                               "pal_never_taken", "pal_block_end", "pal_layout"};
 

@@ -1,5 +1,6 @@
 #include "pal/syntax/dot/words.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <optional>
@@ -51,6 +52,27 @@ std::optional<ModuleUnit> module_of(const std::string& text) {
   auto* module = std::get_if<ModuleUnit>(&tree.units.front());
   if (module == nullptr) return std::nullopt;
   return std::move(*module);
+}
+
+/// Of ASCII; what belongs to a longer character of UTF-8 is taken as it is.
+bool is_printable(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= 0x20 && byte != 0x7F;
+}
+
+/// %3B is a semicolon; a % that no code of a printable character follows is one.
+std::string decoded(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned value = 0;
+    const char* digits = text.data() + i + 1;
+    const bool whole = text[i] == '%' && i + 2 < text.size() &&
+                       std::from_chars(digits, digits + 2, value, 16).ptr == digits + 2 && value >= 0x20 &&
+                       value < 0x7F;
+    result += whole ? static_cast<char>(value) : text[i];
+    if (whole) i += 2;
+  }
+  return result;
 }
 
 void place(Guard& guard, SourceSpan where) {
@@ -146,6 +168,26 @@ ActivityHeading DotWords::activity(const DotValue& from) {
     for (Name& it : *list) it.where = from.where;
   }
   return heading;
+}
+
+std::vector<std::string> DotWords::texts(const DotValue& from) {
+  std::vector<std::string> result;
+  for (const DotValue& part : dot_parts(from)) {
+    if (!std::all_of(part.text.begin(), part.text.end(), is_printable)) {
+      fail(from, "this text has a line break or another control character in it",
+           "write it on one line, or two texts with a semicolon between");
+    }
+    result.push_back(decoded(part.text));
+  }
+  return result;
+}
+
+NameSlot DotWords::slot(const DotValue& from) {
+  NameSlot result;
+  result.where = from.where;
+  if (from.text == "NONE") return result;
+  for (const DotValue& part : dot_parts(from)) result.names.push_back(name(part));
+  return result;
 }
 
 pan::ModuleKind DotWords::module_kind(const DotValue& from) {

@@ -37,6 +37,10 @@ class DotWords {
   /// "think READS force WRITES motion": as the heading of a module has it, without the word ACTIVITY.
   ActivityHeading activity(const DotValue& from);
   pan::ModuleKind module_kind(const DotValue& from);
+  /// Texts of a template: "a force; of the tool" stands there as "a force%3B of the tool".
+  std::vector<std::string> texts(const DotValue& from);
+  /// Names of a template's slot, or NONE.
+  NameSlot slot(const DotValue& from);
 
  private:
   [[noreturn]] void fail(const DotValue& at, std::string message, std::string hint);

@@ -1,4 +1,6 @@
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/unit/driver/program.hpp"
@@ -52,7 +54,8 @@ TEST_CASE("the JSON form has the documented members and no others") {
   const auto answer = pal::test::pal({"check", read_first, "--environment", cell, "--format", "json"});
   CHECK(answer.status == ExitStatus::not_met);
   const Json document = Json::parse(answer.out);
-  REQUIRE(document.size() == 2);
+  REQUIRE(document.size() == 3);
+  CHECK(document.at("not_kept") == 0);
   for (const Json& diagnostic : document.at("diagnostics")) {
     for (const char* member : {"code", "severity", "file", "line", "column", "message"})
       CHECK(diagnostic.contains(member));
@@ -124,4 +127,29 @@ TEST_CASE("help and version end with 0") {
     CHECK(answer.out.find("Exit status") != std::string::npos);
   }
   CHECK(pal::test::pal({"--version"}).out.find("pal 0.") == 0);
+}
+
+TEST_CASE("check shows a hundred findings unless told otherwise, and ends the same way") {
+  const auto path = std::filesystem::temp_directory_path() / pal::test::own_name("pal_many_errors.pal");
+  std::ofstream(path) << [] {
+    std::string text;
+    for (int i = 0; i < 250; ++i) text += "MESSAGE m" + std::to_string(i) + " : REAL furlong\n";
+    return text;
+  }();
+  const auto shown = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"check", path.string()});
+    const auto answer = pal::test::pal(options);
+    CHECK(answer.status == ExitStatus::wrong_specification);
+    const auto& text = options.back() == "json" ? answer.out : answer.err;
+    std::size_t count = 0;
+    for (auto at = text.find("is no unit"); at != std::string::npos; at = text.find("is no unit", at + 1))
+      ++count;
+    return count;
+  };
+  CHECK(shown({}) == 100);
+  CHECK(shown({"--max-errors", "7"}) == 7);
+  CHECK(shown({"--max-errors", "0"}) == 250);
+  CHECK(shown({"--emit=tree"}) == 100);
+  CHECK(shown({"--format", "json"}) == 250);
+  std::filesystem::remove(path);
 }

@@ -52,7 +52,7 @@ TEST_CASE("resources names what the environment lacks, by group") {
       {"resources", test::skill("touch/touch.pal"), "-e", test::skill("workcell.pal"), "--format", "json"});
   REQUIRE(whole.status == ExitStatus::all_hold);
   const auto document = nlohmann::json::parse(whole.out);
-  CHECK(document.at(0).at("needs").size() == 15);
+  CHECK(document.at(0).at("needs").size() == 16);
   CHECK(document.at(0).at("environments").at(0).at("missing").empty());
 
   MemoryFileSystem files;
@@ -74,7 +74,49 @@ TEST_CASE("resources names what the environment lacks, by group") {
                                             "logical sensors: LS1", "activities: stand-still",
                                             "activities: extract-z", "activities: hold",
                                             "activities: retreat"});
+  CHECK(compared.size() == 1);
   const auto check = test::pal({"check", "touch/touch.pal", "-e", "bare.pal"}, files);
   CHECK(check.err.find("error[PAL0721]: environment bare places SD1 nowhere") != std::string::npos);
   CHECK(check.err.find("PAL0740") == std::string::npos);  // each lack is told once
+}
+
+TEST_CASE("several skills are compared each for itself and as one operation") {
+  MemoryFileSystem files;
+  const auto skill = [](const std::string& name, const std::string& machine) {
+    return "SKILL " + name + "\n  MACHINE CONTROLLER " + machine + "\n  SKILL METHOD " + name +
+           "-method\n  COMPLETION 0 NORMAL\n  COMPLETION 1 ERROR\nEND SKILL\nMachine Controller: " + machine +
+           "\nSkill Module: " + name + "-method\n  ACTIVITY " + name +
+           "-work\nBEGIN\n  WTM( Coordinator )\n  " + name + "-work\n  TXM( light to " + machine +
+           " )\n  TXM( Completion Protocol 0 )\nEND\n";
+  };
+  files.add("two.pal", "MESSAGE light : SIGNAL\n" + skill("one", "MC1") + skill("two", "MC2") +
+                           "ENVIRONMENT cell\n  MACHINE CONTROLLER MC1, MC2\n  GENERIC SKILL one\n"
+                           "  PROCESSOR P0\n  PLACE one-method ON P0 PRIORITY 1\n  TIME one-work : 1 ms\n"
+                           "  TIME two-work : 1 ms\nEND ENVIRONMENT\n");
+  const auto answer = test::pal({"resources", "two.pal", "--format", "json"}, files);
+  INFO(answer.err);
+  CHECK(answer.status == ExitStatus::wrong_specification);
+  const auto document = nlohmann::json::parse(answer.out);
+  REQUIRE(document.size() == 3);
+  const auto missing = [&](std::size_t i) {
+    std::vector<std::string> names;
+    for (const auto& one : document.at(i).at("environments").at(0).at("missing"))
+      names.push_back(std::string(one.at("group")) + ": " + std::string(one.at("name")));
+    return names;
+  };
+  CHECK(document.at(0).at("skill") == "one");
+  CHECK(missing(0).empty());
+  const std::vector<std::string> lacks = {"generic skills: two", "skill modules: two-method"};
+  CHECK(document.at(1).at("skill") == "two");
+  CHECK(missing(1) == lacks);
+  CHECK(document.at(2).at("operation") == nlohmann::json({"one", "two"}));
+  CHECK(missing(2) == lacks);
+  // Nothing that both need is told twice, and nothing that one of them needs is left out.
+  CHECK(document.at(2).at("needs").size() ==
+        document.at(0).at("needs").size() + document.at(1).at("needs").size());
+  const auto text = test::pal({"resources", "two.pal"}, files).out;
+  CHECK(text.find("an operation of one, two needs\n") != std::string::npos);
+  const auto check = test::pal({"check", "two.pal"}, files);
+  CHECK(check.err.find("PAL0740") != std::string::npos);
+  CHECK(check.err.find("generic skills: 'two'") != std::string::npos);
 }

@@ -74,10 +74,10 @@ Network touch_network() {
   Network network;
   network.skill.name = "touch";
   network.main = ModuleId(sm1);
-  network.modules = {{"SM1", ModuleKind::skill_module, {}, {}, {"SM1", "SM1.1", "SM1.2"}, {}, {}, {}},
-                     {"MC1", ModuleKind::machine_controller, {}, {}, {"MC1"}, {}, {}, {}},
-                     {"LS1", ModuleKind::logical_sensor, {}, {}, {"LS1"}, {}, {}, {}},
-                     {"CM1", ModuleKind::contingency_module, {}, ModuleId(sm1), {}, {}, {}, {}}};
+  network.modules = {{"SM1", ModuleKind::skill_module, {}, {}, {"SM1", "SM1.1", "SM1.2"}, {}, {}, {}, {}, {}},
+                     {"MC1", ModuleKind::machine_controller, {}, {}, {"MC1"}, {}, {}, {}, {}, {}},
+                     {"LS1", ModuleKind::logical_sensor, {}, {}, {"LS1"}, {}, {}, {}, {}, {}},
+                     {"CM1", ModuleKind::contingency_module, {}, ModuleId(sm1), {}, {}, {}, {}, {}, {}}};
   network.devices = {{"alter", "", {}}};
   network.conditions = {{"pc-force", "", ModuleId(sm1), {}, {}}, {"pc-reach", "", ModuleId(sm1), {}, {}}};
   network.activities = {{"advance", ModuleId(sm1), {}, {}, {}},

@@ -27,6 +27,33 @@ TEST_CASE("units of one dimension convert by exact fractions") {
   CHECK(factor("deg/s", "deg/ms") == Ratio{1, 1000});
 }
 
+TEST_CASE("units of the yard and the pound are exact") {
+  CHECK(factor("in", "mm") == Ratio{127, 5});
+  CHECK(factor("ft", "in") == Ratio{12, 1});
+  CHECK(factor("lb", "g") == Ratio{45359237, 100000});
+  CHECK(factor("kgf", "N") == Ratio{196133, 20000});
+  CHECK(factor("kgf", "lbf") == factor("kg", "lb"));
+  CHECK(factor("psi", "lbf/in^2") == Ratio{1, 1});
+}
+
+TEST_CASE("turns convert to degrees, and not to radians") {
+  CHECK(factor("rev", "deg") == Ratio{360, 1});
+  CHECK(factor("rpm", "deg/s") == Ratio{6, 1});
+  CHECK(factor("rpm", "rev/min") == Ratio{1, 1});
+  CHECK_FALSE(factor("rpm", "rad/s"));
+  CHECK_FALSE(factor("rpm", "Hz"));
+  CHECK(factor("mrad", "rad") == Ratio{1, 1000});
+}
+
+TEST_CASE("litres, hours and the larger and smaller units") {
+  CHECK(factor("l/min", "m^3/h") == Ratio{3, 50});
+  CHECK(factor("ml", "cm^3") == Ratio{1, 1});
+  CHECK(factor("mbar", "Pa") == Ratio{100, 1});
+  CHECK(factor("MPa", "N/mm^2") == Ratio{1, 1});
+  CHECK(factor("MHz", "kHz") == Ratio{1000, 1});
+  CHECK(factor("kW", "mW") == Ratio{1000000, 1});
+}
+
 TEST_CASE("units are one however they are spelt") {
   CHECK(factor("N*m", "J") == Ratio{1, 1});
   CHECK(factor("V*A", "W") == Ratio{1, 1});

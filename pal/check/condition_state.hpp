@@ -1,0 +1,44 @@
+// Where the threads of one module are, as far as conditions go.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "pal/pan/network.hpp"
+
+namespace pal::frontend::conditions {
+
+using Values = std::map<pan::ConditionId, bool>;
+
+struct Place {
+  pan::ModuleId module;
+  pan::NodeId node;
+  friend auto operator<=>(const Place&, const Place&) = default;
+};
+
+/// A thread: where it is, inside which Executes, and what it has latched. It is also the parent of the blocks
+/// that have its number.
+struct Thread {
+  std::int32_t number = 0;
+  std::int32_t parent = -1;
+  bool waits_for_blocks = false;
+  bool can_end = true;  // of a block
+  bool ended = false;
+  pan::ModuleId module;      // whose thread it is,
+  std::size_t name = 0;      // and which: index in Module::threads
+  std::vector<Place> calls;  // the Executes it is in
+  Place at;
+  Values latched;
+
+  friend auto operator<=>(const Thread&, const Thread&) = default;
+};
+
+struct State {
+  std::vector<Thread> threads;  // by number
+  Values values;
+  friend auto operator<=>(const State&, const State&) = default;
+};
+
+}  // namespace pal::frontend::conditions

@@ -1,0 +1,14 @@
+// A parameter of the skill template, checked, its values in its unit.
+#pragma once
+
+#include "pal/pan/network.hpp"
+#include "pal/support/diagnostic.hpp"
+#include "pal/syntax/tree.hpp"
+
+namespace pal::frontend {
+
+/// A value with a unit of its own is converted exactly and rounded once. After a finding the result is of use
+/// for other findings only.
+pan::Parameter build_parameter(const syntax::Parameter& written, Diagnostics& diagnostics);
+
+}  // namespace pal::frontend
