@@ -24,8 +24,9 @@ bool Firing::arrives(int device, std::uint32_t served) const {
   const std::vector<int>& requests = problem_.devices[static_cast<std::size_t>(device)].requests;
   for (std::size_t i = 0; i < requests.size(); ++i) {
     if ((served >> i & 1U) == 0) continue;
-    const SlotState& answer = state_.slots[static_cast<std::size_t>(channel_of(requests[i]).answer)];
-    if (answer.unwanted == 0 && answer.fill == SlotState::Fill::empty) return true;
+    const int answer = channel_of(requests[i]).answer;
+    const bool free = state_.slots[static_cast<std::size_t>(answer)].fill == SlotState::Fill::empty;
+    if (free && !discards(answer)) return true;
   }
   return false;
 }

@@ -11,6 +11,8 @@ namespace pal::frontend {
 void check_layers(const pan::Network& network, Diagnostics& diagnostics);
 /// Messages that nobody sends or takes, requests that nobody answers, modules that nobody talks to.
 void check_channels(const pan::Network& network, Diagnostics& diagnostics);
+/// Requests for one answer in two blocks at once.
+void check_askers(const pan::Network& network, Diagnostics& diagnostics);
 /// Conditions with two writers, in two modules or in two blocks at once.
 void check_writers(const pan::Network& network, Diagnostics& diagnostics);
 /// Conditions that are read before they are set.
