@@ -8,11 +8,16 @@ namespace pal::runtime {
 
 using trace::Kind;
 
+namespace {
+constexpr std::size_t usual_asked = 16;  // so that nothing is allocated while the skill runs
+}
+
 Mail::Mail(Run& run, const Wiring& wiring) : run_(run) {
   for (const ChannelSpec& spec : wiring.channels) {
     slots_.emplace_back();
     slots_.back().spec = &spec;
     slots_.back().fields.resize(spec.fields.size());
+    slots_.back().asked.reserve(usual_asked);
   }
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const int answer = wiring.channels[i].answer;
