@@ -62,14 +62,11 @@ void Moves::put_slot(State& state, pan::ChannelId channel, const Slot& slot) con
   }
 }
 
-/// False: more than a state can hold.
-bool Moves::ask(Slot& slot, std::size_t thread) const {
-  if (slot.asked < most_asked && thread < 0xff) {
-    slot.push(thread);
-    return true;
-  }
-  overflowed_ = true;
-  return false;
+/// With more than a state can hold the oldest is forgotten; nothing is concluded then.
+void Moves::ask(Slot& slot, std::size_t thread) const {
+  overflowed_ = overflowed_ || slot.asked == most_asked || thread >= 0xff;
+  if (slot.asked == most_asked) slot.erase(0);
+  slot.push(std::min<std::size_t>(thread, 0xfe));
 }
 
 bool Moves::bit(const State& state, std::size_t base, std::size_t index) const {
@@ -341,7 +338,7 @@ void Moves::send(const State& state, std::size_t thread, const Step& step, std::
   }
   of.full = true;
   of.answers = answered >= 0;
-  if (asks && !ask(of, thread)) return;
+  if (asks) ask(of, thread);
   put_slot(move.state, channel, of);
   go(std::move(move), step.next.front(), result);
 }

@@ -103,7 +103,7 @@ class Moves {
 
   Slot slot(const State& state, pan::ChannelId channel) const;
   void put_slot(State& state, pan::ChannelId channel, const Slot& slot) const;
-  bool ask(Slot& slot, std::size_t thread) const;
+  void ask(Slot& slot, std::size_t thread) const;
   bool bit(const State& state, std::size_t base, std::size_t index) const;
   void set_bit(State& state, std::size_t base, std::size_t index, bool value) const;
   std::size_t latched(std::size_t thread) const;
