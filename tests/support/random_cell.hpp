@@ -288,10 +288,15 @@ class RandomCell {
 
   std::string event(const std::string& device, const std::string& message, bool answer) {
     const int period = between(longest_ / 2 + 1, longest_);
-    const bool sporadic = chance(8) == 0;
+    const bool odd = asks_ == Asks::all;
+    const bool sporadic = chance(8) == 0 || (odd && required_() % 5 == 0);
     std::string out =
         "  DEVICE " + device + " EVENT " + message + (sporadic ? " SPORADIC " : " EVERY ") + ms(period);
-    if (chance(4) == 0 && period > 1) out += " JITTER " + ms(between(1, period - 1));
+    if (period > 1 && odd && required_() % 6 == 0) {
+      out += " JITTER " + ms(period - 1);
+    } else if (chance(4) == 0 && period > 1) {
+      out += " JITTER " + ms(between(1, period - 1));
+    }
     if (!sporadic && chance(3) == 0) out += " PHASE " + ms(between(0, period - 1));
     if (answer && chance(3) == 0) out += " ANSWER correction WITHIN " + ms(longest_);
     return out + "\n";
