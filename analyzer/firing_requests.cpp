@@ -73,7 +73,8 @@ void Firing::withdraw(int request, Meant meant, std::vector<int>& freed) {
 }
 
 void Firing::withdraw_all(int request, std::vector<int>& freed) {
-  withdraw(request, [](std::int8_t) { return true; }, freed);
+  withdraw(
+      request, [](std::int8_t) { return true; }, freed);
 }
 
 /// What a block that has ended has open is its parent's.
@@ -98,7 +99,8 @@ void Firing::abandon(int thread) {
   }
   std::vector<int> freed;
   for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
-    withdraw(static_cast<int>(c), [thread](std::int8_t owner) { return owner == thread; }, freed);
+    withdraw(
+        static_cast<int>(c), [thread](std::int8_t owner) { return owner == thread; }, freed);
   }
   in_any_order(std::move(freed), [this](int channel) { admit(channel); });
 }

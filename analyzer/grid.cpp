@@ -276,8 +276,7 @@ void Grid::expand(int node) {
 }
 
 /// Time passes until another event may come; where one may come already, step by step.
-void Grid::wait(int node, const std::vector<int>& timers, const std::vector<bool>& frozen,
-                Nanoseconds most) {
+void Grid::wait(int node, const std::vector<int>& timers, const std::vector<bool>& frozen, Nanoseconds most) {
   const GridNode here = nodes_[static_cast<std::size_t>(node)];
   Nanoseconds step = most;
   for (std::size_t k = 0; k < timers.size(); ++k) {

@@ -56,7 +56,8 @@ struct Asked {
 
   void push(std::int8_t owner) { by[count++] = owner; }
   void erase(int at) {
-    for (int i = at; i + 1 < count; ++i) by[static_cast<std::size_t>(i)] = by[static_cast<std::size_t>(i + 1)];
+    for (int i = at; i + 1 < count; ++i)
+      by[static_cast<std::size_t>(i)] = by[static_cast<std::size_t>(i + 1)];
     by[--count] = 0;
   }
 

@@ -81,10 +81,10 @@ class Referee {
     Arrival arrival[2];  // at threads on the sender's processor; on others
     int from = -1;       // the sender's processor; -1: a device
     Nanoseconds put = 0;
-    std::vector<Asked> asked;   // of a request: those whose answer was not taken yet, the oldest first
-    bool answers = false;       // of an answer: the message in the slot answers the oldest of those
-    bool to_be_dropped = false; // the message in the slot was withdrawn
-    bool given_up = false;      // of a request: its withdrawal has begun, and nobody has given up yet
+    std::vector<Asked> asked;    // of a request: those whose answer was not taken yet, the oldest first
+    bool answers = false;        // of an answer: the message in the slot answers the oldest of those
+    bool to_be_dropped = false;  // the message in the slot was withdrawn
+    bool given_up = false;       // of a request: its withdrawal has begun, and nobody has given up yet
   };
 
   struct Outside {

@@ -101,7 +101,8 @@ void Referee::take(const Event& event) {
 /// A message is taken, or withdrawn.
 void Referee::empty(int channel) {
   Slot& of = slot(channel);
-  if (of.answers) slot(channel_of(channel).answers).asked.erase(slot(channel_of(channel).answers).asked.begin());
+  if (of.answers)
+    slot(channel_of(channel).answers).asked.erase(slot(channel_of(channel).answers).asked.begin());
   of.full = of.claimed = of.answers = of.to_be_dropped = false;
   of.from = -1;
   gauge_.empties(channel);

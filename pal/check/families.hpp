@@ -28,7 +28,8 @@ void check_protocol(const pan::Network& network, const Flow& flow, Diagnostics& 
 
 /// Modules that begin with something other than a wait.
 void check_starts(const pan::Network& network, Diagnostics& diagnostics);
-/// Runs after which the skill can never complete, and messages that no run takes. For networks without errors.
+/// Runs after which the skill can never complete, and messages that no run takes. For networks without
+/// errors.
 void check_deadlocks(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
 
 }  // namespace pal::frontend

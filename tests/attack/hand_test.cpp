@@ -33,7 +33,8 @@ std::int64_t bound(const std::string& text) {
   CHECK(verdict.exact);
   const pan::Network& network = skill->specification.skills.front();
   const pan::Environment& environment = skill->specification.environments.front();
-  test::AllRuns runs(network, environment, test::wanted(network, environment).front(), Duration(1'000'000), 2000);
+  test::AllRuns runs(network, environment, test::wanted(network, environment).front(), Duration(1'000'000),
+                     2000);
   const test::Seen seen = runs.enumerate(200'000);
   CHECK(seen.complete);
   if (verdict.bound) CHECK(Duration(seen.greatest * 1'000'000) == *verdict.bound);
@@ -243,13 +244,14 @@ namespace {
 
 /// MC1 asks SM1 for motions, and obeys at the end.
 std::string asking(const std::string& client, const std::string& server) {
-  return cell("AGE OF c AT obey IN MC1",
-              "Machine Controller: MC1\n  ACTIVITY obey\n  ACTIVITY hold\n  ACTIVITY rest\nBEGIN\n  RPC( c )\n" +
-                  client + "  obey\nEND\nSkill Module: SM1\n  ACTIVITY think\nBEGIN\n  WTM( Coordinator )\n" +
-                  server + "END\n",
-              "  PROCESSOR P\n  PROCESSOR Q\n  PLACE SM1 ON Q PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n"
-              "  TIME think : 5 ms\n  TIME obey : 0 ms\n  TIME hold : 1 ms\n  TIME rest : 2 ms\n"
-              "  DEVICE robot EVENT tick EVERY 1000 ms PHASE 500 ms\n");
+  return cell(
+      "AGE OF c AT obey IN MC1",
+      "Machine Controller: MC1\n  ACTIVITY obey\n  ACTIVITY hold\n  ACTIVITY rest\nBEGIN\n  RPC( c )\n" +
+          client + "  obey\nEND\nSkill Module: SM1\n  ACTIVITY think\nBEGIN\n  WTM( Coordinator )\n" +
+          server + "END\n",
+      "  PROCESSOR P\n  PROCESSOR Q\n  PLACE SM1 ON Q PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n"
+      "  TIME think : 5 ms\n  TIME obey : 0 ms\n  TIME hold : 1 ms\n  TIME rest : 2 ms\n"
+      "  DEVICE robot EVENT tick EVERY 1000 ms PHASE 500 ms\n");
 }
 
 const std::string serves =
@@ -320,14 +322,15 @@ TEST_CASE("of two requests that were taken the one that was withdrawn is not ans
   WTM( motion from SM1 )
 )",
                      "  WTM( request motion from MC1 )\n  WTM( request motion from MC1 )\n  think\n"
-                     "  TXM( motion to MC1 )\n  TXM( motion to MC1 )\n  think\n  TXM( motion to MC1 )\n")) == 10);
+                     "  TXM( motion to MC1 )\n  TXM( motion to MC1 )\n  think\n  TXM( motion to MC1 )\n")) ==
+        10);
 }
 
 TEST_CASE("a request whose answer was lost is not open any more") {
-  // The device answers at 1 and, into the full slot, at 2: that one is lost. After both waits nothing is open,
-  // so the answer to the third request is not discarded: it comes 1 ms after 7.
-  const std::string text = cell(
-      "AGE OF c AT TXM( motion to MC1 ) IN SM1", R"(Machine Controller: MC1
+  // The device answers at 1 and, into the full slot, at 2: that one is lost. After both waits nothing is
+  // open, so the answer to the third request is not discarded: it comes 1 ms after 7.
+  const std::string text =
+      cell("AGE OF c AT TXM( motion to MC1 ) IN SM1", R"(Machine Controller: MC1
 BEGIN
   WTM( motion from SM1 )
 END
@@ -357,10 +360,11 @@ BEGIN
   TXM( Completion Protocol 0 )
 END
 )",
-      "  PROCESSOR P\n  PROCESSOR Q\n  PLACE SM1 ON Q PRIORITY 1\n  PLACE MC1 ON Q PRIORITY 1\n"
-      "  PLACE LS1 ON P PRIORITY 1\n  TIME extract : 5 ms\n  DEVICE SD1 ON REQUEST 1 ms\n");
+           "  PROCESSOR P\n  PROCESSOR Q\n  PLACE SM1 ON Q PRIORITY 1\n  PLACE MC1 ON Q PRIORITY 1\n"
+           "  PLACE LS1 ON P PRIORITY 1\n  TIME extract : 5 ms\n  DEVICE SD1 ON REQUEST 1 ms\n");
   const std::string sensors = "  SENSOR DRIVER SD1\n  LOGICAL SENSOR LS1\n  MACHINE CONTROLLER MC1";
   std::string whole = "MESSAGE raw : SIGNAL\nMESSAGE force : SIGNAL\n" + text;
-  whole.replace(whole.find("  MACHINE CONTROLLER MC1"), std::string("  MACHINE CONTROLLER MC1").size(), sensors);
+  whole.replace(whole.find("  MACHINE CONTROLLER MC1"), std::string("  MACHINE CONTROLLER MC1").size(),
+                sensors);
   CHECK(bound(whole) == 8);
 }

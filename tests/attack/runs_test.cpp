@@ -5,9 +5,9 @@
 #include <iostream>
 
 #include "analyzer/exact.hpp"
-#include "tests/support/runs/all_runs.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/random_cell.hpp"
+#include "tests/support/runs/all_runs.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
@@ -39,7 +39,8 @@ std::string contradiction_of_load(const test::Seen& seen, const Verdict& verdict
   const std::int64_t load = (seen.load.work * 1'000'000'000 + seen.load.time - 1) / seen.load.time;
   const std::string what = std::to_string(seen.load.work) + " in " + std::to_string(seen.load.time);
   if (verdict.bound && load > verdict.bound->count()) return "a run is busy for " + what;
-  if (verdict.state == Verdict::State::holds && load > verdict.limit.count()) return "a run exceeds the limit";
+  if (verdict.state == Verdict::State::holds && load > verdict.limit.count())
+    return "a run exceeds the limit";
   if (!seen.complete || !verdict.exact) return {};
   if (verdict.bound && load != verdict.bound->count()) return "no run is busy for more than " + what;
   return {};
@@ -97,7 +98,8 @@ TEST_CASE("no run that follows the execution model exceeds what was proved") {
   std::size_t skills = 0;
   std::map<std::string, Counts> all;
   for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
-    const std::string text = test::RandomCell(seed, longest, static_cast<int>(seed % 3), test::RandomCell::Asks::all).text();
+    const std::string text =
+        test::RandomCell(seed, longest, static_cast<int>(seed % 3), test::RandomCell::Asks::all).text();
     const auto skill = test::any_skill(text, &refused);
     if (!skill->problem) continue;
     ++skills;
@@ -120,7 +122,9 @@ TEST_CASE("no run that follows the execution model exceeds what was proved") {
       std::string wrong = contradiction(wanted, seen, verdict, cap);
       counts.complete += seen.complete ? 1 : 0;
       counts.equal += seen.complete && verdict.exact ? 1 : 0;
-      for (int walk = 0; walk < walks && wrong.empty() && !seen.complete && wanted.kind != test::Wanted::Kind::load; ++walk) {
+      for (int walk = 0;
+           walk < walks && wrong.empty() && !seen.complete && wanted.kind != test::Wanted::Kind::load;
+           ++walk) {
         test::Lottery lottery(seed * 1000 + static_cast<std::uint64_t>(walk));
         test::Seen one = runs.walk(lottery, 1500);
         one.complete = false;

@@ -82,9 +82,8 @@ PlannedSkill::PlannedSkill(const Plan& plan, Dealer dealer) : plan_(plan), deale
   for (const pan::Processor& each : plan.environment.processors)
     processors_.push_back({each.name, each.preemptive});
   for (const PlannedThread& each : plan.threads)
-    threads_.push_back(
-        {each.pal_name, static_cast<int>(each.processor), each.priority,
-         each.parent ? static_cast<int>(*each.parent) : -1, each.can_end});
+    threads_.push_back({each.pal_name, static_cast<int>(each.processor), each.priority,
+                        each.parent ? static_cast<int>(*each.parent) : -1, each.can_end});
   for (const PlannedRow& each : plan.statements)
     statements_.push_back({each.module, each.text, each.file, each.line, interval(each.cost)});
   for (const PlannedChannel& each : plan.channels)

@@ -108,12 +108,10 @@ void TalkOracle::conclude() {
   for (const auto i : completions_) {
     for (std::size_t c = 0; c < states_[i]->slots.size(); ++c) {
       const auto& channel = network_.channels[c];
-      if (!states_[i]->slots[c].full || network_.messages[channel.message.index()].asks_for.valid())
-        continue;
+      if (!states_[i]->slots[c].full || network_.messages[channel.message.index()].asks_for.valid()) continue;
       if (channel.sender != pan::Party(network_.main) || talk_.is_device(channel.receiver)) continue;
       const auto known = result_.undelivered.find(c);
-      if (known == result_.undelivered.end() || length[i] < known->second)
-        result_.undelivered[c] = length[i];
+      if (known == result_.undelivered.end() || length[i] < known->second) result_.undelivered[c] = length[i];
     }
   }
 }

@@ -188,8 +188,7 @@ std::vector<Step> Talk::steps(const State& state, int thread) const {
     step.to.threads[at(thread)].latched.clear();
     const bool out = holds(state, thread, *until->guard);
     done(std::move(step), out ? n.out.front().index() : n.mate.index(), result);
-  } else if (!std::holds_alternative<pan::End>(n.content) &&
-             !std::holds_alternative<pan::Join>(n.content)) {
+  } else if (!std::holds_alternative<pan::End>(n.content) && !std::holds_alternative<pan::Join>(n.content)) {
     result.push_back(fresh());  // goes round for ever
   }
   return result;

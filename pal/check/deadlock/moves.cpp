@@ -297,7 +297,8 @@ void Moves::wait(const State& state, std::size_t thread, const Step& step, std::
   if (!step.gives_up || last) return;
   Move move{{Deed::Kind::gives_up, thread, index, step.channels.front()}, state, false, true};
   for (const auto channel : step.channels) {
-    if (const auto& request = automata_.request_of[channel.index()]) withdraw(move.state, *request, std::nullopt);
+    if (const auto& request = automata_.request_of[channel.index()])
+      withdraw(move.state, *request, std::nullopt);
   }
   go(std::move(move), step.next.back(), result);
 }

@@ -93,8 +93,8 @@ class Moves {
 
   struct Slot {
     bool full = false;
-    bool answers = false;  // of an answer: what is in the slot answers the oldest request
-    int asked = 0;         // of a request: how many have no answer yet that was taken
+    bool answers = false;              // of an answer: what is in the slot answers the oldest request
+    int asked = 0;                     // of a request: how many have no answer yet that was taken
     std::array<int, most_asked> by{};  // to which thread, from 1, each of them belongs, the oldest first
 
     void push(std::size_t thread);

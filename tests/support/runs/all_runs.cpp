@@ -65,8 +65,8 @@ Seen AllRuns::enumerate(std::size_t most) {
   greatest_ = least_ = -1;
   std::unordered_map<std::string, std::size_t> known;
   std::vector<Arrival> arrivals;
-  std::vector<Stretch> stretches;           // load: between states; the work is told by who was busy
-  std::vector<std::vector<bool>> busy;      // load: by state and processor
+  std::vector<Stretch> stretches;       // load: between states; the work is told by who was busy
+  std::vector<std::vector<bool>> busy;  // load: by state and processor
   std::deque<std::pair<State, std::size_t>> todo;
   std::optional<Arrival> best;  // of what was measured last as the greatest (the least), or failed
   const bool loads = wanted_.kind == Wanted::Kind::load;
@@ -120,8 +120,7 @@ Seen AllRuns::enumerate(std::size_t most) {
 }
 
 /// The greatest fraction of time, on any way round, that one of the processors is busy.
-Ratio AllRuns::load(const std::vector<Stretch>& stretches,
-                    const std::vector<std::vector<bool>>& busy) const {
+Ratio AllRuns::load(const std::vector<Stretch>& stretches, const std::vector<std::vector<bool>>& busy) const {
   Ratio greatest;
   for (int p : wanted_.processors) {
     std::vector<Stretch> of = stretches;

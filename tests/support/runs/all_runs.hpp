@@ -24,9 +24,9 @@ namespace pal::test {
 struct Seen {
   std::int64_t greatest = -1;  // in units; losses: a number; -1: nothing was measured
   std::int64_t least = -1;     // of what was measured at an effect
-  Ratio load;             // the greatest of the processors'
-  bool failed = false;    // an event can stay without a response
-  bool complete = false;  // every run was followed
+  Ratio load;                  // the greatest of the processors'
+  bool failed = false;         // an event can stay without a response
+  bool complete = false;       // every run was followed
   std::size_t states = 0;
 };
 

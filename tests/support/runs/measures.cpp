@@ -188,7 +188,8 @@ void AllRuns::count_losses() {
   for (std::size_t from = 0; from < s_.lost.size(); ++from) {
     const std::size_t to = std::min(s_.lost.size(), from + ix(wanted_.in));
     const auto begin = s_.lost.begin();
-    record(std::count(begin + static_cast<std::ptrdiff_t>(from), begin + static_cast<std::ptrdiff_t>(to), true));
+    record(
+        std::count(begin + static_cast<std::ptrdiff_t>(from), begin + static_cast<std::ptrdiff_t>(to), true));
   }
 }
 
@@ -199,8 +200,8 @@ bool AllRuns::live() const {
                                   [this](const Thread& thread) { return leads(thread); });
 }
 
-/// What nobody carries is forgotten. An event that nobody carries is lost: how old it is does not matter, only
-/// that it came before others.
+/// What nobody carries is forgotten. An event that nobody carries is lost: how old it is does not matter,
+/// only that it came before others.
 void AllRuns::forget(State& state) const {
   std::vector<int*> carriers{&state.reference};
   for (Thread& thread : state.threads) carriers.push_back(&thread.carries);
@@ -234,7 +235,8 @@ void AllRuns::forget(State& state) const {
   for (const Slot& slot : state.slots) deepest = std::max(deepest, slot.later);
   const std::size_t row = ix(deepest < 0 ? wanted_.in - 1 : deepest + wanted_.in);
   if (state.lost.size() > 40) throw TooMuch("too many losses to remember");
-  if (state.lost.size() > row) state.lost.erase(state.lost.begin(), state.lost.end() - static_cast<std::ptrdiff_t>(row));
+  if (state.lost.size() > row)
+    state.lost.erase(state.lost.begin(), state.lost.end() - static_cast<std::ptrdiff_t>(row));
 }
 
 }  // namespace pal::test

@@ -74,8 +74,8 @@ class Wishes {
   void operator()(const Loss& loss) {
     made_.kind = Wanted::Kind::loss;
     made_.in = loss.in;
-    made_.device = std::visit(
-        [&](const auto& of) -> std::string { return party_name(network_, Party(of)); }, loss.of);
+    made_.device =
+        std::visit([&](const auto& of) -> std::string { return party_name(network_, Party(of)); }, loss.of);
     all_.push_back(made_);
   }
   void operator()(const Completing& completing) {

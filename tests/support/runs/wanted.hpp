@@ -13,7 +13,19 @@ namespace pal::test {
 
 /// One thing that is measured.
 struct Wanted {
-  enum class Kind { age, sample_age, reaction, sample_reaction, response, least, greatest, loss, duration, busy, load };
+  enum class Kind {
+    age,
+    sample_age,
+    reaction,
+    sample_reaction,
+    response,
+    least,
+    greatest,
+    loss,
+    duration,
+    busy,
+    load
+  };
   std::string name;
   Kind kind = Kind::age;
   std::set<std::pair<int, int>> at;  // module, node
