@@ -89,7 +89,7 @@ trace::Trace empty_trace(const Problem& problem) {
   trace.origin = "predicted";
   for (const Thread& thread : problem.threads) {
     const std::string& processor = problem.processors[static_cast<std::size_t>(thread.processor)].name;
-    trace.actors.push_back({thread.name, false, processor, thread.priority});
+    trace.actors.push_back({thread.name, false, processor, thread.priority, thread.parent});
   }
   for (const Device& device : problem.devices) trace.actors.push_back({device.name, true, "", 0});
   for (const Statement& statement : problem.statements) {

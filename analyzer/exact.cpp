@@ -104,16 +104,20 @@ class Analyzer {
   void busy(const Requirement& requirement, Verdict& verdict) {
     Statistics statistics;
     bool first = true;
+    bool bounded = true;
     for (const int processor : requirement.processors) {
       Verdict each = blank(requirement);
       timed(requirement, watch_of(problem_, requirement, processor), each);
       statistics += each.statistics;
+      bounded = bounded && each.bound;
       each.explanation = "processor " + problem_.processors[static_cast<std::size_t>(processor)].name + ": " +
                          each.explanation;
       if (first || worse(each, verdict)) verdict = std::move(each);
       first = false;
     }
     verdict.statistics = statistics;
+    if (!bounded) verdict.bound.reset();
+    if (!bounded) verdict.exact = false;
   }
 
   static bool worse(const Verdict& a, const Verdict& b) {

@@ -136,7 +136,7 @@ void Firing::effect_wait(int thread) {
   if (state.choice == ThreadState::gives_up) {
     std::vector<int> freed;
     for (int channel : step.channels) {
-      if (channel_of(channel).answers >= 0) withdraw(channel_of(channel).answers, freed);
+      if (channel_of(channel).answers >= 0) withdraw_all(channel_of(channel).answers, freed);
     }
     measure(thread);
     go_on_and_admit(thread, step.next.back(), freed);
@@ -166,8 +166,8 @@ void Firing::go_on_and_admit(int thread, int next, std::vector<int> channels) {
 void Firing::effect_send(int thread) {
   const int channel = step_of(thread).channels.front();
   SlotState& to = slot(channel);
-  if (to.unwanted > 0) {
-    --to.unwanted;
+  if (discards(channel)) {
+    discard(channel);
     emit(Kind::drop, thread, channel);
     sent(thread, false);
     return;

@@ -75,7 +75,18 @@ class Firing {
   bool somebody_waits(int channel) const;
   void empty(int channel);
   void drop(int channel);
-  void withdraw(int request, std::vector<int>& freed);
+
+  // Open requests (firing_requests.cpp).
+  bool tracked(int channel) const;
+  void ask(int request, int thread);
+  int answered_next(int answer) const;
+  bool discards(int answer) const;
+  void discard(int answer);
+  bool in_slot(int request, int at) const;
+  template <class Meant>
+  void withdraw(int request, Meant meant, std::vector<int>& freed);
+  void withdraw_all(int request, std::vector<int>& freed);
+  void hand_over(int block, int parent);
   void abandon(int thread);
   void open_device(int device);
   void arrives_at_device(int channel);

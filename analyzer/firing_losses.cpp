@@ -24,8 +24,9 @@ bool Firing::arrives(int device, std::uint32_t served) const {
   const std::vector<int>& requests = problem_.devices[static_cast<std::size_t>(device)].requests;
   for (std::size_t i = 0; i < requests.size(); ++i) {
     if ((served >> i & 1U) == 0) continue;
-    const SlotState& answer = state_.slots[static_cast<std::size_t>(channel_of(requests[i]).answer)];
-    if (answer.unwanted == 0 && answer.fill == SlotState::Fill::empty) return true;
+    const int answer = channel_of(requests[i]).answer;
+    const bool free = state_.slots[static_cast<std::size_t>(answer)].fill == SlotState::Fill::empty;
+    if (free && !discards(answer)) return true;
   }
   return false;
 }
@@ -46,10 +47,16 @@ void Firing::occurrence(int device, bool lost) {
   count_losses();
 }
 
-/// What was put is withdrawn.
+/// What was put is withdrawn. If so many came after it that what was before it is forgotten, they were all
+/// lost, its slot being full; unless they came into other slots.
 void Firing::lost_after_all(int channel) {
   const std::uint8_t since = slot(channel).carries;
-  if (!counts_losses(channel_of(channel).sender_device) || since >= remembered(watch_.in)) return;
+  const int device = channel_of(channel).sender_device;
+  if (!counts_losses(device) || since == tag::none) return;
+  if (since >= watch_.in) {
+    if (problem_.devices[static_cast<std::size_t>(device)].requests.size() > 1) outcome_.too_many = true;
+    return;
+  }
   state_.lost |= std::uint64_t{1} << since;
   count_losses();
 }

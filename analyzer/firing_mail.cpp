@@ -5,10 +5,6 @@
 
 namespace pal::analyzer {
 
-namespace {
-constexpr int most_open = 20;  // requests of one channel at a time, before the analysis gives up
-}
-
 /// False: the slot of the channel was full (only for devices).
 bool Firing::put(int channel, int thread, int device, std::uint8_t carries) {
   if (slot(channel).fill != SlotState::Fill::empty) return false;
@@ -27,15 +23,8 @@ void Firing::place(int channel, int thread, int device, std::uint8_t carries) {
   } else {
     emit(Kind::put, thread, channel);
   }
-  const Channel& of = channel_of(channel);
-  if (of.answer >= 0) {
-    if (to.open >= most_open) {
-      outcome_.too_many = true;
-    } else {
-      ++to.open;
-    }
-    to.owner = static_cast<std::int8_t>(thread);
-  }
+  to.answers = answered_next(channel) >= 0;
+  ask(channel, thread);
 }
 
 void Firing::announce(int channel) {
@@ -101,10 +90,7 @@ void Firing::take(int channel, int thread, int device) {
     emit(Kind::take, thread, channel);
     has_taken(thread, from.carries);
   }
-  const int request = channel_of(channel).answers;
-  if (request >= 0 && slot(request).open > 0) {
-    if (--slot(request).open == 0) slot(request).owner = -1;
-  }
+  if (from.answers) slot(channel_of(channel).answers).asked.erase(0);
 }
 
 /// Frees the slot, for a sender that is blocked perhaps.
@@ -122,6 +108,7 @@ void Firing::clear(int channel) {
   of.near = of.far = SlotState::Way::none;
   of.from = -1;
   of.carries = tag::none;
+  of.answers = false;
 }
 
 bool Firing::somebody_sends(int channel) const {
@@ -158,8 +145,8 @@ void Firing::admit(int channel) {
   const int sender = senders[static_cast<std::size_t>(
       senders.size() == 1 ? 0 : choices_.pick(static_cast<int>(senders.size())))];
   state_of(sender).status = Status::ready;
-  if (of.unwanted > 0) {
-    --of.unwanted;
+  if (discards(channel)) {
+    discard(channel);
     emit(Kind::drop, sender, channel);
     sent(sender, false);
     admit(channel);
@@ -184,47 +171,6 @@ void Firing::drop(int channel) {
   if (record_) outcome_.events.push_back({0, Kind::drop, -1, -1, channel, 0});
   lost_after_all(channel);
   clear(channel);
-}
-
-/// Withdraws all that is open of a request. admit() is still to be called for the channels that `freed` gets.
-void Firing::withdraw(int request, std::vector<int>& freed) {
-  SlotState& of = slot(request);
-  const int answer = channel_of(request).answer;
-  if (of.open == 0) return;
-  // What is asked for from here on, by a sender whose slot becomes free, is not meant.
-  const bool asking = of.fill != SlotState::Fill::empty;
-  const bool answered = slot(answer).fill != SlotState::Fill::empty && of.open > (asking ? 1 : 0);
-  const int taken = of.open - (asking ? 1 : 0) - (answered ? 1 : 0);
-  if (slot(answer).unwanted + taken > most_open) {
-    outcome_.too_many = true;
-  } else {
-    slot(answer).unwanted = static_cast<std::uint8_t>(slot(answer).unwanted + taken);
-  }
-  of.open = 0;
-  of.owner = -1;
-  for (const auto& [there, channel] : {std::pair{asking, request}, std::pair{answered, answer}}) {
-    if (!there) continue;
-    drop(channel);
-    freed.push_back(channel);
-  }
-}
-
-/// A stopped thread leaves nothing behind: what it was to take is there for others, what it asked for is not.
-void Firing::abandon(int thread) {
-  const ThreadState& state = state_of(thread);
-  const Step& step = step_of(thread);
-  if (step.kind == Step::Kind::wait && state.choice >= 0) {
-    const int channel = step.channels[static_cast<std::size_t>(state.choice)];
-    if (slot(channel).fill == SlotState::Fill::claimed) {
-      slot(channel).fill = SlotState::Fill::full;
-      message_available(channel);
-    }
-  }
-  std::vector<int> freed;
-  for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
-    if (state_.slots[c].open > 0 && state_.slots[c].owner == thread) withdraw(static_cast<int>(c), freed);
-  }
-  in_any_order(std::move(freed), [this](int channel) { admit(channel); });
 }
 
 void Firing::open_device(int device) {
@@ -282,7 +228,12 @@ void Firing::take_pending(int device) {
     const Nanoseconds collecting = std::get<pan::FrameDevice>(of.behaviour).collecting.count();
     start_timer(machine_.service_timer(device), {collecting, collecting});
   }
-  for (std::size_t i : pending) empty(of.requests[i]);
+  std::vector<int> freed;
+  for (std::size_t i : pending) {
+    clear(of.requests[i]);
+    if (somebody_sends(of.requests[i])) freed.push_back(of.requests[i]);
+  }
+  in_any_order(std::move(freed), [this](int channel) { admit(channel); });
 }
 
 void Firing::device_next(int device) {
@@ -323,10 +274,11 @@ void Firing::device_service(int device) {
     const std::uint8_t carries = counts_losses(device) ? std::uint8_t{0} : slot(request).serving_carries;
     slot(request).serving_carries = tag::none;
     const int answer = channel_of(request).answer;
-    if (slot(answer).unwanted > 0) {
-      --slot(answer).unwanted;
+    if (discards(answer)) {
+      discard(answer);
       emit_device(Kind::drop, device, answer);
     } else if (!put(answer, -1, device, carries)) {
+      discard(answer);
       emit_device(Kind::overrun, device, answer);
     }
   });

@@ -166,6 +166,7 @@ void Firing::end(int thread) {
   leave_processor(thread);
   ThreadState off;
   state_of(thread) = off;
+  if (thread_of(thread).parent >= 0) hand_over(thread, thread_of(thread).parent);
   if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent);
 }
 

@@ -63,6 +63,13 @@ std::size_t Grid::Hash::operator()(const std::vector<Nanoseconds>& key) const {
 Grid::Grid(const Machine& machine, const Slice& slice) : machine_(machine), sliced_(machine), slice_(slice) {
   sliced_.free_conditions = slice.free_conditions;
   unit_ = unit_of(machine.problem(), slice);
+  unforced_.assign(static_cast<std::size_t>(machine.timer_count()), false);
+  for (std::size_t d = 0; d < machine.problem().devices.size(); ++d) {
+    const auto* event = std::get_if<pan::EventDevice>(&machine.problem().devices[d].behaviour);
+    if (event == nullptr || !event->sporadic) continue;
+    unforced_[static_cast<std::size_t>(machine.next_timer(static_cast<int>(d)))] = true;
+    sporadic_ = sporadic_ || slice.devices[d];
+  }
 }
 
 State Grid::masked(State state) const {
@@ -140,12 +147,16 @@ void Grid::points(int place, const Dbm& zone, const std::vector<std::size_t>& va
   Nanoseconds high = zone.at(variable, 0);
   if (high >= Dbm::unbounded) high = low + unit_;
   high = up(high, unit_);
+  const std::vector<int>& timers = places_[static_cast<std::size_t>(place)].timers;
   for (std::size_t k = 0; k < left.size(); ++k) {
+    if (may_wait(timers[k])) continue;  // it may come later than from then on
     const Nanoseconds above = zone.at(variable, variables[k]);
     const Nanoseconds below = zone.at(variables[k], variable);
     if (above < Dbm::unbounded) high = std::min(high, left[k] + up(above, unit_));
     if (below < Dbm::unbounded) low = std::max(low, left[k] - up(below, unit_));
   }
+  // When an event may come is what is counted down to, not when it comes.
+  if (may_wait(timers[left.size()])) high = low;
   for (Nanoseconds value = low; value <= high; value += unit_) {
     left.push_back(value);
     points(place, zone, variables, left, origin, most);
@@ -233,12 +244,14 @@ void Grid::expand(int node) {
   const GridPlace from = places_[static_cast<std::size_t>(here.place)];
   Nanoseconds least = Range::unbounded;
   for (std::size_t k = 0; k < from.timers.size(); ++k) {
-    if (!from.frozen[k]) least = std::min(least, here.left[k]);
+    if (!from.frozen[k] && !may_wait(from.timers[k])) least = std::min(least, here.left[k]);
   }
+  if (sporadic_) wait(node, from.timers, from.frozen, least);
   for (const Move& move : next) {
     const auto k = static_cast<std::size_t>(std::find(from.timers.begin(), from.timers.end(), move.timer) -
                                             from.timers.begin());
-    if (here.left[k] != least) continue;
+    const Nanoseconds time = may_wait(move.timer) ? 0 : least;
+    if (here.left[k] != time) continue;
     relaxed_ = relaxed_ || move.pays_unfixed;
     const std::vector<int> timers = places_[static_cast<std::size_t>(move.place)].timers;
     std::vector<Range> ranges;
@@ -247,17 +260,36 @@ void Grid::expand(int node) {
       for (const TimerChange& change : move.changes) {
         if (change.timer == timer && change.kind == TimerChange::Kind::start) range = change.range;
       }
+      if (range.best >= 0 && may_wait(timer)) range.worst = range.best;
       if (range.best < 0) {
         const auto old = static_cast<std::size_t>(std::find(from.timers.begin(), from.timers.end(), timer) -
                                                   from.timers.begin());
-        const Nanoseconds left = here.left[old] - (from.frozen[old] ? 0 : least);
+        const Nanoseconds rest = here.left[old] - (from.frozen[old] ? 0 : time);
+        const Nanoseconds left = may_wait(timer) ? std::max<Nanoseconds>(rest, 0) : rest;
         range = {left, left};
       }
       ranges.push_back(range);
     }
     std::vector<Nanoseconds> left;
-    arrive(node, move, least, left, 0, ranges);
+    arrive(node, move, time, left, 0, ranges);
   }
+}
+
+/// Time passes until another event may come; where one may come already, step by step.
+void Grid::wait(int node, const std::vector<int>& timers, const std::vector<bool>& frozen, Nanoseconds most) {
+  const GridNode here = nodes_[static_cast<std::size_t>(node)];
+  Nanoseconds step = most;
+  for (std::size_t k = 0; k < timers.size(); ++k) {
+    if (may_wait(timers[k])) step = std::min(step, std::max(here.left[k], unit_));
+  }
+  if (step <= 0 || step >= Range::unbounded) return;
+  std::vector<Nanoseconds> left = here.left;
+  for (std::size_t k = 0; k < timers.size(); ++k) {
+    if (!frozen[k]) left[k] -= step;
+    if (may_wait(timers[k])) left[k] = std::max<Nanoseconds>(left[k], 0);
+  }
+  const int to = node_of(here.place, std::move(left));
+  edges_.push_back({node, to, step, -1});
 }
 
 void Grid::arrive(int from, const Move& move, Nanoseconds time, std::vector<Nanoseconds>& left,

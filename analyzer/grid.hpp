@@ -19,12 +19,12 @@ struct GridEdge {
   int from = -1;
   int to = -1;
   Nanoseconds time = 0;
-  int timer = -1;
+  int timer = -1;  // -1: time passes
 };
 
 struct GridNode {
   int place = -1;
-  std::vector<Nanoseconds> left;  // of each timer of the place
+  std::vector<Nanoseconds> left;  // of each timer of the place; of a sporadic event: until it may come
 };
 
 struct GridPlace {
@@ -52,6 +52,8 @@ class Grid {
   State masked(State state) const;
   /// Preempted actions got back times that are not fixed: then multiples of the unit do not suffice.
   bool relaxed() const { return relaxed_; }
+  /// Events of the slice may be as late as they like. What is found then is what may be, for a bound.
+  bool sporadic() const { return sporadic_; }
 
  private:
   struct Move {
@@ -70,6 +72,8 @@ class Grid {
               std::vector<Nanoseconds>& left, int origin, std::size_t most);
   const std::vector<Move>& moves(int place);
   void expand(int node);
+  void wait(int node, const std::vector<int>& timers, const std::vector<bool>& frozen, Nanoseconds most);
+  bool may_wait(int timer) const { return unforced_[static_cast<std::size_t>(timer)]; }
   void arrive(int from, const Move& move, Nanoseconds time, std::vector<Nanoseconds>& left, std::size_t next,
               const std::vector<Range>& ranges);
 
@@ -85,6 +89,8 @@ class Grid {
   std::vector<int> origins_;
   std::unordered_map<State, int, StateHash> place_index_;
   std::unordered_map<std::vector<Nanoseconds>, int, Hash> node_index_;
+  std::vector<bool> unforced_;  // by timer: of a sporadic event
+  bool sporadic_ = false;
   bool relaxed_ = false;
 };
 

@@ -47,10 +47,6 @@ class Loads {
     if (known) return known.get();
     known = std::make_unique<Explored>();
     known->slice = std::move(slice);
-    for (std::size_t d = 0; d < machine_.problem().devices.size(); ++d) {
-      const auto* event = std::get_if<pan::EventDevice>(&machine_.problem().devices[d].behaviour);
-      if (event != nullptr && event->sporadic && known->slice.devices[d]) return known.get();
-    }
     known->grid = std::make_unique<Grid>(machine_, known->slice);
     known->complete = known->grid->start(graph_, recurrences_[r], limits_) && known->grid->explore(limits_) &&
                       !known->grid->relaxed();
@@ -74,7 +70,9 @@ class Loads {
     // Of two recurrences with the same load one may be shown by a run and the other not.
     if (greater(bound.most, most) || (!greater(most, bound.most) && bound.exact)) return;
     bound.most = most;
-    bound.witness = unending_run(machine_, graph_, recurrence, explored.slice, grid, ratio->edges);
+    bound.witness.reset();
+    if (!grid.sporadic())
+      bound.witness = unending_run(machine_, graph_, recurrence, explored.slice, grid, ratio->edges);
     bound.exact = bound.witness.has_value();
   }
 

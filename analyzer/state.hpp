@@ -1,6 +1,7 @@
 // Everything about a running skill that is not a length of time.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -43,6 +44,26 @@ struct ThreadState {
   friend bool operator==(const ThreadState&, const ThreadState&) = default;
 };
 
+/// The requests of a channel of which the answer has not been taken yet, in the order in which they were put.
+/// Those before the last one are out of their slot; only the first can be answered already.
+struct Asked {
+  static constexpr std::uint8_t most = 15;
+  static constexpr std::int8_t device = -1;     // of a device
+  static constexpr std::int8_t withdrawn = -2;  // open no more: its answer is discarded
+
+  std::uint8_t count = 0;
+  std::array<std::int8_t, most> by{};  // the thread to which it belongs, or one of these; the rest is 0
+
+  void push(std::int8_t owner) { by[count++] = owner; }
+  void erase(int at) {
+    for (int i = at; i + 1 < count; ++i)
+      by[static_cast<std::size_t>(i)] = by[static_cast<std::size_t>(i + 1)];
+    by[--count] = 0;
+  }
+
+  friend bool operator==(const Asked&, const Asked&) = default;
+};
+
 struct SlotState {
   enum class Fill : std::uint8_t { empty, full, claimed };
   enum class Way : std::uint8_t { none, flying, there };
@@ -51,9 +72,8 @@ struct SlotState {
   Way far = Way::none;    // to those on others
   std::int8_t from = -1;  // the sender's processor; -1: a device, or nobody
   std::uint8_t carries = tag::none;
-  std::uint8_t open = 0;                     // requests: sent and not answered, the answer taken
-  std::uint8_t unwanted = 0;                 // answers: how many to discard instead of putting them
-  std::int8_t owner = -1;                    // requests: thread that sent the last
+  Asked asked;                               // requests
+  bool answers = false;                      // answers: what is in the slot answers a request
   std::uint8_t serving_carries = tag::none;  // requests to a device: of the one that it is serving
 
   friend bool operator==(const SlotState&, const SlotState&) = default;
@@ -108,9 +128,9 @@ struct StateHash {
     for (const SlotState& s : state.slots) {
       mix(static_cast<std::uint64_t>(s.fill) << 56U | static_cast<std::uint64_t>(s.near) << 54U |
           static_cast<std::uint64_t>(s.far) << 52U | static_cast<std::uint64_t>(s.from + 1) << 40U |
-          static_cast<std::uint64_t>(s.carries) << 32U | static_cast<std::uint64_t>(s.open) << 24U |
-          static_cast<std::uint64_t>(s.unwanted) << 16U | static_cast<std::uint64_t>(s.owner + 1) << 8U |
-          s.serving_carries);
+          static_cast<std::uint64_t>(s.carries) << 32U | static_cast<std::uint64_t>(s.asked.count) << 16U |
+          static_cast<std::uint64_t>(s.answers ? 1 : 0) << 8U | s.serving_carries);
+      for (std::size_t i = 0; i < s.asked.count; ++i) mix(static_cast<std::uint64_t>(s.asked.by[i] + 2));
     }
     for (const DeviceState& d : state.devices) {
       mix(static_cast<std::uint64_t>(d.serving) << 2U | static_cast<std::uint64_t>(d.open ? 2 : 0) |

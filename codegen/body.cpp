@@ -365,7 +365,28 @@ bool can_end(Plan& plan, const PlannedBody& body, int depth) {
   return ends;
 }
 
+void find_parents(Plan& plan, const PlannedBody& body, std::size_t thread, int depth) {
+  for (const PlannedStatement& statement : body) {
+    for (std::size_t i = 0; i < statement.branches.size(); ++i) {
+      const bool block = statement.kind == Kind::concurrent;
+      if (block) plan.threads[statement.threads[i]].parent = thread;
+      find_parents(plan, statement.branches[i], block ? statement.threads[i] : thread, depth);
+    }
+    if (statement.kind == Kind::execute && statement.module && depth > 0)
+      find_parents(plan, plan.modules[*statement.module].body, thread, depth - 1);
+  }
+}
+
 }  // namespace
+
+void find_parents(Plan& plan) {
+  for (std::size_t t = 0; t < plan.threads.size(); ++t) {
+    const PlannedModule& module = plan.modules[plan.threads[t].module];
+    // A module's own thread comes before its blocks.
+    const bool own = !module.executed && (t == 0 || plan.threads[t - 1].module != plan.threads[t].module);
+    if (own) find_parents(plan, module.body, t, static_cast<int>(plan.modules.size()));
+  }
+}
 
 void plan_body(const pan::Network& network, pan::ModuleId module, const pan::Environment& environment,
                const SourceManager& sources, const Indices& indices, Diagnostics& diagnostics, Scope& rows,
@@ -378,7 +399,7 @@ void find_ends(Plan& plan) {
   for (const PlannedModule& module : plan.modules) {
     const bool ends = can_end(plan, module.body, depth);
     for (PlannedThread& thread : plan.threads) {
-      if (!thread.block && plan.modules[thread.module].pal_name == module.pal_name) thread.can_end = ends;
+      if (!thread.parent && plan.modules[thread.module].pal_name == module.pal_name) thread.can_end = ends;
     }
   }
 }

@@ -24,6 +24,9 @@ void plan_body(const pan::Network& network, pan::ModuleId module, const pan::Env
                const SourceManager& sources, const Indices& indices, Diagnostics& diagnostics, Scope& rows,
                Plan& plan);
 
+/// Fills PlannedThread::parent: whose CONCURRENT begins a block, in its module or in one that it executes.
+void find_parents(Plan& plan);
+
 /// Fills PlannedThread::can_end: whether the flow of each block can reach its end.
 void find_ends(Plan& plan);
 

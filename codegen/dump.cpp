@@ -41,7 +41,8 @@ class Dumper {
     for (const PlannedThread& thread : plan_.threads) {
       out_ << "thread " << thread.pal_name << " as " << thread.constant << " on "
            << plan_.environment.processors[thread.processor].name << " priority " << thread.priority
-           << (thread.block ? ", block" : "") << (thread.can_end ? ", can end" : "") << '\n';
+           << (thread.parent ? ", block of " + plan_.threads[*thread.parent].pal_name : "")
+           << (thread.can_end ? ", can end" : "") << '\n';
     }
     for (const PlannedChannel& channel : plan_.channels) {
       out_ << "channel " << channel.message << " from " << channel.sender << " to " << channel.receiver

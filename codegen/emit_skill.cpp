@@ -81,7 +81,7 @@ void write_class(Writer& out, const Plan& plan) {
   for (const PlannedModule& module : plan.modules) {
     if (!module.executed) {
       for (const PlannedThread& thread : plan.threads) {
-        const bool own = !thread.block && plan.modules[thread.module].pal_name == module.pal_name;
+        const bool own = !thread.parent && plan.modules[thread.module].pal_name == module.pal_name;
         if (own) {
           out.line("case thread_of::" + thread.constant + ":").indent();
           out.line("return " + module.variable + "_.body(thread);").outdent();

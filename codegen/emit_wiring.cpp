@@ -69,12 +69,13 @@ void write_tables(Writer& out, const Plan& plan) {
   }
   out.close("}};").line();
 
-  out.line("// Name, processor, priority, block of CONCURRENT, can end.");
+  out.line("// Name, processor, priority, thread of the CONCURRENT, can end.");
   open_table(out, "runtime::ThreadSpec", "threads", plan.threads.size());
   for (const PlannedThread& thread : plan.threads) {
     out.line("{" + literal(thread.pal_name) + ", " + std::to_string(thread.processor) + ", " +
-             std::to_string(thread.priority) + ", " + truth(thread.block) + ", " + truth(thread.can_end) +
-             "},");
+             std::to_string(thread.priority) + ", " +
+             (thread.parent ? "thread_of::" + plan.threads[*thread.parent].constant : std::string("-1")) +
+             ", " + truth(thread.can_end) + "},");
   }
   out.close("}};").line();
 

@@ -139,7 +139,6 @@ class Planner {
         planned.constant = scope.unique(snake_case(module.threads[t]));
         planned.pal_name = module.threads[t];
         planned.module = *indices_.modules[m];
-        planned.block = t > 0;
         plan_.threads.push_back(std::move(planned));
       }
     }
@@ -159,6 +158,7 @@ class Planner {
         }
       }
     }
+    find_parents(plan_);
     find_ends(plan_);
   }
 

@@ -130,7 +130,7 @@ struct PlannedThread {
   std::size_t module = 0;
   std::size_t processor = 0;
   int priority = 0;
-  bool block = false;
+  std::optional<std::size_t> parent;  // of a block: in Plan::threads
   bool can_end = true;
 };
 

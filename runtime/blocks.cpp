@@ -23,7 +23,9 @@ void Blocks::ended(Thread& thread) {
   thread.control.state = State::ended;
   thread.control.operation = nullptr;
   run_.scheduler().leave(thread);
-  if (thread.control.parent != nullptr) child_ended(*thread.control.parent);
+  if (thread.control.parent == nullptr) return;
+  run_.mail().hand_over(thread, *thread.control.parent);
+  child_ended(*thread.control.parent);
 }
 
 void Blocks::child_ended(Thread& parent) {

@@ -8,11 +8,16 @@ namespace pal::runtime {
 
 using trace::Kind;
 
+namespace {
+constexpr std::size_t usual_asked = 16;  // so that nothing is allocated while the skill runs
+}
+
 Mail::Mail(Run& run, const Wiring& wiring) : run_(run) {
   for (const ChannelSpec& spec : wiring.channels) {
     slots_.emplace_back();
     slots_.back().spec = &spec;
     slots_.back().fields.resize(spec.fields.size());
+    slots_.back().asked.reserve(usual_asked);
   }
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const int answer = wiring.channels[i].answer;
@@ -91,7 +96,7 @@ void Mail::finish(WaitOperation& wait) {
   if (wait.chosen < 0) {
     for (const Target& target : targets) {
       const int request = at(target.channel).request_of;
-      if (request >= 0) withdraw(at(request));
+      if (request >= 0) withdraw(at(request), nullptr);
     }
     run_.record(Kind::done, thread);
     run_.proceed(thread);
@@ -109,7 +114,6 @@ void Mail::finish(WaitOperation& wait) {
   }
   if (target.store != nullptr) target.store(target.message, slot.fields);
   run_.record(Kind::take, thread, target.channel, slot.serial);
-  if (slot.request_of >= 0 && at(slot.request_of).open > 0) --at(slot.request_of).open;
   empty(slot);
   run_.record(Kind::done, thread);
   run_.proceed(thread);
@@ -143,7 +147,7 @@ bool Mail::expects_message(int channel, std::uint64_t serial) const {
 void Mail::send(SendOperation& send) {
   Thread& thread = send.thread();
   Slot& slot = at(send.channel());
-  if (slot.unwanted > 0) {
+  if (discards(slot)) {
     discard(send);
     return;
   }
@@ -163,7 +167,7 @@ void Mail::send(SendOperation& send) {
 void Mail::discard(SendOperation& send) {
   Thread& thread = send.thread();
   thread.control.sending = nullptr;
-  --at(send.channel()).unwanted;
+  answered_in_vain(at(send.channel()));
   run_.record(Kind::drop, thread, send.channel(), ++serials_);
   run_.record(Kind::done, thread);
   run_.proceed(thread);
@@ -181,6 +185,7 @@ void Mail::put_done(SendOperation& send) {
 }
 
 void Mail::fill(Slot& slot, std::span<const double> fields) {
+  slot.answers = answered_next(slot) != nullptr;
   slot.full = true;
   slot.handed = false;
   slot.claimed = nullptr;
@@ -191,10 +196,7 @@ void Mail::fill(Slot& slot, std::span<const double> fields) {
 /// What was put goes on its way.
 void Mail::set_out(Slot& slot, const Thread& sender) {
   const int channel = index(slot);
-  if (slot.spec->request) {
-    ++slot.open;
-    slot.requester = &sender;
-  }
+  if (slot.spec->request) ask(slot, &sender);
   if (slot.spec->to_device) {
     if (!sends_events(slot.device)) run_.open_device(slot.device);
     if (slot.spec->request) {
@@ -225,8 +227,13 @@ bool Mail::sends_events(int device) const {
   });
 }
 
+/// The message is taken, or withdrawn.
 void Mail::empty(Slot& slot) {
-  slot.full = false;
+  if (slot.answers) {
+    std::vector<Asked>& asked = at(slot.request_of).asked;
+    asked.erase(asked.begin());
+  }
+  slot.full = slot.answers = false;
   slot.claimed = nullptr;
   Thread* longest = nullptr;
   for (Thread& thread : run_.threads()) {
@@ -235,7 +242,7 @@ void Mail::empty(Slot& slot) {
     if (longest == nullptr || control.blocked_order < longest->control.blocked_order) longest = &thread;
   }
   if (longest == nullptr) return;
-  if (slot.unwanted > 0) {
+  if (discards(slot)) {
     discard(*longest->control.sending);
     empty(slot);
   } else {
@@ -250,29 +257,13 @@ void Mail::drop(Slot& slot) {
   empty(slot);
 }
 
-void Mail::withdraw(Slot& request) {
-  if (request.spec->answer < 0 || request.open == 0) return;
-  Slot& answer = at(request.spec->answer);
-  // What a blocked sender puts from here on is not meant.
-  const bool asking = request.full;
-  const bool answered = answer.full && request.open > (asking ? 1 : 0);
-  const bool forgotten =
-      asking && (!request.handed || run_.withdraw_from_device(request.device, request.port));
-  answer.unwanted += request.open - (asking ? 1 : 0) - (answered ? 1 : 0);
-  if (asking && !forgotten) ++answer.unwanted;
-  request.open = 0;
-  request.requester = nullptr;
-  if (asking) drop(request);
-  if (answered) drop(answer);
-}
-
 void Mail::abandon(Thread& thread) {
   for (Slot& slot : slots_) {
     if (slot.claimed == &thread) {
       slot.claimed = nullptr;
       message_available(index(slot));
     }
-    if (slot.requester == &thread && slot.open > 0) withdraw(slot);
+    withdraw(slot, &thread);
   }
 }
 
@@ -300,8 +291,8 @@ void Mail::device_takes_request(int device) {
 
 bool Mail::deliver(int channel, std::span<const double> fields) {
   Slot& slot = at(channel);
-  if (slot.unwanted > 0) {
-    --slot.unwanted;
+  if (discards(slot)) {
+    answered_in_vain(slot);
     run_.record_device(Kind::drop, slot.device, channel, ++serials_);
     return true;
   }
@@ -311,10 +302,12 @@ bool Mail::deliver(int channel, std::span<const double> fields) {
     if (request.full && request.handed) taken_by_device(request);
   }
   if (slot.full) {
+    answered_in_vain(slot);
     run_.overrun(slot.device, channel);
     return false;
   }
   fill(slot, fields);
+  if (slot.spec->request) ask(slot, nullptr);
   slot.sender_processor = -1;
   slot.available_within = slot.available_between = run_.now();
   run_.record_device(Kind::put, slot.device, channel, slot.serial);

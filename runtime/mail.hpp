@@ -9,6 +9,12 @@
 
 namespace pal::runtime {
 
+/// A request on its way to its answer.
+struct Asked {
+  const Thread* owner = nullptr;  // the thread to which it belongs; nullptr: a device
+  bool withdrawn = false;         // its answer is discarded
+};
+
 /// A slot and what is known about the messages that went through it.
 struct Slot {
   const ChannelSpec* spec = nullptr;
@@ -24,12 +30,11 @@ struct Slot {
   Time available_between{};         // to all others
   const Thread* claimed = nullptr;  // whose receive has begun
 
-  // Of a request.
-  int request_of = -1;  // of an answer's slot: the slot of its request
-  int open = 0;         // sent, and the answer not yet taken
-  const Thread* requester = nullptr;
+  // Of a request: those whose answer was not taken yet, in the order in which they were put.
+  std::vector<Asked> asked;
   // Of an answer.
-  int unwanted = 0;  // answers yet to come to requests that were withdrawn
+  int request_of = -1;   // the slot of its request
+  bool answers = false;  // the message in the slot answers the oldest request
 };
 
 class Mail {
@@ -50,6 +55,8 @@ class Mail {
   /// A block is stopped: what it has begun to receive is free again, and the requests that it has open are
   /// withdrawn.
   void abandon(Thread& thread);
+  /// What a block that has ended has open is its parent's.
+  void hand_over(const Thread& block, const Thread& parent);
 
   // Devices.
   void connect(int channel, int device, std::size_t port);
@@ -74,7 +81,12 @@ class Mail {
   void empty(Slot& slot);
   void drop(Slot& slot);
   void taken_by_device(Slot& slot);
-  void withdraw(Slot& request);
+  void ask(Slot& request, const Thread* owner);
+  bool in_slot(const Slot& request, std::size_t at) const;
+  Asked* answered_next(const Slot& answer);
+  bool discards(const Slot& answer);
+  void answered_in_vain(const Slot& answer);
+  void withdraw(Slot& request, const Thread* owner);
 
   Run& run_;
   std::vector<Slot> slots_;

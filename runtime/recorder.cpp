@@ -10,8 +10,8 @@ Recorder::Recorder(const Wiring& wiring, std::size_t capacity) {
   trace_.origin = "measured";
   for (const ThreadSpec& thread : wiring.threads) {
     const auto processor = static_cast<std::size_t>(thread.processor);
-    trace_.actors.push_back(
-        {std::string(thread.name), false, std::string(wiring.processors[processor].name), thread.priority});
+    trace_.actors.push_back({std::string(thread.name), false, std::string(wiring.processors[processor].name),
+                             thread.priority, thread.parent});
   }
   for (std::string_view device : wiring.devices) trace_.actors.push_back({std::string(device), true, {}, 0});
   for (const StatementSpec& statement : wiring.statements) {

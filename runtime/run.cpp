@@ -75,7 +75,7 @@ void Run::start_skill() {
   }
   if (!threads_.empty()) skill_.reserve_executed(threads_.front());
   for (Thread& thread : threads_) {
-    if (!thread.control.spec->block) begin(thread);
+    if (thread.control.spec->parent < 0) begin(thread);
   }
   settle();
 }

@@ -30,7 +30,7 @@ struct ThreadSpec {
   std::string_view name;
   int processor = 0;
   int priority = 0;
-  bool block = false;   // becomes ready with its CONCURRENT, not at time 0
+  int parent = -1;      // of a block: the thread with whose CONCURRENT it becomes ready; -1: ready at time 0
   bool can_end = true;  // a block that cannot is cancelled when those that can have ended
 };
 

@@ -108,8 +108,8 @@ void Referee::leave_instant(Nanoseconds next) const {
   for (std::size_t p = 0; p < holders_.size(); ++p) check_processor(static_cast<int>(p));
   for (std::size_t d = 0; d < devices_.size(); ++d) check_device(static_cast<int>(d), next);
   for (const Slot& of : slots_) {
-    demand(of.unexplained_drops == 0, "a message is withdrawn, and nobody gave up");
-    demand(of.expected_drops == 0, "a message that was withdrawn is still there");
+    demand(!of.given_up, "a message is withdrawn, and nobody gave up");
+    demand(!of.to_be_dropped, "a message that was withdrawn is still there");
   }
 }
 

@@ -67,6 +67,13 @@ class Referee {
     Nanoseconds hi = 0;
   };
 
+  /// A request on its way to its answer.
+  struct Asked {
+    static constexpr int device = -1;
+    int owner = device;
+    bool withdrawn = false;
+  };
+
   struct Slot {
     bool full = false;
     bool claimed = false;
@@ -74,11 +81,10 @@ class Referee {
     Arrival arrival[2];  // at threads on the sender's processor; on others
     int from = -1;       // the sender's processor; -1: a device
     Nanoseconds put = 0;
-    int open = 0;      // of a request
-    int owner = -1;    // thread that sent the last
-    int unwanted = 0;  // of an answer: how many are discarded
-    int expected_drops = 0;
-    int unexplained_drops = 0;
+    std::vector<Asked> asked;    // of a request: those whose answer was not taken yet, the oldest first
+    bool answers = false;        // of an answer: the message in the slot answers the oldest of those
+    bool to_be_dropped = false;  // the message in the slot was withdrawn
+    bool given_up = false;       // of a request: its withdrawal has begun, and nobody has given up yet
   };
 
   struct Outside {
@@ -137,15 +143,19 @@ class Referee {
   void take(const Event& event);
   void drop(const Event& event);
   void empty(int channel);
-  void withdraw_all(int request);
+  void asks(int request, int owner);
+  std::optional<std::size_t> answered_next(int answer) const;
+  bool wanted(int answer) const;
+  void answered_in_vain(int answer);
+  void withdraw(int request, std::optional<int> owner);
+  void gives_up(int request);
+  void hands_over(int block, int parent);
   void abandon(int thread);
-  int drops_that_follow(int request) const;
   bool goes_on(int thread) const;
   Arrival& arrival(int channel, int thread);
   const Arrival& arrival(int channel, int thread) const;
   bool surely_there(int channel, int thread) const;
   void not_there_yet(int channel, int thread);
-  void answer_taken(int channel);
   int message_of(int thread, const std::vector<int>& candidates) const;
 
   // Devices (referee_devices.cpp).

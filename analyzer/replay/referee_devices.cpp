@@ -37,7 +37,6 @@ void Referee::device_event(const Event& event, int device) {
         gauge_.serves(event.subject, of.served.empty());
         of.served.insert(event.subject);
       }
-      answer_taken(event.subject);
       empty(event.subject);
       return;
     }
@@ -47,8 +46,10 @@ void Referee::device_event(const Event& event, int device) {
       demand(slot(event.subject).full == (event.kind == Kind::overrun),
              described.name + " sends into a full slot, or loses without need");
       if (events) return occurrence(device, event.subject, event.kind == Kind::overrun);
-      demand(slot(event.subject).unwanted == 0, "a message that nobody wants is put");
-      if (event.kind == Kind::put) {
+      demand(wanted(event.subject), "a message that nobody wants is put");
+      if (event.kind == Kind::overrun) {
+        answered_in_vain(event.subject);
+      } else {
         of.any_put = true;
         gauge_.answers(event.subject);
         fill(event.subject, -1);
@@ -56,9 +57,9 @@ void Referee::device_event(const Event& event, int device) {
       delivered(device, event.subject);
       return;
     case Kind::drop:
-      demand(slot(event.subject).unwanted > 0, "a message that somebody wants is discarded");
+      demand(!wanted(event.subject), "a message that somebody wants is discarded");
       delivered(device, event.subject);
-      --slot(event.subject).unwanted;
+      answered_in_vain(event.subject);
       return;
     default:
       broken("a device has no such event");
@@ -100,7 +101,10 @@ void Referee::occurrence(int device, int channel, bool overrun) {
   } else {
     due(device, event.period.count(), event.jitter.count());
   }
-  if (!overrun) fill(channel, -1);
+  if (!overrun) {
+    fill(channel, -1);
+    asks(channel, Asked::device);
+  }
   gauge_.event(device, channel, overrun);
 }
 

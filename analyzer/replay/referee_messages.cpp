@@ -51,6 +51,7 @@ int Referee::message_of(int thread, const std::vector<int>& candidates) const {
 
 void Referee::fill(int channel, int processor) {
   Slot& to = slot(channel);
+  to.answers = answered_next(channel).has_value();
   to.full = true;
   to.claimed = false;
   to.from = processor;
@@ -68,9 +69,8 @@ void Referee::fill(int channel, int processor) {
 void Referee::put(const Event& event) {
   const int thread = event.actor;
   Party& of = party(thread);
-  Slot& to = slot(event.subject);
-  demand(!to.full, "a message is put into a slot that is full");
-  demand(to.unwanted == 0, "a message that nobody wants is put");
+  demand(!slot(event.subject).full, "a message is put into a slot that is full");
+  demand(wanted(event.subject), "a message that nobody wants is put");
   bool along = false;
   if (of.owes_put == event.subject) {
     of.owes_put = -1;
@@ -84,10 +84,7 @@ void Referee::put(const Event& event) {
   }
   gauge_.puts(thread, event.subject, along);
   fill(event.subject, thread_of(thread).processor);
-  if (channel_of(event.subject).answer >= 0) {
-    ++to.open;
-    to.owner = thread;
-  }
+  asks(event.subject, thread);
 }
 
 void Referee::take(const Event& event) {
@@ -98,18 +95,15 @@ void Referee::take(const Event& event) {
          name(event.actor) + " takes a message that is not its own");
   gauge_.takes(event.actor, event.subject);
   of.acted = true;
-  answer_taken(event.subject);
   empty(event.subject);
 }
 
-void Referee::answer_taken(int channel) {
-  const int request = channel_of(channel).answers;
-  if (request >= 0 && slot(request).open > 0) --slot(request).open;
-}
-
+/// A message is taken, or withdrawn.
 void Referee::empty(int channel) {
   Slot& of = slot(channel);
-  of.full = of.claimed = false;
+  if (of.answers)
+    slot(channel_of(channel).answers).asked.erase(slot(channel_of(channel).answers).asked.begin());
+  of.full = of.claimed = of.answers = of.to_be_dropped = false;
   of.from = -1;
   gauge_.empties(channel);
 }
@@ -118,9 +112,8 @@ void Referee::empty(int channel) {
 void Referee::drop(const Event& event) {
   const int channel = event.subject;
   if (event.actor >= 0) {
-    Slot& to = slot(channel);
-    demand(to.unwanted > 0, "a message that somebody wants is discarded");
-    --to.unwanted;
+    demand(!wanted(channel), "a message that somebody wants is discarded");
+    answered_in_vain(channel);
     Party& of = party(event.actor);
     const Step& step = step_of(event.actor);
     demand(step.kind == Step::Kind::send && step.channels.front() == channel && !of.acted,
@@ -130,21 +123,14 @@ void Referee::drop(const Event& event) {
     return;
   }
   demand(channel >= 0 && slot(channel).full, "nothing is there to withdraw");
-  const bool is_request = channel_of(channel).answer >= 0;
-  const int request = is_request ? channel : channel_of(channel).answers;
+  const int request = channel_of(channel).answer >= 0 ? channel : channel_of(channel).answers;
   demand(request >= 0, "what is no request is withdrawn");
-  Slot& of = slot(request);
-  demand(is_request || !of.full || of.put == now_, "an answer is withdrawn while its request waits");
-  if (of.expected_drops > 0) {
-    --of.expected_drops;
-  } else {
-    demand(of.open > 0, "a request that is not open is withdrawn");
-    // All that is open goes at once: what is there is dropped, the rest discarded when it comes.
-    const int drops = std::min(of.open, 1 + drops_that_follow(request));
-    slot(channel_of(request).answer).unwanted += of.open - drops;
-    of.expected_drops += drops - 1;
-    of.open = 0;
-    ++of.unexplained_drops;
+  if (!slot(channel).to_be_dropped) {
+    // A wait gives up at this instant: all that is open goes at once.
+    demand(!slot(request).given_up, "a request that is not open is withdrawn");
+    withdraw(request, std::nullopt);
+    slot(request).given_up = true;
+    demand(slot(channel).to_be_dropped, "a message that answers no open request is withdrawn");
   }
   // Whoever goes on at this instant after waiting for it had it already.
   for (std::size_t t = 0; t < threads_.size() && !slot(channel).claimed; ++t) {
@@ -160,23 +146,8 @@ void Referee::drop(const Event& event) {
   }
   // A thread that has not begun to receive it yet still has its turn, and comes to the wait again then.
   gauge_.withdrawn(channel);
+  if (channel == request) slot(request).asked.pop_back();
   empty(channel);
-}
-
-/// A wait for the answer was given up: what could be removed has been, the rest is discarded when it comes.
-void Referee::withdraw_all(int request) {
-  Slot& of = slot(request);
-  if (of.unexplained_drops > 0) {
-    of.unexplained_drops = 0;
-    return;
-  }
-  slot(channel_of(request).answer).unwanted += of.open;
-  if (of.open > 0) {
-    const bool left = (of.full && of.put < now_) ||
-                      (slot(channel_of(request).answer).full && slot(channel_of(request).answer).put < now_);
-    demand(!left, "what was asked for and given up is still there");
-  }
-  of.open = 0;
 }
 
 /// Whether a thread that waits stops waiting at this instant.
@@ -186,38 +157,6 @@ bool Referee::goes_on(int thread) const {
     return events_[e].kind == Kind::ready || events_[e].kind == Kind::start;
   }
   return false;
-}
-
-int Referee::drops_that_follow(int request) const {
-  int found = 0;
-  for (std::size_t e = at_ + 1; e < events_.size() && events_[e].time_ns == now_; ++e) {
-    const Event& event = events_[e];
-    if (event.kind == Kind::cancel || event.kind == Kind::start || event.kind == Kind::ready) break;
-    const bool of = event.subject == request || event.subject == channel_of(request).answer;
-    if (event.kind == Kind::drop && event.actor < 0 && of) ++found;
-  }
-  return found;
-}
-
-/// What a stopped thread was to take is there for others; what it asked for is withdrawn.
-void Referee::abandon(int thread) {
-  Party& of = party(thread);
-  if (of.claim >= 0 && !of.withdrawn && !of.acted && slot(of.claim).full && slot(of.claim).claimed) {
-    slot(of.claim).claimed = false;
-    for (Arrival& there : slot(of.claim).arrival) {
-      if (there.hi < now_) there.lo = there.hi = now_;
-    }
-  }
-  for (std::size_t c = 0; c < slots_.size(); ++c) {
-    Slot& request = slots_[c];
-    if (request.open == 0 || request.owner != thread) continue;
-    const int drops = std::min(request.open, drops_that_follow(static_cast<int>(c)));
-    const Slot& answer = slot(channel_of(static_cast<int>(c)).answer);
-    demand(drops > 0 || (!request.full && !answer.full), "what a stopped thread asked for is still there");
-    request.expected_drops += drops;
-    slot(channel_of(static_cast<int>(c)).answer).unwanted += request.open - drops;
-    request.open = 0;
-  }
 }
 
 }  // namespace pal::analyzer::rules

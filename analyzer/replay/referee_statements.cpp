@@ -44,7 +44,10 @@ void Referee::reach(int thread, int step) {
     release(thread);
     of = {};
     gauge_.ends(thread);
-    if (thread_of(thread).parent >= 0) block_over(thread_of(thread).parent);
+    if (thread_of(thread).parent >= 0) {
+      hands_over(thread, thread_of(thread).parent);
+      block_over(thread_of(thread).parent);
+    }
   } else if (at.kind == Step::Kind::fork) {
     release(thread);
     begin_blocks(thread);
@@ -138,7 +141,7 @@ void Referee::done(const Event& event) {
     case Step::Kind::wait:
       if (of.gives_up) {
         for (int channel : step.channels) {
-          if (channel_of(channel).answers >= 0) withdraw_all(channel_of(channel).answers);
+          if (channel_of(channel).answers >= 0) gives_up(channel_of(channel).answers);
         }
         next = step.next.back();
       } else {

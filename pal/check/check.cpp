@@ -110,6 +110,7 @@ class Checker {
   }
 
   void check_bodies(const pan::Network& network, const frontend::Flow& flow) {
+    frontend::check_askers(network, diagnostics_);
     frontend::check_writers(network, diagnostics_);
     frontend::check_reads(network, flow, diagnostics_);
     frontend::check_readers(network, flow, diagnostics_);

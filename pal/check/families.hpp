@@ -11,6 +11,8 @@ namespace pal::frontend {
 void check_layers(const pan::Network& network, Diagnostics& diagnostics);
 /// Messages that nobody sends or takes, requests that nobody answers, modules that nobody talks to.
 void check_channels(const pan::Network& network, Diagnostics& diagnostics);
+/// Requests for one answer in two blocks at once.
+void check_askers(const pan::Network& network, Diagnostics& diagnostics);
 /// Conditions with two writers, in two modules or in two blocks at once.
 void check_writers(const pan::Network& network, Diagnostics& diagnostics);
 /// Conditions that are read before they are set.
@@ -26,7 +28,8 @@ void check_protocol(const pan::Network& network, const Flow& flow, Diagnostics& 
 
 /// Modules that begin with something other than a wait.
 void check_starts(const pan::Network& network, Diagnostics& diagnostics);
-/// Runs after which the skill can never complete, and messages that no run takes. For networks without errors.
+/// Runs after which the skill can never complete, and messages that no run takes. For networks without
+/// errors.
 void check_deadlocks(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
 
 }  // namespace pal::frontend

@@ -2,6 +2,7 @@
 #include <set>
 #include <vector>
 
+#include "pal/check/blocks.hpp"
 #include "pal/check/families.hpp"
 #include "pal/check/report.hpp"
 #include "pal/support/diagnostic_code.hpp"
@@ -34,29 +35,14 @@ void check_modules(const pan::Network& network, Diagnostics& diagnostics) {
   }
 }
 
-/// What nodes [begin, end) set, with the modules they execute.
-void collect(const pan::Network& network, pan::ModuleId module, std::size_t begin, std::size_t end,
-             Sets& sets, std::set<pan::ModuleId>& entered) {
-  const auto& nodes = network.modules[module.index()].body.nodes;
-  for (auto i = begin; i < end; ++i) {
-    if (const auto* set = std::get_if<pan::Set>(&nodes[i].content)) {
-      sets.emplace(set->condition, nodes[i].where);
-    } else if (const auto* execute = std::get_if<pan::Execute>(&nodes[i].content)) {
-      if (!entered.insert(execute->module).second) continue;
-      collect(network, execute->module, 0, network.modules[execute->module.index()].body.nodes.size(), sets,
-              entered);
-    }
-  }
-}
-
 void check_blocks(const pan::Network& network, pan::ModuleId module, const pan::Node& fork,
                   Diagnostics& diagnostics) {
   Sets earlier;
   for (std::size_t block = 0; block < fork.out.size(); ++block) {
-    const auto end = block + 1 < fork.out.size() ? fork.out[block + 1].index() : fork.mate.index();
     Sets sets;
-    std::set<pan::ModuleId> entered;
-    collect(network, module, fork.out[block].index(), end, sets, entered);
+    each_node_of_block(network, module, fork, block, [&sets](const pan::Node& node) {
+      if (const auto* set = std::get_if<pan::Set>(&node.content)) sets.emplace(set->condition, node.where);
+    });
     for (const auto& [condition, where] : sets) {
       const auto [entry, fresh] = earlier.emplace(condition, where);
       if (fresh) continue;

@@ -2,17 +2,16 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "runtime/trace/trace.hpp"
 
 namespace pal::trace {
 
-/// Follows a trace event by event and tells when a block begins. The blocks of a module are numbered through,
-/// those of a block as well: the parent is whoever has just come to a CONCURRENT.
+/// Follows a trace event by event and tells when a block begins.
 class Inheritance {
  public:
+  /// `trace` outlives it.
   explicit Inheritance(const Trace& trace);
 
   /// The parent from which `event`'s actor inherits at this event, or -1. To be called with every event, in
@@ -20,19 +19,10 @@ class Inheritance {
   std::int32_t begins(const Event& event);
 
  private:
-  struct Thread {
-    std::string module;  // of its name
-    bool block = false;
-    bool alive = false;
-    std::int32_t parent = -1;     // while it is alive
-    std::int64_t forked_at = -1;  // when it last came to a CONCURRENT
-    std::int64_t forked = 0;      // before whom, at that instant
-  };
+  void end_blocks_of(std::int32_t parent);
 
-  std::int32_t parent_of(std::int32_t block, std::int64_t now) const;
-
-  std::vector<Thread> threads_;  // by actor
-  std::int64_t forks_ = 0;
+  const std::vector<Actor>& actors_;
+  std::vector<bool> alive_;  // blocks, by actor
 };
 
 }  // namespace pal::trace

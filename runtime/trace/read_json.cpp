@@ -70,6 +70,9 @@ Actor actor(const Json& row, const std::string& where) {
   if (!result.device) {
     result.processor = text(row, "processor", where);
     result.priority = integer<int>(member(row, "priority", where), where + ".priority");
+    if (const auto parent = row.find("parent"); parent != row.end()) {
+      result.parent = integer<std::int32_t>(*parent, where + ".parent");
+    }
   }
   return result;
 }
@@ -105,7 +108,20 @@ void check_index(std::int32_t index, std::size_t size, const std::string& where,
   }
 }
 
+/// A block of CONCURRENT is begun by another thread.
+void check_parents(const Trace& trace) {
+  for (std::size_t i = 0; i < trace.actors.size(); ++i) {
+    const std::int32_t parent = trace.actors[i].parent;
+    const std::string where = "actors[" + std::to_string(i) + "].parent";
+    check_index(parent, trace.actors.size(), where, "actor");
+    if (parent < 0) continue;
+    if (parent == static_cast<std::int32_t>(i) || trace.actors[static_cast<std::size_t>(parent)].device)
+      fail(where, "expected another thread");
+  }
+}
+
 void check(const Trace& trace) {
+  check_parents(trace);
   std::int64_t before = 0;
   for (std::size_t i = 0; i < trace.events.size(); ++i) {
     const Event& event = trace.events[i];

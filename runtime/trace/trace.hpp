@@ -54,6 +54,7 @@ struct Actor {
   bool device = false;
   std::string processor;  // of a thread
   int priority = 0;
+  std::int32_t parent = -1;  // of a block of CONCURRENT: the actor whose CONCURRENT begins it
 };
 
 struct Statement {

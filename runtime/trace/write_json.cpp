@@ -34,6 +34,7 @@ Json actor(const Actor& actor) {
   } else {
     json["processor"] = actor.processor;
     json["priority"] = actor.priority;
+    if (actor.parent >= 0) json["parent"] = actor.parent;
   }
   return json;
 }

@@ -3,6 +3,7 @@
 
 #include "analyzer/exact.hpp"
 #include "tests/support/any_skill.hpp"
+#include "tests/support/runs/all_runs.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
@@ -20,7 +21,8 @@ std::string cell(const std::string& requirement, const std::string& modules, con
          "END ENVIRONMENT\n";
 }
 
-/// Its bound in milliseconds, which must be exact; -1: it fails without one.
+/// Its bound in milliseconds, which must be exact, and what the runs attain that are made without the
+/// analyzer; -1: it fails without one.
 std::int64_t bound(const std::string& text) {
   const auto skill = test::any_skill(text);
   INFO(text << test::messages(skill->diagnostics));
@@ -29,6 +31,13 @@ std::int64_t bound(const std::string& text) {
   const Verdict& verdict = analysis.verdicts.front();
   INFO(verdict.explanation);
   CHECK(verdict.exact);
+  const pan::Network& network = skill->specification.skills.front();
+  const pan::Environment& environment = skill->specification.environments.front();
+  test::AllRuns runs(network, environment, test::wanted(network, environment).front(), Duration(1'000'000),
+                     2000);
+  const test::Seen seen = runs.enumerate(200'000);
+  CHECK(seen.complete);
+  if (verdict.bound) CHECK(Duration(seen.greatest * 1'000'000) == *verdict.bound);
   return verdict.bound ? verdict.bound->count() / 1'000'000 : -1;
 }
 
@@ -229,4 +238,133 @@ END
                  "think : 5 ms\n"
                  "  TIME obey : 2 ms\n  TIME hold : 1 TO 2 ms\n"
                  "  DEVICE robot EVENT tick EVERY 100 ms PHASE 4 ms\n")) == 9);
+}
+
+namespace {
+
+/// MC1 asks SM1 for motions, and obeys at the end.
+std::string asking(const std::string& client, const std::string& server) {
+  return cell(
+      "AGE OF c AT obey IN MC1",
+      "Machine Controller: MC1\n  ACTIVITY obey\n  ACTIVITY hold\n  ACTIVITY rest\nBEGIN\n  RPC( c )\n" +
+          client + "  obey\nEND\nSkill Module: SM1\n  ACTIVITY think\nBEGIN\n  WTM( Coordinator )\n" +
+          server + "END\n",
+      "  PROCESSOR P\n  PROCESSOR Q\n  PLACE SM1 ON Q PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n"
+      "  TIME think : 5 ms\n  TIME obey : 0 ms\n  TIME hold : 1 ms\n  TIME rest : 2 ms\n"
+      "  DEVICE robot EVENT tick EVERY 1000 ms PHASE 500 ms\n");
+}
+
+const std::string serves =
+    "  REPEAT\n    WTM( request motion from MC1 )\n    think\n    TXM( motion to MC1 )\n  UNTIL( forever )\n";
+
+}  // namespace
+
+TEST_CASE("a block that is cancelled takes back what it has asked for, and not what its parent has") {
+  // The block asks at 1 ms, and is cancelled at 3; the answer to its parent comes at 5.
+  CHECK(bound(asking(R"(  TXM( request motion from SM1 )
+  CONCURRENT
+  BEGIN
+    REPEAT
+      hold
+      TXM( request motion from SM1 )
+      WTM( motion from SM1 )
+    UNTIL( forever )
+  END
+  BEGIN
+    rest
+  END
+  END CONCURRENT
+  WTM( motion from SM1 )
+)",
+                     serves)) == 5);
+}
+
+TEST_CASE("what a block has open when it ends is taken back with its parent") {
+  // The inner block has asked at 0, its parent is stopped at 1: the answer of 5 ms is discarded, and the next
+  // request answered at 10.
+  CHECK(bound(asking(R"(  CONCURRENT
+  BEGIN
+    REPEAT
+      CONCURRENT
+      BEGIN
+        TXM( request motion from SM1 )
+      END
+      END CONCURRENT
+      rest
+    UNTIL( forever )
+  END
+  BEGIN
+    hold
+  END
+  END CONCURRENT
+  TXM( request motion from SM1 )
+  WTM( motion from SM1 )
+)",
+                     serves)) == 10);
+}
+
+TEST_CASE("of two requests that were taken the one that was withdrawn is not answered") {
+  // Both are taken at 0, the second is withdrawn at 2. Of the answers at 5 one is put; the next message comes
+  // at 10.
+  CHECK(bound(asking(R"(  TXM( request motion from SM1 )
+  CONCURRENT
+  BEGIN
+    TXM( request motion from SM1 )
+    REPEAT
+      WTM( tick from robot )
+    UNTIL( forever )
+  END
+  BEGIN
+    rest
+  END
+  END CONCURRENT
+  WTM( motion from SM1 )
+  WTM( motion from SM1 )
+)",
+                     "  WTM( request motion from MC1 )\n  WTM( request motion from MC1 )\n  think\n"
+                     "  TXM( motion to MC1 )\n  TXM( motion to MC1 )\n  think\n  TXM( motion to MC1 )\n")) ==
+        10);
+}
+
+TEST_CASE("a request whose answer was lost is not open any more") {
+  // The device answers at 1 and, into the full slot, at 2: that one is lost. After both waits nothing is
+  // open, so the answer to the third request is not discarded: it comes 1 ms after 7.
+  const std::string text =
+      cell("AGE OF c AT TXM( motion to MC1 ) IN SM1", R"(Machine Controller: MC1
+BEGIN
+  WTM( motion from SM1 )
+END
+Sensor Driver: SD1
+Logical Sensor: LS1
+  ACTIVITY extract
+BEGIN
+  TXM( request raw from SD1 )
+  TXM( request raw from SD1 )
+  extract
+  WTM( raw from SD1 )
+  WTM( raw from SD1 ) WITHIN 2 ms
+    extract
+  ELSE
+    Do Nothing
+  END WTM
+  TXM( request raw from SD1 )
+  WTM( raw from SD1 )
+  TXM( force to SM1 )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  RPC( c )
+  WTM( force from LS1 )
+  TXM( motion to MC1 )
+  TXM( Completion Protocol 0 )
+END
+)",
+           "  PROCESSOR P\n  PROCESSOR Q\n  PLACE SM1 ON Q PRIORITY 1\n  PLACE MC1 ON Q PRIORITY 1\n"
+           "  PLACE LS1 ON P PRIORITY 1\n  TIME extract : 5 ms\n  DEVICE SD1 ON REQUEST 1 ms\n");
+  const std::string sensors = "  SENSOR DRIVER SD1\n  LOGICAL SENSOR LS1\n  MACHINE CONTROLLER MC1";
+  std::string whole = "MESSAGE raw : SIGNAL\nMESSAGE force : SIGNAL\n" + text;
+  whole.replace(whole.find("  MACHINE CONTROLLER MC1"), std::string("  MACHINE CONTROLLER MC1").size(),
+                sensors);
+  CHECK(bound(whole) == 8);
 }

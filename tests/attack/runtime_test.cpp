@@ -248,7 +248,7 @@ END ENVIRONMENT
 TEST_CASE("a block within a block begins with what that block had read") {
   using trace::Kind;
   trace::Trace run;
-  run.actors = {{"SM1", false, "P", 1}, {"SM1.1", false, "P", 1}, {"SM1.2", false, "P", 1}};
+  run.actors = {{"SM1", false, "P", 1}, {"inner", false, "P", 1, 0}, {"innermost", false, "P", 1, 1}};
   run.statements = {{"SM1", "CONCURRENT", "", 1}, {"SM1", "RPC( c )", "", 2}, {"SM1", "think", "", 3}};
   run.conditions = {"c"};
   run.events = {{0, Kind::block, 0, 0, -1, 0}, {0, Kind::start, 1, 1, -1, 0}, {5, Kind::read, 1, 1, 0, 0},

@@ -9,12 +9,13 @@
 
 namespace pal::test {
 
-/// As skill_from_text, but deadlocks, ends without a completion, conditions that are set twice or never are
-/// let pass: what such a skill does is as well defined as of any other. `refused` counts what else is wrong.
+/// As skill_from_text, but deadlocks, ends without a completion, conditions that are set twice or never, and
+/// requests that two blocks send are let pass: what such a skill does is as well defined as of any other.
+/// `refused` counts what else is wrong.
 inline std::unique_ptr<Skill> any_skill(const std::string& text,
                                         std::map<std::string, int>* refused = nullptr) {
-  static const char* const pass[] = {"PAL0401", "PAL0402", "PAL0403", "PAL0504",
-                                     "PAL0505", "PAL0521", "PAL0522"};
+  static const char* const pass[] = {"PAL0307", "PAL0401", "PAL0402", "PAL0403",
+                                     "PAL0504", "PAL0505", "PAL0521", "PAL0522"};
   MemoryFileSystem files;
   files.add("skill.pal", text);
   auto skill = std::make_unique<Skill>();

@@ -82,8 +82,8 @@ PlannedSkill::PlannedSkill(const Plan& plan, Dealer dealer) : plan_(plan), deale
   for (const pan::Processor& each : plan.environment.processors)
     processors_.push_back({each.name, each.preemptive});
   for (const PlannedThread& each : plan.threads)
-    threads_.push_back(
-        {each.pal_name, static_cast<int>(each.processor), each.priority, each.block, each.can_end});
+    threads_.push_back({each.pal_name, static_cast<int>(each.processor), each.priority,
+                        each.parent ? static_cast<int>(*each.parent) : -1, each.can_end});
   for (const PlannedRow& each : plan.statements)
     statements_.push_back({each.module, each.text, each.file, each.line, interval(each.cost)});
   for (const PlannedChannel& each : plan.channels)
@@ -135,7 +135,7 @@ const PlannedBody* PlannedSkill::block(const PlannedBody& body, std::size_t thre
 runtime::Task PlannedSkill::body(std::size_t index, runtime::Thread& thread) {
   const PlannedThread& of = plan_.threads[index];
   const PlannedBody& whole = plan_.modules[of.module].body;
-  return follower(of.block ? *block(whole, index) : whole).follow(thread);
+  return follower(of.parent ? *block(whole, index) : whole).follow(thread);
 }
 
 runtime::Task PlannedSkill::Follower::follow(runtime::Thread& thread) {

@@ -14,7 +14,11 @@ namespace pal::test {
 /// seed gives the same text. `deep` bounds how far statements stand inside one another.
 class RandomCell {
  public:
-  RandomCell(std::uint64_t seed, int longest, int deep = 2) : engine_(seed), longest_(longest), deep_(deep) {}
+  /// What the skill is required to keep: an age, a response; or something of every measure.
+  enum class Asks { little, all };
+
+  RandomCell(std::uint64_t seed, int longest, int deep = 2, Asks asks = Asks::little)
+      : engine_(seed), required_(seed), longest_(longest), deep_(deep), asks_(asks) {}
 
   std::string text() {
     sensor_ = chance(5);  // 0 answers, 1 frames, 2 event, 3 a body that asks a device, 4 two kinds of request
@@ -43,6 +47,7 @@ class RandomCell {
     }
     if (!lonely_ && sensor_ == 2)
       out += "  REQUIREMENT sensed : RESPONSE FROM raw OF SD1 TO TXM( force to SM1 ) AT MOST " + limit;
+    if (asks_ == Asks::all) out += requirements();
     out += "END SKILL\n";
     const std::string modules = bodies();
     return out + modules + environment();
@@ -61,6 +66,39 @@ class RandomCell {
   }
   const std::string& one_of(const Lines& lines) {
     return lines[static_cast<std::size_t>(chance(static_cast<int>(lines.size())))];
+  }
+
+  /// Some requirements of the other measures; drawn apart, so that the skill is the same without them.
+  std::string requirements() {
+    const std::string most = " AT MOST " + ms(2 * longest_);
+    const std::string at = " AT TXM( motion to MC1 ) IN SM1" + most;
+    const std::string robot = controller_ ? "robot" : "MC1";
+    const std::string sensor = sensor_ == 3 ? "gauge" : "SD1";
+    Lines all = {"REACTION OF c" + at,
+                 "REACTION OF d AT think IN SM1" + most,
+                 "INTERVAL OF TXM( motion to MC1 ) IN SM1" + most,
+                 "INTERVAL OF think IN SM1 AT LEAST 2 ms",
+                 "INTERVAL OF TXM( motion to MC1 ) IN SM1 BETWEEN 1 ms AND " + ms(longest_),
+                 "LOSS OF " + robot + " NONE",
+                 "LOSS OF " + robot + " AT MOST 1 IN 3",
+                 "DURATION TO COMPLETION 0" + most,
+                 "DURATION TO COMPLETION 1" + most,
+                 "BUSY PERIOD OF EACH PROCESSOR" + most,
+                 "LOAD OF EACH PROCESSOR AT MOST 60 %"};
+    if (!lonely_) {
+      all.push_back("REACTION OF raw FROM " + sensor + at);
+      all.push_back("AGE OF raw FROM " + sensor + at);
+      all.push_back("AGE OF raw FROM " + sensor + " AT SPC( c ) IN SM1" + most);
+      all.push_back("INTERVAL OF WTM( raw from SD1 ) IN LS1" + most);
+      all.push_back("LOSS OF " + sensor + " NONE");
+      all.push_back("LOSS OF " + sensor + " AT MOST 1 IN 2");
+    }
+    std::string out;
+    int number = 0;
+    for (const std::string& each : all) {
+      if (required_() % 4 == 0) out += "  REQUIREMENT more-" + std::to_string(++number) + " : " + each + "\n";
+    }
+    return out;
   }
 
   std::string guard() {
@@ -250,10 +288,15 @@ class RandomCell {
 
   std::string event(const std::string& device, const std::string& message, bool answer) {
     const int period = between(longest_ / 2 + 1, longest_);
-    const bool sporadic = chance(8) == 0;
+    const bool odd = asks_ == Asks::all;
+    const bool sporadic = chance(8) == 0 || (odd && required_() % 5 == 0);
     std::string out =
         "  DEVICE " + device + " EVENT " + message + (sporadic ? " SPORADIC " : " EVERY ") + ms(period);
-    if (chance(4) == 0 && period > 1) out += " JITTER " + ms(between(1, period - 1));
+    if (period > 1 && odd && required_() % 6 == 0) {
+      out += " JITTER " + ms(period - 1);
+    } else if (chance(4) == 0 && period > 1) {
+      out += " JITTER " + ms(between(1, period - 1));
+    }
     if (!sporadic && chance(3) == 0) out += " PHASE " + ms(between(0, period - 1));
     if (answer && chance(3) == 0) out += " ANSWER correction WITHIN " + ms(longest_);
     return out + "\n";
@@ -299,8 +342,10 @@ class RandomCell {
   }
 
   std::mt19937_64 engine_;
+  std::mt19937_64 required_;
   int longest_;
   int deep_;
+  Asks asks_;
   int sensor_ = 0;
   bool controller_ = true;
   bool lonely_ = false;

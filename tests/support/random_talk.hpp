@@ -12,7 +12,7 @@ namespace pal::test {
 /// The text of a skill with one or two sensors, a controller and a method. The same seed gives the same text.
 class RandomTalk {
  public:
-  explicit RandomTalk(std::uint64_t seed) : engine_(seed) {}
+  explicit RandomTalk(std::uint64_t seed) : engine_(seed), ahead_(seed) {}
 
   std::string text() {
     const bool driver = chance(3) == 0;
@@ -62,6 +62,8 @@ END SKILL
     out += "  UNTIL( forever )\nEND\nContingency Module: CM1\nBEGIN\n" +
            talk({"WTM( request motion from MC1 )", "TXM( motion to MC1 )"}) + "END\n";
     out += "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n  SPC( c )\n  SPC( d )\n  SPC( e = FALSE )\n";
+    const std::uint64_t ahead = ahead_() % 6;  // drawn apart, so that the skill is the same without
+    if (ahead < 2) out += "  TXM( request force from LS1 )\n";
     switch (chance(5)) {
       case 0:
         out += "  REPEAT\n" + sense() + (two_ ? locate() : "") + act() + "  UNTIL( c OR d )\n";
@@ -73,8 +75,10 @@ END SKILL
       default:
         out += "  CONCURRENT\n" + block(looped(sense(), chance(2) != 0 ? "forever" : "d")) +
                (two_ ? block(looped(locate(), chance(2) != 0 ? "forever" : "e")) : "") +
-               block(looped(act(), "d")) + "  END CONCURRENT\n";
+               (ahead_() % 8 == 0 ? block(looped(sense(), "forever")) : "") + block(looped(act(), "d")) +
+               "  END CONCURRENT\n";
     }
+    if (ahead == 1 || ahead == 2) out += "  WTM( force from LS1 )\n";
     if (chance(2) != 0) {
       out += std::string(chance(3) == 0 ? "  RPC( c )\n" : "") +
              "  CASE\n    ( c = TRUE ): Execute CM1\n    ( c = FALSE ):\n" + (chance(2) == 0 ? act() : "") +
@@ -134,6 +138,7 @@ END SKILL
   }
 
   std::mt19937_64 engine_;
+  std::mt19937_64 ahead_;
   bool two_ = false;
 };
 

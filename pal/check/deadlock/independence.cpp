@@ -119,7 +119,7 @@ bool Independence::concerns_all(const State& state, std::size_t thread,
   if (!moves_.finishing(state, thread)) return false;
   // It withdraws what it asked for when it stops.
   for (std::size_t c = 0; c < automata_.request_of.size(); ++c) {
-    if (moves_.owner(state, pan::ChannelId(c)) == thread) return true;
+    if (moves_.open(state, pan::ChannelId(c), thread) > 0) return true;
   }
   return false;
 }
@@ -138,12 +138,11 @@ bool Independence::undone_by_cancelling(const State& state, std::size_t thread,
     const auto channel = move.deed.channel;
     if (move.deed.kind == Deed::Kind::sends) {
       const bool asks = automata_.answer_of[channel.index()] && !automata_.to_device[channel.index()];
-      if (!asks || (moves_.open(state, channel) > 0 && moves_.owner(state, channel) != thread)) return false;
+      if (!asks) return false;
     } else if (move.deed.kind == Deed::Kind::takes) {
       const auto& request = automata_.request_of[channel.index()];
-      if (!request || automata_.from_device[channel.index()] || moves_.owner(state, *request) != thread)
+      if (!request || automata_.from_device[channel.index()] || !moves_.answers(state, channel, thread))
         return false;
-      if (moves_.open(state, *request) <= (moves_.full(state, *request) ? 1 : 0)) return false;
     } else if (move.deed.kind != Deed::Kind::latches && move.deed.kind != Deed::Kind::finds) {
       return false;
     }
@@ -165,8 +164,9 @@ void Independence::add_users(const State& state, Use use, std::size_t index, std
 void Independence::add_withdrawers(const State& state, std::size_t request, std::size_t thread,
                                    Threads& result) const {
   add_users(state, Use::withdraw, request, thread, result);
-  if (const auto owner = moves_.owner(state, pan::ChannelId(request))) {
-    if (*owner != thread) result |= cancellers_[*owner];
+  Threads owners = moves_.owners(state, pan::ChannelId(request));
+  for (std::size_t owner = 0; owner < automata_.threads.size(); ++owner) {
+    if (owner != thread && owners.test(owner)) result |= cancellers_[owner];
   }
 }
 

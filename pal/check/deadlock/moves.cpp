@@ -5,12 +5,6 @@
 
 namespace pal::frontend::deadlock {
 
-namespace {
-
-constexpr int most_open = 7;
-
-}  // namespace
-
 bool is_talk(const Deed& deed) {
   switch (deed.kind) {
     case Deed::Kind::takes:
@@ -30,27 +24,65 @@ Moves::Moves(const Automata& automata, int withdrawn)
       to_be_read_(conditions_to_be_read(automata)),
       latches_to_be_read_(latches_to_be_read(automata)) {
   bit_words_ = (automata.bits + 15) / 16;
-  channels_ = automata.threads.size();
-  values_ = channels_ + 2 * automata.request_of.size();
+  // Words of a request: its counts, and two owners in each of the others.
+  std::size_t end = automata.threads.size();
+  for (const auto& answer : automata.answer_of) {
+    slots_.push_back(end);
+    end += answer ? 1 + most_asked / 2 : 1;
+  }
+  values_ = end;
   latches_ = values_ + bit_words_;
   words_ = latches_ + 2 * bit_words_ * automata.threads.size();
 }
 
-Moves::Slot Moves::slot(const State& state, pan::ChannelId channel) const {
-  const auto at = channels_ + 2 * channel.index();
-  const auto counts = static_cast<unsigned>(state[at]);
-  return {(counts & 1) != 0, static_cast<int>(counts >> 1 & 7), static_cast<int>(counts >> 4 & 7),
-          static_cast<int>(state[at + 1])};
+void Moves::Slot::push(std::size_t thread) {
+  by[static_cast<std::size_t>(asked++)] = static_cast<int>(thread) + 1;
 }
 
-void Moves::put_slot(State& state, pan::ChannelId channel, Slot slot) const {
-  if (slot.open > most_open) overflowed_ = true;
-  slot.open = std::min(slot.open, most_open);
-  slot.unwanted = std::min(slot.unwanted, withdrawn_ + 1);
-  if (slot.open == 0) slot.owner = 0;
-  const auto at = channels_ + 2 * channel.index();
-  state[at] = static_cast<char16_t>((slot.full ? 1 : 0) | slot.open << 1 | slot.unwanted << 4);
-  state[at + 1] = static_cast<char16_t>(slot.owner);
+void Moves::Slot::erase(int at) {
+  for (auto i = static_cast<std::size_t>(at); i + 1 < static_cast<std::size_t>(asked); ++i) by[i] = by[i + 1];
+  by[static_cast<std::size_t>(--asked)] = 0;
+}
+
+int Moves::Slot::withdrawn() const {
+  return static_cast<int>(std::count(by.begin(), by.begin() + asked, nobody));
+}
+
+Moves::Slot Moves::slot(const State& state, pan::ChannelId channel) const {
+  const auto at = slots_[channel.index()];
+  const auto first = static_cast<unsigned>(state[at]);
+  Slot result{(first & 1) != 0, (first & 2) != 0, static_cast<int>(first >> 2), {}};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(result.asked); ++i) {
+    result.by[i] = state[at + 1 + i / 2] >> (i % 2 == 0 ? 0 : 8) & 0xff;
+  }
+  return result;
+}
+
+void Moves::put_slot(State& state, pan::ChannelId channel, const Slot& slot) const {
+  const auto at = slots_[channel.index()];
+  state[at] = static_cast<char16_t>((slot.full ? 1 : 0) | (slot.answers ? 2 : 0) | slot.asked << 2);
+  if (!automata_.answer_of[channel.index()]) return;
+  for (std::size_t i = 0; i < slot.by.size(); i += 2) {
+    state[at + 1 + i / 2] = static_cast<char16_t>(slot.by[i] | slot.by[i + 1] << 8);
+  }
+}
+
+/// With more than a state can hold the oldest is forgotten; nothing is concluded then.
+void Moves::ask(Slot& slot, std::size_t thread) const {
+  overflowed_ = overflowed_ || slot.asked == most_asked || thread >= 0xff;
+  if (slot.asked == most_asked) slot.erase(0);
+  slot.push(std::min<std::size_t>(thread, 0xfe));
+}
+
+/// Of more withdrawn requests than are counted the rest is forgotten, if they stand together. If not it could
+/// not be told which: nothing is concluded then.
+void Moves::blur(Slot& slot) const {
+  if (slot.withdrawn() <= withdrawn_) return;
+  const auto end = slot.by.begin() + slot.asked;
+  const auto first = std::find(slot.by.begin(), end, nobody);
+  const auto behind = std::find_if(first, end, [](int owner) { return owner != nobody; });
+  overflowed_ = overflowed_ || std::find(behind, end, nobody) != end;
+  while (slot.withdrawn() > withdrawn_ + 1) slot.erase(static_cast<int>(first - slot.by.begin()));
 }
 
 bool Moves::bit(const State& state, std::size_t base, std::size_t index) const {
@@ -80,7 +112,8 @@ bool Moves::full(const State& state, pan::ChannelId channel) const {
 }
 
 int Moves::open(const State& state, pan::ChannelId request) const {
-  return slot(state, request).open;
+  const auto of = slot(state, request);
+  return of.asked - of.withdrawn();
 }
 
 bool Moves::blurred(const State& state) const {
@@ -91,13 +124,29 @@ bool Moves::blurred(const State& state) const {
 }
 
 bool Moves::blurred(const State& state, pan::ChannelId answer) const {
-  return slot(state, answer).unwanted > withdrawn_;
+  const auto& request = automata_.request_of[answer.index()];
+  return request && slot(state, *request).withdrawn() > withdrawn_;
 }
 
-std::optional<std::size_t> Moves::owner(const State& state, pan::ChannelId request) const {
+int Moves::open(const State& state, pan::ChannelId request, std::size_t thread) const {
   const auto of = slot(state, request);
-  if (of.open == 0 || of.owner == 0) return std::nullopt;
-  return static_cast<std::size_t>(of.owner - 1);
+  const int owner = static_cast<int>(thread) + 1;
+  return static_cast<int>(std::count(of.by.begin(), of.by.begin() + of.asked, owner));
+}
+
+bool Moves::answers(const State& state, pan::ChannelId answer, std::size_t thread) const {
+  const auto& request = automata_.request_of[answer.index()];
+  return request && slot(state, answer).answers &&
+         slot(state, *request).by.front() == static_cast<int>(thread) + 1;
+}
+
+Threads Moves::owners(const State& state, pan::ChannelId request) const {
+  Threads result;
+  const auto of = slot(state, request);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(of.asked); ++i) {
+    if (of.by[i] != nobody) result.set(static_cast<std::size_t>(of.by[i] - 1));
+  }
+  return result;
 }
 
 State Moves::first() const {
@@ -175,54 +224,80 @@ void Moves::steps_of(const State& state, std::size_t thread, std::vector<Move>& 
 bool Moves::can_take(const State& state, pan::ChannelId channel) const {
   if (!automata_.from_device[channel.index()]) return slot(state, channel).full;
   const auto& request = automata_.request_of[channel.index()];
-  return !request || slot(state, *request).open > 0;  // an event may come at any time
+  return !request || slot(state, *request).asked > 0;  // an event may come at any time
 }
 
 void Moves::take(State& state, pan::ChannelId channel) const {
   auto of = slot(state, channel);
-  of.full = false;
-  put_slot(state, channel, of);
-  if (const auto& request = automata_.request_of[channel.index()]) {
+  const auto& request = automata_.request_of[channel.index()];
+  if (request && (of.answers || automata_.from_device[channel.index()])) {
     auto asked = slot(state, *request);
-    if (asked.open > 0) --asked.open;
+    if (asked.asked > 0) asked.erase(0);
     put_slot(state, *request, asked);
   }
+  of.full = of.answers = false;
+  put_slot(state, channel, of);
 }
 
-void Moves::withdraw(State& state, pan::ChannelId request) const {
+/// The place of the request that the next message of the channel answers; -1: it answers none.
+int Moves::answered_next(const State& state, pan::ChannelId answer) const {
+  const auto& request = automata_.request_of[answer.index()];
+  if (!request) return -1;
+  const auto asked = slot(state, *request);
+  const int next = slot(state, answer).answers ? 1 : 0;
+  return next < asked.asked - (asked.full ? 1 : 0) ? next : -1;
+}
+
+/// All that is open of the request, or what belongs to the thread.
+void Moves::withdraw(State& state, pan::ChannelId request, std::optional<std::size_t> thread) const {
   auto asked = slot(state, request);
-  if (automata_.to_device[request.index()]) {
-    asked.open = 0;
-    return put_slot(state, request, asked);
-  }
   const auto& back = automata_.answer_of[request.index()];
-  if (!back) return;
+  if (!back || asked.asked == 0) return;
+  const bool device = automata_.to_device[request.index()];
   auto answer = slot(state, *back);
-  for (; asked.open > 0; --asked.open) {
-    if (asked.full) {
+  for (int at = asked.asked - 1; at >= 0; --at) {
+    auto& owner = asked.by[static_cast<std::size_t>(at)];
+    if (owner == nobody || (thread && owner != static_cast<int>(*thread) + 1)) continue;
+    if (device) {
+      asked.erase(at);
+    } else if (asked.full && at + 1 == asked.asked) {
       asked.full = false;
-    } else if (answer.full) {
-      answer.full = false;
+      asked.erase(at);
+    } else if (answer.answers && at == 0) {
+      answer.full = answer.answers = false;
+      asked.erase(at);
     } else {
-      ++answer.unwanted;
+      owner = nobody;
     }
   }
+  blur(asked);
   put_slot(state, request, asked);
   put_slot(state, *back, answer);
 }
 
+/// What a block that has ended has open is its parent's.
+void Moves::hand_over(State& state, std::size_t block, std::size_t parent) const {
+  for (std::size_t c = 0; c < slots_.size(); ++c) {
+    auto of = slot(state, pan::ChannelId(c));
+    bool changed = false;
+    for (int& owner : of.by) {
+      if (owner != static_cast<int>(block) + 1) continue;
+      owner = static_cast<int>(parent) + 1;
+      changed = true;
+    }
+    if (changed) put_slot(state, pan::ChannelId(c), of);
+  }
+}
+
 State Moves::without_request(const State& state, pan::ChannelId request) const {
   State result = state;
-  withdraw(result, request);
+  withdraw(result, request, std::nullopt);
   forget(result);
   return result;
 }
 
 void Moves::abandon(State& state, std::size_t thread) const {
-  for (std::size_t c = 0; c < automata_.request_of.size(); ++c) {
-    const auto of = slot(state, pan::ChannelId(c));
-    if (of.open > 0 && of.owner == static_cast<int>(thread) + 1) withdraw(state, pan::ChannelId(c));
-  }
+  for (std::size_t c = 0; c < slots_.size(); ++c) withdraw(state, pan::ChannelId(c), thread);
 }
 
 void Moves::wait(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const {
@@ -237,10 +312,10 @@ void Moves::wait(const State& state, std::size_t thread, const Step& step, std::
     go(std::move(move), step.next[i], result);
     took = true;
     const auto& request = automata_.request_of[channel.index()];
-    if (!last && request && automata_.from_device[channel.index()] && slot(state, *request).open > 1) {
+    if (!last && request && automata_.from_device[channel.index()] && slot(state, *request).asked > 1) {
       Move lost{{Deed::Kind::loses, thread, index, channel}, state, false, true};
       auto asked = slot(state, *request);
-      --asked.open;
+      asked.erase(1);  // the answer that came while the first one was there
       put_slot(lost.state, *request, asked);
       result.push_back(std::move(lost));
     }
@@ -251,7 +326,8 @@ void Moves::wait(const State& state, std::size_t thread, const Step& step, std::
   if (!step.gives_up || last) return;
   Move move{{Deed::Kind::gives_up, thread, index, step.channels.front()}, state, false, true};
   for (const auto channel : step.channels) {
-    if (const auto& request = automata_.request_of[channel.index()]) withdraw(move.state, *request);
+    if (const auto& request = automata_.request_of[channel.index()])
+      withdraw(move.state, *request, std::nullopt);
   }
   go(std::move(move), step.next.back(), result);
 }
@@ -266,22 +342,25 @@ void Moves::send(const State& state, std::size_t thread, const Step& step, std::
     if (asks) {
       // One in the slot, one being served, one answer not taken: with one more an answer is lost.
       constexpr int most = 3;
-      if (of.open == most) {
+      if (of.asked == most) {
         move.deed.kind = Deed::Kind::loses;
         move.timely = true;
+        of.erase(1);
       }
-      of.open = std::min(of.open + 1, most);
-      of.owner = static_cast<int>(thread) + 1;
+      ask(of, thread);
       put_slot(move.state, channel, of);
     }
     return go(std::move(move), step.next.front(), result);
   }
-  if (of.unwanted > 0) {
+  const int answered = answered_next(state, channel);
+  const auto& request = automata_.request_of[channel.index()];
+  if (answered >= 0 && slot(state, *request).by[static_cast<std::size_t>(answered)] == nobody) {
+    auto asked = slot(state, *request);
     move.deed.kind = Deed::Kind::discards;
-    move.guessed = of.unwanted > withdrawn_;
+    move.guessed = asked.withdrawn() > withdrawn_;
     if (move.guessed) go(move, step.next.front(), result);  // there are as many as before, or more
-    --of.unwanted;
-    put_slot(move.state, channel, of);
+    asked.erase(answered);
+    put_slot(move.state, *request, asked);
     return go(std::move(move), step.next.front(), result);
   }
   if (of.full) {
@@ -290,10 +369,8 @@ void Moves::send(const State& state, std::size_t thread, const Step& step, std::
     return stop(std::move(move), thread, result);
   }
   of.full = true;
-  if (asks) {
-    ++of.open;
-    of.owner = static_cast<int>(thread) + 1;
-  }
+  of.answers = answered >= 0;
+  if (asks) ask(of, thread);
   put_slot(move.state, channel, of);
   go(std::move(move), step.next.front(), result);
 }

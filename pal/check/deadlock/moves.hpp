@@ -3,6 +3,7 @@
 // at some time.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -77,14 +78,18 @@ class Moves {
   bool finishing(const State& state, std::size_t thread) const;
   bool full(const State& state, pan::ChannelId channel) const;
   int open(const State& state, pan::ChannelId request) const;
-  /// The thread that asked last, if the request is open.
-  std::optional<std::size_t> owner(const State& state, pan::ChannelId request) const;
   /// It stands for states with more withdrawn requests than are counted: moves from it exist, of two that are
   /// guessed one, and it may be none that a run gets to.
   bool blurred(const State& state) const;
-  /// … by what is counted of this answer.
+  /// … by what is counted of the requests that this answers.
   bool blurred(const State& state, pan::ChannelId answer) const;
-  /// What is left when the request is withdrawn.
+  /// Requests of the channel that are open, all or those that belong to the thread.
+  int open(const State& state, pan::ChannelId request, std::size_t thread) const;
+  /// What is in the slot answers a request that belongs to the thread.
+  bool answers(const State& state, pan::ChannelId answer, std::size_t thread) const;
+  /// The threads to which open requests belong.
+  Threads owners(const State& state, pan::ChannelId request) const;
+  /// What is left when all that is open of the request is withdrawn.
   State without_request(const State& state, pan::ChannelId request) const;
   std::size_t words() const { return words_; }
   /// Something was counted that is too large for a state; what was found may not be all.
@@ -95,15 +100,25 @@ class Moves {
   /// Threads, steps and owners must fit into their words.
   static char16_t word(std::size_t value) { return static_cast<char16_t>(value); }
 
+  static constexpr int most_asked = 12;
+  static constexpr int nobody = 0;
+
   struct Slot {
     bool full = false;
-    int open = 0;      // requests neither answered nor withdrawn
-    int unwanted = 0;  // answers to be discarded
-    int owner = 0;     // thread that asked last, from 1
+    bool answers = false;              // of an answer: what is in the slot answers the oldest request
+    int asked = 0;                     // of a request: how many have no answer yet that was taken
+    /// To which thread, from 1, each of them belongs, the oldest first; nobody: it is withdrawn.
+    std::array<int, most_asked> by{};
+
+    void push(std::size_t thread);
+    void erase(int at);
+    int withdrawn() const;
   };
 
   Slot slot(const State& state, pan::ChannelId channel) const;
-  void put_slot(State& state, pan::ChannelId channel, Slot slot) const;
+  void put_slot(State& state, pan::ChannelId channel, const Slot& slot) const;
+  void ask(Slot& slot, std::size_t thread) const;
+  void blur(Slot& slot) const;
   bool bit(const State& state, std::size_t base, std::size_t index) const;
   void set_bit(State& state, std::size_t base, std::size_t index, bool value) const;
   std::size_t latched(std::size_t thread) const;
@@ -112,7 +127,9 @@ class Moves {
   void steps_of(const State& state, std::size_t thread, std::vector<Move>& result) const;
   bool may_have_begun(const State& state, std::size_t thread) const;
   void take(State& state, pan::ChannelId channel) const;
-  void withdraw(State& state, pan::ChannelId request) const;
+  void withdraw(State& state, pan::ChannelId request, std::optional<std::size_t> thread) const;
+  int answered_next(const State& state, pan::ChannelId answer) const;
+  void hand_over(State& state, std::size_t block, std::size_t parent) const;
   void abandon(State& state, std::size_t thread) const;
   void arrive(Move move, std::size_t thread, std::size_t step, std::vector<Move>& result) const;
   void after_blocks(Move move, std::size_t parent, std::vector<Move>& result) const;
@@ -131,9 +148,9 @@ class Moves {
   int withdrawn_;
   StepSets to_be_read_;
   StepSets latches_to_be_read_;
-  std::size_t channels_ = 0;  // where slots begin
-  std::size_t values_ = 0;    // … the conditions' values
-  std::size_t latches_ = 0;   // … what each thread has latched: masks, then values
+  std::vector<std::size_t> slots_;  // where each slot begins
+  std::size_t values_ = 0;          // … the conditions' values
+  std::size_t latches_ = 0;         // … what each thread has latched: masks, then values
   std::size_t bit_words_ = 0;
   std::size_t words_ = 0;
   mutable bool overflowed_ = false;

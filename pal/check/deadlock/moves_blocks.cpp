@@ -26,6 +26,7 @@ void Moves::arrive(Move move, std::size_t thread, std::size_t step, std::vector<
       if (!automata_.threads[thread].parent) break;
       state[thread] = nowhere;
       for (std::size_t w = 0; w < 2 * bit_words_; ++w) state[latched(thread) + w] = 0;
+      hand_over(state, thread, *automata_.threads[thread].parent);
       return after_blocks(std::move(move), *automata_.threads[thread].parent, result);
     }
     if (to.kind != Step::Kind::fork) break;
@@ -84,7 +85,7 @@ bool Moves::may_have_begun(const State& state, std::size_t thread) const {
   const auto asked_here = [&](pan::ChannelId answer) {
     const auto& request = automata_.request_of[answer.index()];
     if (!request || automata_.from_device[answer.index()]) return false;
-    return owner(state, *request) == thread && open(state, *request) > (full(state, *request) ? 1 : 0);
+    return answers(state, answer, thread);
   };
   switch (step.kind) {
     case Step::Kind::set:
@@ -92,7 +93,7 @@ bool Moves::may_have_begun(const State& state, std::size_t thread) const {
     case Step::Kind::send: {
       const auto request = step.channels.front();
       const bool asks = automata_.answer_of[request.index()] && !automata_.to_device[request.index()];
-      return !asks || (open(state, request) > 0 && owner(state, request) != thread);
+      return !asks;
     }
     case Step::Kind::wait:
       return std::any_of(step.channels.begin(), step.channels.end(),

@@ -33,12 +33,12 @@ class WrittenSkill final : public runtime::Skill {
     return static_cast<int>(processors.size()) - 1;
   }
   int thread(std::string_view name, int where, int priority, Body body) {
-    threads.push_back({name, where, priority, false, true});
+    threads.push_back({name, where, priority, -1, true});
     bodies.push_back(std::move(body));
     return static_cast<int>(threads.size()) - 1;
   }
-  int block(std::string_view name, int where, int priority, bool can_end, Body body) {
-    threads.push_back({name, where, priority, true, can_end});
+  int block(std::string_view name, int parent, int where, int priority, bool can_end, Body body) {
+    threads.push_back({name, where, priority, parent, can_end});
     bodies.push_back(std::move(body));
     return static_cast<int>(threads.size()) - 1;
   }

@@ -78,7 +78,7 @@ const std::vector<runtime::Field> wrench_fields{{"fx", "N"},   {"fy", "N"},   {"
                                                 {"tx", "N*m"}, {"ty", "N*m"}, {"tz", "N*m"}};
 const std::vector<runtime::ProcessorSpec> processors{{"P0"}, {"P1"}, {"P2"}, {"P3"}};
 const std::vector<runtime::ThreadSpec> threads{
-    {"SM1", 0, 1}, {"SM1.1", 1, 1, true, false}, {"SM1.2", 0, 1, true, true}, {"LS1", 1, 2}, {"MC1", 2, 1},
+    {"SM1", 0, 1}, {"SM1.1", 1, 1, 0, false}, {"SM1.2", 0, 1, 0, true}, {"LS1", 1, 2}, {"MC1", 2, 1},
     {"SD1", 3, 1}};
 const std::vector<std::string_view> conditions{"pc-force", "pc-reach", "pc-home"};
 const std::vector<std::string_view> devices{"force-torque", "alter"};

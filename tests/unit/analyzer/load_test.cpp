@@ -25,6 +25,17 @@ TEST_CASE("the load of a periodic worker is its work in its period") {
   REQUIRE(verdict.witness);
 }
 
+TEST_CASE("the load of a sporadic worker is at most its work in its least separation") {
+  const auto skill = test::sound_skill(
+      small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 42 %", worker,
+                  "PROCESSOR P0\nPROCESSOR P1\nDEVICE MC1 EVENT tick SPORADIC 12 ms JITTER 2 ms\nTIME "
+                  "work : 1 TO 4 ms\nCOST SET 1 ms\nPLACE SM1 ON P1 PRIORITY 1\n"));
+  const Verdict verdict = analyze(*skill->problem).verdicts.front();
+  CHECK(verdict.state == Verdict::State::holds);
+  REQUIRE(verdict.bound);
+  CHECK(verdict.bound->count() == 416'666'667);  // 5 ms in 12 ms, rounded up
+}
+
 TEST_CASE("a skill that always ends has no load") {
   const auto skill =
       test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 0 %", R"(

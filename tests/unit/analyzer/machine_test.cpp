@@ -5,6 +5,7 @@
 
 #include "analyzer/exact.hpp"
 #include "analyzer/simulate.hpp"
+#include "tests/support/any_skill.hpp"
 #include "tests/support/skill.hpp"
 #include "tests/unit/analyzer/small_skill.hpp"
 
@@ -72,7 +73,7 @@ TEST_CASE("giving up withdraws what was asked, not what a sender asks whose slot
   };
   // The first request is being served, the second in the slot, and the third sender blocked, when the first
   // block gives up at 2 ms.
-  const auto skill = test::sound_skill(small_skill(
+  const auto skill = test::any_skill(small_skill(
       "",
       "Skill Module: SM1\n  ACTIVITY rest\nBEGIN\n  WTM( Coordinator )\n  CONCURRENT\n" + waits("2") +
           waits("50") + waits("50") + "  END CONCURRENT\n  TXM( Completion Protocol 0 )\nEND\n",

@@ -26,8 +26,8 @@ struct Fork {
       co_await t.perform(after, [] {});
       co_await t.complete(end, 0);
     });
-    skill.block("SM.1", q, 1, false, std::move(forever));
-    skill.block("SM.2", p, 1, true, [=](Thread& t) -> Task { co_await t.perform(five, [] {}); });
+    skill.block("SM.1", 0, q, 1, false, std::move(forever));
+    skill.block("SM.2", 0, p, 1, true, [=](Thread& t) -> Task { co_await t.perform(five, [] {}); });
   }
   WrittenSkill skill;
   int r = 0;
@@ -124,8 +124,8 @@ TEST_CASE("without blocks that cannot end, CONCURRENT ends with the last, and ma
     co_await t.concurrent(fork, 1, 2);
     co_await t.complete(end, 0);
   });
-  skill.block("SM.1", p, 1, true, [=](Thread& t) -> Task { co_await t.perform(two, [] {}); });
-  skill.block("SM.2", q, 1, true, [=](Thread& t) -> Task { co_await t.perform(three, [] {}); });
+  skill.block("SM.1", 0, p, 1, true, [=](Thread& t) -> Task { co_await t.perform(two, [] {}); });
+  skill.block("SM.2", 0, q, 1, true, [=](Thread& t) -> Task { co_await t.perform(three, [] {}); });
   const auto outcome = run(skill);
   CHECK(outcome.duration == 6ms);
   CHECK(only(to_text(outcome.trace), {"done SM."}) ==
@@ -147,8 +147,8 @@ TEST_CASE("cancelling a block stops the blocks inside it") {
   work = fork.skill.statement("work", 3ms);
   wait = fork.skill.statement("wait");
   x = fork.skill.channel("LS", "x", "SM");
-  fork.skill.block("SM.1.1", fork.r, 1, true, [&](Thread& t) -> Task { co_await t.wait(wait, from(x)); });
-  fork.skill.block("SM.1.2", fork.r, 1, true, [&](Thread& t) -> Task {
+  fork.skill.block("SM.1.1", 1, fork.r, 1, true, [&](Thread& t) -> Task { co_await t.wait(wait, from(x)); });
+  fork.skill.block("SM.1.2", 1, fork.r, 1, true, [&](Thread& t) -> Task {
     co_await t.perform(work, [] {});
     co_await t.perform(work, [] {});
   });

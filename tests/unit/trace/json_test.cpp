@@ -56,6 +56,8 @@ class RandomTrace {
       if (!actor.device) {
         actor.processor = text();
         actor.priority = number(-3, 9);
+        const int parent = number(-1, static_cast<int>(trace.actors.size()) - 1);
+        if (parent >= 0 && !trace.actors[static_cast<std::size_t>(parent)].device) actor.parent = parent;
       }
       trace.actors.push_back(actor);
     }
@@ -143,7 +145,7 @@ TEST_CASE("the spelling of every kind is read back as that kind") {
 TEST_CASE("events are written one a line") {
   Trace trace;
   trace.skill = "touch";
-  trace.actors = {{"SM1", false, "P0", 1}, {"alter", true, "", 0}};
+  trace.actors = {{"SM1", false, "P0", 1}, {"alter", true, "", 0}, {"SM1.1", false, "P0", 1, 0}};
   trace.events = {{28000000, Kind::busy, 1, -1, -1, 0}};
   CHECK(written(trace) == R"({
 "format": "pal-trace",
@@ -153,7 +155,8 @@ TEST_CASE("events are written one a line") {
 "origin": "",
 "actors": [
 {"name":"SM1","processor":"P0","priority":1},
-{"name":"alter","device":true}
+{"name":"alter","device":true},
+{"name":"SM1.1","processor":"P0","priority":1,"parent":0}
 ],
 "statements": [],
 "channels": [],

@@ -7,47 +7,24 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pal/pan/environment.hpp"
 #include "pal/pan/network.hpp"
+#include "tests/support/runs/decisions.hpp"
+#include "tests/support/runs/ratio.hpp"
+#include "tests/support/runs/state.hpp"
+#include "tests/support/runs/wanted.hpp"
 
 namespace pal::test {
 
-/// Decides what the skill and the world leave open.
-class Decisions {
- public:
-  virtual ~Decisions() = default;
-  /// One of 0 … n-1.
-  virtual int pick(int n) = 0;
-};
-
-class Lottery final : public Decisions {
- public:
-  explicit Lottery(std::uint64_t seed) : engine_(seed) {}
-  int pick(int n) override { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-
- private:
-  std::mt19937_64 engine_;
-};
-
-/// What is measured: an age or a response.
-struct Wanted {
-  std::string name;
-  int condition = -1;                // age
-  int event = -1;                    // response: channel
-  std::set<std::pair<int, int>> at;  // module, node
-};
-
-/// The responses and the ages of conditions that `network` requires, and what the devices of `environment`
-/// add.
-std::vector<Wanted> wanted(const pan::Network& network, const pan::Environment& environment);
-
 struct Seen {
-  std::int64_t greatest = -1;  // in units
+  std::int64_t greatest = -1;  // in units; losses: a number; -1: nothing was measured
+  std::int64_t least = -1;     // of what was measured at an effect
+  Ratio load;                  // the greatest of the processors'
   bool failed = false;         // an event can stay without a response
   bool complete = false;       // every run was followed
   std::size_t states = 0;
@@ -68,84 +45,46 @@ class AllRuns {
   bool tell = false;
 
  private:
-  enum class Status : std::uint8_t { off, ready, running, waiting, sending, joining };
-  struct Thread {
-    Status status = Status::off;
-    std::vector<std::pair<int, int>> at;  // module and node; below: the Executes that led here
-    bool begun = false;
-    int left = 0;    // of the action that has begun
-    int limit = -1;  // of the wait
-    int claim = -1;  // which of the wait's channels
-    bool withdrawn = false;
-    bool gives_up = false;
-    bool cancelled = false;
-    std::uint32_t latched = 0;
-    std::uint32_t latched_true = 0;
-    int age = -1;
-    int event = -1;
-    int parent = -1;
-    std::vector<int> blocks;
-    bool can_end = true;
-    int processor = 0;
-    int priority = 0;
-    int module = 0;
-  };
-  struct Slot {
-    bool full = false;
-    int claimed = -1;
-    int from = -1;  // processor
-    int near = -1;  // still to fly; -1: no more
-    int far = -1;
-    int event = -1;
-    int open = 0;
-    int owner = -1;
-    int unwanted = 0;
-    int serving_event = -1;
-  };
-  struct Device {
-    bool open = false;
-    int next = -1;
-    int late = -1;
-    int service = -1;
-    std::uint32_t serving = 0;
-  };
-  struct State {
-    std::vector<Thread> threads;
-    std::vector<int> running;
-    std::vector<std::vector<int>> queues;
-    std::vector<Slot> slots;
-    std::vector<Device> devices;
-    std::uint32_t conditions = 0;
-    int condition_age = 0;
-    std::vector<int> events;  // unanswered, by age
-    bool ended = false;
-    bool failed = false;
-  };
+  using Thread = runs::Thread;
+  using Slot = runs::Slot;
+  using Device = runs::Device;
+  using State = runs::State;
   struct Process {
     const pan::DeviceTiming* timing = nullptr;
     std::string name;
     int event = -1;
     std::vector<int> requests;
   };
+  struct Ahead {
+    bool meets = false;  // a statement at which something is measured
+    bool ends = false;   // the end of the body, or of the block
+  };
+  struct Arrival {
+    std::size_t from;
+    std::vector<int> decided;
+  };
 
+  // Where flows lead (flow.cpp).
   const pan::Node& node(const Thread& thread) const;
+  Ahead ahead(int module, int from) const;
+  bool leads(const Thread& thread) const;
+  void leave_node(int thread, std::size_t out);
+  void walk_on(int thread);  // from the node it is at to the next statement, and reaches that
+
+  // The beginning, and time (time.cpp).
   int draw(Interval interval);
   Interval cost_of(const Thread& thread) const;
-  bool can_end(int module, int from, std::set<int>& executing) const;
   void place(Thread& thread, const std::string& name, int above) const;
-  std::string key(const State& state) const;
   void canonical(State& state) const;
   void say(const std::string& what);
   std::string who(int thread) const;
-
   void begin();
   bool step();
   void pass(int time);
   void either(bool matters, const std::function<void()>& first, const std::function<void()>& second);
   void any_order(std::vector<int> of, const std::function<void(int)>& each);
 
-  void walk_on(int thread);  // from the node it is at to the next statement, and reaches that
-  void leave_node(int thread, std::size_t out);
+  // Threads and processors (threads.cpp).
   void reach(int thread);
   void ready(int thread);
   void unqueue(int thread);
@@ -156,22 +95,33 @@ class AllRuns {
   void cancel(int thread);
   void stop(int thread);
   void dispatch();
+
+  // Statements (statements.cpp).
   void effect(int thread);
   void proceed(int thread, std::size_t out);
-  void measure(int thread);
   bool look(int thread, int condition);
   bool holds(const pan::Guard& guard, std::uint32_t values) const;
   static void mentioned(const pan::Guard& guard, std::uint32_t& all);
 
+  // Messages (messages.cpp) and requests (requests.cpp).
   bool available(int channel, int thread) const;
-  void put(int channel, int thread, int process, int event);
+  void put(int channel, int thread, int process, int carries);
   void offer(int channel);
   bool offered(int channel) const;
+  void clear(int channel);
   void emptied(int channel);
   bool somebody_sends(int channel) const;
   void take(int channel, int thread);
   void send_done(int thread);
-  void withdraw(int request, std::vector<int>& freed);
+  bool answered(int request) const;
+  std::optional<std::size_t> answered_next(int answer) const;
+  bool discards(int answer) const;
+  void answered_in_vain(int answer);
+  bool belongs_to(int request, int thread) const;
+  void withdraw(int request, std::optional<int> owner, std::vector<int>& freed);
+  void hand_over(int block, int parent);
+
+  // The world (devices.cpp).
   bool sporadic() const;
   void open(int process);
   void take_request(int process, int channel);
@@ -180,6 +130,33 @@ class AllRuns {
   void answer(int process);
   void event(int process);
   void occurs(int process);
+
+  // What is measured (measures.cpp).
+  void begin_measuring();
+  int birth();
+  int sample();
+  void record(std::int64_t value);
+  void grow(int time);
+  void measure(int thread);
+  void respond(Thread& of);
+  void has_read(int thread, int condition);
+  void has_set(int thread, int condition);
+  void has_taken(int thread, int carried);
+  int sent_along(int thread) const;
+  int has_occurred(int channel);
+  int is_served(int request);
+  void has_completed(int code);
+  int error_code() const;
+  void track_busy();
+  bool counts(int process) const;
+  void occurrence(int process, bool lost);
+  void has_withdrawn(int channel);
+  void count_losses();
+  bool live() const;
+  void forget(State& state) const;
+
+  Ratio load(const std::vector<Stretch>& stretches, const std::vector<std::vector<bool>>& busy) const;
+  void retell(const std::vector<Arrival>& arrivals, const Arrival& last);
 
   const pan::Network& network_;
   const pan::Environment& environment_;
@@ -190,10 +167,14 @@ class AllRuns {
   std::vector<int> sender_process_, receiver_process_, request_of_;  // by channel
   std::map<std::pair<int, std::vector<std::pair<int, int>>>, int> known_threads_;
   std::map<int, std::string> names_;
+  mutable std::map<std::pair<int, int>, Ahead> ahead_;
   State s_;
   Decisions* decisions_ = nullptr;
   std::int64_t greatest_ = -1;
+  std::int64_t least_ = -1;
   std::int64_t now_ = 0;
+  int passed_ = 0;  // until what happened last
+  bool new_sample_ = false;
   bool telling_ = false;
 };
 

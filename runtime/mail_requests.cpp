@@ -1,0 +1,67 @@
+// Requests between their put and the take of their answer (docs/execution-model.md, Messages).
+#include <algorithm>
+
+#include "runtime/mail.hpp"
+#include "runtime/run.hpp"
+
+namespace pal::runtime {
+
+void Mail::ask(Slot& request, const Thread* owner) {
+  if (request.spec->answer >= 0) request.asked.push_back({owner, false});
+}
+
+/// Whether the request at place `at` is still in its slot. One that a device was given and does not forget is
+/// withdrawn there and answered all the same.
+bool Mail::in_slot(const Slot& request, std::size_t at) const {
+  return request.full && at + 1 == request.asked.size();
+}
+
+/// The request that the next message of the slot answers: the oldest that was taken and is not answered yet.
+Asked* Mail::answered_next(const Slot& answer) {
+  if (answer.request_of < 0) return nullptr;
+  Slot& request = at(answer.request_of);
+  const std::size_t next = answer.answers ? 1 : 0;
+  if (next >= request.asked.size() || in_slot(request, next)) return nullptr;
+  return &request.asked[next];
+}
+
+bool Mail::discards(const Slot& answer) {
+  const Asked* next = answered_next(answer);
+  return next != nullptr && next->withdrawn;
+}
+
+/// The next message of the slot is lost or discarded.
+void Mail::answered_in_vain(const Slot& answer) {
+  const Asked* next = answered_next(answer);
+  if (next == nullptr) return;
+  std::vector<Asked>& asked = at(answer.request_of).asked;
+  asked.erase(asked.begin() + (next - asked.data()));
+}
+
+/// The open requests that belong to `owner`; nullptr: all of them.
+void Mail::withdraw(Slot& request, const Thread* owner) {
+  if (request.asked.empty()) return;
+  Slot& answer = at(request.spec->answer);
+  const auto meant = [owner](const Asked& each) {
+    return !each.withdrawn && (owner == nullptr || each.owner == owner);
+  };
+  // What a blocked sender puts from here on is not meant.
+  const bool asking = request.full && meant(request.asked.back());
+  const bool answered = answer.answers && meant(request.asked.front());
+  const bool forgotten =
+      asking && (!request.handed || run_.withdraw_from_device(request.device, request.port));
+  for (Asked& each : request.asked) each.withdrawn = each.withdrawn || meant(each);
+  if (asking && forgotten) request.asked.pop_back();
+  if (asking) drop(request);
+  if (answered) drop(answer);
+}
+
+void Mail::hand_over(const Thread& block, const Thread& parent) {
+  for (Slot& slot : slots_) {
+    for (Asked& each : slot.asked) {
+      if (each.owner == &block) each.owner = &parent;
+    }
+  }
+}
+
+}  // namespace pal::runtime

@@ -1,0 +1,63 @@
+// Decides what the skill and the world leave open.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace pal::test {
+
+class Decisions {
+ public:
+  virtual ~Decisions() = default;
+  /// One of 0 … n-1.
+  virtual int pick(int n) = 0;
+};
+
+class Lottery final : public Decisions {
+ public:
+  explicit Lottery(std::uint64_t seed) : engine_(seed) {}
+  int pick(int n) override { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// Goes through all sequences of decisions.
+class Every final : public Decisions {
+ public:
+  int pick(int n) override {
+    if (at_ == taken_.size()) taken_.push_back({0, n});
+    return taken_[at_++].first;
+  }
+  std::vector<int> decided() const {
+    std::vector<int> all;
+    for (const auto& [taken, of] : taken_) all.push_back(taken);
+    return all;
+  }
+  bool next() {
+    at_ = 0;
+    while (!taken_.empty() && taken_.back().first + 1 == taken_.back().second) taken_.pop_back();
+    if (taken_.empty()) return false;
+    ++taken_.back().first;
+    return true;
+  }
+
+ private:
+  std::vector<std::pair<int, int>> taken_;
+  std::size_t at_ = 0;
+};
+
+/// Decides what was decided before.
+class Again final : public Decisions {
+ public:
+  explicit Again(std::vector<int> decided) : decided_(std::move(decided)) {}
+  int pick(int) override { return decided_[at_++]; }
+
+ private:
+  std::vector<int> decided_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace pal::test

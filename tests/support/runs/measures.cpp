@@ -1,0 +1,242 @@
+// What is measured of a run (docs/execution-model.md, What is measured).
+#include <algorithm>
+
+#include "tests/support/runs/all_runs.hpp"
+
+namespace pal::test {
+
+using namespace runs;
+
+namespace {
+
+constexpr std::size_t most_births = 12;
+
+}  // namespace
+
+void AllRuns::begin_measuring() {
+  if (wanted_.of_condition()) s_.known[ix(wanted_.condition)] = birth();
+  if (wanted_.kind == Wanted::Kind::reaction || wanted_.kind == Wanted::Kind::duration) {
+    if (s_.births.empty()) birth();
+    s_.reference = 0;
+  }
+}
+
+int AllRuns::birth() {
+  if (s_.births.size() >= most_births) throw TooMuch("too much is carried along");
+  s_.births.push_back(0);
+  return static_cast<int>(s_.births.size()) - 1;
+}
+
+void AllRuns::record(std::int64_t value) {
+  greatest_ = std::max(greatest_, value);
+  least_ = least_ < 0 ? value : std::min(least_, value);
+  say("  measured " + std::to_string(value));
+}
+
+/// Time passes. What does not end, although it can, has no bound; what ends in another way does not count.
+void AllRuns::grow(int time) {
+  for (int& age : s_.births) age = std::min(cap_, age + time);
+  for (int& busy : s_.busy) {
+    if (busy < 0) continue;
+    busy = std::min(cap_, busy + time);
+    if (wanted_.kind == Wanted::Kind::busy && busy == cap_) greatest_ = cap_;
+  }
+  const bool grows = wanted_.kind == Wanted::Kind::greatest || wanted_.kind == Wanted::Kind::reaction ||
+                     wanted_.kind == Wanted::Kind::sample_reaction;
+  if (grows && s_.reference >= 0 && s_.births[ix(s_.reference)] == cap_ && live()) greatest_ = cap_;
+}
+
+void AllRuns::measure(int thread) {
+  Thread& of = s_.threads[ix(thread)];
+  if (wanted_.at.count(of.at.back()) == 0) return;
+  switch (wanted_.kind) {
+    case Wanted::Kind::age:
+    case Wanted::Kind::sample_age:
+      if (of.carries >= 0) record(s_.births[ix(of.carries)]);
+      return;
+    case Wanted::Kind::reaction:
+    case Wanted::Kind::sample_reaction:
+      if (s_.reference < 0 || of.carries <= s_.reference) return;
+      record(s_.births[ix(s_.reference)]);
+      s_.reference = of.carries;
+      return;
+    case Wanted::Kind::least:
+    case Wanted::Kind::greatest:
+      if (s_.reference >= 0) record(s_.births[ix(s_.reference)]);
+      s_.reference = birth();
+      return;
+    case Wanted::Kind::response:
+      respond(of);
+      return;
+    default:
+      return;
+  }
+}
+
+/// The event that the thread carries is answered; none that came before may be left.
+void AllRuns::respond(Thread& of) {
+  if (of.carries < 0) return;
+  const int answered = of.carries;
+  record(s_.births[ix(answered)]);
+  if (answered > 0) s_.failed = true;
+  s_.births.erase(s_.births.begin() + answered);
+  const auto renumber = [answered](int& carries) {
+    if (carries == answered) {
+      carries = -1;
+    } else if (carries > answered) {
+      --carries;
+    }
+  };
+  for (Thread& each : s_.threads) renumber(each.carries);
+  for (Slot& each : s_.slots) {
+    renumber(each.carries);
+    renumber(each.serving_carries);
+  }
+}
+
+void AllRuns::has_read(int thread, int condition) {
+  int& carries = s_.threads[ix(thread)].carries;
+  if (wanted_.of_condition() && condition == wanted_.condition) carries = s_.known[ix(condition)];
+  if (wanted_.of_samples()) carries = std::max(carries, s_.known[ix(condition)]);
+}
+
+void AllRuns::has_set(int thread, int condition) {
+  if (wanted_.of_condition() && condition == wanted_.condition) s_.known[ix(condition)] = birth();
+  if (wanted_.of_samples()) s_.known[ix(condition)] = s_.threads[ix(thread)].carries;
+}
+
+void AllRuns::has_taken(int thread, int carried) {
+  int& carries = s_.threads[ix(thread)].carries;
+  if (wanted_.kind == Wanted::Kind::response && carried >= 0) carries = carried;
+  if (wanted_.of_samples()) carries = std::max(carries, carried);
+}
+
+int AllRuns::sent_along(int thread) const {
+  const bool along = wanted_.kind == Wanted::Kind::response || wanted_.of_samples();
+  return along ? s_.threads[ix(thread)].carries : -1;
+}
+
+int AllRuns::sample() {
+  const int made = birth();
+  if (wanted_.kind == Wanted::Kind::sample_reaction && s_.reference < 0) s_.reference = made;
+  return made;
+}
+
+/// What the message of an event carries.
+int AllRuns::has_occurred(int channel) {
+  if (wanted_.samples.count(channel) != 0) return sample();
+  return channel == wanted_.event ? birth() : -1;
+}
+
+/// What the answer to a request that a device takes now will carry. A frame is one sample for all.
+int AllRuns::is_served(int request) {
+  if (wanted_.kind == Wanted::Kind::response) return s_.slots[ix(request)].carries;
+  if (wanted_.samples.count(network_.channels[ix(request)].answer.value) == 0) return -1;
+  if (new_sample_) sample();
+  new_sample_ = false;
+  return static_cast<int>(s_.births.size()) - 1;
+}
+
+void AllRuns::has_completed(int code) {
+  if (wanted_.kind == Wanted::Kind::duration && wanted_.code == code) record(s_.births.front());
+}
+
+int AllRuns::error_code() const {
+  for (const pan::Completion& completion : network_.skill.completions) {
+    if (completion.kind == pan::Completion::Kind::error) return completion.code;
+  }
+  return -1;
+}
+
+void AllRuns::track_busy() {
+  if (wanted_.kind != Wanted::Kind::busy) return;
+  for (int p : wanted_.processors) {
+    int& busy = s_.busy[ix(p)];
+    const bool now = !s_.ended && s_.running[ix(p)] >= 0;
+    if (!now && busy >= 0) record(busy);
+    if (!now) busy = -1;
+    if (now && busy < 0) busy = 0;
+  }
+}
+
+// Losses.
+
+bool AllRuns::counts(int process) const {
+  return wanted_.kind == Wanted::Kind::loss && processes_[ix(process)].name == wanted_.device;
+}
+
+/// One more of the device's events, answers or frames.
+void AllRuns::occurrence(int process, bool lost) {
+  if (!counts(process)) return;
+  s_.counting = true;
+  s_.lost.push_back(lost);
+  for (Slot& slot : s_.slots) {
+    if (slot.later >= 0) ++slot.later;
+  }
+  count_losses();
+}
+
+/// What was put is taken out of its slot unused.
+void AllRuns::has_withdrawn(int channel) {
+  const int later = s_.slots[ix(channel)].later;
+  if (later < 0) return;
+  s_.lost[s_.lost.size() - 1 - ix(later)] = true;
+  count_losses();
+}
+
+void AllRuns::count_losses() {
+  for (std::size_t from = 0; from < s_.lost.size(); ++from) {
+    const std::size_t to = std::min(s_.lost.size(), from + ix(wanted_.in));
+    const auto begin = s_.lost.begin();
+    record(
+        std::count(begin + static_cast<std::ptrdiff_t>(from), begin + static_cast<std::ptrdiff_t>(to), true));
+  }
+}
+
+// What need not be remembered.
+
+bool AllRuns::live() const {
+  return !s_.ended && std::any_of(s_.threads.begin(), s_.threads.end(),
+                                  [this](const Thread& thread) { return leads(thread); });
+}
+
+/// What nobody carries is forgotten. An event that nobody carries is lost: how old it is does not matter,
+/// only that it came before others.
+void AllRuns::forget(State& state) const {
+  std::vector<int*> carriers{&state.reference};
+  for (Thread& thread : state.threads) carriers.push_back(&thread.carries);
+  for (int& known : state.known) carriers.push_back(&known);
+  for (Slot& slot : state.slots) {
+    carriers.push_back(&slot.carries);
+    carriers.push_back(&slot.serving_carries);
+  }
+  if (!wanted_.at.empty() && wanted_.kind != Wanted::Kind::response && !live()) {
+    for (int* carrier : carriers) *carrier = -1;
+  }
+  std::vector<bool> carried(state.births.size());
+  for (const int* carrier : carriers) {
+    if (*carrier >= 0) carried[ix(*carrier)] = true;
+  }
+  const bool remembers_lost = wanted_.kind == Wanted::Kind::response;
+  std::vector<int> kept;
+  std::vector<int> number(state.births.size(), -1);
+  for (std::size_t b = 0; b < state.births.size(); ++b) {
+    const bool lost_before = !kept.empty() && kept.back() == cap_ + 1;
+    if (!carried[b] && (!remembers_lost || lost_before)) continue;
+    number[b] = static_cast<int>(kept.size());
+    kept.push_back(carried[b] ? state.births[b] : cap_ + 1);
+  }
+  for (int* carrier : carriers) {
+    if (*carrier >= 0) *carrier = number[ix(*carrier)];
+  }
+  state.births = kept;
+  // Rows that the next occurrences, or those that can still be withdrawn, may be in.
+  int deepest = -1;
+  for (const Slot& slot : state.slots) deepest = std::max(deepest, slot.later);
+  const std::size_t row = ix(deepest < 0 ? wanted_.in - 1 : deepest + wanted_.in);
+  if (state.lost.size() > 40) throw TooMuch("too many losses to remember");
+  if (state.lost.size() > row)
+    state.lost.erase(state.lost.begin(), state.lost.end() - static_cast<std::ptrdiff_t>(row));
+}
+
+}  // namespace pal::test

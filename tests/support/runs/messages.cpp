@@ -1,0 +1,135 @@
+// Messages: slots, and who waits for them.
+#include "tests/support/runs/all_runs.hpp"
+
+#include <algorithm>
+
+namespace pal::test {
+
+using namespace pan;
+using namespace runs;
+
+bool AllRuns::available(int channel, int thread) const {
+  const Slot& slot = s_.slots[ix(channel)];
+  if (!slot.full || slot.claimed >= 0) return false;
+  if (slot.from < 0) return true;
+  return (slot.from == s_.threads[ix(thread)].processor ? slot.near : slot.far) < 0;
+}
+
+void AllRuns::put(int channel, int thread, int process, int carries) {
+  Slot& slot = s_.slots[ix(channel)];
+  if (process >= 0 && slot.full) {
+    say(processes_[ix(process)].name + " overruns");
+    answered_in_vain(channel);
+    return;
+  }
+  say((thread >= 0 ? who(thread) : processes_[ix(process)].name) + " puts " +
+      network_.messages[network_.channels[ix(channel)].message.index()].name);
+  slot.full = true;
+  slot.claimed = -1;
+  slot.carries = carries;
+  slot.near = slot.far = -1;
+  slot.from = thread < 0 ? -1 : s_.threads[ix(thread)].processor;
+  slot.answers = answered_next(channel).has_value();
+  if (answered(channel)) slot.asked.push_back({thread, false});
+  if (receiver_process_[ix(channel)] >= 0) return;
+  if (thread < 0) return;
+  const auto fly = [&](Interval latency) { return latency.worst.count() == 0 ? -1 : draw(latency); };
+  slot.near = fly(environment_.latency.within_processor);
+  slot.far = fly(environment_.latency.between_processors);
+}
+
+bool AllRuns::offered(int channel) const {
+  for (std::size_t t = 0; t < s_.threads.size(); ++t) {
+    const Thread& thread = s_.threads[t];
+    if (thread.status != Status::waiting || !available(channel, static_cast<int>(t))) continue;
+    for (ChannelId each : std::get<Wait>(node(thread).content).channels) {
+      if (each.value == channel) return true;
+    }
+  }
+  return false;
+}
+
+/// One of those that wait for the message, if any, stops waiting.
+void AllRuns::offer(int channel) {
+  std::vector<std::pair<int, int>> waiting;
+  for (std::size_t t = 0; t < s_.threads.size(); ++t) {
+    const Thread& thread = s_.threads[t];
+    if (thread.status != Status::waiting || !available(channel, static_cast<int>(t))) continue;
+    const auto& channels = std::get<Wait>(node(thread).content).channels;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      if (channels[i].value == channel) waiting.push_back({static_cast<int>(t), static_cast<int>(i)});
+    }
+  }
+  if (waiting.empty()) return;
+  const auto [thread, which] =
+      waiting[ix(waiting.size() == 1 ? 0 : decisions_->pick(static_cast<int>(waiting.size())))];
+  s_.slots[ix(channel)].claimed = thread;
+  s_.threads[ix(thread)].claim = which;
+  ready(thread);
+}
+
+bool AllRuns::somebody_sends(int channel) const {
+  for (const Thread& thread : s_.threads) {
+    if (thread.status == Status::sending && std::get<Send>(node(thread).content).channel.value == channel)
+      return true;
+  }
+  return false;
+}
+
+/// The slot, empty now, is there for a sender that is blocked.
+void AllRuns::emptied(int channel) {
+  if (s_.slots[ix(channel)].full) return;
+  std::vector<int> senders;
+  for (std::size_t t = 0; t < s_.threads.size(); ++t) {
+    if (s_.threads[t].status == Status::sending &&
+        std::get<Send>(node(s_.threads[t]).content).channel.value == channel)
+      senders.push_back(static_cast<int>(t));
+  }
+  if (senders.empty()) return;
+  send_done(senders[ix(senders.size() == 1 ? 0 : decisions_->pick(static_cast<int>(senders.size())))]);
+}
+
+/// The effect of a send, at once or of a sender that was blocked.
+void AllRuns::send_done(int thread) {
+  Thread& of = s_.threads[ix(thread)];
+  if (of.status == Status::sending) of.status = Status::ready;  // and in no queue yet
+  const int channel = std::get<Send>(node(of).content).channel.value;
+  if (discards(channel)) {
+    answered_in_vain(channel);
+    say(who(thread) + " discards");
+    measure(thread);
+    proceed(thread, 0);
+    if (!s_.ended && somebody_sends(channel)) emptied(channel);
+    return;
+  }
+  put(channel, thread, -1, sent_along(thread));
+  measure(thread);
+  const int process = receiver_process_[ix(channel)];
+  const bool cancelled = s_.threads[ix(thread)].cancelled;
+  either(
+      !cancelled && (process >= 0 ? somebody_sends(channel) : offered(channel)),
+      [&] {
+        if (process < 0) {
+          offer(channel);
+        } else {
+          take_request(process, channel);
+        }
+      },
+      [&] { proceed(thread, 0); });
+}
+
+void AllRuns::take(int channel, int thread) {
+  if (thread >= 0) has_taken(thread, s_.slots[ix(channel)].carries);
+  if (!s_.slots[ix(channel)].answers) return;
+  std::vector<Asked>& asked = s_.slots[ix(request_of_[ix(channel)])].asked;
+  asked.erase(asked.begin());
+}
+
+/// The slot is empty; emptied() is still to be called.
+void AllRuns::clear(int channel) {
+  Slot& slot = s_.slots[ix(channel)];
+  slot.full = slot.answers = false;
+  slot.claimed = slot.from = slot.near = slot.far = slot.carries = slot.later = -1;
+}
+
+}  // namespace pal::test

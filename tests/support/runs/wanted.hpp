@@ -1,0 +1,51 @@
+// What a skill is required to keep, as docs/execution-model.md measures it.
+#pragma once
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pal/pan/environment.hpp"
+#include "pal/pan/network.hpp"
+
+namespace pal::test {
+
+/// One thing that is measured.
+struct Wanted {
+  enum class Kind {
+    age,
+    sample_age,
+    reaction,
+    sample_reaction,
+    response,
+    least,
+    greatest,
+    loss,
+    duration,
+    busy,
+    load
+  };
+  std::string name;
+  Kind kind = Kind::age;
+  std::set<std::pair<int, int>> at;  // module, node
+  int condition = -1;                // age, reaction
+  std::set<int> samples;             // sample_age, sample_reaction: channels
+  int event = -1;                    // response: channel
+  std::string device;                // loss
+  int in = 1;                        // loss
+  int code = 0;                      // duration
+  std::vector<int> processors;       // busy, load
+
+  bool of_condition() const { return kind == Kind::age || kind == Kind::reaction; }
+  bool of_samples() const { return kind == Kind::sample_age || kind == Kind::sample_reaction; }
+  bool of_interval() const { return kind == Kind::least || kind == Kind::greatest; }
+};
+
+/// What `network` requires, and what the devices of `environment` add.
+std::vector<Wanted> wanted(const pan::Network& network, const pan::Environment& environment);
+
+/// Of a device, or of a module without a body, which stands for one.
+std::string party_name(const pan::Network& network, const pan::Party& party);
+
+}  // namespace pal::test
