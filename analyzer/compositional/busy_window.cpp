@@ -108,6 +108,10 @@ Nanoseconds BusyWindows::stretch(int processor, int priority, Nanoseconds cost) 
   return window(processor, priority + 1, cost);
 }
 
+Nanoseconds BusyWindows::level(int processor, int priority) const {
+  return preemptive_[static_cast<std::size_t>(processor)] ? window(processor, priority, 0) : busy(processor);
+}
+
 Nanoseconds BusyWindows::busy(int processor) const {
   return window(processor, std::numeric_limits<int>::min(), 0);
 }

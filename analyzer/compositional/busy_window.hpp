@@ -64,6 +64,9 @@ class BusyWindows {
   /// priority has nothing left to do when that begins.
   Nanoseconds stretch(int processor, int priority, Nanoseconds cost) const;
 
+  /// How long a thread of `priority` that is ready may take at most to do what it has begun.
+  Nanoseconds level(int processor, int priority) const;
+
   /// The longest that a processor has something to do without a pause.
   Nanoseconds busy(int processor) const;
 

@@ -22,11 +22,13 @@ Bound bound_of(const View& view, const Requirement& requirement) {
     case Measure::loss:
       return loss_bound(view, requirement);
     case Measure::reaction:
+      return reaction_bound(view, requirement);
     case Measure::interval:
+      return interval_bound(view, requirement);
     case Measure::duration:
-      break;
+      return duration_bound(view, requirement);
   }
-  return {never, "it knows no bound of this measure"};
+  return {};
 }
 
 void judge(const Bound& bound, Verdict& verdict) {
@@ -70,10 +72,14 @@ Analysis analyze_compositionally(const Problem& problem, const Options& options)
     if (times.interrupted) {
       refusal = "it was interrupted";
     } else {
-      const std::vector<bool> reliable = reliable_threads(problem, forest, conduct, times);
-      const View view{problem, forest, conduct, times, reliable};
+      const Endurance endurance = endurance_of(problem, forest, conduct, times);
+      const Endurance::Threads& always = endurance.always;
+      const View view{problem, forest, conduct, times, always.reliable, always.lively};
       for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
-        judge(bound_of(view, problem.requirements[r]), analysis.verdicts[r]);
+        const Requirement& requirement = problem.requirements[r];
+        const Bound bound = bound_of(view, requirement);
+        judge(bound.value < never ? bound : until_left(view, endurance, requirement, bound_of),
+              analysis.verdicts[r]);
       }
     }
     analysis.statistics.states = forest.nodes.size();

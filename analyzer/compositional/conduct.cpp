@@ -112,11 +112,9 @@ class Observer {
   /// A round ends at home, after waits for what it brought about itself.
   void returns(int t) {
     ThreadConduct& of = thread(t);
-    for (int above = problem_.threads[static_cast<std::size_t>(t)].parent; above >= 0;
-         above = problem_.threads[static_cast<std::size_t>(above)].parent) {
-      for (const Thread& other : problem_.threads) {
-        if (other.parent == above && other.can_end) of.may_be_cancelled = true;
-      }
+    for (int block = t; problem_.threads[static_cast<std::size_t>(block)].parent >= 0;
+         block = problem_.threads[static_cast<std::size_t>(block)].parent) {
+      of.may_be_cancelled = of.may_be_cancelled || is_cancelled(block);
     }
     if (of.home < 0) return;
     const std::string& name = problem_.threads[static_cast<std::size_t>(t)].name;
@@ -133,9 +131,33 @@ class Observer {
               name + " waits at " + text(wait.step) + " for something that its round does not bring about";
         }
       }
-      if (in_round && (segment.ends || !segment.forks.empty())) of.leaves = true;
-      if (in_round && !segment.forks.empty()) of.trouble = name + " starts blocks again and again";
+      if (in_round && segment.ends) of.leaves = true;
+      for (const Segment::Arrival& fork : segment.forks) {
+        if (!in_round) continue;
+        of.waits_within = true;
+        if (!ends_within(fork.step)) of.trouble = name + " starts blocks again and again";
+      }
     }
+  }
+
+  /// Whether a block stops when its siblings have ended.
+  bool is_cancelled(int block) const {
+    if (problem_.threads[static_cast<std::size_t>(block)].can_end) return false;
+    return std::any_of(problem_.steps.begin(), problem_.steps.end(), [&](const Step& step) {
+      return std::find(step.threads.begin(), step.threads.end(), block) != step.threads.end() &&
+             std::any_of(step.threads.begin(), step.threads.end(), [&](int other) {
+               return problem_.threads[static_cast<std::size_t>(other)].can_end;
+             });
+    });
+  }
+
+  /// Whether all blocks of a CONCURRENT end without rounds of their own.
+  bool ends_within(int fork) {
+    const std::vector<int>& blocks = step_at(fork).threads;
+    return std::all_of(blocks.begin(), blocks.end(), [this](int block) {
+      return problem_.threads[static_cast<std::size_t>(block)].can_end && thread(block).home < 0 &&
+             ends_straight(problem_, block);
+    });
   }
 
   void protocol() {

@@ -266,4 +266,32 @@ Nanoseconds least_round(const Problem& problem, const Beginning& beginning,
   return asked >= never ? around : std::max(around, asked + shortest.answer(answer, 0));
 }
 
+Nanoseconds least_way(const Problem& problem, int thread, const std::vector<bool>& at,
+                      const std::vector<bool>& sequential) {
+  if (may_start_again(problem, thread)) return 0;
+  Shortest shortest(problem, sequential);
+  std::set<int> seen;
+  std::vector<int> open{problem.threads[static_cast<std::size_t>(thread)].entry};
+  Nanoseconds least = never;
+  while (!open.empty()) {
+    const int from = open.back();
+    open.pop_back();
+    if (!seen.insert(from).second) continue;
+    const Step& step = problem.steps[static_cast<std::size_t>(from)];
+    open.insert(open.end(), step.next.begin(), step.next.end());
+    if (!at[static_cast<std::size_t>(from)]) continue;
+    for (int next : step.next) {
+      const auto passed = [&](int index) { return at[static_cast<std::size_t>(index)]; };
+      least = std::min(least, shortest.way(next, 0, 0, passed));
+    }
+  }
+  Nanoseconds itself = never;  // of the one that comes next
+  for (std::size_t s = 0; s < at.size(); ++s) {
+    if (!at[s]) continue;
+    const Step& step = problem.steps[s];
+    itself = std::min(itself, step.within ? std::min(step.cost.best, step.give_up_cost.best) : step.cost.best);
+  }
+  return plus(least, itself);
+}
+
 }  // namespace pal::analyzer::compositional

@@ -273,8 +273,10 @@ class Solver {
         return std::max(
             {source(n).jitter, held_back(thread), source(n).roots.size() == 1 ? 0 : ready(thread)});
       }
-      case Release::fork:
-        return begins.kind == Beginning::Kind::joined ? never : arrival(of.cause, of.cause_step);
+      case Release::fork: {
+        const Nanoseconds begun = arrival(of.cause, of.cause_step);
+        return begins.kind == Beginning::Kind::joined ? std::max(begun, blocks_over(of)) : begun;
+      }
       case Release::limit:
         return plus(arrival(of.cause, of.cause_step), step_at(of.cause_step).within.value_or(0));
       case Release::message:
@@ -286,6 +288,36 @@ class Solver {
     if (previous.empty()) return round == n ? std::max({latest, ready(thread), held_back(thread)}) : never;
     for (int before : previous) latest = std::max(latest, arrival(before, begins.step));
     return latest;
+  }
+
+  /// When all blocks that a node's cause has started have ended or stopped.
+  Nanoseconds blocks_over(const Node& joined) {
+    Nanoseconds latest = 0;
+    Nanoseconds stopping = 0;
+    for (int block : step_at(joined.cause_step).threads) {
+      if (!problem_.threads[static_cast<std::size_t>(block)].can_end) {
+        stopping = std::max(stopping, stops_within(block));
+        continue;
+      }
+      const bool troubled = !times_.trouble[static_cast<std::size_t>(block)].empty() ||
+                            blocked_[static_cast<std::size_t>(block)];
+      if (troubled || conduct(block).home >= 0 || !ends_straight(problem_, block)) return never;
+      for (int n : conduct(block).nodes) {
+        const Node& begun = node(conduct_.round[static_cast<std::size_t>(n)]);
+        if (begun.cause == joined.cause && segment(n).ends) latest = std::max(latest, times(n).finish);
+      }
+    }
+    return plus(latest, stopping);
+  }
+
+  /// A block that is cancelled finishes what it has begun, as do its own.
+  Nanoseconds stops_within(int block) const {
+    const Thread& of = problem_.threads[static_cast<std::size_t>(block)];
+    Nanoseconds longest = windows_.level(of.processor, of.priority);
+    for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
+      if (problem_.threads[t].parent == block) longest = std::max(longest, stops_within(static_cast<int>(t)));
+    }
+    return longest;
   }
 
   /// How long a request may wait for a device that answers on request.

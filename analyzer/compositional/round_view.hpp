@@ -1,0 +1,24 @@
+// What is known of a thread's rounds, asked by several measures.
+#pragma once
+
+#include "analyzer/compositional/measures.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// Whether a node belongs to one of its thread's rounds, not to what the thread does before them.
+bool in_round(const View& view, int node);
+
+/// The one source of a thread's rounds; -1: it has none, or several.
+int source_of_rounds(const View& view, int thread);
+
+/// Whether every occurrence of the source of a thread's rounds brings one about, as long as the thread is at
+/// home.
+bool regular(const View& view, int thread);
+
+/// Nodes of the step's thread that contain it.
+std::vector<int> nodes_with(const View& view, int step);
+
+/// The threads that own the steps of `at`.
+std::set<int> owners(const View& view, const std::vector<bool>& at);
+
+}  // namespace pal::analyzer::compositional
