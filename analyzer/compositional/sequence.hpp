@@ -25,7 +25,6 @@ class Sequence {
 
   const Problem& problem_;
   std::vector<int> started_by_;   // by thread: the fork; -1: none
-  std::vector<bool> has_blocks_;  // by module
   std::map<int, bool> again_;
   std::map<int, std::set<int>> after_;
 };
