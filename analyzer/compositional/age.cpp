@@ -146,8 +146,10 @@ class Ageing {
     const int source = source_of_rounds(view_, owner(statement));
     for (int n : nodes_with(view_, statement)) {
       const Nanoseconds effect = latest_effect(view_.forest, view_.times, n, statement);
+      const bool anew =
+          view_.forest.sources[static_cast<std::size_t>(node(n).source)].kind == Source::Kind::joined;
       if (!in_round(view_, n)) {
-        latest = std::max(latest, rounds == 0 ? effect : 0);
+        latest = std::max(latest, rounds > 0 ? 0 : anew ? never : effect);
       } else if (rounds <= 1 && source >= 0 && regular(view_, owner(statement))) {
         latest = std::max(latest, plus(view_.times.first[static_cast<std::size_t>(source)], effect));
       } else {
@@ -170,6 +172,11 @@ class Ageing {
         if (later >= never) return never;
         const bool same = view_.conduct.round[static_cast<std::size_t>(a)] ==
                           view_.conduct.round[static_cast<std::size_t>(b)];
+        // Nobody knows how long the blocks of a CONCURRENT between the two went on.
+        const auto anew = [this](int n) {
+          return view_.forest.sources[static_cast<std::size_t>(node(n).source)].kind == Source::Kind::joined;
+        };
+        if (from.rounds == 0 && node(a).source != node(b).source && (anew(a) || anew(b))) return never;
         if (from.rounds == 0) {
           if (a == b) {
             longest = std::max(longest, std::min(later - sooner, without_pause(a, from.step, statement)));

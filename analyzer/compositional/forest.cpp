@@ -191,7 +191,8 @@ class Planter {
     const bool goes_round = std::any_of(step.threads.begin(), step.threads.end(), [this](int block) {
       return problem_.threads[static_cast<std::size_t>(block)].can_end && !ends_straight(problem_, block);
     });
-    return goes_round && !recurrent(problem_, {Beginning::Kind::joined, forest_.segments.owner(fork), fork, -1});
+    return goes_round &&
+           !recurrent(problem_, {Beginning::Kind::joined, forest_.segments.owner(fork), fork, -1});
   }
 
   /// The segment's sends, those of one channel together if a run passes only one of them.

@@ -65,8 +65,7 @@ Nanoseconds least_by_source(const View& view, const std::vector<Pass>& all) {
   Nanoseconds latest = 0;
   for (const Pass& pass : all) {
     if (pass.node != all.front().node) return 0;
-    const Segment& segment =
-        view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(pass.node)]);
+    const Segment& segment = view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(pass.node)]);
     for (const Pass& other : all) {
       if (comes_after(view.problem, segment, pass.step, other.step)) return 0;
     }

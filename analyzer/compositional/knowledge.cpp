@@ -46,8 +46,7 @@ Knowledge::Knowledge(const View& view, const Requirement& requirement)
 }
 
 Nanoseconds Knowledge::at(Pass pass) const {
-  const Segment& segment =
-      view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(pass.node)]);
+  const Segment& segment = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(pass.node)]);
   const auto& effects = effects_[static_cast<std::size_t>(pass.node)];
   for (std::size_t s = 0; s < segment.steps.size() && s < effects.size(); ++s) {
     if (segment.steps[s].step == pass.step) return effects[s];
@@ -86,8 +85,7 @@ bool Knowledge::visit(int node) {
     place->second.set = std::min(place->second.set, state.set);
   };
   std::vector<Nanoseconds> effects;
-  const bool after_wait =
-      begins.kind == Beginning::Kind::arm || begins.kind == Beginning::Kind::give_up;
+  const bool after_wait = begins.kind == Beginning::Kind::arm || begins.kind == Beginning::Kind::give_up;
   if (begins.kind == Beginning::Kind::entry) {
     reach(problem_.threads[static_cast<std::size_t>(begins.thread)].entry, first);
   } else {
@@ -202,8 +200,8 @@ Nanoseconds Knowledge::told_by(int sender, const std::vector<int>& sends, int de
     }
     const int request = problem_.steps[static_cast<std::size_t>(send)].channels.front();
     const int answer = problem_.channels[static_cast<std::size_t>(request)].answer;
-    known = std::min(
-        known, sampled(answer) ? earliest_effect(view_.forest, view_.times, sender, send) : nothing);
+    known =
+        std::min(known, sampled(answer) ? earliest_effect(view_.forest, view_.times, sender, send) : nothing);
   }
   return known >= never ? nothing : known;
 }
@@ -218,8 +216,8 @@ Nanoseconds Knowledge::told_in_loop(const Source& source, int index) const {
     if (!own && view_.forest.sources[static_cast<std::size_t>(from)].kind != Source::Kind::start)
       return nothing;
     const auto& apart = own ? view_.times.longest_gap : view_.times.first;
-    known = std::min(known, earlier(told_by(feed.node, feed.sends, feed.device),
-                                    apart[static_cast<std::size_t>(index)]));
+    known = std::min(
+        known, earlier(told_by(feed.node, feed.sends, feed.device), apart[static_cast<std::size_t>(index)]));
   }
   return known >= never ? nothing : known;
 }
@@ -264,8 +262,8 @@ Nanoseconds Knowledge::age_when_read(int condition, int reader) {
 Nanoseconds Knowledge::sample_age(int condition, int reader) const {
   const auto found = setters_.find(condition);
   if (found == setters_.end()) return never;
-  Nanoseconds at_set = 0;        // age of the sample at any set
-  Nanoseconds apart = never;     // sets
+  Nanoseconds at_set = 0;     // age of the sample at any set
+  Nanoseconds apart = never;  // sets
   Nanoseconds until_first = never;
   Nanoseconds together = never;  // both, of the one setter
   bool later = false;            // sets that are neither in rounds nor at the start

@@ -51,14 +51,14 @@ class Knowledge {
   const View& view_;
   const Problem& problem_;
   const Requirement& requirement_;
-  std::vector<State> begins_;                          // by node
-  std::vector<std::vector<Nanoseconds>> effects_;      // by node and place in its segment
-  std::vector<std::map<int, State>> arrivals_;         // by node: at the waits and forks that end it
-  std::vector<bool> regular_;                          // by thread
-  std::vector<std::set<int>> latched_;                 // by thread: conditions that it reads by RPC
-  std::map<int, std::vector<bool>> set_at_;            // by condition
-  std::map<int, std::vector<Setter>> setters_;         // by condition
-  std::map<std::pair<int, int>, Nanoseconds> ages_;    // by condition and reader
+  std::vector<State> begins_;                        // by node
+  std::vector<std::vector<Nanoseconds>> effects_;    // by node and place in its segment
+  std::vector<std::map<int, State>> arrivals_;       // by node: at the waits and forks that end it
+  std::vector<bool> regular_;                        // by thread
+  std::vector<std::set<int>> latched_;               // by thread: conditions that it reads by RPC
+  std::map<int, std::vector<bool>> set_at_;          // by condition
+  std::map<int, std::vector<Setter>> setters_;       // by condition
+  std::map<std::pair<int, int>, Nanoseconds> ages_;  // by condition and reader
 };
 
 }  // namespace pal::analyzer::compositional

@@ -19,21 +19,16 @@ bool over_before_next(const View& view, int device, Nanoseconds over) {
 /// Whether the statements are in one thread, and that is the only one to leave its rounds.
 bool only_in_leaver(const View& view, const Endurance& endurance, const Requirement& requirement) {
   const std::set<int> threads = owners(view, requirement.at);
-  return endurance.leavers.size() == 1 && threads.size() == 1 &&
-         threads.contains(endurance.leavers.front());
+  return endurance.leavers.size() == 1 && threads.size() == 1 && threads.contains(endurance.leavers.front());
 }
 
 }  // namespace
 
 Bound until_left(const View& always, const Endurance& endurance, const Requirement& requirement,
                  const std::function<Bound(const View&, const Requirement&)>& bound_of) {
-  const View steady{always.problem,
-                    always.forest,
-                    always.conduct,
-                    always.times,
-                    endurance.steady.reliable,
-                    endurance.steady.lively,
-                    true};
+  const View steady{
+      always.problem,          always.forest, always.conduct, always.times, endurance.steady.reliable,
+      endurance.steady.lively, true};
   const Bound strict = bound_of(always, requirement);
   if (endurance.leavers.empty()) return strict;
   switch (requirement.measure) {

@@ -53,7 +53,7 @@ struct Endurance {
     std::vector<bool> lively;    // View::lively
   };
   Threads always;
-  Threads steady;  // until the first block leaves its rounds
+  Threads steady;            // until the first block leaves its rounds
   std::vector<int> leavers;  // the blocks that do
   Nanoseconds over = 0;      // from then until the skill has ended; `never`: it may go on
 };

@@ -17,15 +17,21 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
   const std::string& name = view.problem.threads[t].name;
   Passes passes(view, thread, requirement.at);
   if (passes.in_rounds().empty()) {
-    // Once at the start: no longer than until no statement can come any more.
+    // Once each, at the start.
+    const Bound none{never, "nothing bounds when " + name + " comes to it"};
     const Way way = passes.from_entry();
+    if (!view.lively[t] || way.home || way.lost) return none;
+    Nanoseconds greatest = way.latest;
     for (const Pass& pass : passes.before_rounds()) {
       const int source = view.forest.nodes[static_cast<std::size_t>(pass.node)].source;
-      if (view.forest.sources[static_cast<std::size_t>(source)].kind != Source::Kind::start)
-        return {never, "nothing bounds when " + name + " comes to it"};
+      const Way next = passes.after(pass);
+      if (view.forest.sources[static_cast<std::size_t>(source)].kind != Source::Kind::start || next.home ||
+          next.lost) {
+        return none;
+      }
+      greatest = std::max(greatest, since_known(knowledge, pass, next.latest));
     }
-    const bool known = view.lively[t] && !way.home && !way.lost;
-    return {known ? way.latest : never, "nothing bounds when " + name + " comes to it"};
+    return {greatest, none.why};
   }
   if (!view.reliable[t] || !passes.every_round()) {
     const std::string& trouble = view.times.trouble[t];

@@ -1,6 +1,7 @@
 // Which threads always come home.
 #include <algorithm>
 
+#include "analyzer/compositional/demand.hpp"
 #include "analyzer/compositional/measures.hpp"
 
 namespace pal::analyzer::compositional {
@@ -208,7 +209,7 @@ class Ending {
       const auto b = static_cast<std::size_t>(block);
       if (block == leaver) continue;
       if (!problem_.threads[b].can_end) {
-        stopping = std::max(stopping, stops_within(block));
+        stopping = std::max(stopping, stops_within(problem_, times_.windows, block));
         continue;
       }
       if (conduct_.threads[b].home >= 0 || !lively_[b] || !ends_straight(problem_, block)) return never;
@@ -223,23 +224,14 @@ class Ending {
   }
 
  private:
-  Nanoseconds stops_within(int block) const {
-    const Thread& of = problem_.threads[static_cast<std::size_t>(block)];
-    Nanoseconds longest = times_.windows.level(of.processor, of.priority);
-    for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
-      if (problem_.threads[t].parent == block) longest = std::max(longest, stops_within(static_cast<int>(t)));
-    }
-    return longest;
-  }
-
   /// From when the blocks are over; all ways must complete the skill without another wait.
   Nanoseconds to_completion(int fork) const {
     for (std::size_t n = 0; n < forest_.nodes.size(); ++n) {
       const Segment& segment = forest_.segment_of(forest_.nodes[n]);
       const Source& source = forest_.sources[static_cast<std::size_t>(forest_.nodes[n].source)];
       if (source.kind != Source::Kind::joined || source.fork != fork || forest_.nodes[n].cause >= 0) continue;
-      const bool completes = segment.waits.empty() && segment.forks.empty() && !segment.ends &&
-                             sends_freely(segment);
+      const bool completes =
+          segment.waits.empty() && segment.forks.empty() && !segment.ends && sends_freely(segment);
       return completes ? times_.nodes[n].finish : never;
     }
     return never;

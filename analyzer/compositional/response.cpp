@@ -99,8 +99,7 @@ class Pursuit {
         value = view_.times.nodes[static_cast<std::size_t>(n)].effects.front();
       } else {
         const bool gives_up = begins.kind == Beginning::Kind::give_up;
-        value = step_value(
-            n, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
+        value = step_value(n, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
       }
     }
     if (certain(n)) {

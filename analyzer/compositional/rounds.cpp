@@ -289,7 +289,8 @@ Nanoseconds least_way(const Problem& problem, int thread, const std::vector<bool
   for (std::size_t s = 0; s < at.size(); ++s) {
     if (!at[s]) continue;
     const Step& step = problem.steps[s];
-    itself = std::min(itself, step.within ? std::min(step.cost.best, step.give_up_cost.best) : step.cost.best);
+    itself =
+        std::min(itself, step.within ? std::min(step.cost.best, step.give_up_cost.best) : step.cost.best);
   }
   return plus(least, itself);
 }

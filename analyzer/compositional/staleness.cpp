@@ -84,7 +84,10 @@ class Staleness {
     Nanoseconds earliest = never;
     Nanoseconds latest = 0;
     for (int n : conduct(above).nodes) {
-      if (in_round(view_, n)) continue;
+      const int source = view_.forest.nodes[static_cast<std::size_t>(n)].source;
+      const bool at_start =
+          view_.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::start;
+      if (!at_start || in_round(view_, n)) continue;
       for (const Segment::Passed& passed : segment(n).steps) {
         if (!sets(passed.step)) continue;
         const Nanoseconds effect = latest_effect(view_.forest, view_.times, n, passed.step);

@@ -15,14 +15,15 @@ namespace pal::driver {
 struct Proof {
   analyzer::Problem problem;
   analyzer::Analysis analysis;  // verdicts[i] is on problem.requirements[i]
+  bool explored = true;         // by the exact analysis, which more time and states may help
 };
 
 struct ProofLimits {
   std::size_t max_states = 1'000'000;  // a requirement
   double seconds = 0;                  // of everything together; 0: as long as it takes
   analyzer::AnalysisChoice analysis = analyzer::AnalysisChoice::automatic;
-  unsigned threads = 0;                // at work; 0: one a core
-  bool peak_memory = false;            // count it
+  unsigned threads = 0;      // at work; 0: one a core
+  bool peak_memory = false;  // count it
 };
 
 /// The limits as an analysis wants them, from now on: also Ctrl-C ends it, as long as an Interruption lives.

@@ -9,8 +9,9 @@ namespace pal::test {
 
 /// The text of a skill with its environment: a robot that asks for motions at a steady pace, a sensor that is
 /// asked, runs in frames or sends by itself, a courier or none between them, and a skill method in one of
-/// several shapes: one round, two loops at a time of which one may end, blocks within each round, blocks at the
-/// start, or straight to the completion. All times are whole milliseconds. The same seed gives the same text.
+/// several shapes: one round, two loops at a time of which one may end, blocks within each round, blocks at
+/// the start, or straight to the completion. All times are whole milliseconds. The same seed gives the same
+/// text.
 class TimedSkill {
  public:
   explicit TimedSkill(std::uint64_t seed) : engine_(seed) {}
@@ -31,12 +32,20 @@ class TimedSkill {
   SKILL METHOD       SM1
   COMPLETION 0 NORMAL "done"
   COMPLETION 1 ERROR  "any other error"
-)" + requirements(limit) + "END SKILL\n" +
-           driver() + logical_sensor() + controller() + method() + environment();
+)" + requirements(limit) +
+           "END SKILL\n" + driver() + logical_sensor() + controller() + method() + environment();
   }
 
  private:
-  enum class Shape { round, loops, endless_loops, blocks_in_round, blocks_at_start, straight, straight_blocks };
+  enum class Shape {
+    round,
+    loops,
+    endless_loops,
+    blocks_in_round,
+    blocks_at_start,
+    straight,
+    straight_blocks
+  };
   enum class Sensor { asked, frames, sends };
 
   int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
@@ -76,13 +85,13 @@ DEVICE robot "asks for corrections"
         "INTERVAL OF WTM( raw from SD1 ) IN LS1 BETWEEN 2 ms AND " + limit,
         "BUSY PERIOD OF EACH PROCESSOR" + most,
         straight() ? "DURATION TO COMPLETION 0" + most : "LOSS OF " + robot + " NONE",
-        straight() ? "LOSS OF " + sensor + " AT MOST 1 IN 3"
-        : robot_module_
-            ? "RESPONSE FROM tick OF robot TO TXM( correction to robot )" + most
-            : "RESPONSE FROM motion request OF MC1 TO TXM( motion to MC1 )" + most,
+        straight()      ? "LOSS OF " + sensor + " AT MOST 1 IN 3"
+        : robot_module_ ? "RESPONSE FROM tick OF robot TO TXM( correction to robot )" + most
+                        : "RESPONSE FROM motion request OF MC1 TO TXM( motion to MC1 )" + most,
     };
     std::string out;
     int number = 0;
+    if (shape_ == Shape::loops) out += "  REQUIREMENT after : AGE OF pc-force AT think IN SM1" + most + "\n";
     for (const std::string& each : all)
       out += "  REQUIREMENT r-" + std::to_string(++number) + " : " + each + "\n";
     return out;
@@ -109,9 +118,13 @@ DEVICE robot "asks for corrections"
   std::string controller() {
     if (!robot_module_) return "Machine Controller: MC1\n";
     std::string out = "Machine Controller: MC1\n  ACTIVITY hold WRITES correction\n";
-    if (straight()) return out + "BEGIN\n  REPEAT\n    WTM( tick from robot )\n    hold\n    TXM( correction to robot )\n"
-                                 "  UNTIL( forever )\nEND\n";
-    out += "  ACTIVITY obey READS motion WRITES correction\nBEGIN\n  REPEAT\n    WTM( tick from robot )\n    TXM( request motion from SM1 )\n";
+    if (straight())
+      return out +
+             "BEGIN\n  REPEAT\n    WTM( tick from robot )\n    hold\n    TXM( correction to robot )\n"
+             "  UNTIL( forever )\nEND\n";
+    out +=
+        "  ACTIVITY obey READS motion WRITES correction\nBEGIN\n  REPEAT\n    WTM( tick from robot )\n    "
+        "TXM( request motion from SM1 )\n";
     if (chance(5) == 0) {
       out += "    WTM( motion from SM1 ) WITHIN " + std::to_string(between(4, 15)) +
              " ms\n      obey\n    ELSE\n      hold\n    END WTM\n";
@@ -131,7 +144,8 @@ DEVICE robot "asks for corrections"
   std::string decide() {
     if (chance(2) == 0) {
       return "      CASE\n        ( pc-force = TRUE ):\n          TXM( motion to MC1 )\n"
-             "        ( pc-force = FALSE ):\n          think\n          TXM( motion to MC1 )\n      END CASE\n";
+             "        ( pc-force = FALSE ):\n          think\n          TXM( motion to MC1 )\n      END "
+             "CASE\n";
     }
     return std::string(chance(2) == 0 ? "      RPC( pc-force )\n      think\n" : "      RPC( pc-force )\n") +
            "      TXM( motion to MC1 )\n";
@@ -140,7 +154,8 @@ DEVICE robot "asks for corrections"
   std::string wait() { return "      WTM( motion request from MC1 )\n"; }
 
   std::string method() {
-    std::string out = "Skill Module: SM1\n  ACTIVITY think\n  ACTIVITY prepare\nBEGIN\n  WTM( Coordinator )\n";
+    std::string out =
+        "Skill Module: SM1\n  ACTIVITY think\n  ACTIVITY prepare\nBEGIN\n  WTM( Coordinator )\n";
     const std::string complete = "  TXM( Completion Protocol 0 )\nEND\n";
     const std::string blocks = "    CONCURRENT\n    BEGIN\n";
     const std::string beside = "    END\n    BEGIN\n";
@@ -159,11 +174,13 @@ DEVICE robot "asks for corrections"
                (chance(2) == 0 ? wait() + decide() : decide_later()) +
                (ends ? "      SPC( pc-stop )\n    UNTIL( pc-stop )\n" : "    UNTIL( forever )\n") +
                (ends && chance(4) == 0 ? beside + "      think\n" : "") + joined +
-               (ends ? (chance(3) == 0 ? "  prepare\n" : "") + complete : "END\n");
+               (ends ? std::string(chance(3) == 0 ? "      RPC( pc-force )\n" : "") + "  think\n" + complete
+                     : "END\n");
       }
       case Shape::blocks_in_round:
         return out + "  REPEAT\n" + wait() + blocks + sense() + beside + "      think\n" +
-               (chance(3) == 0 ? beside + "      prepare\n" : "") + joined + decide() + "  UNTIL( forever )\nEND\n";
+               (chance(3) == 0 ? beside + "      prepare\n" : "") + joined + decide() +
+               "  UNTIL( forever )\nEND\n";
       case Shape::blocks_at_start:
         return out + blocks + sense() + beside + "      prepare\n" + joined + "  REPEAT\n" + wait() +
                (chance(2) == 0 ? sense() : "") + decide() + "  UNTIL( forever )\nEND\n";
@@ -172,8 +189,9 @@ DEVICE robot "asks for corrections"
         if (chance(2) == 0) out += sense() + "      RPC( pc-force )\n      think\n";
         return out + complete;
       case Shape::straight_blocks:
-        return out + blocks + sense() + beside + "      prepare\n" + (chance(2) == 0 ? beside + "      prepare\n" : "") +
-               joined + "      RPC( pc-force )\n      think\n" +
+        return out + blocks + sense() + beside + "      prepare\n" +
+               (chance(2) == 0 ? beside + "      prepare\n" : "") + joined +
+               "      RPC( pc-force )\n      think\n" +
                (chance(2) == 0 ? sense() + "      RPC( pc-force )\n      think\n" : "") + complete;
     }
     return out;
@@ -208,8 +226,8 @@ DEVICE robot "asks for corrections"
       out += "  DEVICE " + sensor + " ON REQUEST " + interval(1, 6) + "\n";
     }
     const std::string robot = robot_module_ ? "robot EVENT tick" : "MC1 EVENT motion request";
-    out += "  DEVICE " + robot + (chance(9) == 0 ? " SPORADIC " : " EVERY ") + std::to_string(between(18, 60)) +
-           " ms" + (chance(4) == 0 ? " JITTER 1 ms\n" : "\n");
+    out += "  DEVICE " + robot + (chance(9) == 0 ? " SPORADIC " : " EVERY ") +
+           std::to_string(between(18, 60)) + " ms" + (chance(4) == 0 ? " JITTER 1 ms\n" : "\n");
     out += place("SM1", processors) + place("LS1", processors);
     if (shape_ == Shape::loops || shape_ == Shape::endless_loops) {
       if (chance(2) == 0) out += place("SM1.1", processors);
