@@ -166,71 +166,10 @@ class Observer {
       const Channel& channel = problem_.channels[c];
       if (channel.answer >= 0) made_.never_full[c] = made_.sequential[c];
       if (channel.answers >= 0 && channel.sender_module >= 0) {
-        made_.never_full[c] =
-            made_.sequential[static_cast<std::size_t>(channel.answers)] && answers_once(static_cast<int>(c));
+        made_.never_full[c] = made_.sequential[static_cast<std::size_t>(channel.answers)] &&
+                              answers_once(problem_, static_cast<int>(c));
       }
     }
-  }
-
-  /// Whether a module sends one answer to each request that it takes, before it takes the next.
-  bool answers_once(int answer) const {
-    const Channel& channel = problem_.channels[static_cast<std::size_t>(answer)];
-    const int request = channel.answers;
-    std::map<int, unsigned> owed;  // bits: none, one, more
-    std::vector<int> work;
-    const auto reach = [&](int step, unsigned values) {
-      unsigned& there = owed[step];
-      if ((there | values) == there) return;
-      there |= values;
-      work.push_back(step);
-    };
-    for (const Thread& thread : problem_.threads) {
-      if (thread.module == channel.sender_module && thread.parent < 0) reach(thread.entry, 1);
-    }
-    while (!work.empty()) {
-      const int at = work.back();
-      work.pop_back();
-      const Step& step = step_at(at);
-      const unsigned values = owed.at(at);
-      if (step.kind == Kind::send && step.channels.front() == answer) {
-        if (values != 2) return false;
-        reach(step.next.front(), 1);
-        continue;
-      }
-      int serving = 0;
-      for (int block : step.threads) {
-        if (!talks(block, request, answer)) continue;
-        reach(problem_.threads[static_cast<std::size_t>(block)].entry, values);
-        ++serving;
-      }
-      // A block may be cancelled, or end, owing an answer: nobody gives it.
-      if (serving > 1 || (serving == 1 && values != 1)) return false;
-      for (std::size_t i = 0; i < step.next.size(); ++i) {
-        const bool takes = step.kind == Kind::wait && i < step.channels.size() && step.channels[i] == request;
-        reach(step.next[i], takes ? (values & 6U) != 0 ? 6U : 2U : values);
-      }
-    }
-    return true;
-  }
-
-  /// Whether a thread, or a block of it, takes the request or sends the answer.
-  bool talks(int thread, int request, int answer) const {
-    std::set<int> seen;
-    std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (!seen.insert(at).second) continue;
-      const Step& step = step_at(at);
-      if (step.kind == Kind::send && step.channels.front() == answer) return true;
-      if (step.kind == Kind::wait &&
-          std::find(step.channels.begin(), step.channels.end(), request) != step.channels.end()) {
-        return true;
-      }
-      for (int block : step.threads) open.push_back(problem_.threads[static_cast<std::size_t>(block)].entry);
-      open.insert(open.end(), step.next.begin(), step.next.end());
-    }
-    return false;
   }
 
   /// A server whose rounds wait may still be at work when somebody asks, unless there is one client, who

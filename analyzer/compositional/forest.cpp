@@ -218,10 +218,38 @@ class Planter {
   }
 
   void message(const Link& link, int channel) {
+    const std::optional<std::set<int>> known = takers_of(link, channel);
     for (const Taker& taker : takers_[static_cast<std::size_t>(channel)]) {
-      if (limited_[static_cast<std::size_t>(taker.step)]) continue;
+      if (limited_[static_cast<std::size_t>(taker.step)] || (known && !known->contains(taker.step))) continue;
       effect(link, {Beginning::Kind::arm, taker.thread, taker.step, taker.arm});
     }
+  }
+
+  /// The waits that may take an answer: those that come after its request.
+  std::optional<std::set<int>> takers_of(const Link& link, int channel) {
+    const int request = problem_.channels[static_cast<std::size_t>(channel)].answers;
+    if (request < 0 || !sequential_[static_cast<std::size_t>(request)]) return {};
+    if (link.device >= 0) return takers_after(link.sends);
+    if (!once_.contains(channel)) once_[channel] = answers_once(problem_, channel);
+    if (!once_[channel]) return {};
+    for (int at = link.cause; at >= 0; at = node(at).cause) {
+      const Beginning& begins = forest_.segment_of(node(at)).beginning;
+      const bool asked = begins.kind == Beginning::Kind::arm && node(at).release == Node::Release::message &&
+                         node(at).device < 0 &&
+                         step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)] == request;
+      if (asked) return takers_after(node(at).sends);
+    }
+    return {};
+  }
+
+  std::optional<std::set<int>> takers_after(const std::vector<int>& sends) const {
+    std::set<int> all;
+    for (int send : sends) {
+      const std::optional<std::set<int>> takers = takers_of_answer(problem_, send);
+      if (!takers) return {};
+      all.insert(takers->begin(), takers->end());
+    }
+    return all;
   }
 
   void effect(const Link& link, const Beginning& beginning) {
@@ -314,6 +342,7 @@ class Planter {
   std::set<int> cuts_;
   std::set<int> found_;
   std::map<int, bool> comes_again_;
+  std::map<int, bool> once_;  // by answer
   std::vector<int> open_;
   std::size_t most_nodes_ = 0;
 };

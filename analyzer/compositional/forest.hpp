@@ -73,6 +73,13 @@ bool ends_straight(const Problem& problem, int block);
 /// is sent when the answer to the one before has been taken, or given up.
 std::vector<bool> sequential_requests(const Problem& problem);
 
+/// Whether a module sends one answer to each request that it takes, before it takes the next.
+bool answers_once(const Problem& problem, int answer);
+
+/// The waits of the sender's thread that may take the answer to what `send` asks for, if its requests are
+/// sequential and each is answered once; nothing: others may, too.
+std::optional<std::set<int>> takers_of_answer(const Problem& problem, int send);
+
 /// Whether a segment may run more than once in the life of a skill, whatever causes it.
 bool recurrent(const Problem& problem, const Beginning& beginning);
 

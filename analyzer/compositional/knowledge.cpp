@@ -131,7 +131,7 @@ Knowledge::State Knowledge::begin(int node) const {
   } else if (of.release == Release::fork && of.cause >= 0) {
     state = arrived(of.cause, of.cause_step);
     state.set = nothing;
-  } else if (in_round(view_, node)) {
+  } else if (in_paced_round(view_, node)) {
     state = before_home(node);
   }
   // At time 0 nobody knows more, and a condition has the value that it is born with.
@@ -146,12 +146,12 @@ Knowledge::State Knowledge::begin(int node) const {
 /// From the round before; the first round begins with what is younger than the skill.
 Knowledge::State Knowledge::before_home(int node) const {
   const int thread = view_.forest.thread_of(node);
-  const int source = source_of_rounds(view_, thread);
+  const int source = paced_source(view_, thread);
   if (source < 0 || !regular_[static_cast<std::size_t>(thread)]) return {};
   const ThreadConduct& of = view_.conduct.threads[static_cast<std::size_t>(thread)];
   State state{never, never};
   for (int other : of.nodes) {
-    if (!in_round(view_, other)) continue;
+    if (!in_paced_round(view_, other)) continue;
     const auto& arrivals = arrivals_[static_cast<std::size_t>(other)];
     const Segment& segment = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(other)]);
     for (const Segment::Arrival& wait : segment.waits) {

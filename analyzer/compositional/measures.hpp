@@ -34,6 +34,8 @@ struct View {
 };
 
 Bound response_bound(const View& view, const Requirement& requirement);
+/// Whether each occurrence of a source of one root leads to a statement, as long as the skill lasts.
+bool always_comes(const View& view, int source, const std::vector<bool>& at);
 /// Number of events lost.
 Bound loss_bound(const View& view, const Requirement& requirement);
 Bound age_bound(const View& view, const Requirement& requirement);

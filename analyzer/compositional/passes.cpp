@@ -33,15 +33,17 @@ Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
     for (const Segment::Passed& passed :
          view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(n)]).steps) {
       if (!at[static_cast<std::size_t>(passed.step)]) continue;
-      (in_round(view, n) ? in_rounds_ : before_rounds_).push_back({n, passed.step});
+      (in_paced_round(view, n) ? in_rounds_ : before_rounds_).push_back({n, passed.step});
     }
   }
-  const int source = source_of_rounds(view, thread);
+  const int source = paced_source(view, thread);
   if (source < 0 || !regular(view, thread)) return;
   gap_ = view.times.longest_gap[static_cast<std::size_t>(source)];
   first_ = view.times.first[static_cast<std::size_t>(source)];
   Way round;
-  for (int n : of.rounds) merge(round, begun(n));
+  for (int n : of.rounds) {
+    if (in_paced_round(view, n)) merge(round, begun(n));
+  }
   every_round_ = !round.home && !round.lost;
   latest_ = round.latest;
 }

@@ -36,6 +36,13 @@ class Pursuit {
     return {std::max<Nanoseconds>(latest, 0), ""};
   }
 
+  /// Whether each occurrence of a source leads to a statement, in whatever round.
+  bool always_comes(int source) {
+    const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
+    return std::any_of(of.roots.begin(), of.roots.end(),
+                       [this](int root) { return node_value(root) < never; });
+  }
+
   /// Whether each event of the device is taken before the next one comes.
   Bound losses() {
     const int source = source_of();
@@ -204,6 +211,13 @@ class Pursuit {
 
 Bound response_bound(const View& view, const Requirement& requirement) {
   return Pursuit(view, requirement).run();
+}
+
+bool always_comes(const View& view, int source, const std::vector<bool>& at) {
+  Requirement comes;
+  comes.measure = Requirement::Measure::response;
+  comes.at = at;
+  return Pursuit(view, comes).always_comes(source);
 }
 
 Bound loss_bound(const View& view, const Requirement& requirement) {

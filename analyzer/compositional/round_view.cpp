@@ -21,18 +21,40 @@ int source_of_rounds(const View& view, int thread) {
   return source;
 }
 
+int paced_source(const View& view, int thread) {
+  int source = -1;
+  for (int n : view.conduct.threads[static_cast<std::size_t>(thread)].rounds) {
+    const int of = view.forest.nodes[static_cast<std::size_t>(n)].source;
+    if (view.forest.sources[static_cast<std::size_t>(of)].period == never) continue;
+    if (source >= 0 && source != of) return -1;
+    source = of;
+  }
+  return source;
+}
+
+bool in_paced_round(const View& view, int node) {
+  const int source = view.forest.nodes[static_cast<std::size_t>(node)].source;
+  return in_round(view, node) && source == paced_source(view, view.forest.thread_of(node));
+}
+
 bool regular(const View& view, int thread) {
   const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
-  if (of.rounds.empty() || source_of_rounds(view, thread) < 0) return false;
-  const Node& first = view.forest.nodes[static_cast<std::size_t>(of.rounds.front())];
-  const Source& source = view.forest.sources[static_cast<std::size_t>(first.source)];
-  if (of.rounds.size() == 1 && first.cause < 0 && source.kind == Source::Kind::loop) return true;
+  const int paced = paced_source(view, thread);
+  if (paced < 0) return false;
+  const Source& source = view.forest.sources[static_cast<std::size_t>(paced)];
+  const bool itself = std::any_of(of.rounds.begin(), of.rounds.end(), [&](int n) {
+    const Node& node = view.forest.nodes[static_cast<std::size_t>(n)];
+    return node.source == paced && node.cause < 0;
+  });
+  if (source.kind == Source::Kind::loop && itself) return true;
+  std::vector<bool> at(view.problem.steps.size());
+  at[static_cast<std::size_t>(of.home)] = true;
+  if (source.kind == Source::Kind::loop) return source.roots.size() == 1 && always_comes(view, paced, at);
   if (source.kind != Source::Kind::event) return false;
   Requirement comes;
   comes.measure = Requirement::Measure::response;
   comes.device = source.device;
-  comes.at.assign(view.problem.steps.size(), false);
-  comes.at[static_cast<std::size_t>(of.home)] = true;
+  comes.at = std::move(at);
   return response_bound(view, comes).value < never;
 }
 

@@ -11,8 +11,14 @@ bool in_round(const View& view, int node);
 /// The one source of a thread's rounds; -1: it has none, or several.
 int source_of_rounds(const View& view, int thread);
 
-/// Whether every occurrence of the source of a thread's rounds brings one about, as long as the thread is at
-/// home.
+/// The one source of a thread's rounds that occurs again and again; -1: there is none, or there are several.
+int paced_source(const View& view, int thread);
+
+/// Whether a node belongs to a round of that source.
+bool in_paced_round(const View& view, int node);
+
+/// Whether every occurrence of the paced source of a thread's rounds brings one about, as long as the thread
+/// is at home.
 bool regular(const View& view, int thread);
 
 /// Nodes of the step's thread that contain it.
