@@ -88,6 +88,8 @@ Nanoseconds BusyWindows::finish_once(const Transaction& of, int transaction, int
   Nanoseconds fixed = blocking;
   for (std::size_t t = 0; t < of.tasks.size(); ++t) {
     const Task& other = of.tasks[t];
+    // Of its own thread the others are over, or come later.
+    if (self.thread >= 0 && other.thread == self.thread) continue;
     if (static_cast<int>(t) != task && other.processor == self.processor && other.priority >= self.priority) {
       fixed += other.cost;
     }

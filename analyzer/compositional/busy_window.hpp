@@ -28,6 +28,7 @@ struct Task {
   Nanoseconds cost = 0;
   Nanoseconds offset = 0;
   Nanoseconds jitter = 0;
+  int thread = -1;  // tasks of one thread are done one after the other, each when the one before is; -1: none
 };
 
 /// Occurrences are at least `period` apart; `never`: there is one.

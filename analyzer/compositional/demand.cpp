@@ -29,7 +29,8 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes)
     const Thread& thread = ground.thread_of(n);
     auto& tasks = transactions[static_cast<std::size_t>(ground.node(n).source)].tasks;
     task_[i] = static_cast<int>(tasks.size());
-    tasks.push_back({thread.processor, thread.priority, ground.segment(n).worst, nodes[i].earliest, 0});
+    tasks.push_back({thread.processor, thread.priority, ground.segment(n).worst, nodes[i].earliest, 0,
+                     ground.forest.thread_of(n)});
   }
   for (Transaction& transaction : transactions) windows_.add(std::move(transaction));
   for (std::size_t t = 0; t < ground.problem.threads.size(); ++t)

@@ -10,15 +10,6 @@ using Release = Node::Release;
 
 constexpr int most_passes = 50;
 
-/// Whether somebody may give up waiting for the answer to a request.
-bool may_withdraw(const Problem& problem, int request) {
-  const int answer = problem.channels[static_cast<std::size_t>(request)].answer;
-  return std::any_of(problem.steps.begin(), problem.steps.end(), [&](const Step& step) {
-    return step.kind == Kind::wait && step.within &&
-           std::find(step.channels.begin(), step.channels.end(), answer) != step.channels.end();
-  });
-}
-
 Nanoseconds best_arrival(const Segment& segment, int wait) {
   for (const Segment::Arrival& each : segment.waits) {
     if (each.step == wait) return each.best;
@@ -62,6 +53,14 @@ Nanoseconds earliest_release(const Ground& ground, int n, const std::vector<Nano
 
 }  // namespace
 
+bool may_give_up(const Problem& problem, int request) {
+  const int answer = problem.channels[static_cast<std::size_t>(request)].answer;
+  return std::any_of(problem.steps.begin(), problem.steps.end(), [&](const Step& step) {
+    return step.kind == Kind::wait && step.within &&
+           std::find(step.channels.begin(), step.channels.end(), answer) != step.channels.end();
+  });
+}
+
 Range Ground::device_time(int device) const {
   const auto& behaviour = problem.devices[static_cast<std::size_t>(device)].behaviour;
   if (const auto* request = std::get_if<pan::RequestDevice>(&behaviour))
@@ -84,7 +83,7 @@ Nanoseconds Ground::answer_queue(int device, int request) const {
   if (behaviour == nullptr) return 0;
   // It takes any of those that wait: the others could be served again and again before this one.
   if (of.requests.size() > 1) return never;
-  return may_withdraw(problem, request) ? behaviour->answer.worst.count() : 0;
+  return may_give_up(problem, request) ? behaviour->answer.worst.count() : 0;
 }
 
 /// Lower bounds, each got from lower bounds; the last ones are the greatest.

@@ -30,6 +30,9 @@ struct Ground {
   Nanoseconds answer_queue(int device, int request) const;
 };
 
+/// Whether somebody may give up waiting for the answer to a request.
+bool may_give_up(const Problem& problem, int request);
+
 /// The earliest that each node can be released, from the nominal instant of its source.
 std::vector<Nanoseconds> earliest_releases(const Ground& ground);
 

@@ -87,6 +87,7 @@ Bound least_interval(const View& view, const Requirement& requirement) {
   }
   const Nanoseconds least = std::max(
       least_by_source(view, all), least_way(view.problem, thread, requirement.at, view.conduct.sequential));
+  if (least >= never) return {never, "it comes once at most"};
   return least > 0 ? Bound{least, ""} : none;
 }
 

@@ -36,8 +36,9 @@ struct View {
 Bound response_bound(const View& view, const Requirement& requirement);
 /// Whether each occurrence of a source of one root leads to a statement, as long as the skill lasts.
 bool always_comes(const View& view, int source, const std::vector<bool>& at);
-/// Number of events lost.
+/// Number of events, answers or frames lost of any so many in a row.
 Bound loss_bound(const View& view, const Requirement& requirement);
+Bound event_loss_bound(const View& view, const Requirement& requirement);
 Bound age_bound(const View& view, const Requirement& requirement);
 Bound sample_age_bound(const View& view, const Requirement& requirement);
 Bound reaction_bound(const View& view, const Requirement& requirement);

@@ -46,7 +46,7 @@ class Pursuit {
   /// Whether each event of the device is taken before the next one comes.
   Bound losses() {
     const int source = source_of();
-    if (source < 0) return {never, "it counts only the events of a device"};
+    if (source < 0) return {never, "nobody waits for its events"};
     const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
     const bool none = !of.roots.empty() && view_.times.no_overrun[static_cast<std::size_t>(source)] &&
                       certain(of.roots.front());
@@ -220,7 +220,7 @@ bool always_comes(const View& view, int source, const std::vector<bool>& at) {
   return Pursuit(view, comes).always_comes(source);
 }
 
-Bound loss_bound(const View& view, const Requirement& requirement) {
+Bound event_loss_bound(const View& view, const Requirement& requirement) {
   return Pursuit(view, requirement).losses();
 }
 
