@@ -37,8 +37,10 @@ void judge(const Bound& bound, Verdict& verdict) {
     return;
   }
   verdict.bound = Duration(bound.value);
-  verdict.state = *verdict.bound <= verdict.limit ? Is::holds : Is::undecided;
-  verdict.explanation = "Compositional bound: no run exceeds it, but no run need come near it.";
+  const bool kept = verdict.at_least ? *verdict.bound >= verdict.limit : *verdict.bound <= verdict.limit;
+  verdict.state = kept ? Is::holds : Is::undecided;
+  verdict.explanation = std::string("Compositional bound: no run ") +
+                        (verdict.at_least ? "falls below" : "exceeds") + " it, but no run need come near it.";
 }
 
 /// Every step whose time some requirement may ask for.

@@ -81,7 +81,7 @@ DEVICE robot "asks for corrections"
         "REACTION OF pc-force AT " + at + most,
         "REACTION OF raw FROM " + sensor + " AT " + at + most,
         "INTERVAL OF " + at + most,
-        "INTERVAL OF " + at + " AT LEAST 3 ms",
+        "INTERVAL OF " + at + " AT LEAST " + std::to_string(between(1, 40)) + " ms",
         "INTERVAL OF WTM( raw from SD1 ) IN LS1 BETWEEN 2 ms AND " + limit,
         "BUSY PERIOD OF EACH PROCESSOR" + most,
         straight() ? "DURATION TO COMPLETION 0" + most : "LOSS OF " + robot + " NONE",
