@@ -13,6 +13,16 @@ std::vector<bool> preemptive(const Problem& problem) {
   return all;
 }
 
+/// Whether the node's cause has nothing more to do once it has brought the node about.
+bool ends_with_cause(const Ground& ground, int node) {
+  const Node& of = ground.node(node);
+  if (of.release != Node::Release::message) return true;  // it has come to a wait, or to its blocks
+  return std::all_of(of.sends.begin(), of.sends.end(), [&](int send) {
+    const Step::Kind next = ground.step_at(ground.step_at(send).next.front()).kind;
+    return next == Step::Kind::wait || next == Step::Kind::fork || next == Step::Kind::end;
+  });
+}
+
 }  // namespace
 
 Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes)
@@ -29,12 +39,32 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes)
     const Thread& thread = ground.thread_of(n);
     auto& tasks = transactions[static_cast<std::size_t>(ground.node(n).source)].tasks;
     task_[i] = static_cast<int>(tasks.size());
-    tasks.push_back({thread.processor, thread.priority, ground.segment(n).worst, nodes[i].earliest, 0,
+    tasks.push_back({thread.processor,
+                     thread.priority,
+                     ground.segment(n).worst,
+                     nodes[i].earliest,
+                     0,
+                     {},
                      ground.forest.thread_of(n)});
   }
+  for (std::size_t n = 0; n < nodes.size(); ++n) precede(ground, static_cast<int>(n), transactions);
   for (Transaction& transaction : transactions) windows_.add(std::move(transaction));
   for (std::size_t t = 0; t < ground.problem.threads.size(); ++t)
     threads_on_[static_cast<std::size_t>(ground.problem.threads[t].processor)].push_back(static_cast<int>(t));
+}
+
+/// Enters the node with the causes on its processor that are done before it begins.
+void Demand::precede(const Ground& ground, int node, std::vector<Transaction>& transactions) const {
+  Transaction& of = transactions[static_cast<std::size_t>(ground.node(node).source)];
+  if (of.period == never) return;
+  const int task = task_[static_cast<std::size_t>(node)];
+  const Task& self = of.tasks[static_cast<std::size_t>(task)];
+  for (int at = node; ground.node(at).cause >= 0; at = ground.node(at).cause) {
+    const int cause = task_[static_cast<std::size_t>(ground.node(at).cause)];
+    Task& before = of.tasks[static_cast<std::size_t>(cause)];
+    if (before.processor != self.processor || before.priority > self.priority) continue;
+    if (ends_with_cause(ground, at)) before.followers.push_back(task);
+  }
 }
 
 Nanoseconds Demand::greatest_jitter(int node) const {

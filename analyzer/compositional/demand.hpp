@@ -26,6 +26,7 @@ class Demand {
   const BusyWindows& windows() const { return windows_; }
 
  private:
+  void precede(const Ground& ground, int node, std::vector<Transaction>& transactions) const;
   Nanoseconds burst(int thread, const std::vector<NodeTimes>& nodes, bool home_again) const;
 
   Ground ground_;
