@@ -27,7 +27,11 @@ std::vector<bool> reaching(const Problem& problem, const std::vector<bool>& at) 
 }  // namespace
 
 Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
-    : view_(view), thread_(thread), at_(at), reachable_(reaching(view.problem, at)) {
+    : view_(view),
+      thread_(thread),
+      at_(at),
+      reachable_(reaching(view.problem, at)),
+      begins_again_(recurrent(view.problem, {Beginning::Kind::entry, thread, -1, -1})) {
   const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
   for (int n : of.nodes) {
     for (const Segment::Passed& passed :
@@ -89,7 +93,7 @@ Way Passes::after(Pass pass) {
     const bool gives_up = begins.kind == Beginning::Kind::give_up;
     return from(pass.node, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
   }
-  if (step.next.empty()) way.latest = view_.times.nodes[static_cast<std::size_t>(pass.node)].finish;
+  if (step.next.empty()) way.latest = view_.times.nodes[static_cast<std::size_t>(pass.node)].finish;  // over
   for (int next : step.next) merge(way, from(pass.node, next));
   return way;
 }
@@ -101,7 +105,7 @@ Way Passes::from(int node, int at) {
   const Nanoseconds finish = view_.times.nodes[static_cast<std::size_t>(node)].finish;
   Way way;
   if (!reachable_[static_cast<std::size_t>(at)]) {
-    way.latest = finish;
+    way = {finish, false, begins_again_};
   } else if (step.kind == Kind::wait || step.kind == Kind::fork) {
     way = beyond_wait(node, at);
   } else if (at_[static_cast<std::size_t>(at)]) {

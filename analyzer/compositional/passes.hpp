@@ -48,6 +48,7 @@ class Passes {
   int thread_;
   const std::vector<bool>& at_;
   std::vector<bool> reachable_;  // by step: one of the statements can still come
+  bool begins_again_;            // a block of a CONCURRENT that comes again
   std::vector<Pass> in_rounds_;
   std::vector<Pass> before_rounds_;
   std::map<std::pair<int, int>, Way> known_;

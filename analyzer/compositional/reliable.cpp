@@ -35,8 +35,10 @@ class Reliability {
         const bool sound = std::all_of(relies[t].begin(), relies[t].end(), [this](int other) {
           return made_.reliable[static_cast<std::size_t>(other)] && lasts(other);
         });
-        if (!made_.lively[t] || sound) continue;
-        made_.lively[t] = made_.reliable[t] = false;
+        const bool home = made_.reliable[t] && sound && (!steady_ || lasts(static_cast<int>(t)));
+        if (made_.lively[t] == (made_.lively[t] && sound) && made_.reliable[t] == home) continue;
+        made_.lively[t] = made_.lively[t] && sound;
+        made_.reliable[t] = home;
         changed = true;
       }
     }

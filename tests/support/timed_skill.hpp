@@ -91,6 +91,12 @@ DEVICE robot "asks for corrections"
     };
     std::string out;
     int number = 0;
+    if (shape_ == Shape::blocks_in_round) {
+      out += "  REQUIREMENT block-1 : INTERVAL OF think IN SM1" + most + "\n";
+      out += "  REQUIREMENT block-2 : REACTION OF raw FROM " + sensor + " AT SPC( pc-force ) IN SM1" + most +
+             "\n";
+      out += "  REQUIREMENT block-3 : INTERVAL OF SPC( pc-force ) IN SM1 AT LEAST 9 ms\n";
+    }
     if (shape_ == Shape::loops) out += "  REQUIREMENT after : AGE OF pc-force AT think IN SM1" + most + "\n";
     for (const std::string& each : all)
       out += "  REQUIREMENT r-" + std::to_string(++number) + " : " + each + "\n";
