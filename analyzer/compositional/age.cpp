@@ -227,8 +227,10 @@ class Ageing {
 }  // namespace
 
 Bound age_bound(const View& view, const Requirement& requirement) {
-  if (requirement.condition < 0) return sample_age_bound(view, requirement);
-  return Ageing(view, requirement).run();
+  const Bound known = known_age_bound(view, requirement);
+  if (requirement.condition < 0) return known;
+  const Bound aged = Ageing(view, requirement).run();
+  return known.value < aged.value ? known : aged;
 }
 
 }  // namespace pal::analyzer::compositional

@@ -20,12 +20,14 @@ Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, boo
   const ThreadConduct& of = view.conduct.threads[t];
   const std::string& trouble = view.times.trouble[t];
   const Bound none{never, trouble.empty() ? name + " need not come to it in every round" : trouble};
-  if (of.home >= 0 ? !view.reliable[t] : !view.lively[t]) return none;
+  const bool rounds = of.home >= 0 || starts_in_rounds(view, thread);
+  if (rounds ? !goes_on(view, thread) : !view.lively[t]) return none;
   Nanoseconds greatest = from_start ? plus(passes.first(), passes.latest()) : 0;
   if (from_start && !passes.every_round()) return none;
   Nanoseconds finish = 0;
   for (int n : of.nodes) {
-    if (in_round(view, n)) finish = std::max(finish, view.times.nodes[static_cast<std::size_t>(n)].finish);
+    if (in_paced_round(view, n))
+      finish = std::max(finish, view.times.nodes[static_cast<std::size_t>(n)].finish);
   }
   const auto follow = [&](Pass pass, Nanoseconds apart) {
     const Way way = passes.after(pass);
@@ -47,7 +49,7 @@ Bound greatest_interval(const View& view, const Requirement& requirement) {
   for (int thread : threads) {
     const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
     // One of several must go on for as long as any of them.
-    if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || of.home < 0)) continue;
+    if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || !goes_on(view, thread))) continue;
     const Bound bound = greatest_in(view, requirement.at, thread, threads.size() > 1);
     if (bound.value < least.value || least.value >= never) least = bound;
   }

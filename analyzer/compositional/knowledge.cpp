@@ -130,10 +130,11 @@ Knowledge::State Knowledge::begin(int node) const {
     }
   } else if (of.release == Release::fork && of.cause >= 0) {
     state = arrived(of.cause, of.cause_step);
-    state.set = nothing;
   } else if (in_paced_round(view_, node)) {
     state = before_home(node);
   }
+  if (of.release == Release::fork && view_.forest.segment_of(of).beginning.kind == Beginning::Kind::joined)
+    state.set = std::max(state.set, set_by_blocks(of));
   // At time 0 nobody knows more, and a condition has the value that it is born with.
   if (view_.forest.sources[static_cast<std::size_t>(of.source)].kind == Source::Kind::start) {
     state.known = std::max<Nanoseconds>(state.known, 0);
@@ -141,6 +142,25 @@ Knowledge::State Knowledge::begin(int node) const {
   }
   state.known = std::max(state.known, told(node));
   return state;
+}
+
+/// Last set by the blocks that have ended when a node begins.
+Nanoseconds Knowledge::set_by_blocks(const Node& joined) const {
+  Nanoseconds latest = nothing;
+  for (int block : problem_.steps[static_cast<std::size_t>(joined.cause_step)].threads) {
+    if (!problem_.threads[static_cast<std::size_t>(block)].can_end) continue;
+    Nanoseconds soonest = never;
+    for (int n : view_.conduct.threads[static_cast<std::size_t>(block)].nodes) {
+      const int round = view_.conduct.round[static_cast<std::size_t>(n)];
+      if (view_.forest.nodes[static_cast<std::size_t>(round)].cause != joined.cause) continue;
+      for (const auto& [step, state] : arrivals_[static_cast<std::size_t>(n)]) {
+        if (problem_.steps[static_cast<std::size_t>(step)].kind == Kind::end)
+          soonest = std::min(soonest, state.set);
+      }
+    }
+    if (soonest < never) latest = std::max(latest, soonest);
+  }
+  return latest;
 }
 
 /// From the round before; the first round begins with what is younger than the skill.

@@ -27,7 +27,7 @@ class Knowledge {
  private:
   struct State {
     Nanoseconds known = nothing;
-    Nanoseconds set = nothing;  // of the condition, by the thread itself
+    Nanoseconds set = nothing;  // the last set of the condition, as far as the thread's way says
     friend bool operator==(const State&, const State&) = default;
   };
   struct Setter {
@@ -39,6 +39,7 @@ class Knowledge {
   bool visit(int node);
   State begin(int node) const;
   State before_home(int node) const;
+  Nanoseconds set_by_blocks(const Node& joined) const;
   Nanoseconds told(int node) const;
   Nanoseconds told_by(int sender, const std::vector<int>& sends, int device) const;
   Nanoseconds told_in_loop(const Source& source, int index) const;

@@ -40,7 +40,8 @@ bool always_comes(const View& view, int source, const std::vector<bool>& at);
 Bound loss_bound(const View& view, const Requirement& requirement);
 Bound event_loss_bound(const View& view, const Requirement& requirement);
 Bound age_bound(const View& view, const Requirement& requirement);
-Bound sample_age_bound(const View& view, const Requirement& requirement);
+/// By what the threads surely know; of a condition age_bound may know a nearer one.
+Bound known_age_bound(const View& view, const Requirement& requirement);
 Bound reaction_bound(const View& view, const Requirement& requirement);
 /// Of a least interval: no run falls below the value.
 Bound interval_bound(const View& view, const Requirement& requirement);

@@ -45,8 +45,9 @@ Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
   gap_ = view.times.longest_gap[static_cast<std::size_t>(source)];
   first_ = view.times.first[static_cast<std::size_t>(source)];
   Way round;
-  for (int n : of.rounds) {
-    if (in_paced_round(view, n)) merge(round, begun(n));
+  for (int n : of.nodes) {
+    const bool begins = view.conduct.round[static_cast<std::size_t>(n)] == n;
+    if (begins && in_paced_round(view, n)) merge(round, begun(n));
   }
   every_round_ = !round.home && !round.lost;
   latest_ = round.latest;
@@ -93,7 +94,7 @@ Way Passes::after(Pass pass) {
     const bool gives_up = begins.kind == Beginning::Kind::give_up;
     return from(pass.node, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
   }
-  if (step.next.empty()) way.latest = view_.times.nodes[static_cast<std::size_t>(pass.node)].finish;  // over
+  if (step.next.empty()) way.latest = view_.times.nodes[static_cast<std::size_t>(pass.node)].finish;
   for (int next : step.next) merge(way, from(pass.node, next));
   return way;
 }
@@ -105,7 +106,7 @@ Way Passes::from(int node, int at) {
   const Nanoseconds finish = view_.times.nodes[static_cast<std::size_t>(node)].finish;
   Way way;
   if (!reachable_[static_cast<std::size_t>(at)]) {
-    way = {finish, false, begins_again_};
+    way = {begins_again_ ? 0 : finish, begins_again_, false};
   } else if (step.kind == Kind::wait || step.kind == Kind::fork) {
     way = beyond_wait(node, at);
   } else if (at_[static_cast<std::size_t>(at)]) {

@@ -33,14 +33,15 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
     }
     return {greatest, none.why};
   }
-  if (!view.reliable[t] || !passes.every_round()) {
+  if (!goes_on(view, thread) || !passes.every_round()) {
     const std::string& trouble = view.times.trouble[t];
     return {never, trouble.empty() ? name + " need not come to it in every round" : trouble};
   }
   Nanoseconds greatest = plus(passes.first(), passes.latest());
   Nanoseconds finish = 0;
   for (int n : view.conduct.threads[t].nodes) {
-    if (in_round(view, n)) finish = std::max(finish, view.times.nodes[static_cast<std::size_t>(n)].finish);
+    if (in_paced_round(view, n))
+      finish = std::max(finish, view.times.nodes[static_cast<std::size_t>(n)].finish);
   }
   const Nanoseconds next = plus(passes.gap(), passes.latest());
   for (const Pass& pass : passes.in_rounds()) {
@@ -54,7 +55,7 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
 
 }  // namespace
 
-Bound sample_age_bound(const View& view, const Requirement& requirement) {
+Bound known_age_bound(const View& view, const Requirement& requirement) {
   const Knowledge knowledge(view, requirement);
   Nanoseconds oldest = 0;
   for (std::size_t s = 0; s < view.problem.steps.size(); ++s) {
@@ -76,7 +77,7 @@ Bound reaction_bound(const View& view, const Requirement& requirement) {
     // One of several must go on for as long as any of them.
     const auto t = static_cast<std::size_t>(thread);
     const ThreadConduct& of = view.conduct.threads[t];
-    if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || of.home < 0)) continue;
+    if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || !goes_on(view, thread))) continue;
     const Bound bound = in_thread(view, knowledge, requirement, thread);
     if (bound.value < least.value || least.value >= never) least = bound;
   }

@@ -126,7 +126,8 @@ class Pursuit {
     if (step.kind == Kind::wait) {
       value = wait_value(n, at);
     } else if (step.kind == Kind::fork) {
-      value = fork_value(n, at);
+      const bool reached = requirement_.at[static_cast<std::size_t>(at)];
+      value = reached ? view_.times.nodes[static_cast<std::size_t>(n)].finish : fork_value(n, at);
     } else if (step.kind == Kind::end) {
       value = never;
     } else if (requirement_.at[static_cast<std::size_t>(at)]) {

@@ -21,20 +21,51 @@ int source_of_rounds(const View& view, int thread) {
   return source;
 }
 
+namespace {
+
+/// The CONCURRENT that starts a block.
+int fork_of(const Problem& problem, int block) {
+  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    const auto& blocks = problem.steps[s].threads;
+    if (std::find(blocks.begin(), blocks.end(), block) != blocks.end()) return static_cast<int>(s);
+  }
+  return -1;
+}
+
+}  // namespace
+
+bool starts_in_rounds(const View& view, int thread) {
+  const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
+  const Thread& block = view.problem.threads[static_cast<std::size_t>(thread)];
+  return block.parent >= 0 && of.home < 0 && !of.nodes.empty() &&
+         std::all_of(of.nodes.begin(), of.nodes.end(), [&](int n) {
+           const Node& node = view.forest.nodes[static_cast<std::size_t>(n)];
+           return view.forest.sources[static_cast<std::size_t>(node.source)].period < never;
+         });
+}
+
+bool goes_on(const View& view, int thread) {
+  const auto t = static_cast<std::size_t>(thread);
+  if (view.reliable[t]) return true;
+  return view.lively[t] && starts_in_rounds(view, thread) && goes_on(view, view.problem.threads[t].parent);
+}
+
 int paced_source(const View& view, int thread) {
+  const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
   int source = -1;
-  for (int n : view.conduct.threads[static_cast<std::size_t>(thread)].rounds) {
-    const int of = view.forest.nodes[static_cast<std::size_t>(n)].source;
-    if (view.forest.sources[static_cast<std::size_t>(of)].period == never) continue;
-    if (source >= 0 && source != of) return -1;
-    source = of;
+  for (int n : starts_in_rounds(view, thread) ? of.nodes : of.rounds) {
+    const int from = view.forest.nodes[static_cast<std::size_t>(n)].source;
+    if (view.forest.sources[static_cast<std::size_t>(from)].period == never) continue;
+    if (source >= 0 && source != from) return -1;
+    source = from;
   }
   return source;
 }
 
 bool in_paced_round(const View& view, int node) {
+  const int thread = view.forest.thread_of(node);
   const int source = view.forest.nodes[static_cast<std::size_t>(node)].source;
-  return in_round(view, node) && source == paced_source(view, view.forest.thread_of(node));
+  return (in_round(view, node) || starts_in_rounds(view, thread)) && source == paced_source(view, thread);
 }
 
 bool regular(const View& view, int thread) {
@@ -48,7 +79,7 @@ bool regular(const View& view, int thread) {
   });
   if (source.kind == Source::Kind::loop && itself) return true;
   std::vector<bool> at(view.problem.steps.size());
-  at[static_cast<std::size_t>(of.home)] = true;
+  at[static_cast<std::size_t>(of.home >= 0 ? of.home : fork_of(view.problem, thread))] = true;
   if (source.kind == Source::Kind::loop) return source.roots.size() == 1 && always_comes(view, paced, at);
   if (source.kind != Source::Kind::event) return false;
   Requirement comes;

@@ -11,6 +11,12 @@ bool in_round(const View& view, int node);
 /// The one source of a thread's rounds; -1: it has none, or several.
 int source_of_rounds(const View& view, int thread);
 
+/// Whether a thread is a block that its parent starts in each of its rounds: these are its rounds, too.
+bool starts_in_rounds(const View& view, int thread);
+
+/// Whether a thread goes on with its rounds, however the run, as long as it is not cancelled.
+bool goes_on(const View& view, int thread);
+
 /// The one source of a thread's rounds that occurs again and again; -1: there is none, or there are several.
 int paced_source(const View& view, int thread);
 

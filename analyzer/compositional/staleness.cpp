@@ -11,9 +11,9 @@ class Staleness {
  public:
   Staleness(const View& view, int condition, int reader)
       : view_(view), problem_(view.problem), condition_(condition), reader_(reader) {
-    std::vector<bool> at(problem_.steps.size());
-    for (std::size_t s = 0; s < at.size(); ++s) at[s] = sets(static_cast<int>(s));
-    setters_ = owners(view, at);
+    at_.resize(problem_.steps.size());
+    for (std::size_t s = 0; s < at_.size(); ++s) at_[s] = sets(static_cast<int>(s));
+    setters_ = owners(view, at_);
   }
 
   Bound run() const {
@@ -50,31 +50,20 @@ class Staleness {
   }
 
   Bound sets_apart(int setter) const {
-    const ThreadConduct& of = conduct(setter);
-    const int source = source_of_rounds(view_, setter);
-    const auto s = static_cast<std::size_t>(source);
     const std::string& name = problem_.threads[static_cast<std::size_t>(setter)].name;
-    if (!outlasts(view_, setter, reader_) || source < 0 || !regular(view_, setter) ||
-        !sets_in_every_round(setter)) {
+    const Passes passes(view_, setter, at_);
+    if (!outlasts(view_, setter, reader_) || !passes.every_round() || passes.in_rounds().empty()) {
       const std::string& trouble = view_.times.trouble[static_cast<std::size_t>(setter)];
       return {never, trouble.empty() ? name + " may leave the condition as it is for long" : trouble};
     }
-    if (view_.times.longest_gap[s] >= never)
-      return {never, "nothing says how long " + name + " may wait between two rounds"};
-    Nanoseconds latest = 0;
     Nanoseconds earliest = never;
-    for (int n : of.nodes) {
-      if (!in_round(view_, n)) continue;
-      for (const Segment::Passed& passed : segment(n).steps) {
-        if (!sets(passed.step)) continue;
-        latest = std::max(latest, latest_effect(view_.forest, view_.times, n, passed.step));
-        earliest = std::min(earliest, earliest_effect(view_.forest, view_.times, n, passed.step));
-      }
-    }
-    if (latest >= never) return {never, view_.times.trouble[static_cast<std::size_t>(setter)]};
-    const Nanoseconds between = plus(view_.times.longest_gap[s], latest - earliest);
-    const Nanoseconds first = plus(view_.times.first[s], latest);
-    return {std::max(between, until_first(setter, first)), "nothing bounds when " + name + " sets first"};
+    for (const Pass& pass : passes.in_rounds())
+      earliest = std::min(earliest, earliest_effect(view_.forest, view_.times, pass.node, pass.step));
+    const Nanoseconds next = plus(passes.gap(), passes.latest());
+    if (next >= never) return {never, "nothing says how long " + name + " may wait between two rounds"};
+    const Nanoseconds first = plus(passes.first(), passes.latest());
+    return {std::max(next - earliest, until_first(setter, first)),
+            "nothing bounds when " + name + " sets first"};
   }
 
   /// Until the first set in a round a value is as old as the skill, or as what was set before the rounds.
@@ -114,32 +103,21 @@ class Staleness {
     return true;
   }
 
-  bool sets_in_every_round(int setter) const {
-    const int home = conduct(setter).home;
-    std::vector<int> open(step_at(home).next.begin(), step_at(home).next.end());
-    std::set<int> seen;
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (at == home) return false;
-      if (sets(at) || !seen.insert(at).second) continue;
-      open.insert(open.end(), step_at(at).next.begin(), step_at(at).next.end());
-    }
-    return true;
-  }
-
   const View& view_;
   const Problem& problem_;
   int condition_;
   int reader_;
+  std::vector<bool> at_;  // the sets
   std::set<int> setters_;
 };
 
 }  // namespace
 
 bool outlasts(const View& view, int thread, int reader) {
-  if (!view.reliable[static_cast<std::size_t>(thread)]) return false;
+  if (!goes_on(view, thread)) return false;
   if (thread == reader || view.steady) return true;
+  if (starts_in_rounds(view, thread))
+    return outlasts(view, view.problem.threads[static_cast<std::size_t>(thread)].parent, reader);
   const auto conduct = [&view](int of) { return view.conduct.threads[static_cast<std::size_t>(of)]; };
   if (!conduct(thread).may_be_cancelled) return true;
   const Thread& lasting = view.problem.threads[static_cast<std::size_t>(thread)];

@@ -1,7 +1,7 @@
 // How long ago the value was set that a thread reads.
 #pragma once
 
-#include "analyzer/compositional/round_view.hpp"
+#include "analyzer/compositional/passes.hpp"
 
 namespace pal::analyzer::compositional {
 

@@ -155,7 +155,7 @@ TEST_CASE("simulated, exact and compositional come in this order for skills by c
 TEST_CASE("simulated, exact and compositional come in this order for skills that keep pace") {
   Tally tally;
   const std::uint64_t first = setting("PAL_SEED", 1);
-  const std::uint64_t rounds = setting("PAL_ROUNDS", 600);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 800);
   for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
     const std::string text = test::TimedSkill(seed).text();
     const auto skill = test::sound_skill(text);
@@ -163,10 +163,10 @@ TEST_CASE("simulated, exact and compositional come in this order for skills that
     compare(*skill->problem, seed, 300, tally);
   }
   say(tally);
-  if (rounds < 600) return;
+  if (rounds < 800) return;
   for (const auto& [measure, of] : tally.of) {
     INFO(measure);
-    CHECK(of.simulated + of.exact >= 100);
+    CHECK(of.simulated + of.exact >= 200);
   }
 }
 
