@@ -204,7 +204,8 @@ Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nan
       if (preemptive) {
         done = settle(before + part, asked);
         if (done >= never) return never;
-        whole = settle(before + self.cost, all);
+        const bool same = part == self.cost && self.followers.empty();
+        whole = same ? done : settle(before + self.cost, all);
         window = 0;
       } else {
         const Nanoseconds begins = settle(before, asked);

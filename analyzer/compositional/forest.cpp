@@ -80,6 +80,7 @@ class Planter {
       source.period = event->period.count();
       source.jitter = event->jitter.count();
       source.regular = !event->sporadic;
+      source.at_one_wait = takers_[static_cast<std::size_t>(problem_.devices[d].event)].size() == 1;
       forest_.sources.push_back(source);
     }
     for (std::size_t t = 0; t < problem_.threads.size(); ++t) {

@@ -15,14 +15,15 @@ namespace pal::analyzer::compositional {
 struct Source {
   enum class Kind { event, start, loop, joined };
   Kind kind = Kind::start;
-  int device = -1;         // event
-  int thread = -1;         // start, loop, joined
-  int segment = -1;        // loop: the one that each round begins with
-  int fork = -1;           // joined
-  Nanoseconds period = 0;  // least distance of occurrences, but for the jitter; never: there is one
-  Nanoseconds jitter = 0;  // occurrence k is released up to so long after its nominal instant
-  bool regular = false;    // nominal instants are exactly a period apart
-  std::vector<int> roots;  // nodes
+  int device = -1;           // event
+  int thread = -1;           // start, loop, joined
+  int segment = -1;          // loop: the one that each round begins with
+  int fork = -1;             // joined
+  Nanoseconds period = 0;    // least distance of occurrences, but for the jitter; never: there is one
+  Nanoseconds jitter = 0;    // occurrence k is released up to so long after its nominal instant
+  bool at_one_wait = false;  // event: there is one wait that takes it; till then its device is closed
+  bool regular = false;      // nominal instants are exactly a period apart
+  std::vector<int> roots;    // nodes
   /// Sends and waits that lead to the next round of a loop.
   struct Feed {
     int node = -1;

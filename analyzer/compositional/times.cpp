@@ -87,7 +87,7 @@ class Solver : private Ground {
         if (source(n).kind != Source::Kind::event) return 0;
         // The device is closed until its one taker is at home.
         return std::max({source(n).jitter, held_back(thread),
-                         source(n).roots.size() == 1 ? 0 : first_at_home(*this, nodes_, thread)});
+                         source(n).at_one_wait ? 0 : first_at_home(*this, nodes_, thread)});
       }
       case Release::fork: {
         const Nanoseconds begun = arrival(of.cause, of.cause_step);
