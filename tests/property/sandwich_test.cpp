@@ -185,6 +185,13 @@ TEST_CASE("simulated, exact and compositional come in this order for chains by c
   say(tally);
 }
 
+TEST_CASE("what once broke the order") {
+  Tally tally;
+  // A wait at the start that gives up opens a device before the wait that is its taker's home.
+  const auto skill = test::sound_skill(test::RandomSkill(123801, 40).text());
+  compare(*skill->problem, 123801, 300, tally);
+}
+
 TEST_CASE("a system of chains has the same bounds built directly and read from PAL") {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const test::ChainSystem system = test::small_chains(seed);
