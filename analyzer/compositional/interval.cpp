@@ -6,8 +6,6 @@
 namespace pal::analyzer::compositional {
 namespace {
 
-using Kind = Step::Kind;
-
 Nanoseconds earliest_of(const View& view, Pass pass) {
   return earliest_effect(view.forest, view.times, pass.node, pass.step);
 }

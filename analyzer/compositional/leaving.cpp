@@ -37,6 +37,7 @@ Bound until_left(const View& always, const Endurance& endurance, const Requireme
       return only_in_leaver(always, endurance, requirement) ? bound_of(steady, requirement) : strict;
     case Measure::reaction:
     case Measure::interval: {
+      if (requirement.at_least) return strict;
       Bound bound = bound_of(steady, requirement);
       if (bound.value < never && !only_in_leaver(always, endurance, requirement))
         bound.value = plus(bound.value, endurance.over);

@@ -94,28 +94,24 @@ class Pursuit {
     const auto known = nodes_.find(n);
     if (known != nodes_.end()) return known->second;
     Nanoseconds value = never;
-    const Beginning& begins = segment(n).beginning;
-    if (certain(n) && begins.kind == Beginning::Kind::entry) {
-      value = step_value(n, problem_.threads[static_cast<std::size_t>(begins.thread)].entry);
-    } else if (certain(n) && begins.kind == Beginning::Kind::joined) {
-      value = step_value(n, step_at(begins.step).next.front());
-    } else if (certain(n)) {
-      const int wait = begins.step;
-      const Step& step = step_at(wait);
-      if (requirement_.at[static_cast<std::size_t>(wait)]) {
-        value = view_.times.nodes[static_cast<std::size_t>(n)].effects.front();
-      } else {
-        const bool gives_up = begins.kind == Beginning::Kind::give_up;
-        value = step_value(n, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
-      }
-    }
     if (certain(n)) {
-      if (value >= never && why_.empty()) {
-        why_ = view_.times.trouble[static_cast<std::size_t>(view_.forest.thread_of(n))];
-      }
+      value = beginning_value(n);
+      if (value >= never && why_.empty()) why_ = trouble_of(n);
     }
     nodes_[n] = value;
     return value;
+  }
+
+  Nanoseconds beginning_value(int n) {
+    const Beginning& begins = segment(n).beginning;
+    if (begins.kind == Beginning::Kind::entry)
+      return step_value(n, problem_.threads[static_cast<std::size_t>(begins.thread)].entry);
+    const Step& step = step_at(begins.step);
+    if (begins.kind == Beginning::Kind::joined) return step_value(n, step.next.front());
+    if (requirement_.at[static_cast<std::size_t>(begins.step)])
+      return view_.times.nodes[static_cast<std::size_t>(n)].effects.front();
+    const bool gives_up = begins.kind == Beginning::Kind::give_up;
+    return step_value(n, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
   }
 
   Nanoseconds step_value(int n, int at) {
