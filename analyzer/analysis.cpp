@@ -29,7 +29,9 @@ void complete(Verdict& verdict, Verdict bound) {
     verdict.explanation += " " + bound.explanation;
     return;
   }
-  if (verdict.bound && *verdict.bound <= *bound.bound) return;
+  const bool nearer =
+      verdict.bound && (verdict.at_least ? *verdict.bound >= *bound.bound : *verdict.bound <= *bound.bound);
+  if (nearer) return;
   bound.witness = std::move(verdict.witness);
   bound.reasons = std::move(verdict.reasons);
   bound.explanation += " The exact analysis: " + verdict.explanation;

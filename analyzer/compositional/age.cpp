@@ -1,7 +1,7 @@
 // How old a condition is where it is used.
 #include <algorithm>
 
-#include "analyzer/compositional/measures.hpp"
+#include "analyzer/compositional/staleness.hpp"
 #include "analyzer/watch.hpp"
 
 namespace pal::analyzer::compositional {
@@ -29,7 +29,6 @@ class Ageing {
   }
 
   Bound run() {
-    if (requirement_.condition < 0) return {never, "it knows no bound of the age of a sample"};
     Nanoseconds oldest = 0;
     for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
       if (!requirement_.at[s] || owner(static_cast<int>(s)) < 0) continue;
@@ -137,58 +136,21 @@ class Ageing {
           });
       return oldest;
     }
-    return plus(age_when_read(thread), distance(read, statement));
-  }
-
-  /// Nodes of the statement's thread that contain a step.
-  std::vector<int> nodes_of(int step) const {
-    std::vector<int> found;
-    for (int n : conduct(owner(step)).nodes) {
-      for (const Segment::Passed& passed : segment(n).steps) {
-        if (passed.step == step) found.push_back(n);
-      }
-    }
-    return found;
-  }
-
-  bool in_round(int n) const {
-    const auto& rounds = conduct(view_.forest.thread_of(n)).rounds;
-    return std::find(rounds.begin(), rounds.end(), view_.conduct.round[static_cast<std::size_t>(n)]) !=
-           rounds.end();
-  }
-
-  /// The one source of a thread's rounds; -1: there are several.
-  int source_of_rounds(int thread) const {
-    int source = -1;
-    for (int n : conduct(thread).rounds) {
-      if (source >= 0 && source != node(n).source) return -1;
-      source = node(n).source;
-    }
-    return source;
-  }
-
-  /// Whether every occurrence of the source of a thread's rounds brings one about.
-  bool regular(int thread) const {
-    const auto& rounds = conduct(thread).rounds;
-    const Source& source = view_.forest.sources[static_cast<std::size_t>(node(rounds.front()).source)];
-    if (rounds.size() == 1 && node(rounds.front()).cause < 0) return true;
-    if (source.kind != Source::Kind::event) return false;
-    Requirement comes;
-    comes.measure = Requirement::Measure::response;
-    comes.device = source.device;
-    comes.at.assign(problem_.steps.size(), false);
-    comes.at[static_cast<std::size_t>(conduct(thread).home)] = true;
-    return response_bound(view_, comes).value < never;
+    const Bound age = value_age(view_, requirement_.condition, thread);
+    if (age.value >= never) why_ = age.why;
+    return plus(age.value, distance(read, statement));
   }
 
   Nanoseconds from_start(int statement, int rounds) {
     Nanoseconds latest = 0;
-    const int source = source_of_rounds(owner(statement));
-    for (int n : nodes_of(statement)) {
+    const int source = source_of_rounds(view_, owner(statement));
+    for (int n : nodes_with(view_, statement)) {
       const Nanoseconds effect = latest_effect(view_.forest, view_.times, n, statement);
-      if (!in_round(n)) {
-        latest = std::max(latest, rounds == 0 ? effect : 0);
-      } else if (rounds <= 1 && source >= 0 && regular(owner(statement))) {
+      const bool anew =
+          view_.forest.sources[static_cast<std::size_t>(node(n).source)].kind == Source::Kind::joined;
+      if (!in_round(view_, n)) {
+        latest = std::max(latest, rounds > 0 ? 0 : anew ? never : effect);
+      } else if (rounds <= 1 && source >= 0 && regular(view_, owner(statement))) {
         latest = std::max(latest, plus(view_.times.first[static_cast<std::size_t>(source)], effect));
       } else {
         latest = never;
@@ -201,15 +163,20 @@ class Ageing {
   Nanoseconds distance(Place from, int statement) {
     const int thread = owner(statement);
     if (from.step == statement && from.rounds == 0) return 0;
-    const int source = source_of_rounds(thread);
+    const int source = source_of_rounds(view_, thread);
     Nanoseconds longest = 0;
-    for (int a : nodes_of(from.step)) {
-      for (int b : nodes_of(statement)) {
+    for (int a : nodes_with(view_, from.step)) {
+      for (int b : nodes_with(view_, statement)) {
         const Nanoseconds sooner = earliest_effect(view_.forest, view_.times, a, from.step);
         const Nanoseconds later = latest_effect(view_.forest, view_.times, b, statement);
         if (later >= never) return never;
         const bool same = view_.conduct.round[static_cast<std::size_t>(a)] ==
                           view_.conduct.round[static_cast<std::size_t>(b)];
+        // Nobody knows how long the blocks of a CONCURRENT between the two went on.
+        const auto anew = [this](int n) {
+          return view_.forest.sources[static_cast<std::size_t>(node(n).source)].kind == Source::Kind::joined;
+        };
+        if (from.rounds == 0 && node(a).source != node(b).source && (anew(a) || anew(b))) return never;
         if (from.rounds == 0) {
           if (a == b) {
             longest = std::max(longest, std::min(later - sooner, without_pause(a, from.step, statement)));
@@ -218,10 +185,10 @@ class Ageing {
           }
           continue;
         }
-        if (!in_round(b)) continue;
-        if (source < 0 || from.rounds > 1 || !regular(thread)) return never;
+        if (!in_round(view_, b)) continue;
+        if (source < 0 || from.rounds > 1 || !regular(view_, thread)) return never;
         const auto of = static_cast<std::size_t>(source);
-        const Nanoseconds apart = in_round(a) ? view_.times.longest_gap[of] : view_.times.first[of];
+        const Nanoseconds apart = in_round(view_, a) ? view_.times.longest_gap[of] : view_.times.first[of];
         longest = std::max(longest, plus(apart, later - sooner));
       }
     }
@@ -248,116 +215,6 @@ class Ageing {
                : view_.times.windows.stretch(thread.processor, thread.priority, found->second);
   }
 
-  /// How old a value can be when another thread reads it.
-  Nanoseconds age_when_read(int reader) {
-    if (setters_.size() != 1) return several_setters(reader);
-    return sets_apart(*setters_.begin(), reader);
-  }
-
-  /// A module may set a condition before its CONCURRENT, and then in a block.
-  Nanoseconds several_setters(int reader) {
-    int block = -1;
-    for (int setter : setters_) {
-      if (problem_.threads[static_cast<std::size_t>(setter)].parent < 0) continue;
-      if (block >= 0) return never;
-      block = setter;
-    }
-    if (block < 0 || setters_.size() != 2) return never;
-    const int parent = problem_.threads[static_cast<std::size_t>(block)].parent;
-    if (!setters_.contains(parent)) return never;
-    // What the parent sets after its blocks only makes values younger, as does what it sets before.
-    return sets_apart(block, reader);
-  }
-
-  Nanoseconds sets_apart(int setter, int reader) {
-    const ThreadConduct& of = conduct(setter);
-    const int source = source_of_rounds(setter);
-    const auto s = static_cast<std::size_t>(source);
-    const bool alive = !of.may_be_cancelled || siblings(setter, reader);
-    if (!view_.reliable[static_cast<std::size_t>(setter)] || !alive || source < 0 || !regular(setter) ||
-        !sets_in_every_round(setter)) {
-      why_ = view_.times.trouble[static_cast<std::size_t>(setter)];
-      if (why_.empty())
-        why_ = problem_.threads[static_cast<std::size_t>(setter)].name +
-               " may leave the condition as it is for long";
-      return never;
-    }
-    if (view_.times.longest_gap[s] >= never) {
-      why_ = "nothing says how long " + problem_.threads[static_cast<std::size_t>(setter)].name +
-             " may wait between two rounds";
-      return never;
-    }
-    Nanoseconds latest = 0;
-    Nanoseconds earliest = never;
-    for (int n : of.nodes) {
-      if (!in_round(n)) continue;
-      for (const Segment::Passed& passed : segment(n).steps) {
-        if (!sets(passed.step)) continue;
-        latest = std::max(latest, latest_effect(view_.forest, view_.times, n, passed.step));
-        earliest = std::min(earliest, earliest_effect(view_.forest, view_.times, n, passed.step));
-      }
-    }
-    const Nanoseconds between = plus(view_.times.longest_gap[s], latest - earliest);
-    const Nanoseconds first = plus(view_.times.first[s], latest);
-    return std::max(between, until_first(setter, first));
-  }
-
-  /// Until the first set in a round a value is as old as the skill, or as what was set before the rounds.
-  Nanoseconds until_first(int setter, Nanoseconds first) const {
-    const int parent = problem_.threads[static_cast<std::size_t>(setter)].parent;
-    const int above = parent < 0 ? setter : parent;
-    Nanoseconds earliest = never;
-    Nanoseconds latest = 0;
-    for (int n : conduct(above).nodes) {
-      if (in_round(n)) continue;
-      for (const Segment::Passed& passed : segment(n).steps) {
-        if (!sets(passed.step)) continue;
-        const Nanoseconds effect = latest_effect(view_.forest, view_.times, n, passed.step);
-        if (effect >= never) continue;  // after the blocks
-        earliest = std::min(earliest, earliest_effect(view_.forest, view_.times, n, passed.step));
-        latest = std::max(latest, effect);
-      }
-    }
-    if (earliest >= never || !sets_before_rounds(above)) return first;
-    return std::max(latest, first - earliest);
-  }
-
-  /// Every way from the beginning of a module to its first home or CONCURRENT sets the condition.
-  bool sets_before_rounds(int thread) const {
-    std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
-    std::set<int> seen;
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (sets(at) || !seen.insert(at).second) continue;
-      if (at == conduct(thread).home || step_at(at).kind == Kind::fork) return false;
-      open.insert(open.end(), step_at(at).next.begin(), step_at(at).next.end());
-    }
-    return true;
-  }
-
-  bool sets_in_every_round(int setter) const {
-    const int home = conduct(setter).home;
-    std::vector<int> open(step_at(home).next.begin(), step_at(home).next.end());
-    std::set<int> seen;
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (at == home) return false;
-      if (sets(at) || !seen.insert(at).second) continue;
-      open.insert(open.end(), step_at(at).next.begin(), step_at(at).next.end());
-    }
-    return true;
-  }
-
-  /// The setter goes on for as long as the reader can read.
-  bool siblings(int setter, int reader) const {
-    const Thread& sets = problem_.threads[static_cast<std::size_t>(setter)];
-    const Thread& reads = problem_.threads[static_cast<std::size_t>(reader)];
-    if (sets.parent < 0 || sets.parent != reads.parent || sets.can_end || !reads.can_end) return false;
-    return !conduct(sets.parent).may_be_cancelled;
-  }
-
   const View& view_;
   const Problem& problem_;
   const Requirement& requirement_;
@@ -370,7 +227,10 @@ class Ageing {
 }  // namespace
 
 Bound age_bound(const View& view, const Requirement& requirement) {
-  return Ageing(view, requirement).run();
+  const Bound known = known_age_bound(view, requirement);
+  if (requirement.condition < 0) return known;
+  const Bound aged = Ageing(view, requirement).run();
+  return known.value < aged.value ? known : aged;
 }
 
 }  // namespace pal::analyzer::compositional

@@ -22,6 +22,12 @@ Nanoseconds count(const Transaction& of, const Task& task, Nanoseconds phase, Na
   return piled + (length >= phase ? (length - phase) / of.period + 1 : 0);
 }
 
+/// Whether `task` comes only after `before` is done.
+bool follows(const Transaction& of, int before, int task) {
+  const auto& followers = of.tasks[static_cast<std::size_t>(before)].followers;
+  return std::binary_search(followers.begin(), followers.end(), task);
+}
+
 }  // namespace
 
 int BusyWindows::add(Transaction transaction) {
@@ -42,14 +48,21 @@ Nanoseconds BusyWindows::releases(const Transaction& of, const Task& task, Nanos
   return (length + task.jitter) / of.period + 1;
 }
 
-Nanoseconds BusyWindows::of_scenario(const Transaction& of, const Group& group, int scenario, int left_out,
-                                     int priority, Nanoseconds length) const {
+Nanoseconds BusyWindows::of_scenario(const Transaction& of, const Group& group, int scenario,
+                                     const Asked& asked, int priority, Nanoseconds length) const {
   const Task& first = of.tasks[static_cast<std::size_t>(scenario)];
   Nanoseconds work = 0;
   for (int t : group.tasks) {
     const Task& task = of.tasks[static_cast<std::size_t>(t)];
-    if (t == left_out || task.priority < priority || task.cost == 0) continue;
-    work += count(of, task, phase(of, first, task), length) * task.cost;
+    if (t == asked.task || task.priority < priority || task.cost == 0) continue;
+    const Nanoseconds due = phase(of, first, task);
+    Nanoseconds jobs = count(of, task, due, length);
+    if (asked.precedes && follows(of, asked.task, t)) {
+      // Those of earlier occurrences; job 1 is of the occurrence at `due - offset`.
+      const Nanoseconds before = (asked.occurrence + task.offset - due) / of.period;
+      jobs = std::min(jobs, std::max<Nanoseconds>(0, before + (task.jitter + due) / of.period));
+    }
+    work += jobs * task.cost;
   }
   return work;
 }
@@ -72,7 +85,7 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, in
       if (of.period == never) {
         most += task.cost;
       } else {
-        most = std::max(most, of_scenario(of, group, t, -1, priority, length));
+        most = std::max(most, of_scenario(of, group, t, {}, priority, length));
       }
     }
     work += most;
@@ -88,6 +101,8 @@ Nanoseconds BusyWindows::finish_once(const Transaction& of, int transaction, int
   Nanoseconds fixed = blocking;
   for (std::size_t t = 0; t < of.tasks.size(); ++t) {
     const Task& other = of.tasks[t];
+    // Of its own thread the others are over, or come later.
+    if (self.thread >= 0 && other.thread == self.thread) continue;
     if (static_cast<int>(t) != task && other.processor == self.processor && other.priority >= self.priority) {
       fixed += other.cost;
     }
@@ -106,6 +121,10 @@ Nanoseconds BusyWindows::finish_once(const Transaction& of, int transaction, int
 Nanoseconds BusyWindows::stretch(int processor, int priority, Nanoseconds cost) const {
   if (!preemptive_[static_cast<std::size_t>(processor)]) return cost;
   return window(processor, priority + 1, cost);
+}
+
+Nanoseconds BusyWindows::level(int processor, int priority) const {
+  return preemptive_[static_cast<std::size_t>(processor)] ? window(processor, priority, 0) : busy(processor);
 }
 
 Nanoseconds BusyWindows::busy(int processor) const {
@@ -166,11 +185,13 @@ Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nan
     Nanoseconds window = 0;
     for (Nanoseconds job = 1 - piled;; ++job) {
       // Until the part is done (preemptive), or begins (not preemptive).
-      const auto settle = [&](Nanoseconds fixed) {
+      const Asked asked{task, true, due + (job - 1) * of.period - self.offset};
+      const Asked all{task, false, 0};
+      const auto settle = [&](Nanoseconds fixed, const Asked& but) {
         Nanoseconds at = std::max(window, fixed);
         while (++rounds < most_rounds) {
           const Nanoseconds next = fixed + of_others(groups, transaction, self.priority, at) +
-                                   of_scenario(of, *own, scenario, task, self.priority, at);
+                                   of_scenario(of, *own, scenario, but, self.priority, at);
           if (next <= at) return at;
           if (next > longest_window) break;
           at = next;
@@ -181,16 +202,17 @@ Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nan
       Nanoseconds done = never;
       Nanoseconds whole = never;
       if (preemptive) {
-        done = settle(before + part);
+        done = settle(before + part, asked);
         if (done >= never) return never;
-        whole = part == self.cost ? done : settle(before + self.cost);
+        const bool same = part == self.cost && self.followers.empty();
+        whole = same ? done : settle(before + self.cost, all);
         window = 0;
       } else {
-        const Nanoseconds begins = settle(before);
+        const Nanoseconds begins = settle(before, asked);
         if (begins >= never) return never;
         done = begins + part;
         // What came while it ran is still to be done: the window goes on (R. I. Davis and others, 2007).
-        whole = settle(before + self.cost);
+        whole = settle(before + self.cost, all);
         window = 0;
       }
       if (whole >= never) return never;

@@ -3,7 +3,8 @@
 //
 // J. C. Palencia and M. González Harbour, Schedulability analysis for tasks with static and dynamic offsets,
 // RTSS 1998 (the approximation of section 4: one candidate a foreign transaction, all candidates of one's
-// own).
+// own). What follows a job within its own transaction does not delay it: the same authors, Exploiting
+// precedence relations in the schedulability analysis of distributed real-time systems, RTSS 1999.
 #pragma once
 
 #include <optional>
@@ -28,6 +29,9 @@ struct Task {
   Nanoseconds cost = 0;
   Nanoseconds offset = 0;
   Nanoseconds jitter = 0;
+  /// Tasks of its transaction that come only after it is done, of the same occurrence; ascending.
+  std::vector<int> followers;
+  int thread = -1;  // tasks of one thread are done one after the other, each when the one before is; -1: none
 };
 
 /// Occurrences are at least `period` apart; `never`: there is one.
@@ -64,6 +68,9 @@ class BusyWindows {
   /// priority has nothing left to do when that begins.
   Nanoseconds stretch(int processor, int priority, Nanoseconds cost) const;
 
+  /// How long a thread of `priority` that is ready may take at most to do what it has begun.
+  Nanoseconds level(int processor, int priority) const;
+
   /// The longest that a processor has something to do without a pause.
   Nanoseconds busy(int processor) const;
 
@@ -73,8 +80,16 @@ class BusyWindows {
     std::vector<int> tasks;
   };
 
-  Nanoseconds of_scenario(const Transaction& of, const Group& group, int scenario, int left_out, int priority,
-                          Nanoseconds length) const;
+  /// The job that is asked about, and what is known to come after it: its followers of the occurrence at
+  /// `occurrence`, from the beginning of the window, and of later ones.
+  struct Asked {
+    int task = -1;
+    bool precedes = false;
+    Nanoseconds occurrence = 0;
+  };
+
+  Nanoseconds of_scenario(const Transaction& of, const Group& group, int scenario, const Asked& asked,
+                          int priority, Nanoseconds length) const;
   Nanoseconds of_others(const std::vector<Group>& groups, int own, int priority, Nanoseconds length) const;
   Nanoseconds finish_once(const Transaction& of, int transaction, int task, Nanoseconds part,
                           Nanoseconds blocking) const;

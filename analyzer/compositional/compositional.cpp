@@ -22,11 +22,13 @@ Bound bound_of(const View& view, const Requirement& requirement) {
     case Measure::loss:
       return loss_bound(view, requirement);
     case Measure::reaction:
+      return reaction_bound(view, requirement);
     case Measure::interval:
+      return interval_bound(view, requirement);
     case Measure::duration:
-      break;
+      return duration_bound(view, requirement);
   }
-  return {never, "it knows no bound of this measure"};
+  return {};
 }
 
 void judge(const Bound& bound, Verdict& verdict) {
@@ -35,8 +37,10 @@ void judge(const Bound& bound, Verdict& verdict) {
     return;
   }
   verdict.bound = Duration(bound.value);
-  verdict.state = *verdict.bound <= verdict.limit ? Is::holds : Is::undecided;
-  verdict.explanation = "Compositional bound: no run exceeds it, but no run need come near it.";
+  const bool kept = verdict.at_least ? *verdict.bound >= verdict.limit : *verdict.bound <= verdict.limit;
+  verdict.state = kept ? Is::holds : Is::undecided;
+  verdict.explanation = std::string("Compositional bound: no run ") +
+                        (verdict.at_least ? "falls below" : "exceeds") + " it, but no run need come near it.";
 }
 
 /// Every step whose time some requirement may ask for.
@@ -70,10 +74,14 @@ Analysis analyze_compositionally(const Problem& problem, const Options& options)
     if (times.interrupted) {
       refusal = "it was interrupted";
     } else {
-      const std::vector<bool> reliable = reliable_threads(problem, forest, conduct, times);
-      const View view{problem, forest, conduct, times, reliable};
+      const Endurance endurance = endurance_of(problem, forest, conduct, times);
+      const Endurance::Threads& always = endurance.always;
+      const View view{problem, forest, conduct, times, always.reliable, always.lively};
       for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
-        judge(bound_of(view, problem.requirements[r]), analysis.verdicts[r]);
+        const Requirement& requirement = problem.requirements[r];
+        const Bound bound = bound_of(view, requirement);
+        judge(bound.value < never ? bound : until_left(view, endurance, requirement, bound_of),
+              analysis.verdicts[r]);
       }
     }
     analysis.statistics.states = forest.nodes.size();

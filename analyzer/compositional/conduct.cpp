@@ -112,11 +112,9 @@ class Observer {
   /// A round ends at home, after waits for what it brought about itself.
   void returns(int t) {
     ThreadConduct& of = thread(t);
-    for (int above = problem_.threads[static_cast<std::size_t>(t)].parent; above >= 0;
-         above = problem_.threads[static_cast<std::size_t>(above)].parent) {
-      for (const Thread& other : problem_.threads) {
-        if (other.parent == above && other.can_end) of.may_be_cancelled = true;
-      }
+    for (int block = t; problem_.threads[static_cast<std::size_t>(block)].parent >= 0;
+         block = problem_.threads[static_cast<std::size_t>(block)].parent) {
+      of.may_be_cancelled = of.may_be_cancelled || is_cancelled(block);
     }
     if (of.home < 0) return;
     const std::string& name = problem_.threads[static_cast<std::size_t>(t)].name;
@@ -133,9 +131,33 @@ class Observer {
               name + " waits at " + text(wait.step) + " for something that its round does not bring about";
         }
       }
-      if (in_round && (segment.ends || !segment.forks.empty())) of.leaves = true;
-      if (in_round && !segment.forks.empty()) of.trouble = name + " starts blocks again and again";
+      if (in_round && segment.ends) of.leaves = true;
+      for (const Segment::Arrival& fork : segment.forks) {
+        if (!in_round) continue;
+        of.waits_within = true;
+        if (!ends_within(fork.step)) of.trouble = name + " starts blocks again and again";
+      }
     }
+  }
+
+  /// Whether a block stops when its siblings have ended.
+  bool is_cancelled(int block) const {
+    if (problem_.threads[static_cast<std::size_t>(block)].can_end) return false;
+    return std::any_of(problem_.steps.begin(), problem_.steps.end(), [&](const Step& step) {
+      return std::find(step.threads.begin(), step.threads.end(), block) != step.threads.end() &&
+             std::any_of(step.threads.begin(), step.threads.end(), [&](int other) {
+               return problem_.threads[static_cast<std::size_t>(other)].can_end;
+             });
+    });
+  }
+
+  /// Whether all blocks of a CONCURRENT end without rounds of their own.
+  bool ends_within(int fork) {
+    const std::vector<int>& blocks = step_at(fork).threads;
+    return std::all_of(blocks.begin(), blocks.end(), [this](int block) {
+      return problem_.threads[static_cast<std::size_t>(block)].can_end && thread(block).home < 0 &&
+             ends_straight(problem_, block);
+    });
   }
 
   void protocol() {
@@ -144,71 +166,10 @@ class Observer {
       const Channel& channel = problem_.channels[c];
       if (channel.answer >= 0) made_.never_full[c] = made_.sequential[c];
       if (channel.answers >= 0 && channel.sender_module >= 0) {
-        made_.never_full[c] =
-            made_.sequential[static_cast<std::size_t>(channel.answers)] && answers_once(static_cast<int>(c));
+        made_.never_full[c] = made_.sequential[static_cast<std::size_t>(channel.answers)] &&
+                              answers_once(problem_, static_cast<int>(c));
       }
     }
-  }
-
-  /// Whether a module sends one answer to each request that it takes, before it takes the next.
-  bool answers_once(int answer) const {
-    const Channel& channel = problem_.channels[static_cast<std::size_t>(answer)];
-    const int request = channel.answers;
-    std::map<int, unsigned> owed;  // bits: none, one, more
-    std::vector<int> work;
-    const auto reach = [&](int step, unsigned values) {
-      unsigned& there = owed[step];
-      if ((there | values) == there) return;
-      there |= values;
-      work.push_back(step);
-    };
-    for (const Thread& thread : problem_.threads) {
-      if (thread.module == channel.sender_module && thread.parent < 0) reach(thread.entry, 1);
-    }
-    while (!work.empty()) {
-      const int at = work.back();
-      work.pop_back();
-      const Step& step = step_at(at);
-      const unsigned values = owed.at(at);
-      if (step.kind == Kind::send && step.channels.front() == answer) {
-        if (values != 2) return false;
-        reach(step.next.front(), 1);
-        continue;
-      }
-      int serving = 0;
-      for (int block : step.threads) {
-        if (!talks(block, request, answer)) continue;
-        reach(problem_.threads[static_cast<std::size_t>(block)].entry, values);
-        ++serving;
-      }
-      // A block may be cancelled, or end, owing an answer: nobody gives it.
-      if (serving > 1 || (serving == 1 && values != 1)) return false;
-      for (std::size_t i = 0; i < step.next.size(); ++i) {
-        const bool takes = step.kind == Kind::wait && i < step.channels.size() && step.channels[i] == request;
-        reach(step.next[i], takes ? (values & 6U) != 0 ? 6U : 2U : values);
-      }
-    }
-    return true;
-  }
-
-  /// Whether a thread, or a block of it, takes the request or sends the answer.
-  bool talks(int thread, int request, int answer) const {
-    std::set<int> seen;
-    std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (!seen.insert(at).second) continue;
-      const Step& step = step_at(at);
-      if (step.kind == Kind::send && step.channels.front() == answer) return true;
-      if (step.kind == Kind::wait &&
-          std::find(step.channels.begin(), step.channels.end(), request) != step.channels.end()) {
-        return true;
-      }
-      for (int block : step.threads) open.push_back(problem_.threads[static_cast<std::size_t>(block)].entry);
-      open.insert(open.end(), step.next.begin(), step.next.end());
-    }
-    return false;
   }
 
   /// A server whose rounds wait may still be at work when somebody asks, unless there is one client, who

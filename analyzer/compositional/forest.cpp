@@ -80,12 +80,23 @@ class Planter {
       source.period = event->period.count();
       source.jitter = event->jitter.count();
       source.regular = !event->sporadic;
+      source.at_one_wait = takers_[static_cast<std::size_t>(problem_.devices[d].event)].size() == 1;
       forest_.sources.push_back(source);
     }
     for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
       if (problem_.threads[t].parent >= 0) continue;
       Source source;
       source.thread = static_cast<int>(t);
+      source.period = never;
+      forest_.sources.push_back(source);
+    }
+    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+      const int thread = forest_.segments.owner(static_cast<int>(s));
+      if (thread < 0 || !begins_anew(static_cast<int>(s))) continue;
+      Source source;
+      source.kind = Source::Kind::joined;
+      source.thread = thread;
+      source.fork = static_cast<int>(s);
       source.period = never;
       forest_.sources.push_back(source);
     }
@@ -112,6 +123,10 @@ class Planter {
         break;
       case Source::Kind::start:
         effect({source, -1, Node::Release::root, -1, {}, -1}, {Beginning::Kind::entry, of.thread, -1, -1});
+        break;
+      case Source::Kind::joined:
+        effect({source, -1, Node::Release::root, -1, {}, -1},
+               {Beginning::Kind::joined, of.thread, of.fork, -1});
         break;
       case Source::Kind::loop:
         add({source, -1, Node::Release::root, -1, {}, -1}, of.segment);
@@ -161,8 +176,24 @@ class Planter {
     for (const Segment::Arrival& fork : segment.forks) {
       const Link link{source, at, Node::Release::fork, fork.step, {}, -1};
       for (int block : step_at(fork.step).threads) effect(link, {Beginning::Kind::entry, block, -1, -1});
-      effect(link, {Beginning::Kind::joined, segment.beginning.thread, fork.step, -1});
+      const std::vector<int>& blocks = step_at(fork.step).threads;
+      const bool goes_on = std::any_of(blocks.begin(), blocks.end(), [this](int block) {
+        return problem_.threads[static_cast<std::size_t>(block)].can_end;
+      });
+      if (goes_on && !begins_anew(fork.step))
+        effect(link, {Beginning::Kind::joined, segment.beginning.thread, fork.step, -1});
     }
+  }
+
+  /// What comes after a CONCURRENT, once in a skill's life, of which a block ends in some round or other.
+  bool begins_anew(int fork) const {
+    const Step& step = step_at(fork);
+    if (step.kind != Kind::fork) return false;
+    const bool goes_round = std::any_of(step.threads.begin(), step.threads.end(), [this](int block) {
+      return problem_.threads[static_cast<std::size_t>(block)].can_end && !ends_straight(problem_, block);
+    });
+    return goes_round &&
+           !recurrent(problem_, {Beginning::Kind::joined, forest_.segments.owner(fork), fork, -1});
   }
 
   /// The segment's sends, those of one channel together if a run passes only one of them.
@@ -188,10 +219,38 @@ class Planter {
   }
 
   void message(const Link& link, int channel) {
+    const std::optional<std::set<int>> known = takers_of(link, channel);
     for (const Taker& taker : takers_[static_cast<std::size_t>(channel)]) {
-      if (limited_[static_cast<std::size_t>(taker.step)]) continue;
+      if (limited_[static_cast<std::size_t>(taker.step)] || (known && !known->contains(taker.step))) continue;
       effect(link, {Beginning::Kind::arm, taker.thread, taker.step, taker.arm});
     }
+  }
+
+  /// The waits that may take an answer: those that come after its request.
+  std::optional<std::set<int>> takers_of(const Link& link, int channel) {
+    const int request = problem_.channels[static_cast<std::size_t>(channel)].answers;
+    if (request < 0 || !sequential_[static_cast<std::size_t>(request)]) return {};
+    if (link.device >= 0) return takers_after(link.sends);
+    if (!once_.contains(channel)) once_[channel] = answers_once(problem_, channel);
+    if (!once_[channel]) return {};
+    for (int at = link.cause; at >= 0; at = node(at).cause) {
+      const Beginning& begins = forest_.segment_of(node(at)).beginning;
+      const bool asked = begins.kind == Beginning::Kind::arm && node(at).release == Node::Release::message &&
+                         node(at).device < 0 &&
+                         step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)] == request;
+      if (asked) return takers_after(node(at).sends);
+    }
+    return {};
+  }
+
+  std::optional<std::set<int>> takers_after(const std::vector<int>& sends) const {
+    std::set<int> all;
+    for (int send : sends) {
+      const std::optional<std::set<int>> takers = takers_of_answer(problem_, send);
+      if (!takers) return {};
+      all.insert(takers->begin(), takers->end());
+    }
+    return all;
   }
 
   void effect(const Link& link, const Beginning& beginning) {
@@ -284,6 +343,7 @@ class Planter {
   std::set<int> cuts_;
   std::set<int> found_;
   std::map<int, bool> comes_again_;
+  std::map<int, bool> once_;  // by answer
   std::vector<int> open_;
   std::size_t most_nodes_ = 0;
 };
@@ -304,6 +364,32 @@ Range latency(const Problem& problem, int channel, int sender, int receiver) {
   const bool same = problem.threads[static_cast<std::size_t>(sender)].processor ==
                     problem.threads[static_cast<std::size_t>(receiver)].processor;
   return same ? problem.within_processor : problem.between_processors;
+}
+
+bool ends_straight(const Problem& problem, int block) {
+  std::map<int, int> mark;  // 1: open, 2: done
+  std::vector<std::pair<int, std::size_t>> way{{problem.threads[static_cast<std::size_t>(block)].entry, 0}};
+  while (!way.empty()) {
+    auto& [at, place] = way.back();
+    const Step& step = problem.steps[static_cast<std::size_t>(at)];
+    if (place == 0) {
+      mark[at] = 1;
+      for (int inner : step.threads) {
+        if (problem.threads[static_cast<std::size_t>(inner)].can_end && !ends_straight(problem, inner))
+          return false;
+      }
+    }
+    if (place == step.next.size()) {
+      mark[at] = 2;
+      way.pop_back();
+      continue;
+    }
+    const int next = step.next[place++];
+    const int known = mark.contains(next) ? mark[next] : 0;
+    if (known == 1) return false;
+    if (known == 0) way.emplace_back(next, 0);
+  }
+  return true;
 }
 
 Forest forest_of(const Problem& problem) {

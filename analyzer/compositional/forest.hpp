@@ -10,18 +10,20 @@
 
 namespace pal::analyzer::compositional {
 
-/// Where a chain of causes begins: an event of a device, the start of a module, or a round of a thread that
-/// goes on by itself.
+/// Where a chain of causes begins: an event of a device, the start of a module, a round of a thread that goes
+/// on by itself, or the end of blocks of which nobody knows when they end.
 struct Source {
-  enum class Kind { event, start, loop };
+  enum class Kind { event, start, loop, joined };
   Kind kind = Kind::start;
-  int device = -1;         // event
-  int thread = -1;         // start, loop
-  int segment = -1;        // loop: the one that each round begins with
-  Nanoseconds period = 0;  // least distance of occurrences, but for the jitter; never: there is one
-  Nanoseconds jitter = 0;  // occurrence k is released up to so long after its nominal instant
-  bool regular = false;    // nominal instants are exactly a period apart
-  std::vector<int> roots;  // nodes
+  int device = -1;           // event
+  int thread = -1;           // start, loop, joined
+  int segment = -1;          // loop: the one that each round begins with
+  int fork = -1;             // joined
+  Nanoseconds period = 0;    // least distance of occurrences, but for the jitter; never: there is one
+  Nanoseconds jitter = 0;    // occurrence k is released up to so long after its nominal instant
+  bool at_one_wait = false;  // event: there is one wait that takes it; till then its device is closed
+  bool regular = false;      // nominal instants are exactly a period apart
+  std::vector<int> roots;    // nodes
   /// Sends and waits that lead to the next round of a loop.
   struct Feed {
     int node = -1;
@@ -64,9 +66,20 @@ struct Forest {
 
 Forest forest_of(const Problem& problem);
 
+/// Whether a block comes to its end, if it does, without going round: what it does is bounded by what it
+/// waits for.
+bool ends_straight(const Problem& problem, int block);
+
 /// Whether a message of `channel` waits only for what this thread has asked for, one at a time: each request
 /// is sent when the answer to the one before has been taken, or given up.
 std::vector<bool> sequential_requests(const Problem& problem);
+
+/// Whether a module sends one answer to each request that it takes, before it takes the next.
+bool answers_once(const Problem& problem, int answer);
+
+/// The waits of the sender's thread that may take the answer to what `send` asks for, if its requests are
+/// sequential and each is answered once; nothing: others may, too.
+std::optional<std::set<int>> takers_of_answer(const Problem& problem, int send);
 
 /// Whether a segment may run more than once in the life of a skill, whatever causes it.
 bool recurrent(const Problem& problem, const Beginning& beginning);
@@ -74,6 +87,11 @@ bool recurrent(const Problem& problem, const Beginning& beginning);
 /// Least time between two beginnings of a segment of one thread.
 Nanoseconds least_round(const Problem& problem, const Beginning& beginning,
                         const std::vector<bool>& sequential);
+
+/// Least time between two effects of the steps `at` of one thread, by the shortest way; 0: its blocks begin
+/// again and again.
+Nanoseconds least_way(const Problem& problem, int thread, const std::vector<bool>& at,
+                      const std::vector<bool>& sequential);
 
 /// A message needs at least this from its put to where `receiver` can take it, and at most this.
 Range latency(const Problem& problem, int channel, int sender, int receiver);

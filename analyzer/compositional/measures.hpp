@@ -1,6 +1,7 @@
 // Bounds of what requirements measure, from the times of segments.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "analyzer/compositional/times.hpp"
@@ -21,18 +22,52 @@ struct View {
   /// By thread: it comes home from every round, whatever the run, as long as the skill lasts and it is not
   /// cancelled.
   const std::vector<bool>& reliable;
+  /// By thread: what it waits for outside of its home comes.
+  const std::vector<bool>& lively;
+  /// Only what is so before the first block leaves its rounds; nobody is cancelled till then.
+  bool steady = false;
+
+  bool lasts(int thread) const {
+    const auto t = static_cast<std::size_t>(thread);
+    return (steady || !conduct.threads[t].may_be_cancelled) && reliable[t];
+  }
 };
 
 Bound response_bound(const View& view, const Requirement& requirement);
-/// Number of events lost.
+/// Whether each occurrence of a source of one root leads to a statement, as long as the skill lasts.
+bool always_comes(const View& view, int source, const std::vector<bool>& at);
+/// Number of events, answers or frames lost of any so many in a row.
 Bound loss_bound(const View& view, const Requirement& requirement);
+Bound event_loss_bound(const View& view, const Requirement& requirement);
 Bound age_bound(const View& view, const Requirement& requirement);
+/// By what the threads surely know; of a condition age_bound may know a nearer one.
+Bound known_age_bound(const View& view, const Requirement& requirement);
+Bound reaction_bound(const View& view, const Requirement& requirement);
+/// Of a least interval: no run falls below the value.
+Bound interval_bound(const View& view, const Requirement& requirement);
+Bound duration_bound(const View& view, const Requirement& requirement);
 /// Nanoseconds of work in a second; of the processor that has most.
 Bound load_bound(const View& view, const Requirement& requirement);
 Bound busy_bound(const View& view, const Requirement& requirement);
 
-/// What View::reliable holds.
-std::vector<bool> reliable_threads(const Problem& problem, const Forest& forest, const Conduct& conduct,
-                                   const Times& times);
+/// How long threads go on.
+struct Endurance {
+  struct Threads {
+    std::vector<bool> reliable;  // View::reliable
+    std::vector<bool> lively;    // View::lively
+  };
+  Threads always;
+  Threads steady;            // until the first block leaves its rounds
+  std::vector<int> leavers;  // the blocks that do
+  Nanoseconds over = 0;      // from then until the skill has ended; `never`: it may go on
+};
+
+/// A bound for skills that end when a block leaves its rounds: what `bound_of` says of the time before, and
+/// what may be added till the skill has ended.
+Bound until_left(const View& always, const Endurance& endurance, const Requirement& requirement,
+                 const std::function<Bound(const View&, const Requirement&)>& bound_of);
+
+Endurance endurance_of(const Problem& problem, const Forest& forest, const Conduct& conduct,
+                       const Times& times);
 
 }  // namespace pal::analyzer::compositional

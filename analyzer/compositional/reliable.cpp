@@ -1,6 +1,7 @@
 // Which threads always come home.
 #include <algorithm>
 
+#include "analyzer/compositional/demand.hpp"
 #include "analyzer/compositional/measures.hpp"
 
 namespace pal::analyzer::compositional {
@@ -10,53 +11,110 @@ using Kind = Step::Kind;
 
 class Reliability {
  public:
-  explicit Reliability(const View& view) : view_(view), problem_(view.problem) {}
+  /// `steady`: as long as no block has left its rounds.
+  Reliability(const Problem& problem, const Forest& forest, const Conduct& conduct, const Times& times,
+              bool steady)
+      : problem_(problem), forest_(forest), conduct_(conduct), times_(times), steady_(steady) {}
 
   /// The greatest set of threads each of which relies on members alone.
-  std::vector<bool> run() {
+  Endurance::Threads run() {
     const std::size_t count = problem_.threads.size();
     std::vector<std::vector<int>> relies(count);
-    reliable_.assign(count, false);
+    made_.reliable.assign(count, false);
+    made_.lively.assign(count, false);
     for (std::size_t t = 0; t < count; ++t) {
-      const ThreadConduct& of = view_.conduct.threads[t];
-      reliable_[t] = of.home >= 0 && !of.leaves && view_.times.trouble[t].empty() &&
-                     servers(static_cast<int>(t), relies[t]);
+      const int thread = static_cast<int>(t);
+      const ThreadConduct& of = conduct_.threads[t];
+      const bool goes_on = servers(thread, relies[t]) && joins(thread, relies[t]);
+      made_.lively[t] = times_.trouble[t].empty() && goes_on;
+      made_.reliable[t] = made_.lively[t] && of.home >= 0 && (!of.leaves || (steady_ && may_leave(thread)));
     }
     for (bool changed = true; changed;) {
       changed = false;
       for (std::size_t t = 0; t < count; ++t) {
-        const bool sound = std::all_of(relies[t].begin(), relies[t].end(), [&](int other) {
-          return reliable_[static_cast<std::size_t>(other)] &&
-                 !view_.conduct.threads[static_cast<std::size_t>(other)].may_be_cancelled;
+        const bool sound = std::all_of(relies[t].begin(), relies[t].end(), [this](int other) {
+          return made_.reliable[static_cast<std::size_t>(other)] && lasts(other);
         });
-        if (!reliable_[t] || sound) continue;
-        reliable_[t] = false;
+        const bool home = made_.reliable[t] && sound && (!steady_ || lasts(static_cast<int>(t)));
+        if (made_.lively[t] == (made_.lively[t] && sound) && made_.reliable[t] == home) continue;
+        made_.lively[t] = made_.lively[t] && sound;
+        made_.reliable[t] = home;
         changed = true;
       }
     }
-    return reliable_;
+    return std::move(made_);
+  }
+
+  /// A block, once in a skill's life, that may end in any of its rounds.
+  bool may_leave(int thread) const {
+    return problem_.threads[static_cast<std::size_t>(thread)].parent >= 0 &&
+           !recurrent(problem_, {Beginning::Kind::entry, thread, -1, -1});
+  }
+
+  /// The CONCURRENT that starts a block; -1: none.
+  int fork_of(int block) const {
+    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+      const auto& blocks = problem_.steps[s].threads;
+      if (std::find(blocks.begin(), blocks.end(), block) != blocks.end()) return static_cast<int>(s);
+    }
+    return -1;
   }
 
  private:
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
 
+  /// Whether the thread is not cancelled; in the steady state, before another block has left its rounds.
+  bool lasts(int thread) const {
+    if (!conduct_.threads[static_cast<std::size_t>(thread)].may_be_cancelled) return true;
+    if (!steady_) return false;
+    for (int block = thread; problem_.threads[static_cast<std::size_t>(block)].parent >= 0;
+         block = problem_.threads[static_cast<std::size_t>(block)].parent) {
+      if (problem_.threads[static_cast<std::size_t>(block)].can_end) continue;
+      bool ending = false;
+      bool leaving = false;
+      for (int other : step_at(fork_of(block)).threads) {
+        ending = ending || problem_.threads[static_cast<std::size_t>(other)].can_end;
+        leaving = leaving || (conduct_.threads[static_cast<std::size_t>(other)].leaves &&
+                              made_.reliable[static_cast<std::size_t>(other)]);
+      }
+      if (ending && !leaving) return false;
+    }
+    return true;
+  }
+
+  /// Whether the blocks that a thread starts all come to their end, on the way to its home.
+  bool joins(int thread, std::vector<int>& relies) const {
+    for (int n : conduct_.threads[static_cast<std::size_t>(thread)].nodes) {
+      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
+      for (const Segment::Arrival& fork : forest_.segment_of(node).forks) {
+        for (int block : step_at(fork.step).threads) {
+          const auto b = static_cast<std::size_t>(block);
+          if (!problem_.threads[b].can_end) continue;
+          if (!ends_straight(problem_, block) || !times_.trouble[b].empty()) return false;
+          if (!servers(block, relies) || !joins(block, relies)) return false;
+        }
+      }
+    }
+    return true;
+  }
+
   /// The threads that answer what `thread` waits for; false: something that it waits for may never come.
   bool servers(int thread, std::vector<int>& relies) const {
-    const ThreadConduct& of = view_.conduct.threads[static_cast<std::size_t>(thread)];
+    const ThreadConduct& of = conduct_.threads[static_cast<std::size_t>(thread)];
     std::set<int> waits;
     for (int n : of.nodes) {
-      const Node& node = view_.forest.nodes[static_cast<std::size_t>(n)];
-      for (const Segment::Arrival& wait : view_.forest.segment_of(node).waits) waits.insert(wait.step);
+      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
+      for (const Segment::Arrival& wait : forest_.segment_of(node).waits) waits.insert(wait.step);
     }
     for (int n : of.nodes) {
-      const Node& node = view_.forest.nodes[static_cast<std::size_t>(n)];
+      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
       for (int effect : node.effects) {
         // A message that nobody takes would stop its sender, sooner or later.
-        const Node& taker = view_.forest.nodes[static_cast<std::size_t>(effect)];
+        const Node& taker = forest_.nodes[static_cast<std::size_t>(effect)];
         if (taker.release != Node::Release::message || taker.device >= 0) continue;
         const int channel = step_at(taker.sends.front()).channels.front();
-        if (view_.conduct.never_full[static_cast<std::size_t>(channel)]) continue;
-        relies.push_back(view_.forest.thread_of(effect));
+        if (conduct_.never_full[static_cast<std::size_t>(channel)]) continue;
+        relies.push_back(forest_.thread_of(effect));
       }
     }
     for (int wait : waits) {
@@ -65,7 +123,7 @@ class Reliability {
       if (step.channels.size() != 1) return false;
       const int answer = step.channels.front();
       const Channel& channel = problem_.channels[static_cast<std::size_t>(answer)];
-      if (channel.answers < 0 || !view_.conduct.sequential[static_cast<std::size_t>(channel.answers)])
+      if (channel.answers < 0 || !conduct_.sequential[static_cast<std::size_t>(channel.answers)])
         return false;
       if (!surely_asked(thread, wait, channel.answers, answer)) return false;
       if (channel.sender_device >= 0) {
@@ -75,7 +133,7 @@ class Reliability {
         }
         continue;
       }
-      if (!view_.conduct.never_full[static_cast<std::size_t>(answer)]) return false;
+      if (!conduct_.never_full[static_cast<std::size_t>(answer)]) return false;
       const int server = taker_of(channel.answers);
       if (server < 0) return false;
       relies.push_back(server);
@@ -85,8 +143,8 @@ class Reliability {
 
   bool goes_on_by_itself(const ThreadConduct& of) const {
     return std::any_of(of.rounds.begin(), of.rounds.end(), [&](int n) {
-      const Node& node = view_.forest.nodes[static_cast<std::size_t>(n)];
-      return view_.forest.sources[static_cast<std::size_t>(node.source)].kind == Source::Kind::loop &&
+      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
+      return forest_.sources[static_cast<std::size_t>(node.source)].kind == Source::Kind::loop &&
              node.cause < 0;
     });
   }
@@ -98,9 +156,9 @@ class Reliability {
       const Step& step = problem_.steps[s];
       if (step.kind != Kind::wait) continue;
       if (std::find(step.channels.begin(), step.channels.end(), request) == step.channels.end()) continue;
-      const int owner = view_.forest.segments.owner(static_cast<int>(s));
+      const int owner = forest_.segments.owner(static_cast<int>(s));
       if (owner < 0) continue;
-      if (server >= 0 || view_.conduct.threads[static_cast<std::size_t>(owner)].home != static_cast<int>(s))
+      if (server >= 0 || conduct_.threads[static_cast<std::size_t>(owner)].home != static_cast<int>(s))
         return -1;
       server = owner;
     }
@@ -112,7 +170,7 @@ class Reliability {
     std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
     for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
       const Step& step = problem_.steps[s];
-      if (view_.forest.segments.owner(static_cast<int>(s)) != thread || step.kind != Kind::wait) continue;
+      if (forest_.segments.owner(static_cast<int>(s)) != thread || step.kind != Kind::wait) continue;
       for (std::size_t arm = 0; arm < step.channels.size(); ++arm) {
         if (step.channels[arm] != answer) continue;
         open.push_back(step.next[arm]);
@@ -131,17 +189,86 @@ class Reliability {
     return true;
   }
 
-  const View view_;
   const Problem& problem_;
-  std::vector<bool> reliable_;
+  const Forest& forest_;
+  const Conduct& conduct_;
+  const Times& times_;
+  bool steady_;
+  Endurance::Threads made_;
+};
+
+/// From the end of a block's rounds to the end of the skill.
+class Ending {
+ public:
+  Ending(const Problem& problem, const Forest& forest, const Conduct& conduct, const Times& times,
+         const std::vector<bool>& lively)
+      : problem_(problem), forest_(forest), conduct_(conduct), times_(times), lively_(lively) {}
+
+  Nanoseconds after(int fork, int leaver) const {
+    Nanoseconds others = 0;    // latest end of the other blocks, from time 0
+    Nanoseconds stopping = 0;  // of those that cannot end
+    for (int block : problem_.steps[static_cast<std::size_t>(fork)].threads) {
+      const auto b = static_cast<std::size_t>(block);
+      if (block == leaver) continue;
+      if (!problem_.threads[b].can_end) {
+        stopping = std::max(stopping, stops_within(problem_, times_.windows, block));
+        continue;
+      }
+      if (conduct_.threads[b].home >= 0 || !lively_[b] || !ends_straight(problem_, block)) return never;
+      for (int n : conduct_.threads[b].nodes) {
+        const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
+        const bool at_start =
+            forest_.sources[static_cast<std::size_t>(node.source)].kind == Source::Kind::start;
+        others = std::max(others, at_start ? times_.nodes[static_cast<std::size_t>(n)].finish : never);
+      }
+    }
+    return plus(plus(others, stopping), to_completion(fork));
+  }
+
+ private:
+  /// From when the blocks are over; all ways must complete the skill without another wait.
+  Nanoseconds to_completion(int fork) const {
+    for (std::size_t n = 0; n < forest_.nodes.size(); ++n) {
+      const Segment& segment = forest_.segment_of(forest_.nodes[n]);
+      const Source& source = forest_.sources[static_cast<std::size_t>(forest_.nodes[n].source)];
+      if (source.kind != Source::Kind::joined || source.fork != fork || forest_.nodes[n].cause >= 0) continue;
+      const bool completes =
+          segment.waits.empty() && segment.forks.empty() && !segment.ends && sends_freely(segment);
+      return completes ? times_.nodes[n].finish : never;
+    }
+    return never;
+  }
+
+  bool sends_freely(const Segment& segment) const {
+    return std::all_of(segment.steps.begin(), segment.steps.end(), [this](const Segment::Passed& passed) {
+      return problem_.steps[static_cast<std::size_t>(passed.step)].kind != Kind::send;
+    });
+  }
+
+  const Problem& problem_;
+  const Forest& forest_;
+  const Conduct& conduct_;
+  const Times& times_;
+  const std::vector<bool>& lively_;
 };
 
 }  // namespace
 
-std::vector<bool> reliable_threads(const Problem& problem, const Forest& forest, const Conduct& conduct,
-                                   const Times& times) {
-  const std::vector<bool> none;
-  return Reliability({problem, forest, conduct, times, none}).run();
+Endurance endurance_of(const Problem& problem, const Forest& forest, const Conduct& conduct,
+                       const Times& times) {
+  Endurance made;
+  made.always = Reliability(problem, forest, conduct, times, false).run();
+  Reliability steady(problem, forest, conduct, times, true);
+  made.steady = steady.run();
+  const Ending ending(problem, forest, conduct, times, made.always.lively);
+  for (std::size_t t = 0; t < problem.threads.size(); ++t) {
+    const int thread = static_cast<int>(t);
+    if (!conduct.threads[t].leaves) continue;
+    made.leavers.push_back(thread);
+    const bool known = steady.may_leave(thread) && made.steady.reliable[t];
+    made.over = std::max(made.over, known ? ending.after(steady.fork_of(thread), thread) : never);
+  }
+  return made;
 }
 
 }  // namespace pal::analyzer::compositional

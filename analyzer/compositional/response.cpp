@@ -9,7 +9,8 @@ namespace {
 using Kind = Step::Kind;
 using Release = Node::Release;
 
-/// Follows the event from thread to thread, as far as every run must carry it.
+/// Follows the event from thread to thread, as far as every run must carry it: until it is answered, or the
+/// skill has ended.
 class Pursuit {
  public:
   Pursuit(const View& view, const Requirement& requirement)
@@ -29,16 +30,23 @@ class Pursuit {
     const Nanoseconds latest = node_value(of.roots.front());
     if (latest >= never) return {never, why_.empty() ? "an event may stay without a response" : why_};
     const Nanoseconds apart = of.period - of.jitter;
-    if (std::max(latest, over_) >= apart && !in_order(source)) {
+    if ((latest >= apart || view_.steady) && !in_order(source)) {
       return {never, "an event may be answered after the next one has come, by another way"};
     }
     return {std::max<Nanoseconds>(latest, 0), ""};
   }
 
+  /// Whether each occurrence of a source leads to a statement, in whatever round.
+  bool always_comes(int source) {
+    const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
+    return std::any_of(of.roots.begin(), of.roots.end(),
+                       [this](int root) { return node_value(root) < never; });
+  }
+
   /// Whether each event of the device is taken before the next one comes.
   Bound losses() {
     const int source = source_of();
-    if (source < 0) return {never, "it counts only the events of a device"};
+    if (source < 0) return {never, "nobody waits for its events"};
     const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
     const bool none = !of.roots.empty() && view_.times.no_overrun[static_cast<std::size_t>(source)] &&
                       certain(of.roots.front());
@@ -46,7 +54,7 @@ class Pursuit {
   }
 
  private:
-  static constexpr Nanoseconds skill_over = -1;
+  static constexpr Nanoseconds no_way = -1;
 
   const Node& node(int n) const { return view_.forest.nodes[static_cast<std::size_t>(n)]; }
   const Segment& segment(int n) const { return view_.forest.segment_of(node(n)); }
@@ -66,7 +74,14 @@ class Pursuit {
 
   bool certain(int n) {
     const auto thread = static_cast<std::size_t>(view_.forest.thread_of(n));
-    if (view_.reliable[thread] && !view_.conduct.threads[thread].may_be_cancelled) return true;
+    if (view_.lasts(static_cast<int>(thread))) return true;
+    // A block that the event itself starts, and that ends.
+    const Thread& block = problem_.threads[thread];
+    const bool started = node(view_.conduct.round[static_cast<std::size_t>(n)]).release == Release::fork;
+    if (started && block.can_end && view_.lively[thread] &&
+        !view_.conduct.threads[static_cast<std::size_t>(block.parent)].may_be_cancelled) {
+      return true;
+    }
     if (why_.empty()) {
       why_ = view_.times.trouble[thread];
       if (why_.empty()) why_ = problem_.threads[thread].name + " may leave its round, or wait in it for ever";
@@ -80,21 +95,23 @@ class Pursuit {
     if (known != nodes_.end()) return known->second;
     Nanoseconds value = never;
     if (certain(n)) {
-      const int wait = segment(n).beginning.step;
-      const Step& step = step_at(wait);
-      if (requirement_.at[static_cast<std::size_t>(wait)]) {
-        value = view_.times.nodes[static_cast<std::size_t>(n)].effects.front();
-      } else {
-        const bool gives_up = segment(n).beginning.kind == Beginning::Kind::give_up;
-        value = step_value(
-            n, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(segment(n).beginning.arm)]);
-      }
-      if (value >= never && why_.empty()) {
-        why_ = view_.times.trouble[static_cast<std::size_t>(view_.forest.thread_of(n))];
-      }
+      value = beginning_value(n);
+      if (value >= never && why_.empty()) why_ = trouble_of(n);
     }
     nodes_[n] = value;
     return value;
+  }
+
+  Nanoseconds beginning_value(int n) {
+    const Beginning& begins = segment(n).beginning;
+    if (begins.kind == Beginning::Kind::entry)
+      return step_value(n, problem_.threads[static_cast<std::size_t>(begins.thread)].entry);
+    const Step& step = step_at(begins.step);
+    if (begins.kind == Beginning::Kind::joined) return step_value(n, step.next.front());
+    if (requirement_.at[static_cast<std::size_t>(begins.step)])
+      return view_.times.nodes[static_cast<std::size_t>(n)].effects.front();
+    const bool gives_up = begins.kind == Beginning::Kind::give_up;
+    return step_value(n, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
   }
 
   Nanoseconds step_value(int n, int at) {
@@ -104,16 +121,17 @@ class Pursuit {
     Nanoseconds value = never;
     if (step.kind == Kind::wait) {
       value = wait_value(n, at);
-    } else if (step.kind == Kind::fork || step.kind == Kind::end) {
+    } else if (step.kind == Kind::fork) {
+      const bool reached = requirement_.at[static_cast<std::size_t>(at)];
+      value = reached ? view_.times.nodes[static_cast<std::size_t>(n)].finish : fork_value(n, at);
+    } else if (step.kind == Kind::end) {
       value = never;
     } else if (requirement_.at[static_cast<std::size_t>(at)]) {
       value = latest_effect(view_.forest, view_.times, n, at);
     } else if (step.kind == Kind::complete) {
-      value = skill_over;
-      over_ = std::max(over_, latest_effect(view_.forest, view_.times, n, at));
+      value = latest_effect(view_.forest, view_.times, n, at);
     } else {
-      value = skill_over;
-      if (may_match_nothing(step)) over_ = std::max(over_, latest_effect(view_.forest, view_.times, n, at));
+      value = may_match_nothing(step) ? latest_effect(view_.forest, view_.times, n, at) : no_way;
       for (int next : step.next) value = std::max(value, step_value(n, next));
       if (step.kind == Kind::send) value = std::min(value, sent_value(n, at));
     }
@@ -136,10 +154,20 @@ class Pursuit {
     return node_value(taker);
   }
 
+  /// Each block carries the event, as does its parent when they are over.
+  Nanoseconds fork_value(int n, int fork) {
+    Nanoseconds value = never;
+    for (int effect : node(n).effects) {
+      if (node(effect).release == Release::fork && node(effect).cause_step == fork)
+        value = std::min(value, node_value(effect));
+    }
+    return value;
+  }
+
   Nanoseconds wait_value(int n, int wait) {
     const int thread = view_.forest.thread_of(n);
     if (wait == view_.conduct.threads[static_cast<std::size_t>(thread)].home) return never;
-    Nanoseconds value = skill_over;
+    Nanoseconds value = no_way;
     bool any = false;
     for (int other : view_.conduct.threads[static_cast<std::size_t>(thread)].nodes) {
       const auto& previous = view_.conduct.previous[static_cast<std::size_t>(other)];
@@ -174,7 +202,6 @@ class Pursuit {
   std::map<int, Nanoseconds> nodes_;
   std::map<std::pair<int, int>, Nanoseconds> steps_;
   std::string why_;
-  Nanoseconds over_ = 0;  // when the skill has ended at the latest, on ways that end it
 };
 
 }  // namespace
@@ -183,7 +210,14 @@ Bound response_bound(const View& view, const Requirement& requirement) {
   return Pursuit(view, requirement).run();
 }
 
-Bound loss_bound(const View& view, const Requirement& requirement) {
+bool always_comes(const View& view, int source, const std::vector<bool>& at) {
+  Requirement comes;
+  comes.measure = Requirement::Measure::response;
+  comes.at = at;
+  return Pursuit(view, comes).always_comes(source);
+}
+
+Bound event_loss_bound(const View& view, const Requirement& requirement) {
   return Pursuit(view, requirement).losses();
 }
 

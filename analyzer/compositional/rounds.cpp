@@ -9,100 +9,6 @@ namespace {
 
 using Kind = Step::Kind;
 
-/// Greatest number of requests of one channel that are open when a module reaches its steps: 0, 1, or 2 for
-/// more.
-class OpenRequests {
- public:
-  OpenRequests(const Problem& problem, int request)
-      : problem_(problem),
-        request_(request),
-        answer_(problem.channels[static_cast<std::size_t>(request)].answer) {}
-
-  /// False: a request is sent while one is open, perhaps.
-  bool sequential() {
-    const int module = problem_.channels[static_cast<std::size_t>(request_)].sender_module;
-    for (const Thread& thread : problem_.threads) {
-      if (thread.module == module && thread.parent < 0) reach(thread.entry, 0);
-    }
-    bool sound = true;
-    while (!work_.empty()) {
-      const int at = work_.back();
-      work_.pop_back();
-      sound = pass(at) && sound;
-    }
-    return sound;
-  }
-
-  int at(int step) const {
-    const auto known = open_.find(step);
-    return known == open_.end() ? 0 : known->second;
-  }
-
- private:
-  void reach(int step, int open) {
-    const auto [place, fresh] = open_.emplace(step, open);
-    if (!fresh && place->second >= open) return;
-    place->second = std::max(place->second, open);
-    work_.push_back(step);
-  }
-
-  bool pass(int index) {
-    const Step& step = problem_.steps[static_cast<std::size_t>(index)];
-    const int open = open_.at(index);
-    switch (step.kind) {
-      case Kind::send: {
-        const bool asks = step.channels.front() == request_;
-        reach(step.next.front(), asks ? 1 : open);
-        return !asks || open == 0;
-      }
-      case Kind::wait: {
-        bool waits = false;
-        for (std::size_t arm = 0; arm < step.channels.size(); ++arm) {
-          const bool answered = step.channels[arm] == answer_;
-          waits = waits || answered;
-          reach(step.next[arm], answered ? 0 : open);
-        }
-        if (step.within) reach(step.next.back(), waits ? 0 : open);
-        return true;
-      }
-      case Kind::fork: {
-        int asking = 0;
-        for (int block : step.threads) {
-          reach(problem_.threads[static_cast<std::size_t>(block)].entry, open);
-          if (asks(block)) ++asking;
-        }
-        // A block that ends may leave its request open; two that ask may both.
-        reach(step.next.front(), asking > 0 ? 2 : open);
-        return asking < 2;
-      }
-      default:
-        for (int next : step.next) reach(next, open);
-        return true;
-    }
-  }
-
-  bool asks(int thread) const {
-    std::set<int> seen;
-    std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (!seen.insert(at).second) continue;
-      const Step& step = problem_.steps[static_cast<std::size_t>(at)];
-      if (step.kind == Kind::send && step.channels.front() == request_) return true;
-      for (int block : step.threads) open.push_back(problem_.threads[static_cast<std::size_t>(block)].entry);
-      open.insert(open.end(), step.next.begin(), step.next.end());
-    }
-    return false;
-  }
-
-  const Problem& problem_;
-  int request_;
-  int answer_;
-  std::map<int, int> open_;
-  std::vector<int> work_;
-};
-
 bool may_start_again(const Problem& problem, int thread) {
   // A block is started by a fork; that comes again if the flow can come back to it, or its thread may start
   // again.
@@ -126,16 +32,6 @@ bool may_start_again(const Problem& problem, int thread) {
 }
 
 }  // namespace
-
-std::vector<bool> sequential_requests(const Problem& problem) {
-  std::vector<bool> sequential(problem.channels.size());
-  for (std::size_t c = 0; c < problem.channels.size(); ++c) {
-    const Channel& channel = problem.channels[c];
-    if (channel.answer < 0 || channel.sender_module < 0) continue;
-    sequential[c] = OpenRequests(problem, static_cast<int>(c)).sequential();
-  }
-  return sequential;
-}
 
 bool recurrent(const Problem& problem, const Beginning& beginning) {
   if (may_start_again(problem, beginning.thread)) return true;
@@ -264,6 +160,35 @@ Nanoseconds least_round(const Problem& problem, const Beginning& beginning,
     return step.kind == Kind::send && step.channels.front() == request;
   });
   return asked >= never ? around : std::max(around, asked + shortest.answer(answer, 0));
+}
+
+Nanoseconds least_way(const Problem& problem, int thread, const std::vector<bool>& at,
+                      const std::vector<bool>& sequential) {
+  if (may_start_again(problem, thread)) return 0;
+  Shortest shortest(problem, sequential);
+  std::set<int> seen;
+  std::vector<int> open{problem.threads[static_cast<std::size_t>(thread)].entry};
+  Nanoseconds least = never;
+  while (!open.empty()) {
+    const int from = open.back();
+    open.pop_back();
+    if (!seen.insert(from).second) continue;
+    const Step& step = problem.steps[static_cast<std::size_t>(from)];
+    open.insert(open.end(), step.next.begin(), step.next.end());
+    if (!at[static_cast<std::size_t>(from)]) continue;
+    for (int next : step.next) {
+      const auto passed = [&](int index) { return at[static_cast<std::size_t>(index)]; };
+      least = std::min(least, shortest.way(next, 0, 0, passed));
+    }
+  }
+  Nanoseconds itself = never;  // of the one that comes next
+  for (std::size_t s = 0; s < at.size(); ++s) {
+    if (!at[s]) continue;
+    const Step& step = problem.steps[s];
+    itself =
+        std::min(itself, step.within ? std::min(step.cost.best, step.give_up_cost.best) : step.cost.best);
+  }
+  return plus(least, itself);
 }
 
 }  // namespace pal::analyzer::compositional

@@ -9,10 +9,6 @@ Sequence::Sequence(const Problem& problem) : problem_(problem), started_by_(prob
     for (int block : problem.steps[s].threads)
       started_by_[static_cast<std::size_t>(block)] = static_cast<int>(s);
   }
-  has_blocks_.assign(problem.module_names.size(), false);
-  for (const Thread& thread : problem.threads) {
-    if (thread.parent >= 0 && thread.module >= 0) has_blocks_[static_cast<std::size_t>(thread.module)] = true;
-  }
 }
 
 const std::set<int>& Sequence::after(int step) {
@@ -40,8 +36,7 @@ int Sequence::fork_to(int thread, int block) const {
 bool Sequence::may_follow(const Beginning& earlier, const Beginning& later) {
   const Thread& first = problem_.threads[static_cast<std::size_t>(earlier.thread)];
   const Thread& second = problem_.threads[static_cast<std::size_t>(later.thread)];
-  if (first.module != second.module || !has_blocks_[static_cast<std::size_t>(first.module)] || later.step < 0)
-    return true;
+  if (first.module != second.module || later.step < 0) return true;
   const auto starts_again = [this](int thread) {
     const auto [place, fresh] = again_.emplace(thread, false);
     if (fresh) place->second = recurrent(problem_, {Beginning::Kind::entry, thread, -1, -1});

@@ -24,8 +24,7 @@ class Sequence {
   int fork_to(int thread, int block) const;
 
   const Problem& problem_;
-  std::vector<int> started_by_;   // by thread: the fork; -1: none
-  std::vector<bool> has_blocks_;  // by module
+  std::vector<int> started_by_;  // by thread: the fork; -1: none
   std::map<int, bool> again_;
   std::map<int, std::set<int>> after_;
 };

@@ -38,6 +38,9 @@ struct Times {
 Times times_of(const Problem& problem, const Forest& forest, const Conduct& conduct,
                const std::vector<bool>& at, const std::function<bool()>& stop);
 
+/// Where a segment has a step; the number of its steps: it has not.
+std::size_t place_of(const Segment& segment, int step);
+
 /// Latest effect of `step` in a node; `never` if there is no bound, or it is not one of its steps.
 Nanoseconds latest_effect(const Forest& forest, const Times& times, int node, int step);
 /// And its earliest.

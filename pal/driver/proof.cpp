@@ -42,7 +42,9 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits) {
       auto problem = analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
       if (!problem) continue;
       analyzer::Analysis analysis = analyzer::analyze(*problem, limits.analysis, options);
-      proofs.push_back({std::move(*problem), std::move(analysis)});
+      const bool explored =
+          limits.analysis != analyzer::AnalysisChoice::compositional && analyzer::fits_exploration(*problem);
+      proofs.push_back({std::move(*problem), std::move(analysis), explored});
     }
   }
   return proofs;

@@ -16,6 +16,7 @@ namespace pal::driver {
 struct Proof {
   analyzer::Problem problem;
   analyzer::Analysis analysis;  // verdicts[i] is on problem.requirements[i]
+  bool explored = true;         // by the exact analysis, which more time and states may help
 };
 
 struct ProofLimits {

@@ -41,9 +41,19 @@ const analyzer::Reason* longest_wait_after_read(const analyzer::Verdict& verdict
   return longest;
 }
 
-std::string hint_of(const analyzer::Verdict& verdict) {
-  if (verdict.state == State::undecided)
+/// What may decide a requirement that is undecided.
+std::string hint_of_undecided(const Proof& proof, const analyzer::Verdict& verdict) {
+  if (proof.explored)
     return "allow more with --max-states or --timeout, or make the skill or its times simpler";
+  if (analyzer::fits_exploration(proof.problem)) return "ask the exact analysis too, with --analysis auto";
+  if (!verdict.bound) return "change what the note names: without it there may be a bound";
+  return verdict.at_least ? "keep the passes further apart, so that the bound reaches what is required"
+                          : "shorten what is done on the way, or give it a processor of its own, until the "
+                            "bound is as required";
+}
+
+std::string hint_of(const Proof& proof, const analyzer::Verdict& verdict) {
+  if (verdict.state == State::undecided) return hint_of_undecided(proof, verdict);
   switch (verdict.measure) {
     case Measure::load:
     case Measure::busy:
@@ -86,7 +96,7 @@ void report(const Proof& proof, std::size_t index, Session& session) {
                                      " is " + figure_of(verdict) + " in " + proof.problem.environment + ", " +
                                      (verdict.at_least ? "at least " : "at most ") +
                                      figure_text(verdict.measure, verdict.limit) + " is required",
-                                 hint_of(verdict));
+                                 hint_of(proof, verdict));
   if (verdict.reasons.empty()) finding.notes.push_back({verdict.where, verdict.explanation});
   for (const analyzer::Reason& reason : verdict.reasons) {
     finding.notes.push_back({place_of(proof.problem, reason), to_text(Duration(reason.to - reason.from)) +

@@ -26,9 +26,11 @@ struct Outcome {
 };
 
 /// Options of `pal check` that a golden asks for in its first line: "# --max-states 10", of the exact
-/// analysis alone.
+/// analysis alone, or "# --analysis compositional".
 pal::driver::ProofLimits limits_in(std::string_view text) {
   pal::driver::ProofLimits limits;
+  if (text.starts_with("# --analysis compositional"))
+    limits.analysis = pal::analyzer::AnalysisChoice::compositional;
   constexpr std::string_view option = "# --max-states ";
   if (!text.starts_with(option)) return limits;
   limits.max_states = std::stoul(std::string(text.substr(option.size(), 10)));

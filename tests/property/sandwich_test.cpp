@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/simulate.hpp"
@@ -9,6 +10,7 @@
 #include "tests/support/holistic.hpp"
 #include "tests/support/random_skill.hpp"
 #include "tests/support/skill.hpp"
+#include "tests/support/timed_skill.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
@@ -24,23 +26,44 @@ std::uint64_t setting(const char* name, std::uint64_t usual) {
   return value == nullptr ? usual : std::strtoull(value, nullptr, 10);
 }
 
+/// What was compared, by measure.
 struct Tally {
+  struct Of {
+    std::size_t requirements = 0;
+    std::size_t bounds = 0;     // compositional ones
+    std::size_t simulated = 0;  // bounds that some run has a value for
+    std::size_t exact = 0;      // bounds compared with exact ones
+    std::size_t equal = 0;
+  };
   std::size_t programs = 0;
-  std::size_t requirements = 0;
-  std::size_t bounds = 0;    // compositional ones
-  std::size_t compared = 0;  // with exact ones
-  std::size_t equal = 0;
+  std::map<std::string, Of> of;
 };
+
+std::string measure_of(const Requirement& requirement) {
+  std::string measure = name(requirement.measure);
+  const bool known = requirement.measure == Requirement::Measure::age ||
+                     requirement.measure == Requirement::Measure::reaction;
+  if (known) measure += requirement.condition < 0 ? " of a sample" : " of a condition";
+  return measure + (requirement.at_least ? ", least" : "");
+}
+
+/// Whether no run that has `value` contradicts the bound.
+bool within(const Verdict& bound, Nanoseconds value) {
+  return bound.at_least ? value >= bound.bound->count() : value <= bound.bound->count();
+}
 
 void compare_with_exact(const Problem& problem, const Analysis& compositional, std::size_t most,
                         Tally& tally) {
   Options options;
   options.max_states = most;
+  options.threads = 1;
   const Analysis exact = analyze(problem, options);
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
     const Verdict& above = compositional.verdicts[r];
     const Verdict& below = exact.verdicts[r];
     if (!above.bound) continue;
+    const bool kept = above.at_least ? *above.bound >= above.limit : *above.bound <= above.limit;
+    REQUIRE((above.state == Verdict::State::holds) == kept);
     INFO(above.requirement << ": compositional " << above.bound->count() << ", exact "
                            << (below.bound ? below.bound->count() : -1) << " " << name(below.state) << ", "
                            << below.explanation);
@@ -49,56 +72,68 @@ void compare_with_exact(const Problem& problem, const Analysis& compositional, s
       REQUIRE(above.state != Verdict::State::holds);
       const bool lost = below.witness && below.witness->failed;
       REQUIRE_FALSE(lost);
-      if (below.witness) REQUIRE(below.witness->measured.value <= above.bound->count());
+      if (below.witness) REQUIRE(within(above, below.witness->measured.value));
     }
     if (!below.exact || !below.bound) continue;
-    ++tally.compared;
-    tally.equal += below.bound == above.bound ? 1 : 0;
-    REQUIRE(*below.bound <= *above.bound);
+    Tally::Of& of = tally.of[measure_of(problem.requirements[r])];
+    ++of.exact;
+    of.equal += below.bound == above.bound ? 1 : 0;
+    REQUIRE(within(above, below.bound->count()));
   }
 }
 
-void compare_with_runs(const Problem& problem, const Analysis& compositional, std::uint64_t seed) {
+/// A value that still grows at the end of a run counts as it is then.
+bool compare_with_run(const Machine& machine, const Verdict& verdict, std::uint64_t seed, std::uint64_t run) {
+  SimulationOptions options;
+  options.times = run == 0  ? SimulationOptions::Times::worst
+                  : run < 3 ? SimulationOptions::Times::random
+                            : SimulationOptions::Times::extremes;
+  options.seed = seed * 100 + run;
+  options.until = 150 * millisecond;
+  options.max_events = 1'500;
+  options.record = false;
+  const Simulation made = simulate(machine, options);
+  INFO(verdict.requirement << ": compositional " << verdict.bound->count() << ", run " << run);
+  REQUIRE_FALSE(made.failed);
+  for (const Measurement& measured : made.measured) REQUIRE(within(verdict, measured.value));
+  if (machine.watch().grows() && !made.ended) REQUIRE(made.grown <= verdict.bound->count());
+  return !made.measured.empty();
+}
+
+void compare_with_runs(const Problem& problem, const Analysis& compositional, std::uint64_t seed,
+                       Tally& tally) {
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
     const Requirement& requirement = problem.requirements[r];
     const Verdict& verdict = compositional.verdicts[r];
     if (requirement.measure == Requirement::Measure::load || !verdict.bound) continue;
     const Watch watch = watch_of(problem, requirement);
     const Machine machine(problem, watch);
-    for (std::uint64_t run = 0; run < 6; ++run) {
-      SimulationOptions options;
-      options.times = run == 0  ? SimulationOptions::Times::worst
-                      : run < 3 ? SimulationOptions::Times::random
-                                : SimulationOptions::Times::extremes;
-      options.seed = seed * 100 + run;
-      options.until = 150 * millisecond;
-      options.max_events = 1'500;
-      options.record = false;
-      const Simulation made = simulate(machine, options);
-      INFO(requirement.name << ": compositional " << verdict.bound->count() << ", run " << run);
-      REQUIRE_FALSE(made.failed);
-      for (const Measurement& measured : made.measured) REQUIRE(measured.value <= verdict.bound->count());
-    }
+    bool any = false;
+    for (std::uint64_t run = 0; run < 6; ++run) any = compare_with_run(machine, verdict, seed, run) || any;
+    tally.of[measure_of(requirement)].simulated += any ? 1 : 0;
   }
 }
 
 void compare(const Problem& problem, std::uint64_t seed, std::size_t states, Tally& tally) {
   const Analysis compositional = analyze_compositionally(problem);
   ++tally.programs;
-  for (const Verdict& verdict : compositional.verdicts) {
-    if (verdict.measure == Requirement::Measure::load) continue;
-    ++tally.requirements;
-    tally.bounds += verdict.bound ? 1 : 0;
+  for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
+    Tally::Of& of = tally.of[measure_of(problem.requirements[r])];
+    ++of.requirements;
+    of.bounds += compositional.verdicts[r].bound ? 1 : 0;
   }
-  compare_with_runs(problem, compositional, seed);
+  compare_with_runs(problem, compositional, seed, tally);
   const std::size_t most = setting("PAL_STATES", states);
   if (most > 0) compare_with_exact(problem, compositional, most, tally);
 }
 
 void say(const Tally& tally) {
-  std::cout << tally.programs << " programs with " << tally.requirements << " timed requirements, "
-            << tally.bounds << " with a compositional bound; " << tally.compared
-            << " bounds compared with exact ones, " << tally.equal << " equal\n";
+  std::cout << tally.programs << " programs\n";
+  for (const auto& [measure, of] : tally.of) {
+    std::cout << "  " << measure << ": " << of.requirements << " required, " << of.bounds << " bounds; "
+              << of.simulated << " compared with runs, " << of.exact << " with exact bounds, " << of.equal
+              << " equal\n";
+  }
   CHECK(tally.programs > 0);
 }
 
@@ -117,15 +152,44 @@ TEST_CASE("simulated, exact and compositional come in this order for skills by c
   say(tally);
 }
 
+TEST_CASE("simulated, exact and compositional come in this order for skills that keep pace") {
+  Tally tally;
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 800);
+  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
+    const std::string text = test::TimedSkill(seed).text();
+    const auto skill = test::sound_skill(text);
+    INFO("seed " << seed << "\n" << text);
+    compare(*skill->problem, seed, 300, tally);
+  }
+  say(tally);
+  if (rounds < 800) return;
+  for (const auto& [measure, of] : tally.of) {
+    INFO(measure);
+    CHECK(of.simulated + of.exact >= 200);
+  }
+}
+
 TEST_CASE("simulated, exact and compositional come in this order for chains by chance") {
   Tally tally;
   const std::uint64_t first = setting("PAL_SEED", 1);
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 1'000); ++seed) {
     const test::ChainSystem system = test::small_chains(seed);
     INFO("seed " << seed << "\n" << test::text_of(system));
-    compare(test::problem_of(system), seed, 400, tally);
+    Problem problem = test::problem_of(system);
+    // Every measure of some; of the others the exact analysis is asked for the responses alone.
+    const bool everything = seed % 4 == 0;
+    if (everything) test::require_more(problem);
+    compare(problem, seed, everything ? 150 : 400, tally);
   }
   say(tally);
+}
+
+TEST_CASE("what once broke the order") {
+  Tally tally;
+  // A wait at the start that gives up opens a device before the wait that is its taker's home.
+  const auto skill = test::sound_skill(test::RandomSkill(123801, 40).text());
+  compare(*skill->problem, 123801, 300, tally);
 }
 
 TEST_CASE("a system of chains has the same bounds built directly and read from PAL") {

@@ -219,6 +219,36 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
   return made;
 }
 
+/// Requires everything else of the chains, too: how far apart and how near the works of the last stage are,
+/// how old the event is there and until it reacts to one, that none is lost; and of the processors how long
+/// they are busy.
+inline void require_more(analyzer::Problem& problem) {
+  using Measure = analyzer::Requirement::Measure;
+  const std::vector<analyzer::Requirement> responses = problem.requirements;
+  for (const analyzer::Requirement& response : responses) {
+    const auto add = [&](Measure measure, const std::string& name) -> analyzer::Requirement& {
+      analyzer::Requirement made = response;
+      made.measure = measure;
+      made.name = response.name + "." + name;
+      problem.requirements.push_back(made);
+      return problem.requirements.back();
+    };
+    add(Measure::interval, "most");
+    analyzer::Requirement& least = add(Measure::interval, "least");
+    least.at_least = true;
+    least.limit = 1;
+    add(Measure::age, "age").samples = {response.event};
+    add(Measure::reaction, "reaction").samples = {response.event};
+    add(Measure::loss, "loss").limit = 0;
+  }
+  analyzer::Requirement busy;
+  busy.name = "busy";
+  busy.measure = Measure::busy;
+  busy.limit = 1'000'000'000'000;
+  for (std::size_t p = 0; p < problem.processors.size(); ++p) busy.processors.push_back(static_cast<int>(p));
+  problem.requirements.push_back(busy);
+}
+
 /// The same as PAL. Stages are sensor drivers and logical sensors by turns, since these may talk.
 inline std::string text_of(const ChainSystem& system) {
   const auto ns = [](analyzer::Nanoseconds time) { return std::to_string(time) + " ns"; };

@@ -1,0 +1,42 @@
+// The work that nodes bring to their processors.
+#pragma once
+
+#include "analyzer/compositional/ground.hpp"
+#include "analyzer/compositional/times.hpp"
+
+namespace pal::analyzer::compositional {
+
+class Demand {
+ public:
+  /// Registers each node as a task of its source's transaction, released at its earliest.
+  Demand(const Ground& ground, const std::vector<NodeTimes>& nodes);
+
+  /// Tells the windows how late the node may be released after its earliest.
+  void announce(int node, const NodeTimes& times);
+  /// However late a node's causes are: what can have piled up on the way to it is one message a slot and one
+  /// a thread.
+  Nanoseconds greatest_jitter(int node) const;
+  /// How long threads keep a processor that is not preemptive once they have it, as releases are announced.
+  /// `home_again`, by thread: no round is due before the one before is over.
+  void find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& home_again);
+  /// The longest that threads of lower priority keep the node's processor, if it is not preemptive.
+  Nanoseconds blocking(int node) const;
+  /// How long after the source's nominal instant the first `part` of the node's work is done at the latest.
+  Nanoseconds finish(int node, Nanoseconds part, Nanoseconds blocking) const;
+  const BusyWindows& windows() const { return windows_; }
+
+ private:
+  void precede(const Ground& ground, int node, std::vector<Transaction>& transactions) const;
+  Nanoseconds burst(int thread, const std::vector<NodeTimes>& nodes, bool home_again) const;
+
+  Ground ground_;
+  BusyWindows windows_;
+  std::vector<int> task_;
+  std::vector<std::vector<int>> threads_on_;  // by processor
+  std::vector<Nanoseconds> burst_;            // by thread
+};
+
+/// A block that is cancelled finishes what it has begun, as do its own: how long that may take.
+Nanoseconds stops_within(const Problem& problem, const BusyWindows& windows, int block);
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,62 @@
+// Skills that end when a block leaves its rounds.
+#include <algorithm>
+
+#include "analyzer/compositional/round_view.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Measure = Requirement::Measure;
+
+/// The next event but one must not come while the skill is ending: the first may find nobody at home.
+bool over_before_next(const View& view, int device, Nanoseconds over) {
+  return std::any_of(view.forest.sources.begin(), view.forest.sources.end(), [&](const Source& source) {
+    return source.kind == Source::Kind::event && source.device == device &&
+           over < source.period - source.jitter;
+  });
+}
+
+/// Whether the statements are in one thread, and that is the only one to leave its rounds.
+bool only_in_leaver(const View& view, const Endurance& endurance, const Requirement& requirement) {
+  const std::set<int> threads = owners(view, requirement.at);
+  return endurance.leavers.size() == 1 && threads.size() == 1 && threads.contains(endurance.leavers.front());
+}
+
+}  // namespace
+
+Bound until_left(const View& always, const Endurance& endurance, const Requirement& requirement,
+                 const std::function<Bound(const View&, const Requirement&)>& bound_of) {
+  const View steady{
+      always.problem,          always.forest, always.conduct, always.times, endurance.steady.reliable,
+      endurance.steady.lively, true};
+  const Bound strict = bound_of(always, requirement);
+  if (endurance.leavers.empty()) return strict;
+  switch (requirement.measure) {
+    case Measure::age:
+      // Once its thread has left its rounds a statement has no effect any more.
+      return only_in_leaver(always, endurance, requirement) ? bound_of(steady, requirement) : strict;
+    case Measure::reaction:
+    case Measure::interval: {
+      if (requirement.at_least) return strict;
+      Bound bound = bound_of(steady, requirement);
+      if (bound.value < never && !only_in_leaver(always, endurance, requirement))
+        bound.value = plus(bound.value, endurance.over);
+      return bound.value < never ? bound : strict;
+    }
+    case Measure::response:
+    case Measure::loss: {
+      if (!over_before_next(always, requirement.device, endurance.over)) return strict;
+      Bound bound = bound_of(steady, requirement);
+      if (bound.value < never && requirement.measure == Measure::response)
+        bound.value = plus(bound.value, endurance.over);
+      return bound.value < never ? bound : strict;
+    }
+    case Measure::load:
+    case Measure::busy:
+    case Measure::duration:
+      break;
+  }
+  return strict;
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,128 @@
+#include "analyzer/compositional/pace.hpp"
+
+#include <algorithm>
+
+#include "analyzer/compositional/slots.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+struct Pace {
+  Nanoseconds gap = never;
+  Nanoseconds first = never;
+};
+
+/// The rounds of a thread that goes on by itself: all that leads from one to the next.
+class Loop {
+ public:
+  Loop(const Ground& ground, const Times& times, std::size_t source)
+      : ground_(ground),
+        times_(times),
+        index_(static_cast<int>(source)),
+        of_(ground.forest.sources[source]) {}
+
+  Pace run() const {
+    if (!times_.trouble[static_cast<std::size_t>(of_.thread)].empty()) return {};
+    Pace pace{0, 0};
+    bool comes = false;
+    for (const Source::Feed& feed : of_.feeds) {
+      if (feed.node < 0) return {};
+      const Node& from = ground_.node(feed.node);
+      const Source::Kind by = ground_.forest.sources[static_cast<std::size_t>(from.source)].kind;
+      if (from.source == index_) {
+        pace.gap = std::max(pace.gap, latest(feed));
+        comes = true;
+      } else if (by == Source::Kind::start) {
+        pace.first = std::max(pace.first, latest(feed));
+      } else if (by == Source::Kind::joined) {
+        pace.first = never;
+      } else {
+        return {};
+      }
+    }
+    if (!comes) return {};
+    back_at_wait(pace);
+    return pace;
+  }
+
+ private:
+  /// When what leads to the next round is there.
+  Nanoseconds latest(const Source::Feed& feed) const {
+    if (feed.wait >= 0) {
+      return plus(latest_arrival(ground_, times_.nodes, feed.node, feed.wait),
+                  ground_.step_at(feed.wait).within.value_or(0));
+    }
+    const int channel = ground_.step_at(feed.sends.front()).channels.front();
+    Nanoseconds at = 0;
+    for (int send : feed.sends) at = std::max(at, latest_effect(ground_.forest, times_, feed.node, send));
+    if (feed.device >= 0)
+      return plus(at,
+                  plus(ground_.device_time(feed.device).worst, ground_.answer_queue(feed.device, channel)));
+    return plus(at, latency(ground_.problem, channel, ground_.forest.thread_of(feed.node), of_.thread).worst);
+  }
+
+  /// The thread itself must be back, too.
+  void back_at_wait(Pace& pace) const {
+    const int wait = ground_.forest.segments[of_.segment].beginning.step;
+    for (int n : ground_.conduct_of(of_.thread).nodes) {
+      const Segment& segment = ground_.segment(n);
+      for (std::size_t w = 0; w < segment.waits.size(); ++w) {
+        if (segment.waits[w].step != wait) continue;
+        const Nanoseconds arrival = times_.nodes[static_cast<std::size_t>(n)].arrivals[w];
+        if (ground_.node(n).source == index_) pace.gap = std::max(pace.gap, arrival);
+        if (ground_.source(n).kind == Source::Kind::start) pace.first = std::max(pace.first, arrival);
+        if (ground_.source(n).kind == Source::Kind::joined) pace.first = never;
+      }
+    }
+  }
+
+  const Ground& ground_;
+  const Times& times_;
+  int index_;
+  const Source& of_;
+};
+
+}  // namespace
+
+Nanoseconds first_at_home(const Ground& ground, const std::vector<NodeTimes>& nodes, int thread) {
+  const ThreadConduct& of = ground.conduct_of(thread);
+  Nanoseconds latest = 0;
+  for (int n : of.nodes) {
+    const bool in_round =
+        std::find(of.rounds.begin(), of.rounds.end(), ground.round_of(n)) != of.rounds.end();
+    if (in_round) continue;
+    // What comes after blocks that end in some round or other has no instant of its own.
+    const bool known = ground.source(n).kind != Source::Kind::joined;
+    latest = std::max(latest, known ? latest_arrival(ground, nodes, n, of.home) : never);
+  }
+  return latest;
+}
+
+Nanoseconds latest_arrival(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, int step) {
+  const Segment& of = ground.segment(node);
+  for (std::size_t w = 0; w < of.waits.size(); ++w) {
+    if (of.waits[w].step == step) return nodes[static_cast<std::size_t>(node)].arrivals[w];
+  }
+  return nodes[static_cast<std::size_t>(node)].finish;
+}
+
+void find_pace(const Ground& ground, Times& times) {
+  for (std::size_t s = 0; s < ground.forest.sources.size(); ++s) {
+    const Source& of = ground.forest.sources[s];
+    const bool event = of.kind == Source::Kind::event;
+    const bool taken = event && of.roots.size() == 1 && of.at_one_wait &&
+                       take_in_time(ground, times.nodes, of.roots.front(), 0);
+    times.no_overrun.push_back(taken);
+    Pace pace;
+    if (taken && of.regular) {
+      const Nanoseconds ready = first_at_home(ground, times.nodes, ground.forest.thread_of(of.roots.front()));
+      pace = {of.period, plus(ready, of.period)};
+    } else if (of.kind == Source::Kind::loop) {
+      pace = Loop(ground, times, s).run();
+    }
+    times.longest_gap.push_back(pace.gap);
+    times.first.push_back(pace.first);
+  }
+}
+
+}  // namespace pal::analyzer::compositional

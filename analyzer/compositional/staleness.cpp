@@ -1,0 +1,134 @@
+#include "analyzer/compositional/staleness.hpp"
+
+#include <algorithm>
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+
+class Staleness {
+ public:
+  Staleness(const View& view, int condition, int reader)
+      : view_(view), problem_(view.problem), condition_(condition), reader_(reader) {
+    at_.resize(problem_.steps.size());
+    for (std::size_t s = 0; s < at_.size(); ++s) at_[s] = sets(static_cast<int>(s));
+    setters_ = owners(view, at_);
+  }
+
+  Bound run() const {
+    if (setters_.empty()) return {never, "nobody sets the condition"};
+    if (setters_.size() == 1) return sets_apart(*setters_.begin());
+    return several_setters();
+  }
+
+ private:
+  const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
+  const ThreadConduct& conduct(int thread) const {
+    return view_.conduct.threads[static_cast<std::size_t>(thread)];
+  }
+  const Segment& segment(int n) const {
+    return view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(n)]);
+  }
+  bool sets(int step) const {
+    return step_at(step).kind == Kind::set && step_at(step).condition == condition_;
+  }
+
+  /// A module may set a condition before its CONCURRENT, and then in a block.
+  Bound several_setters() const {
+    const Bound none{never, "several threads set the condition"};
+    int block = -1;
+    for (int setter : setters_) {
+      if (problem_.threads[static_cast<std::size_t>(setter)].parent < 0) continue;
+      if (block >= 0) return none;
+      block = setter;
+    }
+    if (block < 0 || setters_.size() != 2) return none;
+    if (!setters_.contains(problem_.threads[static_cast<std::size_t>(block)].parent)) return none;
+    // What the parent sets after its blocks only makes values younger, as does what it sets before.
+    return sets_apart(block);
+  }
+
+  Bound sets_apart(int setter) const {
+    const std::string& name = problem_.threads[static_cast<std::size_t>(setter)].name;
+    const Passes passes(view_, setter, at_);
+    if (!outlasts(view_, setter, reader_) || !passes.every_round() || passes.in_rounds().empty()) {
+      const std::string& trouble = view_.times.trouble[static_cast<std::size_t>(setter)];
+      return {never, trouble.empty() ? name + " may leave the condition as it is for long" : trouble};
+    }
+    Nanoseconds earliest = never;
+    for (const Pass& pass : passes.in_rounds())
+      earliest = std::min(earliest, earliest_effect(view_.forest, view_.times, pass.node, pass.step));
+    const Nanoseconds next = plus(passes.gap(), passes.latest());
+    if (next >= never) return {never, "nothing says how long " + name + " may wait between two rounds"};
+    const Nanoseconds first = plus(passes.first(), passes.latest());
+    return {std::max(next - earliest, until_first(setter, first)),
+            "nothing bounds when " + name + " sets first"};
+  }
+
+  /// Until the first set in a round a value is as old as the skill, or as what was set before the rounds.
+  Nanoseconds until_first(int setter, Nanoseconds first) const {
+    const int parent = problem_.threads[static_cast<std::size_t>(setter)].parent;
+    const int above = parent < 0 ? setter : parent;
+    Nanoseconds earliest = never;
+    Nanoseconds latest = 0;
+    for (int n : conduct(above).nodes) {
+      const int source = view_.forest.nodes[static_cast<std::size_t>(n)].source;
+      const bool at_start =
+          view_.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::start;
+      if (!at_start || in_round(view_, n)) continue;
+      for (const Segment::Passed& passed : segment(n).steps) {
+        if (!sets(passed.step)) continue;
+        const Nanoseconds effect = latest_effect(view_.forest, view_.times, n, passed.step);
+        if (effect >= never) continue;  // after the blocks
+        earliest = std::min(earliest, earliest_effect(view_.forest, view_.times, n, passed.step));
+        latest = std::max(latest, effect);
+      }
+    }
+    if (earliest >= never || first >= never || !sets_before_rounds(above)) return first;
+    return std::max(latest, first - earliest);
+  }
+
+  /// Every way from the beginning of a module to its first home or CONCURRENT sets the condition.
+  bool sets_before_rounds(int thread) const {
+    std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
+    std::set<int> seen;
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      if (sets(at) || !seen.insert(at).second) continue;
+      if (at == conduct(thread).home || step_at(at).kind == Kind::fork) return false;
+      open.insert(open.end(), step_at(at).next.begin(), step_at(at).next.end());
+    }
+    return true;
+  }
+
+  const View& view_;
+  const Problem& problem_;
+  int condition_;
+  int reader_;
+  std::vector<bool> at_;  // the sets
+  std::set<int> setters_;
+};
+
+}  // namespace
+
+bool outlasts(const View& view, int thread, int reader) {
+  if (!goes_on(view, thread)) return false;
+  if (thread == reader || view.steady) return true;
+  if (starts_in_rounds(view, thread))
+    return outlasts(view, view.problem.threads[static_cast<std::size_t>(thread)].parent, reader);
+  const auto conduct = [&view](int of) { return view.conduct.threads[static_cast<std::size_t>(of)]; };
+  if (!conduct(thread).may_be_cancelled) return true;
+  const Thread& lasting = view.problem.threads[static_cast<std::size_t>(thread)];
+  const Thread& reads = view.problem.threads[static_cast<std::size_t>(reader)];
+  // Blocks that end are over before their siblings are cancelled.
+  if (lasting.parent < 0 || lasting.parent != reads.parent || lasting.can_end || !reads.can_end) return false;
+  return !conduct(lasting.parent).may_be_cancelled;
+}
+
+Bound value_age(const View& view, int condition, int reader) {
+  return Staleness(view, condition, reader).run();
+}
+
+}  // namespace pal::analyzer::compositional
