@@ -87,7 +87,7 @@ class Firing {
   void withdraw(int request, Meant meant, std::vector<int>& freed);
   void withdraw_all(int request, std::vector<int>& freed);
   void hand_over(int block, int parent);
-  void abandon(int thread);
+  std::vector<int> abandon(int thread);
   void open_device(int device);
   void arrives_at_device(int channel);
   void take_pending(int device);

@@ -87,7 +87,8 @@ void Firing::hand_over(int block, int parent) {
 }
 
 /// A stopped thread leaves nothing behind: what it was to take is there for others, what it asked for is not.
-void Firing::abandon(int thread) {
+/// admit() is still to be called for the channels that are free now.
+std::vector<int> Firing::abandon(int thread) {
   const ThreadState& state = state_of(thread);
   const Step& step = step_of(thread);
   if (step.kind == Step::Kind::wait && state.choice >= 0) {
@@ -102,7 +103,7 @@ void Firing::abandon(int thread) {
     withdraw(
         static_cast<int>(c), [thread](std::int8_t owner) { return owner == thread; }, freed);
   }
-  in_any_order(std::move(freed), [this](int channel) { admit(channel); });
+  return freed;
 }
 
 }  // namespace pal::analyzer

@@ -222,9 +222,15 @@ void Firing::stop(int thread) {
   if (limited) stop_timer(machine_.thread_timer(thread));
   leave_processor(thread);
   state_of(thread).status = Status::off;
-  abandon(thread);
+  std::vector<int> freed = abandon(thread);
   state_of(thread) = {};
-  if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent);
+  std::erase_if(freed, [this](int channel) { return !somebody_sends(channel); });
+  // Its parent may go on before or after those whose slot is free now.
+  const int parent = thread_of(thread).parent;
+  const bool first = parent >= 0 && !freed.empty() && choices_.pick(2) == 1;
+  if (first) child_ended(parent);
+  in_any_order(std::move(freed), [this](int channel) { admit(channel); });
+  if (!first && parent >= 0) child_ended(parent);
 }
 
 void Firing::dispatch() {

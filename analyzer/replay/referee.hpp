@@ -192,6 +192,7 @@ class Referee {
   std::size_t at_ = 0;  // the event in question
   Nanoseconds now_ = 0;
   bool beginning_ = true;
+  bool withdrawing_ = false;  // who goes on by a withdrawal may come before or after who goes on now
   bool completed_ = false;
   bool ended_ = false;
   std::vector<Party> threads_;

@@ -58,7 +58,7 @@ void Referee::reach(int thread, int step) {
     }
   } else {
     of.mode = Mode::ready;
-    if (holder(thread) != thread) enqueue(thread, false, !beginning_);
+    if (holder(thread) != thread) enqueue(thread, false, !beginning_ && !withdrawing_);
   }
 }
 
@@ -284,7 +284,10 @@ void Referee::cancelled(const Event& event) {
   abandon(thread);
   of = {};
   gauge_.ends(thread);
+  withdrawing_ =
+      std::any_of(slots_.begin(), slots_.end(), [](const Slot& each) { return each.to_be_dropped; });
   if (thread_of(thread).parent >= 0) block_over(thread_of(thread).parent);
+  withdrawing_ = false;
 }
 
 }  // namespace pal::analyzer::rules

@@ -368,3 +368,41 @@ END
                 sensors);
   CHECK(bound(whole) == 8);
 }
+
+TEST_CASE("the parent of a stopped block may go on before a sender whose slot the withdrawal has freed") {
+  // At 2 ms the answer to the block is withdrawn, and the second message of SM1 put. Then SM1 and MC1 come to
+  // P: if MC1 is first it holds for 1 ms, and SM1 has thought from 3 to 8.
+  CHECK(bound(cell(
+            "AGE OF c AT think IN SM1", R"(Machine Controller: MC1
+  ACTIVITY hold
+  ACTIVITY rest
+BEGIN
+  CONCURRENT
+  BEGIN
+    TXM( request motion from SM1 )
+    REPEAT
+      WTM( tick from robot )
+    UNTIL( forever )
+  END
+  BEGIN
+    rest
+  END
+  END CONCURRENT
+  hold
+  WTM( motion from SM1 )
+END
+Skill Module: SM1
+  ACTIVITY think
+BEGIN
+  WTM( Coordinator )
+  RPC( c )
+  WTM( request motion from MC1 )
+  TXM( motion to MC1 )
+  TXM( motion to MC1 )
+  think
+END
+)",
+            "  PROCESSOR P\n  PROCESSOR R\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n"
+            "  PLACE MC1.2 ON R PRIORITY 1\n  TIME think : 5 ms\n  TIME hold : 1 ms\n  TIME rest : 2 ms\n"
+            "  DEVICE robot EVENT tick EVERY 1000 ms PHASE 500 ms\n")) == 8);
+}

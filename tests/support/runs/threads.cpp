@@ -174,11 +174,10 @@ void AllRuns::stop(int thread) {
     if (belongs_to(static_cast<int>(c), thread)) left.push_back(static_cast<int>(c));
   }
   s_.threads[ix(thread)] = Thread{};
+  std::vector<int> all_freed;
   any_order(left, [&](int which) {
     if (which >= 0) {
-      std::vector<int> freed;
-      withdraw(which, thread, freed);
-      any_order(freed, [this](int channel) { emptied(channel); });
+      withdraw(which, thread, all_freed);
       return;
     }
     const int channel = wait->channels[ix(was.claim)].value;
@@ -186,7 +185,15 @@ void AllRuns::stop(int thread) {
     s_.slots[ix(channel)].claimed = -1;
     offer(channel);
   });
-  if (was.parent >= 0 && !s_.ended) block_over(was.parent);
+  // Whoever can send now, and the parent, in either order.
+  const bool matters =
+      was.parent >= 0 && std::any_of(all_freed.begin(), all_freed.end(),
+                                     [this](int channel) { return somebody_sends(channel); });
+  either(
+      matters, [&] { any_order(all_freed, [this](int channel) { emptied(channel); }); },
+      [&] {
+        if (was.parent >= 0) block_over(was.parent);
+      });
 }
 
 void AllRuns::dispatch() {
