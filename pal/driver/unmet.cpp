@@ -25,6 +25,11 @@ std::string figure_of(const analyzer::Verdict& verdict) {
     if (least) return (verdict.at_least ? "at most " : "at least ") + figure_text(verdict.measure, *least);
     return verdict.state == State::undecided ? "without a bound that was found" : "without bound";
   }
+  const auto shown = attained(verdict);
+  if (verdict.state == State::fails && shown && *shown != *verdict.bound) {
+    return "between " + figure_text(verdict.measure, std::min(*shown, *verdict.bound)) + " and " +
+           figure_text(verdict.measure, std::max(*shown, *verdict.bound));
+  }
   const std::string sound = verdict.at_least ? "at least " : "at most ";
   return (verdict.state == State::undecided ? sound : "") + figure_text(verdict.measure, *verdict.bound);
 }
@@ -97,7 +102,11 @@ void report(const Proof& proof, std::size_t index, Session& session) {
                                      (verdict.at_least ? "at least " : "at most ") +
                                      figure_text(verdict.measure, verdict.limit) + " is required",
                                  hint_of(proof, verdict));
-  if (verdict.reasons.empty()) finding.notes.push_back({verdict.where, verdict.explanation});
+  if (!fails || verdict.reasons.empty()) finding.notes.push_back({verdict.where, verdict.explanation});
+  const auto shown = attained(verdict);
+  if (!fails && shown && !verdict.reasons.empty())
+    finding.notes.push_back(
+        {verdict.where, "the worst run that was found has " + figure_text(verdict.measure, *shown)});
   for (const analyzer::Reason& reason : verdict.reasons) {
     finding.notes.push_back({place_of(proof.problem, reason), to_text(Duration(reason.to - reason.from)) +
                                                                   ": " + reason.actor + " " + reason.what});
