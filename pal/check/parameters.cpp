@@ -93,7 +93,8 @@ class ParameterBuilder {
     if (!from || !to) return std::nullopt;  // reported where it stands
     const auto factor = units::factor(*from, *to);
     const auto value = factor ? units::converted(literal->digits, *factor) : std::nullopt;
-    if (!value) report_unit(*literal, unit, *from, *to);
+    // A unit that stands for both values of a range is wrong once.
+    if (!value && !literal->unit.empty()) report_unit(*literal, unit, *from, *to);
     return value;
   }
 
