@@ -44,29 +44,36 @@ void Workers::each(std::size_t count, std::size_t grain, const std::function<voi
     count_ = count;
     grain_ = grain;
     next_ = 0;
-    busy_ = helpers_.size();
+    open_ = true;
     ++round_;
   }
   begin_.notify_all();
   work();
-  soon([this] { return busy_ == 0; });
   std::unique_lock lock(mutex_);
-  done_.wait(lock, [this] { return busy_ == 0; });
+  open_ = false;
+  if (active_ != 0) {
+    lock.unlock();
+    soon([this] { return active_ == 0; });
+    lock.lock();
+    done_.wait(lock, [this] { return active_ == 0; });
+  }
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
 }
 
 void Workers::help() {
   std::size_t seen = 0;
   for (;;) {
-    soon([&] { return end_ || round_ != seen; });
+    const auto called = [&] { return end_ || (open_ && round_ != seen); };
+    soon(called);
     std::unique_lock lock(mutex_);
-    begin_.wait(lock, [&] { return end_ || round_ != seen; });
+    begin_.wait(lock, called);
     if (end_) return;
     seen = round_;
+    ++active_;
     lock.unlock();
     work();
     lock.lock();
-    if (--busy_ == 0) done_.notify_one();
+    if (--active_ == 0) done_.notify_one();
   }
 }
 

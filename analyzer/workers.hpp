@@ -23,7 +23,8 @@ class Workers {
   Workers& operator=(const Workers&) = delete;
 
   /// Calls part(0) … part(count - 1), in any order and at the same time, and returns when all have returned.
-  /// Throws what one of them threw. `grain`: so many neighbours are given out at once.
+  /// Throws what one of them threw. `grain`: so many neighbours are given out at once. Whoever has no processor
+  /// is not waited for, unless it has begun some of them.
   void each(std::size_t count, std::size_t grain, const std::function<void(std::size_t)>& part);
 
  private:
@@ -34,8 +35,10 @@ class Workers {
   std::mutex mutex_;
   std::condition_variable begin_;
   std::condition_variable done_;
+  // Changed under the mutex, and looked at without it now and then.
   std::atomic<std::size_t> round_ = 0;
-  std::atomic<std::size_t> busy_ = 0;
+  std::atomic<bool> open_ = false;       // helpers may join the round
+  std::atomic<std::size_t> active_ = 0;  // helpers that have, and are not done
   std::atomic<bool> end_ = false;
   std::exception_ptr thrown_;
 
