@@ -1,6 +1,7 @@
 // How long an event waits for its answer.
 #include <algorithm>
 
+#include "analyzer/compositional/ground.hpp"
 #include "analyzer/compositional/measures.hpp"
 
 namespace pal::analyzer::compositional {
@@ -141,6 +142,11 @@ class Pursuit {
 
   /// Of a message that carries the event to the one thread that takes it.
   Nanoseconds sent_value(int n, int send) {
+    const int channel = step_at(send).channels.front();
+    if (problem_.channels[static_cast<std::size_t>(channel)].answer >= 0 && may_give_up(problem_, channel)) {
+      if (why_.empty()) why_ = "a request may be withdrawn before it is taken";
+      return never;
+    }
     int taker = -1;
     for (int effect : node(n).effects) {
       const auto& sends = node(effect).sends;

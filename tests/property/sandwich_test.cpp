@@ -187,9 +187,13 @@ TEST_CASE("simulated, exact and compositional come in this order for chains by c
 
 TEST_CASE("what once broke the order") {
   Tally tally;
-  // A wait at the start that gives up opens a device before the wait that is its taker's home.
-  const auto skill = test::sound_skill(test::RandomSkill(123801, 40).text());
-  compare(*skill->problem, 123801, 300, tally);
+  // A wait at the start that gives up opens a device before the wait that is its taker's home. A request that
+  // is withdrawn before its server takes it brings no round about.
+  for (const std::uint64_t seed : {123801, 30010203}) {
+    const auto skill = test::skill_from_text(test::RandomSkill(seed, 40).text());
+    REQUIRE(skill->problem);
+    compare(*skill->problem, seed, 300, tally);
+  }
 }
 
 TEST_CASE("a system of chains has the same bounds built directly and read from PAL") {
