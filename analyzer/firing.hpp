@@ -123,6 +123,7 @@ class Firing {
   void settle_response();
   void settle_ordered();
   bool any_live() const;
+  bool is_live(const ThreadState& thread) const;
 
   ThreadState& state_of(int thread) { return state_.threads[static_cast<std::size_t>(thread)]; }
   const ThreadState& state_of(int thread) const { return state_.threads[static_cast<std::size_t>(thread)]; }

@@ -27,9 +27,22 @@ void Firing::settle() {
 bool Firing::any_live() const {
   if (state_.ended) return false;
   if (watch_.kind == Watch::Kind::busy) return true;
-  return std::any_of(state_.threads.begin(), state_.threads.end(), [&](const ThreadState& thread) {
-    return thread.status != Status::off && watch_.live[static_cast<std::size_t>(thread.step)];
+  return std::any_of(state_.threads.begin(), state_.threads.end(),
+                     [this](const ThreadState& thread) { return is_live(thread); });
+}
+
+/// Whether it can come from where the thread itself is.
+bool Firing::is_live(const ThreadState& thread) const {
+  if (thread.status == Status::off) return false;
+  const auto at = static_cast<std::size_t>(thread.step);
+  if (thread.cancelled) return watch_.at[at];
+  if (thread.status != Status::joining) return watch_.live[at];
+  // Its blocks count for themselves.
+  const Step& fork = problem_.steps[at];
+  const bool goes_on = std::any_of(fork.threads.begin(), fork.threads.end(), [this](int block) {
+    return problem_.threads[static_cast<std::size_t>(block)].can_end;
   });
+  return goes_on && watch_.live[static_cast<std::size_t>(fork.next.front())];
 }
 
 /// Observers in the order of their birth, which is what newer and older are told by.

@@ -63,7 +63,10 @@ Ruling check_run(const Problem& problem, const Requirement* requirement, const t
   }
   ruling.measured = referee.gauge().measured();
   ruling.failed = referee.gauge().failed();
-  ruling.growing_since = referee.gauge().growing_since();
+  using Measure = Requirement::Measure;
+  const bool passes = requirement != nullptr && (requirement->measure == Measure::reaction ||
+                                                 requirement->measure == Measure::interval);
+  if (!passes || referee.may_come(requirement->at)) ruling.growing_since = referee.gauge().growing_since();
   return ruling;
 }
 

@@ -150,4 +150,36 @@ void Referee::check_processor(int processor) const {
   }
 }
 
+bool Referee::may_come(const std::vector<bool>& at) const {
+  if (completed_) return false;
+  std::vector<int> open;
+  for (std::size_t t = 0; t < threads_.size(); ++t) {
+    const Party& of = threads_[t];
+    if (of.mode == Mode::off || of.mode == Mode::finished) continue;
+    const Step& step = step_of(static_cast<int>(t));
+    if (of.must_stop) {
+      if (at[static_cast<std::size_t>(of.step)]) return true;
+    } else if (of.mode == Mode::joining) {
+      // Its blocks count for themselves.
+      const bool goes_on = std::any_of(step.threads.begin(), step.threads.end(),
+                                       [this](int block) { return thread_of(block).can_end; });
+      if (goes_on) open.push_back(step.next.front());
+    } else {
+      open.push_back(of.step);
+    }
+  }
+  std::vector<bool> seen(problem_.steps.size());
+  while (!open.empty()) {
+    const auto here = static_cast<std::size_t>(open.back());
+    open.pop_back();
+    if (at[here]) return true;
+    if (seen[here]) continue;
+    seen[here] = true;
+    const Step& step = problem_.steps[here];
+    open.insert(open.end(), step.next.begin(), step.next.end());
+    for (int block : step.threads) open.push_back(thread_of(block).entry);
+  }
+  return false;
+}
+
 }  // namespace pal::analyzer::rules

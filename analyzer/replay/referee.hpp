@@ -28,6 +28,8 @@ class Referee {
 
   Nanoseconds now() const { return now_; }
   const Gauge& gauge() const { return gauge_; }
+  /// Whether one of the steps `at` can still come, now.
+  bool may_come(const std::vector<bool>& at) const;
 
  private:
   using Event = trace::Event;
