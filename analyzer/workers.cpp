@@ -10,7 +10,7 @@ namespace {
 /// before it says false, and then the caller sleeps.
 template <class Condition>
 bool soon(const Condition& condition) {
-  for (int look = 0; look < 500; ++look) {
+  for (int look = 0; look < 5000; ++look) {
     if (condition()) return true;
     std::this_thread::yield();
   }
