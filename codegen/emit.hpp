@@ -19,10 +19,10 @@ std::vector<GeneratedFile> emit_wiring(const Plan& plan);
 /// The skill that the dispatcher runs, its description and its factory.
 std::vector<GeneratedFile> emit_skill(const Plan& plan);
 
-/// The body of a module or of a block as C++ statements.
 /// The store that the module keeps its messages in; null: in members of its own.
 const PlannedStore* store_of(const Plan& plan, const PlannedModule& module);
 
+/// The body of a module or of a block as C++ statements.
 void write_body(Writer& out, const Plan& plan, const PlannedModule& module, const PlannedBody& body);
 
 }  // namespace pal::codegen
