@@ -58,6 +58,7 @@ Runs scripted_runs(const analyzer::Problem& problem,
     if (!script) return std::nullopt;
     auto made = analyzer::replay(machine, *script);
     if (!made) return std::nullopt;
+    made->trace.origin = "simulated";
     const bool completed = completes(made->trace);
     return KnownRun{std::move(made->trace), witness.grows ? witness.at : script->back().at, completed};
   };
