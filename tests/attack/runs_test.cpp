@@ -6,8 +6,10 @@
 
 #include "analyzer/exact.hpp"
 #include "tests/support/any_skill.hpp"
+#include "tests/support/mutant.hpp"
 #include "tests/support/random_cell.hpp"
 #include "tests/support/runs/all_runs.hpp"
+#include "tests/support/timed_skill.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
@@ -85,78 +87,108 @@ std::string contradiction(const test::Wanted& wanted, const test::Seen& seen, co
   return {};
 }
 
-}  // namespace
+constexpr int cap = 100;
 
-TEST_CASE("no run that follows the execution model exceeds what was proved") {
-  const std::uint64_t first = setting("PAL_SEED", 1);
-  const std::uint64_t rounds = setting("PAL_ROUNDS", 60);
-  const std::uint64_t states = setting("PAL_STATES", 20'000);
-  const int longest = static_cast<int>(setting("PAL_LONGEST", 4));
-  const int walks = static_cast<int>(setting("PAL_WALKS", 40));
-  constexpr int cap = 100;
+/// What was compared, by measure, of how many skills; and why others were refused.
+struct Tally {
   std::map<std::string, int> refused;
   std::size_t skills = 0;
-  std::map<std::string, Counts> all;
-  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
-    const std::string text =
-        test::RandomCell(seed, longest, static_cast<int>(seed % 3), test::RandomCell::Asks::all).text();
-    const auto skill = test::any_skill(text, &refused);
-    if (!skill->problem) continue;
-    ++skills;
-    const pan::Network& network = skill->specification.skills.front();
-    const pan::Environment& environment = skill->specification.environments.front();
-    Options options;
-    options.max_states = setting("PAL_CLASSES", 4'000);
-    const Analysis analysis = analyze(*skill->problem, options);
-    for (const test::Wanted& wanted : test::wanted(network, environment)) {
-      const auto found = std::find_if(analysis.verdicts.begin(), analysis.verdicts.end(),
-                                      [&](const Verdict& each) { return each.requirement == wanted.name; });
-      REQUIRE(found != analysis.verdicts.end());
-      const Verdict& verdict = *found;
-      Counts& counts = all[name(verdict.measure)];
-      ++counts.timed;
-      counts.bounded += verdict.bound ? 1 : 0;
-      counts.exact += verdict.exact ? 1 : 0;
-      test::AllRuns runs(network, environment, wanted, millisecond, cap);
-      test::Seen seen = runs.enumerate(verdict.exact || wanted.kind == test::Wanted::Kind::load ? states : 0);
-      std::string wrong = contradiction(wanted, seen, verdict, cap);
-      counts.complete += seen.complete ? 1 : 0;
-      counts.equal += seen.complete && verdict.exact ? 1 : 0;
-      for (int walk = 0;
-           walk < walks && wrong.empty() && !seen.complete && wanted.kind != test::Wanted::Kind::load;
-           ++walk) {
-        test::Lottery lottery(seed * 1000 + static_cast<std::uint64_t>(walk));
-        test::Seen one = runs.walk(lottery, 1500);
-        one.complete = false;
-        wrong = contradiction(wanted, one, verdict, cap);
-        if (wrong.empty()) continue;
-        test::Lottery again(seed * 1000 + static_cast<std::uint64_t>(walk));
-        runs.tell = true;
-        runs.walk(again, 1500);
-      }
-      if (!wrong.empty() && seen.states > 0) {
-        runs.tell = true;
-        runs.enumerate(states);
-      }
-      std::string story;
-      for (const std::string& line : runs.story) story += line + "\n";
-      INFO("seed " << seed << " " << wanted.name << ": " << name(verdict.state) << ", " << verdict.explanation
-                   << "\n"
-                   << text << story);
-      CHECK(wrong == "");
-      if (!wrong.empty())
-        std::cout << "seed " << seed << " " << wanted.name << " " << name(verdict.state) << " "
-                  << (verdict.bound ? verdict.bound->count() / 1000000 : -1)
-                  << (verdict.exact ? " exact" : "") << ": " << wrong << (seen.complete ? " (complete)" : "")
-                  << std::endl;
-    }
+  std::map<std::string, Counts> of;
+};
+
+/// All runs if there are few, else single ones by chance, against a verdict. What contradicts it, or nothing.
+std::string contradiction(test::AllRuns& runs, const test::Wanted& wanted, const Verdict& verdict,
+                          std::uint64_t seed, Counts& counts) {
+  const std::uint64_t states = setting("PAL_STATES", 20'000);
+  const bool load = wanted.kind == test::Wanted::Kind::load;
+  const test::Seen seen = runs.enumerate(verdict.exact || load ? states : 0);
+  std::string wrong = contradiction(wanted, seen, verdict, cap);
+  counts.complete += seen.complete ? 1 : 0;
+  counts.equal += seen.complete && verdict.exact ? 1 : 0;
+  if (!wrong.empty()) {
+    runs.tell = true;
+    runs.enumerate(states);
+    return wrong + (seen.complete ? " (complete)" : "");
   }
-  std::cout << skills << " skills\n";
-  for (const auto& [measure, counts] : all)
+  const std::uint64_t walks = seen.complete || load ? 0 : setting("PAL_WALKS", 40);
+  for (std::uint64_t walk = 0; walk < walks; ++walk) {
+    test::Lottery lottery(seed * 1000 + walk);
+    test::Seen one = runs.walk(lottery, 1500);
+    one.complete = false;
+    wrong = contradiction(wanted, one, verdict, cap);
+    if (wrong.empty()) continue;
+    test::Lottery again(seed * 1000 + walk);
+    runs.tell = true;
+    runs.walk(again, 1500);
+    return wrong;
+  }
+  return {};
+}
+
+/// The verdicts on each thing that the skill is required to keep. All its times are whole milliseconds.
+void attack(const std::string& text, std::uint64_t seed, Tally& tally) {
+  const auto skill = test::any_skill(text, &tally.refused);
+  if (!skill->problem) return;
+  ++tally.skills;
+  const pan::Network& network = skill->specification.skills.front();
+  const pan::Environment& environment = skill->specification.environments.front();
+  Options options;
+  options.max_states = setting("PAL_CLASSES", 4'000);
+  const Analysis analysis = analyze(*skill->problem, options);
+  for (const test::Wanted& wanted : test::wanted(network, environment)) {
+    const auto found = std::find_if(analysis.verdicts.begin(), analysis.verdicts.end(),
+                                    [&](const Verdict& each) { return each.requirement == wanted.name; });
+    REQUIRE(found != analysis.verdicts.end());
+    const Verdict& verdict = *found;
+    Counts& counts = tally.of[name(verdict.measure)];
+    ++counts.timed;
+    counts.bounded += verdict.bound ? 1 : 0;
+    counts.exact += verdict.exact ? 1 : 0;
+    test::AllRuns runs(network, environment, wanted, millisecond, cap);
+    const std::string wrong = contradiction(runs, wanted, verdict, seed, counts);
+    std::string story;
+    for (const std::string& line : runs.story) story += line + "\n";
+    INFO("seed " << seed << " " << wanted.name << ": " << name(verdict.state) << ", " << verdict.explanation
+                 << "\n"
+                 << text << story);
+    CHECK(wrong == "");
+  }
+}
+
+void say(const Tally& tally) {
+  std::cout << tally.skills << " skills\n";
+  for (const auto& [measure, counts] : tally.of)
     std::cout << measure << ": " << counts.timed << " requirements, " << counts.bounded << " bounded, "
               << counts.exact << " exact, all runs seen of " << counts.complete << ", compared "
               << counts.equal << "\n";
   if (std::getenv("PAL_REFUSED") != nullptr)
-    for (const auto& [what, count] : refused) std::cout << count << " " << what << "\n";
-  CHECK(skills > 0);
+    for (const auto& [what, count] : tally.refused) std::cout << count << " " << what << "\n";
+  CHECK(tally.skills > 0);
+}
+
+}  // namespace
+
+TEST_CASE("no run that follows the execution model exceeds what was proved") {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  const int longest = static_cast<int>(setting("PAL_LONGEST", 4));
+  Tally tally;
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 60); ++seed) {
+    const int deep = static_cast<int>(seed % 3);
+    attack(test::RandomCell(seed, longest, deep, test::RandomCell::Asks::all).text(), seed, tally);
+  }
+  say(tally);
+}
+
+TEST_CASE("no run of a skill with mistakes in it exceeds what was proved") {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  Tally tally;
+  const auto accepts = [](const std::string& text) { return test::any_skill(text)->problem.has_value(); };
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 40); ++seed) {
+    const int deep = static_cast<int>(seed % 3);
+    const std::string right = seed % 2 == 0
+                                  ? test::TimedSkill(seed).text()
+                                  : test::RandomCell(seed, 4, deep, test::RandomCell::Asks::all).text();
+    attack(test::Mutant(seed, right, accepts).text(1 + static_cast<int>(seed % 5)), seed, tally);
+  }
+  say(tally);
 }

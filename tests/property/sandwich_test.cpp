@@ -1,6 +1,7 @@
 // What simulation shows <= what exact analysis proves <= what compositional analysis proves, of any program.
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <map>
 
@@ -8,6 +9,7 @@
 #include "analyzer/simulate.hpp"
 #include "tests/support/chain_system.hpp"
 #include "tests/support/holistic.hpp"
+#include "tests/support/mutant.hpp"
 #include "tests/support/random_skill.hpp"
 #include "tests/support/skill.hpp"
 #include "tests/support/timed_skill.hpp"
@@ -127,6 +129,27 @@ void compare(const Problem& problem, std::uint64_t seed, std::size_t states, Tal
   if (most > 0) compare_with_exact(problem, compositional, most, tally);
 }
 
+/// What mutants are made of: skills by chance that keep pace, and those of the repository.
+std::string base(std::uint64_t seed) {
+  static const std::vector<std::vector<std::string>> written = {
+      {"skills_pal/touch/touch_modules.pal", "skills_pal/touch/touch.pal", "skills_pal/workcell.pal"},
+      {"skills_pal/touch/touch_modules.pal", "skills_pal/touch/touch_read_first.pal",
+       "skills_pal/workcell.pal"},
+      {"examples/insertion/insertion.pal", "examples/insertion/cell.pal"},
+      {"examples/pull_test/pull_test.pal", "examples/pull_test/cell.pal"},
+      {"examples/standoff/standoff.pal", "examples/standoff/cell.pal"},
+      {"examples/surface_following/surface_following.pal", "examples/surface_following/cell.pal"},
+  };
+  if (seed % 3 != 0) return test::TimedSkill(seed).text();
+  std::string text;
+  for (const std::string& path : written[seed / 3 % written.size()]) {
+    std::ifstream file(std::string(PAL_SOURCE_DIR) + "/" + path);
+    for (std::string line; std::getline(file, line);)
+      if (line.find("USES") == std::string::npos) text += line + "\n";
+  }
+  return text;
+}
+
 void say(const Tally& tally) {
   std::cout << tally.programs << " programs\n";
   for (const auto& [measure, of] : tally.of) {
@@ -181,6 +204,21 @@ TEST_CASE("simulated, exact and compositional come in this order for chains by c
     const bool everything = seed % 4 == 0;
     if (everything) test::require_more(problem);
     compare(problem, seed, everything ? 150 : 400, tally);
+  }
+  say(tally);
+}
+
+TEST_CASE("simulated, exact and compositional come in this order for skills with mistakes in them") {
+  Tally tally;
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 200); ++seed) {
+    const auto sound = [](const std::string& text) {
+      return test::skill_from_text(text)->problem.has_value();
+    };
+    const std::string text = test::Mutant(seed, base(seed), sound).text(1 + static_cast<int>(seed % 5));
+    const auto skill = test::sound_skill(text);
+    INFO("seed " << seed << "\n" << text);
+    compare(*skill->problem, seed, 300, tally);
   }
   say(tally);
 }

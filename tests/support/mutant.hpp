@@ -1,0 +1,177 @@
+// Skills that somebody meant otherwise: a few lines and figures of a right skill changed by chance.
+#pragma once
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <functional>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace pal::test {
+
+/// Changes a skill step by step, and keeps each step that `accepts` takes: lines left out, written twice,
+/// moved or wrapped in another statement, figures and names that become others. The same seed and text give
+/// the same mutant.
+class Mutant {
+ public:
+  using Accepts = std::function<bool(const std::string&)>;
+
+  Mutant(std::uint64_t seed, const std::string& text, Accepts accepts)
+      : engine_(seed), accepts_(std::move(accepts)) {
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines_.push_back(line);
+  }
+
+  /// `steps` changes that are accepted, or as many as are found in ten times as many tries.
+  std::string text(int steps) {
+    for (int tries = 0; tries < 10 * steps && steps > 0; ++tries) {
+      Lines changed = lines_;
+      change(changed);
+      if (changed == lines_ || !accepts_(joined(changed))) continue;
+      lines_ = std::move(changed);
+      --steps;
+    }
+    return joined(lines_);
+  }
+
+ private:
+  using Lines = std::vector<std::string>;
+
+  std::size_t chance(std::size_t n) { return static_cast<std::size_t>(engine_() % n); }
+
+  static std::string joined(const Lines& lines) {
+    std::string out;
+    for (const std::string& line : lines) out += line + "\n";
+    return out;
+  }
+
+  static auto at(Lines& lines, std::size_t index) {
+    return lines.begin() + static_cast<std::ptrdiff_t>(index);
+  }
+
+  void change(Lines& lines) {
+    const std::size_t line = chance(lines.size());
+    switch (chance(10)) {
+      case 0:
+        lines.erase(at(lines, line));
+        break;
+      case 1:
+        lines.insert(at(lines, line), lines[line]);
+        break;
+      case 2:
+        std::swap(lines[line], lines[std::min(line + 1, lines.size() - 1)]);
+        break;
+      case 3:
+        copy(lines, line);
+        break;
+      case 4:
+        wrap(lines, line);
+        break;
+      case 5:
+        wrap(lines, line);
+        break;
+      case 6:
+        rename(lines, line);
+        break;
+      default:
+        count_otherwise(lines);
+        break;
+    }
+  }
+
+  /// To a place nearby.
+  void copy(Lines& lines, std::size_t line) {
+    const std::string copied = lines[line];
+    const std::size_t low = line > 12 ? line - 12 : 0;
+    lines.insert(at(lines, std::min(low + chance(25), lines.size())), copied);
+  }
+
+  void wrap(Lines& lines, std::size_t line) {
+    const std::string inner = lines[line];
+    const std::string c = condition(lines);
+    Lines around;
+    switch (chance(5)) {
+      case 0:
+        around = {"REPEAT", inner, "UNTIL( " + c + " )"};
+        break;
+      case 1:
+        around = {"CASE", "( " + c + " = TRUE ):", inner, "( " + c + " = FALSE ):", "Do Nothing", "END CASE"};
+        break;
+      case 2:
+        around = {"CONCURRENT", "BEGIN", inner, "END", "BEGIN", "Do Nothing", "END", "END CONCURRENT"};
+        break;
+      case 3:
+        around = {inner + " WITHIN " + std::to_string(1 + chance(9)) + " ms", "Do Nothing", "ELSE",
+                  "Do Nothing", "END WTM"};
+        break;
+      default:
+        around = {"REPEAT", inner, "UNTIL( forever )"};
+        break;
+    }
+    lines.erase(at(lines, line));
+    lines.insert(at(lines, line), around.begin(), around.end());
+  }
+
+  std::string condition(const Lines& lines) {
+    Lines names;
+    for (const std::string& line : lines) {
+      std::istringstream words(line);
+      std::string keyword;
+      std::string name;
+      if (words >> keyword >> name && keyword == "CONDITION") names.push_back(name);
+    }
+    return names.empty() ? "forever" : names[chance(names.size())];
+  }
+
+  static Lines words_of(const std::string& line) {
+    Lines words;
+    std::istringstream in(line);
+    for (std::string word; in >> word;) words.push_back(word);
+    return words;
+  }
+
+  /// A word becomes one that stands on another line.
+  void rename(Lines& lines, std::size_t line) {
+    const Lines here = words_of(lines[line]);
+    const Lines there = words_of(lines[chance(lines.size())]);
+    if (here.empty() || there.empty()) return;
+    const std::string& old = here[chance(here.size())];
+    lines[line].replace(lines[line].find(old), old.size(), there[chance(there.size())]);
+  }
+
+  /// One number of the text becomes another whole one.
+  void count_otherwise(Lines& lines) {
+    struct Place {
+      std::size_t line, from, length;
+    };
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const std::string& line = lines[i];
+      for (std::size_t from = 0; from < line.size(); ++from) {
+        if (!std::isdigit(static_cast<unsigned char>(line[from])) || (from > 0 && line[from - 1] != ' '))
+          continue;
+        std::size_t to = from;
+        while (to < line.size() && (std::isdigit(static_cast<unsigned char>(line[to])) || line[to] == '.'))
+          ++to;
+        if (to == line.size() || line[to] == ' ') places.push_back({i, from, to - from});
+        from = to;
+      }
+    }
+    if (places.empty()) return;
+    const Place place = places[chance(places.size())];
+    std::string& line = lines[place.line];
+    const double old = std::stod(line.substr(place.from, place.length));
+    const double others[] = {0, 1, 2, 3, old + 1, old - 1, old * 2, old / 2, old * 3, old * 10};
+    const auto now = static_cast<long long>(others[chance(std::size(others))]);
+    line.replace(place.from, place.length, std::to_string(std::max(now, 0LL)));
+  }
+
+  std::mt19937_64 engine_;
+  Accepts accepts_;
+  Lines lines_;
+};
+
+}  // namespace pal::test
