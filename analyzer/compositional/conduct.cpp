@@ -165,10 +165,8 @@ class Observer {
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
       const Channel& channel = problem_.channels[c];
       if (channel.answer >= 0) made_.never_full[c] = made_.sequential[c];
-      if (channel.answers >= 0 && channel.sender_module >= 0) {
-        made_.never_full[c] = made_.sequential[static_cast<std::size_t>(channel.answers)] &&
-                              answers_once(problem_, static_cast<int>(c));
-      }
+      if (channel.answers >= 0 && channel.sender_module >= 0)
+        made_.never_full[c] = made_.sequential[static_cast<std::size_t>(channel.answers)];
     }
   }
 

@@ -28,7 +28,7 @@ struct Conduct {
   std::vector<int> round;
   /// By node: the nodes of its thread after which it comes; none for those that begin rounds or threads.
   std::vector<std::vector<int>> previous;
-  std::vector<bool> sequential;  // by channel: requests that are sent one at a time
+  std::vector<bool> sequential;  // by channel: requests that are sent and answered one at a time
   std::vector<bool>
       never_full;  // by channel: the protocol of request and answer keeps its slot free for a put
 };

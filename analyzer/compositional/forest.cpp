@@ -231,8 +231,6 @@ class Planter {
     const int request = problem_.channels[static_cast<std::size_t>(channel)].answers;
     if (request < 0 || !sequential_[static_cast<std::size_t>(request)]) return {};
     if (link.device >= 0) return takers_after(link.sends);
-    if (!once_.contains(channel)) once_[channel] = answers_once(problem_, channel);
-    if (!once_[channel]) return {};
     for (int at = link.cause; at >= 0; at = node(at).cause) {
       const Beginning& begins = forest_.segment_of(node(at)).beginning;
       const bool asked = begins.kind == Beginning::Kind::arm && node(at).release == Node::Release::message &&
@@ -343,7 +341,6 @@ class Planter {
   std::set<int> cuts_;
   std::set<int> found_;
   std::map<int, bool> comes_again_;
-  std::map<int, bool> once_;  // by answer
   std::vector<int> open_;
   std::size_t most_nodes_ = 0;
 };

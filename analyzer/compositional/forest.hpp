@@ -70,15 +70,13 @@ Forest forest_of(const Problem& problem);
 /// waits for.
 bool ends_straight(const Problem& problem, int block);
 
-/// Whether a message of `channel` waits only for what this thread has asked for, one at a time: each request
-/// is sent when the answer to the one before has been taken, or given up.
+/// By channel of requests: whether each is sent only when the answer to the one before has been taken, or
+/// given up, and is answered once, before its server takes the next. So an answer that is taken is that to
+/// the last request.
 std::vector<bool> sequential_requests(const Problem& problem);
 
-/// Whether a module sends one answer to each request that it takes, before it takes the next.
-bool answers_once(const Problem& problem, int answer);
-
 /// The waits of the sender's thread that may take the answer to what `send` asks for, if its requests are
-/// sequential and each is answered once; nothing: others may, too.
+/// sequential; nothing: others may, too.
 std::optional<std::set<int>> takers_of_answer(const Problem& problem, int send);
 
 /// Whether a segment may run more than once in the life of a skill, whatever causes it.

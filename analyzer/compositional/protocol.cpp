@@ -155,18 +155,7 @@ bool talks(const Problem& problem, int thread, int request, int answer) {
   return false;
 }
 
-}  // namespace
-
-std::vector<bool> sequential_requests(const Problem& problem) {
-  std::vector<bool> sequential(problem.channels.size());
-  for (std::size_t c = 0; c < problem.channels.size(); ++c) {
-    const Channel& channel = problem.channels[c];
-    if (channel.answer < 0 || channel.sender_module < 0) continue;
-    sequential[c] = OpenRequests(problem, static_cast<int>(c)).sequential();
-  }
-  return sequential;
-}
-
+/// Whether a module sends one answer to each request that it takes, before it takes the next.
 bool answers_once(const Problem& problem, int answer) {
   const Channel& channel = problem.channels[static_cast<std::size_t>(answer)];
   const int request = channel.answers;
@@ -205,6 +194,20 @@ bool answers_once(const Problem& problem, int answer) {
     }
   }
   return true;
+}
+
+}  // namespace
+
+std::vector<bool> sequential_requests(const Problem& problem) {
+  std::vector<bool> sequential(problem.channels.size());
+  for (std::size_t c = 0; c < problem.channels.size(); ++c) {
+    const Channel& channel = problem.channels[c];
+    if (channel.answer < 0 || channel.sender_module < 0) continue;
+    const bool device = problem.channels[static_cast<std::size_t>(channel.answer)].sender_module < 0;
+    sequential[c] = (device || answers_once(problem, channel.answer)) &&
+                    OpenRequests(problem, static_cast<int>(c)).sequential();
+  }
+  return sequential;
 }
 
 std::optional<std::set<int>> takers_of_answer(const Problem& problem, int send) {

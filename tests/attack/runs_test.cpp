@@ -48,9 +48,11 @@ std::string contradiction_of_load(const test::Seen& seen, const Verdict& verdict
   return {};
 }
 
-std::string contradiction_of_least(const test::Seen& seen, const Verdict& verdict) {
+/// Of `cap` and beyond it is not known how much it is.
+std::string contradiction_of_least(const test::Seen& seen, const Verdict& verdict, int cap) {
   const Nanoseconds least = seen.least * millisecond.count();
   if (seen.least >= 0 && verdict.state == Verdict::State::never) return "a run measures " + ms(seen.least);
+  if (seen.least >= cap) return {};
   if (seen.least >= 0 && verdict.bound && least < verdict.bound->count())
     return "a run comes down to " + ms(seen.least);
   if (seen.least >= 0 && verdict.state == Verdict::State::holds && least < verdict.limit.count())
@@ -66,7 +68,7 @@ std::string contradiction(const test::Wanted& wanted, const test::Seen& seen, co
                           int cap) {
   using Kind = test::Wanted::Kind;
   if (wanted.kind == Kind::load) return contradiction_of_load(seen, verdict);
-  if (wanted.kind == Kind::least) return contradiction_of_least(seen, verdict);
+  if (wanted.kind == Kind::least) return contradiction_of_least(seen, verdict, cap);
   const bool number = wanted.kind == Kind::loss;
   const Nanoseconds greatest = seen.greatest * (number ? 1 : millisecond.count());
   if (seen.failed && (verdict.bound || verdict.state == Verdict::State::holds))
