@@ -235,6 +235,68 @@ TEST_CASE("what once broke the order") {
   }
 }
 
+TEST_CASE("an answer that is sent twice is there before it is asked for") {
+  // LS1's second answer is SD1's spare one: it does not take the sensor's 2 ms.
+  const auto skill = test::sound_skill(R"(MESSAGE force : REAL N
+MESSAGE raw : REAL N
+DEVICE sensor
+SKILL twice
+  SENSOR DRIVER SD1
+  LOGICAL SENSOR LS1
+  MACHINE CONTROLLER NONE
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT apart : INTERVAL OF think IN SM1 AT LEAST 1 ms
+END SKILL
+Sensor Driver: SD1
+BEGIN
+  REPEAT
+    WTM( request raw from LS1 )
+    TXM( request raw from sensor )
+    WTM( raw from sensor )
+    TXM( raw to LS1 )
+    TXM( raw to LS1 )
+  UNTIL( forever )
+END
+Logical Sensor: LS1
+BEGIN
+  REPEAT
+    WTM( request force from SM1 )
+    TXM( request raw from SD1 )
+    WTM( raw from SD1 )
+    TXM( force to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY think
+BEGIN
+  WTM( Coordinator )
+  TXM( request force from LS1 )
+  WTM( force from LS1 )
+  think
+  TXM( request force from LS1 )
+  WTM( force from LS1 )
+  think
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  DEVICE sensor ON REQUEST 2 ms
+  PLACE SM1 ON P0 PRIORITY 1
+  PLACE LS1 ON P0 PRIORITY 1
+  PLACE SD1 ON P0 PRIORITY 1
+  TIME think : 1 ms
+END ENVIRONMENT
+)");
+  const Analysis above = analyze_compositionally(*skill->problem);
+  const Analysis exact = analyze(*skill->problem);
+  REQUIRE(exact.verdicts.front().exact);
+  CHECK(exact.verdicts.front().bound == Duration(millisecond));
+  REQUIRE(above.verdicts.front().bound);
+  CHECK(*above.verdicts.front().bound <= *exact.verdicts.front().bound);
+}
+
 TEST_CASE("a system of chains has the same bounds built directly and read from PAL") {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const test::ChainSystem system = test::small_chains(seed);
