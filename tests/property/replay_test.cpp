@@ -9,8 +9,10 @@
 #include "analyzer/replay/witness_file.hpp"
 #include "analyzer/simulate.hpp"
 #include "tests/support/confirm.hpp"
+#include "tests/support/mutant.hpp"
 #include "tests/support/random_skill.hpp"
 #include "tests/support/skill.hpp"
+#include "tests/support/timed_skill.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
@@ -24,6 +26,13 @@ constexpr Nanoseconds millisecond = 1'000'000;
 std::uint64_t setting(const char* name, std::uint64_t usual) {
   const char* value = std::getenv(name);
   return value == nullptr ? usual : std::strtoull(value, nullptr, 10);
+}
+
+/// A skill by chance; every third one a timed one that is changed in a few places.
+std::string program(std::uint64_t seed) {
+  if (seed % 3 != 0) return test::RandomSkill(seed, 9).text();
+  const auto sound = [](const std::string& text) { return test::skill_from_text(text)->problem.has_value(); };
+  return test::Mutant(seed, test::TimedSkill(seed).text(), sound).text(1 + static_cast<int>(seed / 3 % 5));
 }
 
 /// The last events of a run, to read.
@@ -70,7 +79,7 @@ TEST_CASE("every simulated run keeps the rules, and shows the same values") {
   const std::uint64_t rounds = setting("PAL_ROUNDS", 60);
   std::size_t events = 0;
   for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
-    const std::string text = test::RandomSkill(seed, 9).text();
+    const std::string text = program(seed);
     const auto skill = test::skill_from_text(text);
     if (!skill->problem) continue;
     for (const Requirement& requirement : skill->problem->requirements) {
@@ -108,7 +117,7 @@ TEST_CASE("the referee confirms every witness, and no changed one") {
   Changes left_out;
   Changes reordered;
   for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
-    const std::string text = test::RandomSkill(seed, 9).text();
+    const std::string text = program(seed);
     const auto skill = test::skill_from_text(text);
     if (!skill->problem) continue;
     const Problem& problem = *skill->problem;
