@@ -28,12 +28,14 @@ table { border-collapse: collapse; width: 100%; }
 th, td { text-align: left; vertical-align: top; padding: .2rem .8rem .2rem 0; }
 thead th { border-bottom: 1px solid #1a1a1a; }
 .none { color: #595959; }
+.short { white-space: nowrap; }
 .wide { overflow-x: auto; }
 section.drawing { padding: .8rem 0 1.2rem; }
 figure svg { display: block; max-width: 100%; height: auto; margin: .5rem 0; }
 @media screen and (max-width: 40rem) {
   section.slot, section.slot > h3, section.slot > div { display: block; width: auto; }
   section.slot > h3 { padding-bottom: 0; }
+  .short { white-space: normal; }
 }
 @page { size: A4; margin: 18mm 16mm; }
 @media print {
@@ -41,8 +43,8 @@ figure svg { display: block; max-width: 100%; height: auto; margin: .5rem 0; }
   main { max-width: none; padding: 0; }
   section.slot > h3 { width: 36mm; }
   .slot, .drawing, tr { break-inside: avoid; }
-  h2, h3 { break-after: avoid; }
-  article + article, .drawings { break-before: page; }
+  h2, .drawing h3 { break-after: avoid; }
+  article + article { break-before: page; }
   figure svg { max-height: 210mm; }
 }
 )";
@@ -53,6 +55,13 @@ std::string line_text(const Line& line) {
     result += span.is_code ? "<code>" + xml_escaped(span.text) + "</code>" : xml_escaped(span.text);
   }
   return result;
+}
+
+/// Names, units and ranges: they are not broken.
+bool is_short(const Line& line) {
+  std::size_t length = 0;
+  for (const auto& span : line) length += span.text.size();
+  return length <= 20;
 }
 
 void replace_all(std::string& text, std::string_view from, const std::string& to) {
@@ -101,7 +110,8 @@ class Page {
     out_ += "</tr></thead>\n<tbody>\n";
     for (const auto& row : table.rows) {
       out_ += "<tr>";
-      for (const auto& cell : row) out_ += "<td>" + line_text(cell) + "</td>";
+      for (const auto& cell : row)
+        out_ += (is_short(cell) ? "<td class=\"short\">" : "<td>") + line_text(cell) + "</td>";
       out_ += "</tr>\n";
     }
     out_ += "</tbody>\n</table></div>\n";
@@ -118,9 +128,7 @@ class Page {
   }
 
   void part(const Part& part) {
-    const bool drawings = std::any_of(part.sections.begin(), part.sections.end(), is_drawing);
-    out_ += std::string("<section") + (drawings ? " class=\"drawings\"" : "") + ">\n<h2>" +
-            xml_escaped(part.title) + "</h2>\n";
+    out_ += "<section>\n<h2>" + xml_escaped(part.title) + "</h2>\n";
     for (const auto& section : part.sections) {
       out_ += std::string("<section class=\"") + (is_drawing(section) ? "drawing" : "slot") + "\">\n<h3>" +
               xml_escaped(section.title) + "</h3>\n<div>\n";

@@ -162,3 +162,15 @@ TEST_CASE("the referee confirms every witness, and no changed one") {
   CHECK(moved.refused * 100 > moved.made * 95);
   CHECK(left_out.refused * 100 > left_out.made * 95);
 }
+
+TEST_CASE("an age is explained by what the thread read, not by the messages that came since") {
+  const auto skill = test::skill_from_text(test::RandomSkill(300301, 9).text());
+  REQUIRE(skill->problem);
+  Options options;
+  options.max_states = 2'500;
+  const Analysis analysis = analyze(*skill->problem, options);
+  const Verdict& age = analysis.verdicts.front();
+  REQUIRE(age.witness);
+  REQUIRE_FALSE(age.reasons.empty());
+  CHECK(test::unexplained(age) == "");
+}
