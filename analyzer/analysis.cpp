@@ -136,13 +136,29 @@ Analysis analyze_automatically(const Problem& problem, const Options& options) {
   return analysis;
 }
 
-}  // namespace
+/// Of a bound that a run attains, what happens in that run adds up to it.
+void add_up(Verdict& verdict) {
+  if (!attains(verdict) || verdict.reasons.empty()) return;
+  verdict.addends.clear();
+  for (const Reason& each : verdict.reasons) {
+    if (each.to > each.from)
+      verdict.addends.push_back({each.to - each.from, each.actor, each.what, each.file, each.line});
+  }
+}
 
-Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
+Analysis analyze_as_chosen(const Problem& problem, AnalysisChoice choice, const Options& options) {
   if (choice == AnalysisChoice::automatic) return analyze_automatically(problem, options);
   Analysis analysis =
       choice == AnalysisChoice::exact ? analyze(problem, options) : analyze_compositionally(problem, options);
   search_all(problem, options, analysis);
+  return analysis;
+}
+
+}  // namespace
+
+Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
+  Analysis analysis = analyze_as_chosen(problem, choice, options);
+  for (Verdict& verdict : analysis.verdicts) add_up(verdict);
   return analysis;
 }
 

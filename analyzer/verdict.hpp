@@ -30,6 +30,15 @@ struct Reason {
   int line = 0;  // 0: no place in a text
 };
 
+/// A number of the addition that makes up a bound.
+struct Addend {
+  Nanoseconds amount = 0;  // negative: taken away
+  std::string actor;       // thread or device; "": nobody's
+  std::string what;
+  std::string file;
+  int line = 0;  // 0: no place in a text
+};
+
 /// What it took to decide.
 struct Statistics {
   std::size_t states = 0;       // of the skill, times aside
@@ -62,6 +71,9 @@ struct Verdict {
   std::string explanation;
   /// Without gaps from the birth of what is measured to its use; the lengths add up to the witness's value.
   std::vector<Reason> reasons;
+  /// They add up to the bound, to the nanosecond. Empty: the bound is no sum of times (a loss, a load that
+  /// was found by looking at all runs), or there is none.
+  std::vector<Addend> addends;
   SourceSpan where;
   Statistics statistics;
 };

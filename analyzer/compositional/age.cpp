@@ -29,12 +29,12 @@ class Ageing {
   }
 
   Bound run() {
-    Nanoseconds oldest = 0;
+    Sum oldest;
     for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
       if (!requirement_.at[s] || owner(static_cast<int>(s)) < 0) continue;
-      oldest = std::max(oldest, at_statement(static_cast<int>(s)));
-      if (oldest >= never)
-        return {never, why_.empty() ? "nothing bounds how long ago the value was read or set" : why_};
+      oldest = greater(oldest, at_statement(static_cast<int>(s)));
+      if (!oldest.bounded())
+        return {oldest, why_.empty() ? "nothing bounds how long ago the value was read or set" : why_};
     }
     return {oldest, ""};
   }
@@ -87,22 +87,22 @@ class Ageing {
     }
   }
 
-  Nanoseconds at_statement(int statement) {
+  Sum at_statement(int statement) {
     const int thread = owner(statement);
-    Nanoseconds oldest = 0;
+    Sum oldest;
     if (reads(statement)) oldest = since_set({statement, 0}, statement);
     if (surely_reads(statement)) return oldest;
     back(
         {statement, 0},
         [&](Place at) {
-          if (reads(at.step)) oldest = std::max(oldest, since_set(at, statement));
-          return oldest < never && !surely_reads(at.step);
+          if (reads(at.step)) oldest = greater(oldest, since_set(at, statement));
+          return oldest.bounded() && !surely_reads(at.step);
         },
         [&](int) {
           // What its parent had read.
           if (problem_.threads[static_cast<std::size_t>(thread)].parent >= 0 &&
               somebody_reads_above(thread)) {
-            oldest = never;
+            oldest = Sum::unbounded();
           }
         });
     return oldest;
@@ -119,84 +119,84 @@ class Ageing {
   }
 
   /// From the set whose value `read` gets to the statement.
-  Nanoseconds since_set(Place read, int statement) {
+  Sum since_set(Place read, int statement) {
     const int thread = owner(statement);
     if (setters_.size() == 1 && setters_.contains(thread)) {
-      Nanoseconds oldest = 0;
+      Sum oldest;
       back(
           read,
           [&](Place at) {
-            if (!sets(at.step)) return oldest < never;
-            oldest = std::max(oldest, distance(at, statement));
+            if (!sets(at.step)) return oldest.bounded();
+            oldest = greater(oldest, distance(at, statement));
             return false;
           },
           [&](int rounds) {
             const bool block = problem_.threads[static_cast<std::size_t>(thread)].parent >= 0;
-            oldest = std::max(oldest, block ? never : from_start(statement, rounds));
+            oldest = greater(oldest, block ? Sum::unbounded() : from_start(statement, rounds));
           });
       return oldest;
     }
     const Bound age = value_age(view_, requirement_.condition, thread);
-    if (age.value >= never) why_ = age.why;
-    return plus(age.value, distance(read, statement));
+    if (!age.known()) why_ = age.why;
+    return age.sum + distance(read, statement);
   }
 
-  Nanoseconds from_start(int statement, int rounds) {
-    Nanoseconds latest = 0;
+  Sum from_start(int statement, int rounds) {
+    Sum longest;
     const int source = source_of_rounds(view_, owner(statement));
     for (int n : nodes_with(view_, statement)) {
-      const Nanoseconds effect = latest_effect(view_.forest, view_.times, n, statement);
+      const Sum effect = latest(view_, n, statement);
       const bool anew =
           view_.forest.sources[static_cast<std::size_t>(node(n).source)].kind == Source::Kind::joined;
       if (!in_round(view_, n)) {
-        latest = std::max(latest, rounds > 0 ? 0 : anew ? never : effect);
+        longest = greater(longest, rounds > 0 ? Sum() : anew ? Sum::unbounded() : effect);
       } else if (rounds <= 1 && source >= 0 && regular(view_, owner(statement))) {
-        latest = std::max(latest, plus(view_.times.first[static_cast<std::size_t>(source)], effect));
+        longest = greater(longest, first(view_, source) + effect);
       } else {
-        latest = never;
+        longest = Sum::unbounded();
       }
     }
-    return latest;
+    return longest;
   }
 
   /// From the effect of a step to that of the statement, in one thread.
-  Nanoseconds distance(Place from, int statement) {
+  Sum distance(Place from, int statement) {
     const int thread = owner(statement);
-    if (from.step == statement && from.rounds == 0) return 0;
+    if (from.step == statement && from.rounds == 0) return {};
     const int source = source_of_rounds(view_, thread);
-    Nanoseconds longest = 0;
+    Sum longest;
     for (int a : nodes_with(view_, from.step)) {
       for (int b : nodes_with(view_, statement)) {
-        const Nanoseconds sooner = earliest_effect(view_.forest, view_.times, a, from.step);
-        const Nanoseconds later = latest_effect(view_.forest, view_.times, b, statement);
-        if (later >= never) return never;
+        const Sum sooner = earliest(view_, a, from.step);
+        const Sum later = latest(view_, b, statement);
+        if (!later.bounded()) return later;
         const bool same = view_.conduct.round[static_cast<std::size_t>(a)] ==
                           view_.conduct.round[static_cast<std::size_t>(b)];
         // Nobody knows how long the blocks of a CONCURRENT between the two went on.
         const auto anew = [this](int n) {
           return view_.forest.sources[static_cast<std::size_t>(node(n).source)].kind == Source::Kind::joined;
         };
-        if (from.rounds == 0 && node(a).source != node(b).source && (anew(a) || anew(b))) return never;
+        if (from.rounds == 0 && node(a).source != node(b).source && (anew(a) || anew(b)))
+          return Sum::unbounded();
         if (from.rounds == 0) {
           if (a == b) {
-            longest = std::max(longest, std::min(later - sooner, without_pause(a, from.step, statement)));
+            longest = greater(longest, less(later - sooner, without_pause(a, from.step, statement)));
           } else if (same) {
-            longest = std::max(longest, later - sooner);
+            longest = greater(longest, later - sooner);
           }
           continue;
         }
         if (!in_round(view_, b)) continue;
-        if (source < 0 || from.rounds > 1 || !regular(view_, thread)) return never;
-        const auto of = static_cast<std::size_t>(source);
-        const Nanoseconds apart = in_round(view_, a) ? view_.times.longest_gap[of] : view_.times.first[of];
-        longest = std::max(longest, plus(apart, later - sooner));
+        if (source < 0 || from.rounds > 1 || !regular(view_, thread)) return Sum::unbounded();
+        const Sum apart = in_round(view_, a) ? gap(view_, source) : first(view_, source);
+        longest = greater(longest, apart + later - sooner);
       }
     }
     return longest;
   }
 
   /// From one effect to another in one segment.
-  Nanoseconds without_pause(int n, int from, int to) const {
+  Sum without_pause(int n, int from, int to) const {
     std::map<int, Nanoseconds> longest{{from, 0}};
     for (const Segment::Passed& passed : segment(n).steps) {
       const auto known = longest.find(passed.step);
@@ -210,9 +210,9 @@ class Ageing {
     }
     const Thread& thread = problem_.threads[static_cast<std::size_t>(owner(to))];
     const auto found = longest.find(to);
-    return found == longest.end()
-               ? never
-               : view_.times.windows.stretch(thread.processor, thread.priority, found->second);
+    if (found == longest.end()) return Sum::unbounded();
+    const Nanoseconds all = view_.windows().stretch(thread.processor, thread.priority, found->second);
+    return {all, {Term::Kind::said, n, to, -1, "runs, and is preempted, from the read to the statement"}};
   }
 
   const View& view_;
@@ -230,7 +230,7 @@ Bound age_bound(const View& view, const Requirement& requirement) {
   const Bound known = known_age_bound(view, requirement);
   if (requirement.condition < 0) return known;
   const Bound aged = Ageing(view, requirement).run();
-  return known.value < aged.value ? known : aged;
+  return known.sum.value() < aged.sum.value() ? known : aged;
 }
 
 }  // namespace pal::analyzer::compositional

@@ -48,8 +48,9 @@ Nanoseconds BusyWindows::releases(const Transaction& of, const Task& task, Nanos
   return (length + task.jitter) / of.period + 1;
 }
 
-Nanoseconds BusyWindows::of_scenario(const Transaction& of, const Group& group, int scenario,
-                                     const Asked& asked, int priority, Nanoseconds length) const {
+Nanoseconds BusyWindows::of_scenario(const Group& group, int scenario, const Asked& asked, int priority,
+                                     Nanoseconds length, Shares* shares) const {
+  const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
   const Task& first = of.tasks[static_cast<std::size_t>(scenario)];
   Nanoseconds work = 0;
   for (int t : group.tasks) {
@@ -63,59 +64,77 @@ Nanoseconds BusyWindows::of_scenario(const Transaction& of, const Group& group, 
       jobs = std::min(jobs, std::max<Nanoseconds>(0, before + (task.jitter + due) / of.period));
     }
     work += jobs * task.cost;
+    if (shares != nullptr) shares->push_back({group.transaction, t, jobs, jobs * task.cost});
   }
   return work;
+}
+
+/// Of the worst of a transaction's scenarios.
+Nanoseconds BusyWindows::of_group(const Group& group, int priority, Nanoseconds length,
+                                  Shares* shares) const {
+  const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+  const bool alone = group.tasks.size() == 1;  // the usual case: the phase cancels out
+  Nanoseconds most = 0;
+  int worst = -1;
+  for (int t : group.tasks) {
+    const Task& task = of.tasks[static_cast<std::size_t>(t)];
+    if (task.priority < priority || task.cost == 0) continue;
+    if (of.period == never || alone) {
+      const Nanoseconds jobs = releases(of, task, length);
+      most += jobs * task.cost;
+      if (shares != nullptr) shares->push_back({group.transaction, t, jobs, jobs * task.cost});
+      continue;
+    }
+    const Nanoseconds work = of_scenario(group, t, {}, priority, length);
+    if (worst < 0 || work > most) worst = t;
+    most = std::max(most, work);
+  }
+  if (shares != nullptr && worst >= 0) of_scenario(group, worst, {}, priority, length, shares);
+  return most;
 }
 
 Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, int priority,
-                                   Nanoseconds length) const {
+                                   Nanoseconds length, Shares* shares) const {
   Nanoseconds work = 0;
   for (const Group& group : groups) {
-    if (group.transaction == own) continue;
-    const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
-    Nanoseconds most = 0;
-    if (group.tasks.size() == 1) {  // the usual case; one candidate, whose phase cancels out
-      const Task& task = of.tasks[static_cast<std::size_t>(group.tasks.front())];
-      if (task.priority >= priority && task.cost > 0) work += releases(of, task, length) * task.cost;
-      continue;
-    }
-    for (int t : group.tasks) {
-      const Task& task = of.tasks[static_cast<std::size_t>(t)];
-      if (task.priority < priority || task.cost == 0) continue;
-      if (of.period == never) {
-        most += task.cost;
-      } else {
-        most = std::max(most, of_scenario(of, group, t, {}, priority, length));
-      }
-    }
-    work += most;
+    if (group.transaction != own) work += of_group(group, priority, length, shares);
   }
   return work;
 }
 
-Nanoseconds BusyWindows::finish_once(const Transaction& of, int transaction, int task, Nanoseconds part,
-                                     Nanoseconds blocking) const {
+/// Tasks of a transaction that occurs once, which may all come before one of them.
+Nanoseconds BusyWindows::of_siblings(int transaction, int task, Shares* shares) const {
+  const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
   const Task& self = of.tasks[static_cast<std::size_t>(task)];
-  const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
-  const bool preemptive = preemptive_[static_cast<std::size_t>(self.processor)];
-  Nanoseconds fixed = blocking;
+  Nanoseconds work = 0;
   for (std::size_t t = 0; t < of.tasks.size(); ++t) {
     const Task& other = of.tasks[t];
     // Of its own thread the others are over, or come later.
     if (self.thread >= 0 && other.thread == self.thread) continue;
-    if (static_cast<int>(t) != task && other.processor == self.processor && other.priority >= self.priority) {
-      fixed += other.cost;
-    }
+    if (static_cast<int>(t) == task || other.processor != self.processor || other.priority < self.priority)
+      continue;
+    work += other.cost;
+    if (shares != nullptr && other.cost > 0)
+      shares->push_back({transaction, static_cast<int>(t), 1, other.cost});
   }
-  if (preemptive) fixed += part;
+  return work;
+}
+
+BusyWindows::Critical BusyWindows::critical_once(int transaction, int task, Nanoseconds part,
+                                                 Nanoseconds blocking) const {
+  const Task& self =
+      transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)];
+  const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
+  const bool preemptive = preemptive_[static_cast<std::size_t>(self.processor)];
+  const Nanoseconds fixed = blocking + of_siblings(transaction, task, nullptr) + (preemptive ? part : 0);
   Nanoseconds window = fixed;
   for (int round = 0; round < most_rounds; ++round) {
     const Nanoseconds next = fixed + of_others(groups, transaction, self.priority, window);
-    if (next == window) return self.offset + self.jitter + window + (preemptive ? 0 : part);
+    if (next == window) return {self.offset + self.jitter + window + (preemptive ? 0 : part), window, -1, 1};
     if (next > longest_window) break;
     window = next;
   }
-  return never;
+  return {never};
 }
 
 Nanoseconds BusyWindows::stretch(int processor, int priority, Nanoseconds cost) const {
@@ -129,6 +148,13 @@ Nanoseconds BusyWindows::level(int processor, int priority) const {
 
 Nanoseconds BusyWindows::busy(int processor) const {
   return window(processor, std::numeric_limits<int>::min(), 0);
+}
+
+std::vector<Account::Share> BusyWindows::work(int processor, Nanoseconds busy) const {
+  Shares shares;
+  of_others(by_processor_[static_cast<std::size_t>(processor)], -1, std::numeric_limits<int>::min(), busy,
+            &shares);
+  return shares;
 }
 
 /// The least time in which `cost`, and all that is released in it with at least `priority`, is done.
@@ -152,10 +178,11 @@ Nanoseconds BusyWindows::window(int processor, int priority, Nanoseconds cost) c
   return never;
 }
 
-Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const {
+BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanoseconds part,
+                                            Nanoseconds blocking) const {
   const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
   const Task& self = of.tasks[static_cast<std::size_t>(task)];
-  if (blocking >= never || self.jitter >= never) return never;
+  if (blocking >= never || self.jitter >= never) return {never};
   const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
   const bool preemptive = preemptive_[static_cast<std::size_t>(self.processor)];
   double demand = 0;
@@ -164,20 +191,17 @@ Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nan
     for (int t : group.tasks) {
       const Task& other = each.tasks[static_cast<std::size_t>(t)];
       if (other.priority < self.priority || other.cost == 0) continue;
-      if (other.cost >= never || (other.jitter >= never && each.period != never)) return never;
+      if (other.cost >= never || (other.jitter >= never && each.period != never)) return {never};
       if (each.period != never) demand += static_cast<double>(other.cost) / static_cast<double>(each.period);
     }
   }
-  if (demand >= 1) return never;
-  if (of.period == never) return finish_once(of, transaction, task, part, blocking);
+  if (demand >= 1) return {never};
+  if (of.period == never) return critical_once(transaction, task, part, blocking);
 
-  const Group* own = nullptr;
-  for (const Group& group : groups) {
-    if (group.transaction == transaction) own = &group;
-  }
-  Nanoseconds latest = 0;
+  const Group& own = *group_of(transaction, self.processor);
+  Critical latest{-1};
   int rounds = 0;
-  for (int scenario : own->tasks) {
+  for (int scenario : own.tasks) {
     const Task& first = of.tasks[static_cast<std::size_t>(scenario)];
     if (first.priority < self.priority || (first.cost == 0 && scenario != task)) continue;
     const Nanoseconds due = phase(of, first, self);
@@ -191,7 +215,7 @@ Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nan
         Nanoseconds at = std::max(window, fixed);
         while (++rounds < most_rounds) {
           const Nanoseconds next = fixed + of_others(groups, transaction, self.priority, at) +
-                                   of_scenario(of, *own, scenario, but, self.priority, at);
+                                   of_scenario(own, scenario, but, self.priority, at);
           if (next <= at) return at;
           if (next > longest_window) break;
           at = next;
@@ -203,24 +227,58 @@ Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nan
       Nanoseconds whole = never;
       if (preemptive) {
         done = settle(before + part, asked);
-        if (done >= never) return never;
+        if (done >= never) return {never};
         const bool same = part == self.cost && self.followers.empty();
         whole = same ? done : settle(before + self.cost, all);
         window = 0;
       } else {
         const Nanoseconds begins = settle(before, asked);
-        if (begins >= never) return never;
+        if (begins >= never) return {never};
         done = begins + part;
         // What came while it ran is still to be done: the window goes on (R. I. Davis and others, 2007).
         whole = settle(before + self.cost, all);
         window = 0;
       }
-      if (whole >= never) return never;
-      latest = std::max(latest, done - due - (job - 1) * of.period + self.offset);
+      if (whole >= never) return {never};
+      const Nanoseconds finish = done - due - (job - 1) * of.period + self.offset;
+      if (finish > latest.finish) latest = {finish, preemptive ? done : done - part, scenario, job};
       if (whole < due + job * of.period) break;
     }
   }
   return latest;
+}
+
+Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const {
+  return critical(transaction, task, part, blocking).finish;
+}
+
+Account BusyWindows::account(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const {
+  const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
+  const Task& self = of.tasks[static_cast<std::size_t>(task)];
+  const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
+  const Critical worst = critical(transaction, task, part, blocking);
+  Account account;
+  account.blocking = blocking;
+  of_others(groups, transaction, self.priority, worst.length, &account.others);
+  if (worst.scenario < 0) {
+    of_siblings(transaction, task, &account.others);
+    return account;
+  }
+  const Nanoseconds due = phase(of, of.tasks[static_cast<std::size_t>(worst.scenario)], self);
+  const Nanoseconds earlier = worst.job - 1 + (self.jitter + due) / of.period;
+  const Asked asked{task, true, due + (worst.job - 1) * of.period - self.offset};
+  of_scenario(*group_of(transaction, self.processor), worst.scenario, asked, self.priority, worst.length,
+              &account.others);
+  account.others.push_back({transaction, task, earlier, earlier * self.cost});
+  account.done_before = due + (worst.job - 1) * of.period + self.jitter;
+  return account;
+}
+
+const BusyWindows::Group* BusyWindows::group_of(int transaction, int processor) const {
+  for (const Group& group : by_processor_[static_cast<std::size_t>(processor)]) {
+    if (group.transaction == transaction) return &group;
+  }
+  return nullptr;
 }
 
 }  // namespace pal::analyzer::compositional

@@ -40,6 +40,19 @@ struct Transaction {
   std::vector<Task> tasks;
 };
 
+/// What the finish of a job is made of: `latest` release, its own work, and these.
+struct Account {
+  struct Share {
+    int transaction = -1;
+    int task = -1;
+    Nanoseconds jobs = 0;
+    Nanoseconds work = 0;
+  };
+  std::vector<Share> others;    // work that goes first, the task's own earlier jobs included
+  Nanoseconds blocking = 0;     // by lower priority
+  Nanoseconds done_before = 0;  // of all that, so much is over when the job is released at its latest
+};
+
 class BusyWindows {
  public:
   /// `preemptive` by processor.
@@ -64,6 +77,9 @@ class BusyWindows {
   /// work ends comes before that end: PAL leaves the order at one instant open.
   Nanoseconds finish(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const;
 
+  /// Adds up to finish(), with the latest release and `part`; for a finish that is bounded.
+  Account account(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const;
+
   /// How long `cost` takes at most for somebody of `priority` who has the processor: what is of higher
   /// priority has nothing left to do when that begins.
   Nanoseconds stretch(int processor, int priority, Nanoseconds cost) const;
@@ -71,8 +87,9 @@ class BusyWindows {
   /// How long a thread of `priority` that is ready may take at most to do what it has begun.
   Nanoseconds level(int processor, int priority) const;
 
-  /// The longest that a processor has something to do without a pause.
+  /// The longest that a processor has something to do without a pause, and the work that adds up to it.
   Nanoseconds busy(int processor) const;
+  std::vector<Account::Share> work(int processor, Nanoseconds busy) const;
 
  private:
   struct Group {
@@ -88,11 +105,25 @@ class BusyWindows {
     Nanoseconds occurrence = 0;
   };
 
-  Nanoseconds of_scenario(const Transaction& of, const Group& group, int scenario, const Asked& asked,
-                          int priority, Nanoseconds length) const;
-  Nanoseconds of_others(const std::vector<Group>& groups, int own, int priority, Nanoseconds length) const;
-  Nanoseconds finish_once(const Transaction& of, int transaction, int task, Nanoseconds part,
-                          Nanoseconds blocking) const;
+  /// The window and the job in it that finishes last.
+  struct Critical {
+    Nanoseconds finish = 0;
+    Nanoseconds length = 0;  // until the part is done (preemptive), or begins (not preemptive)
+    int scenario = -1;       // task whose release begins the window; -1: its transaction occurs once
+    Nanoseconds job = 0;
+  };
+  using Shares = std::vector<Account::Share>;
+
+  /// Work in a window; if `shares` is given, also what it is made of.
+  Nanoseconds of_scenario(const Group& group, int scenario, const Asked& asked, int priority,
+                          Nanoseconds length, Shares* shares = nullptr) const;
+  Nanoseconds of_group(const Group& group, int priority, Nanoseconds length, Shares* shares) const;
+  Nanoseconds of_others(const std::vector<Group>& groups, int own, int priority, Nanoseconds length,
+                        Shares* shares = nullptr) const;
+  Nanoseconds of_siblings(int transaction, int task, Shares* shares) const;
+  Critical critical(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const;
+  Critical critical_once(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const;
+  const Group* group_of(int transaction, int processor) const;
   Nanoseconds window(int processor, int priority, Nanoseconds cost) const;
 
   std::vector<bool> preemptive_;

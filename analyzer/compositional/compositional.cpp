@@ -1,5 +1,6 @@
 #include "analyzer/compositional/compositional.hpp"
 
+#include "analyzer/compositional/account.hpp"
 #include "analyzer/compositional/measures.hpp"
 
 namespace pal::analyzer {
@@ -32,11 +33,11 @@ Bound bound_of(const View& view, const Requirement& requirement) {
 }
 
 void judge(const Bound& bound, Verdict& verdict) {
-  if (bound.value >= never) {
+  if (!bound.known()) {
     verdict.explanation = "The compositional analysis has no bound: " + bound.why + ".";
     return;
   }
-  verdict.bound = Duration(bound.value);
+  verdict.bound = Duration(bound.sum.value());
   const bool kept = verdict.at_least ? *verdict.bound >= verdict.limit : *verdict.bound <= verdict.limit;
   verdict.state = kept ? Is::holds : Is::undecided;
   verdict.explanation = std::string("Compositional bound: no run ") +
@@ -80,16 +81,19 @@ Analysis analyze_compositionally(const Problem& problem, const Options& options)
       for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
         const Requirement& requirement = problem.requirements[r];
         const Bound bound = bound_of(view, requirement);
-        judge(bound.value < never ? bound : until_left(view, endurance, requirement, bound_of),
-              analysis.verdicts[r]);
+        const Bound known = bound.known() ? bound : until_left(view, endurance, requirement, bound_of);
+        judge(known, analysis.verdicts[r]);
+        if (known.known() && requirement.measure != Measure::loss)
+          analysis.verdicts[r].addends = account_of(view, known.sum);
       }
     }
     analysis.statistics.states = forest.nodes.size();
   }
   if (!refusal.empty()) {
+    const Sum whole(1'000'000'000, {Term::Kind::said, -1, -1, -1, refusal});
     for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
       const bool load = problem.requirements[r].measure == Measure::load;
-      judge({load ? 1'000'000'000 : never, refusal}, analysis.verdicts[r]);
+      judge({load ? whole : Sum::unbounded(), refusal}, analysis.verdicts[r]);
     }
   }
   if (options.clock) analysis.statistics.seconds = options.clock() - begun;

@@ -115,19 +115,38 @@ Nanoseconds Demand::burst(int thread, const std::vector<NodeTimes>& nodes, bool 
   return never;
 }
 
-Nanoseconds Demand::blocking(int node) const {
+int Demand::blocking_thread(int node) const {
   const Thread& mine = ground_.thread_of(node);
-  if (ground_.problem.processors[static_cast<std::size_t>(mine.processor)].preemptive) return 0;
-  Nanoseconds longest = 0;
+  if (ground_.problem.processors[static_cast<std::size_t>(mine.processor)].preemptive) return -1;
+  int longest = -1;
   for (int t : threads_on_[static_cast<std::size_t>(mine.processor)]) {
-    if (ground_.thread_at(t).priority < mine.priority)
-      longest = std::max(longest, burst_[static_cast<std::size_t>(t)]);
+    if (ground_.thread_at(t).priority >= mine.priority) continue;
+    if (longest < 0 || burst_[static_cast<std::size_t>(t)] > burst_[static_cast<std::size_t>(longest)])
+      longest = t;
   }
   return longest;
 }
 
+Nanoseconds Demand::blocking(int node) const {
+  const int thread = blocking_thread(node);
+  return thread < 0 ? 0 : burst_[static_cast<std::size_t>(thread)];
+}
+
 Nanoseconds Demand::finish(int node, Nanoseconds part, Nanoseconds blocking) const {
   return windows_.finish(ground_.node(node).source, task_[static_cast<std::size_t>(node)], part, blocking);
+}
+
+Account Demand::account(int node, Nanoseconds part) const {
+  return windows_.account(ground_.node(node).source, task_[static_cast<std::size_t>(node)], part,
+                          blocking(node));
+}
+
+int Demand::node_of(int transaction, int task) const {
+  for (std::size_t n = 0; n < task_.size(); ++n) {
+    if (ground_.node(static_cast<int>(n)).source == transaction && task_[n] == task)
+      return static_cast<int>(n);
+  }
+  return -1;
 }
 
 Nanoseconds stops_within(const Problem& problem, const BusyWindows& windows, int block) {

@@ -23,6 +23,11 @@ class Demand {
   Nanoseconds blocking(int node) const;
   /// How long after the source's nominal instant the first `part` of the node's work is done at the latest.
   Nanoseconds finish(int node, Nanoseconds part, Nanoseconds blocking) const;
+  /// What goes into finish() besides the latest release and the work itself.
+  Account account(int node, Nanoseconds part) const;
+  /// The thread of lower priority that blocks the node longest.
+  int blocking_thread(int node) const;
+  int node_of(int transaction, int task) const;
   const BusyWindows& windows() const { return windows_; }
 
  private:

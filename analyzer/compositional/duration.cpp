@@ -8,7 +8,7 @@ namespace pal::analyzer::compositional {
 /// A completion that a module comes to from the start, or with the first occurrence of something that comes
 /// at a known pace.
 Bound duration_bound(const View& view, const Requirement& requirement) {
-  Nanoseconds longest = 0;
+  Sum longest;
   bool any = false;
   for (std::size_t i = 0; i < view.forest.nodes.size(); ++i) {
     const int n = static_cast<int>(i);
@@ -20,11 +20,11 @@ Bound duration_bound(const View& view, const Requirement& requirement) {
       const bool fails = may_match_nothing(step) && requirement.code == view.problem.error_code;
       if (!completes && !fails) continue;
       any = true;
-      const Nanoseconds effect = latest_effect(view.forest, view.times, n, passed.step);
-      longest = std::max(longest, source.kind == Source::Kind::start ? effect : never);
+      const bool at_start = source.kind == Source::Kind::start;
+      longest = greater(longest, at_start ? latest(view, n, passed.step) : Sum::unbounded());
     }
   }
-  if (!any) return {never, "nothing completes the skill with this code"};
+  if (!any) return {Sum::unbounded(), "nothing completes the skill with this code"};
   return {longest, "nothing bounds in which round the skill is completed"};
 }
 

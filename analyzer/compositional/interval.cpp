@@ -6,10 +6,6 @@
 namespace pal::analyzer::compositional {
 namespace {
 
-Nanoseconds earliest_of(const View& view, Pass pass) {
-  return earliest_effect(view.forest, view.times, pass.node, pass.step);
-}
-
 /// From an effect in one thread to the next.
 Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, bool from_start) {
   const auto t = static_cast<std::size_t>(thread);
@@ -17,66 +13,74 @@ Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, boo
   Passes passes(view, thread, at);
   const ThreadConduct& of = view.conduct.threads[t];
   const std::string& trouble = view.times.trouble[t];
-  const Bound none{never, trouble.empty() ? name + " need not come to it in every round" : trouble};
+  const Bound none{Sum::unbounded(),
+                   trouble.empty() ? name + " need not come to it in every round" : trouble};
   const bool rounds = of.home >= 0 || starts_in_rounds(view, thread);
   if (rounds ? !goes_on(view, thread) : !view.lively[t]) return none;
-  Nanoseconds greatest = from_start ? plus(passes.first(), passes.latest()) : 0;
+  Sum longest = from_start ? passes.first() + passes.latest() : Sum();
   if (from_start && !passes.every_round()) return none;
-  Nanoseconds finish = 0;
+  Sum end;
   for (int n : of.nodes) {
-    if (in_paced_round(view, n))
-      finish = std::max(finish, view.times.nodes[static_cast<std::size_t>(n)].finish);
+    if (in_paced_round(view, n)) end = greater(end, finish(view, n));
   }
-  const auto follow = [&](Pass pass, Nanoseconds apart) {
+  const auto follow = [&](Pass pass, const Sum& apart) {
     const Way way = passes.after(pass);
-    const Nanoseconds begun = earliest_of(view, pass);
-    if (way.lost || (way.home && !passes.every_round())) return never;
-    const Nanoseconds next = way.home ? plus(apart, passes.latest()) : 0;
-    if (next >= never) return never;
+    if (way.lost || (way.home && !passes.every_round())) return Sum::unbounded();
+    Sum next = way.latest;
+    if (way.home) next = greater(next, apart + passes.latest());
     // What a cancelled block has begun it finishes.
-    return std::max({way.latest, next, of.may_be_cancelled ? finish : 0}) - begun;
+    if (of.may_be_cancelled) next = greater(next, end);
+    return next - earliest(view, pass.node, pass.step);
   };
-  for (const Pass& pass : passes.in_rounds()) greatest = std::max(greatest, follow(pass, passes.gap()));
-  for (const Pass& pass : passes.before_rounds()) greatest = std::max(greatest, follow(pass, passes.first()));
-  return {greatest, none.why};
+  for (const Pass& pass : passes.in_rounds()) longest = greater(longest, follow(pass, passes.gap()));
+  for (const Pass& pass : passes.before_rounds()) longest = greater(longest, follow(pass, passes.first()));
+  return {longest, none.why};
 }
 
 Bound greatest_interval(const View& view, const Requirement& requirement) {
   const std::set<int> threads = owners(view, requirement.at);
-  Bound least{never, "no thread comes to it"};
+  Bound least{Sum::unbounded(), "no thread comes to it"};
   for (int thread : threads) {
     const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
     // One of several must go on for as long as any of them.
     if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || !goes_on(view, thread))) continue;
     const Bound bound = greatest_in(view, requirement.at, thread, threads.size() > 1);
-    if (bound.value < least.value || least.value >= never) least = bound;
+    if (bound.sum.value() < least.sum.value() || !least.known()) least = bound;
   }
   return least;
 }
 
 /// If each occurrence of one source brings one effect at most: from the latest in one round to the earliest
 /// in the next.
-Nanoseconds least_by_source(const View& view, const std::vector<Pass>& all) {
-  if (all.empty()) return 0;
+Sum least_by_source(const View& view, const std::vector<Pass>& all) {
+  if (all.empty()) return {};
   const int source = view.forest.nodes[static_cast<std::size_t>(all.front().node)].source;
   const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
-  if (of.period >= never) return 0;
-  Nanoseconds earliest = never;
-  Nanoseconds latest = 0;
+  if (of.period >= never) return {};
+  Sum sooner = Sum::unbounded();
+  Sum later;
   for (const Pass& pass : all) {
-    if (pass.node != all.front().node) return 0;
+    if (pass.node != all.front().node) return {};
     const Segment& segment = view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(pass.node)]);
     for (const Pass& other : all) {
-      if (comes_after(view.problem, segment, pass.step, other.step)) return 0;
+      if (comes_after(view.problem, segment, pass.step, other.step)) return {};
     }
-    earliest = std::min(earliest, earliest_of(view, pass));
-    latest = std::max(latest, latest_effect(view.forest, view.times, pass.node, pass.step));
+    sooner = less(sooner, earliest(view, pass.node, pass.step));
+    later = greater(later, latest(view, pass.node, pass.step));
   }
-  return latest >= never ? 0 : std::max<Nanoseconds>(0, of.period + earliest - latest);
+  if (!later.bounded()) return {};
+  return greater(
+      Sum(), Sum(of.period, {Term::Kind::said, -1, -1, source, "comes no sooner again"}) + sooner - later);
+}
+
+/// What the shortest way through the program takes.
+Sum by_the_way(const View& view, const Requirement& requirement, int thread) {
+  return {least_way(view.problem, thread, requirement.at, view.conduct.sequential),
+          {Term::Kind::said, -1, -1, -1, "what lies on the shortest way from one to the next"}};
 }
 
 Bound least_interval(const View& view, const Requirement& requirement) {
-  const Bound none{never, "nothing keeps two passes apart"};
+  const Bound none{Sum::unbounded(), "nothing keeps two passes apart"};
   const std::set<int> threads = owners(view, requirement.at);
   if (threads.size() != 1) return none;
   const int thread = *threads.begin();
@@ -85,10 +89,9 @@ Bound least_interval(const View& view, const Requirement& requirement) {
     if (!requirement.at[s] || view.forest.segments.owner(static_cast<int>(s)) < 0) continue;
     for (int n : nodes_with(view, static_cast<int>(s))) all.push_back({n, static_cast<int>(s)});
   }
-  const Nanoseconds least = std::max(
-      least_by_source(view, all), least_way(view.problem, thread, requirement.at, view.conduct.sequential));
-  if (least >= never) return {never, "it comes once at most"};
-  return least > 0 ? Bound{least, ""} : none;
+  const Sum least = greater(least_by_source(view, all), by_the_way(view, requirement, thread));
+  if (!least.bounded()) return {Sum::unbounded(), "it comes once at most"};
+  return least.value() > 0 ? Bound{least, ""} : none;
 }
 
 }  // namespace

@@ -12,11 +12,24 @@ using Kind = Step::Kind;
 using Release = Node::Release;
 
 constexpr int most_passes = 60;
-constexpr Nanoseconds nothing = Knowledge::nothing;
+using Known = Knowledge::Known;
 
 /// `known`, if anything, so much earlier.
-Nanoseconds earlier(Nanoseconds known, Nanoseconds by) {
-  return known <= nothing || by >= never ? nothing : known - by;
+Known earlier(const Known& known, const Sum& by) {
+  return known && by.bounded() ? Known(*known - by) : std::nullopt;
+}
+
+/// What is known if both are, and if one of them is, nobody knows which.
+Known both(const Known& one, const Known& other) {
+  if (!one || !other) return one ? one : other;
+  return greater(*one, *other);
+}
+Known either(const Known& one, const Known& other) {
+  return one && other ? Known(less(*one, *other)) : std::nullopt;
+}
+
+bool same(const Known& one, const Known& other) {
+  return one.has_value() == other.has_value() && (!one || one->value() == other->value());
 }
 
 }  // namespace
@@ -45,13 +58,13 @@ Knowledge::Knowledge(const View& view, const Requirement& requirement)
   }
 }
 
-Nanoseconds Knowledge::at(Pass pass) const {
+Known Knowledge::at(Pass pass) const {
   const Segment& segment = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(pass.node)]);
   const auto& effects = effects_[static_cast<std::size_t>(pass.node)];
   for (std::size_t s = 0; s < segment.steps.size() && s < effects.size(); ++s) {
     if (segment.steps[s].step == pass.step) return effects[s];
   }
-  return nothing;
+  return std::nullopt;
 }
 
 void Knowledge::find_setters() {
@@ -73,18 +86,18 @@ bool Knowledge::visit(int node) {
   const Segment& segment = view_.forest.segment_of(view_.forest.nodes[n]);
   const Beginning& begins = segment.beginning;
   State first = begin(node);
-  first.known = std::max(first.known, begins_[n].known);
-  first.set = std::max(first.set, begins_[n].set);
-  const bool changed = first != begins_[n];
+  first.known = both(first.known, begins_[n].known);
+  first.set = both(first.set, begins_[n].set);
+  const bool changed = !same(first.known, begins_[n].known) || !same(first.set, begins_[n].set);
   begins_[n] = first;
   std::map<int, State> reached;
   const auto reach = [&](int step, const State& state) {
     const auto [place, fresh] = reached.emplace(step, state);
     if (fresh) return;
-    place->second.known = std::min(place->second.known, state.known);
-    place->second.set = std::min(place->second.set, state.set);
+    place->second.known = either(place->second.known, state.known);
+    place->second.set = either(place->second.set, state.set);
   };
-  std::vector<Nanoseconds> effects;
+  std::vector<Known> effects;
   const bool after_wait = begins.kind == Beginning::Kind::arm || begins.kind == Beginning::Kind::give_up;
   if (begins.kind == Beginning::Kind::entry) {
     reach(problem_.threads[static_cast<std::size_t>(begins.thread)].entry, first);
@@ -105,7 +118,8 @@ bool Knowledge::visit(int node) {
     effects.push_back(state.known);
     for (int next : problem_.steps[static_cast<std::size_t>(step)].next) reach(next, state);
   }
-  const bool more = changed || effects != effects_[n];
+  const bool more =
+      changed || !std::equal(effects.begin(), effects.end(), effects_[n].begin(), effects_[n].end(), same);
   effects_[n] = std::move(effects);
   arrivals_[n] = std::move(reached);
   return more;
@@ -122,11 +136,11 @@ Knowledge::State Knowledge::begin(int node) const {
   };
   const auto& previous = view_.conduct.previous[n];
   if (!previous.empty()) {
-    state = {never, never};
+    state = {Sum::unbounded(), Sum::unbounded()};
     for (int before : previous) {
       const State there = arrived(before, view_.forest.segment_of(of).beginning.step);
-      state.known = std::min(state.known, there.known);
-      state.set = std::min(state.set, there.set);
+      state.known = either(state.known, there.known);
+      state.set = either(state.set, there.set);
     }
   } else if (of.release == Release::fork && of.cause >= 0) {
     state = arrived(of.cause, of.cause_step);
@@ -134,31 +148,31 @@ Knowledge::State Knowledge::begin(int node) const {
     state = before_home(node);
   }
   if (of.release == Release::fork && view_.forest.segment_of(of).beginning.kind == Beginning::Kind::joined)
-    state.set = std::max(state.set, set_by_blocks(of));
+    state.set = both(state.set, set_by_blocks(of));
   // At time 0 nobody knows more, and a condition has the value that it is born with.
   if (view_.forest.sources[static_cast<std::size_t>(of.source)].kind == Source::Kind::start) {
-    state.known = std::max<Nanoseconds>(state.known, 0);
-    state.set = std::max<Nanoseconds>(state.set, 0);
+    state.known = both(state.known, Sum());
+    state.set = both(state.set, Sum());
   }
-  state.known = std::max(state.known, told(node));
+  state.known = both(state.known, told(node));
   return state;
 }
 
 /// Last set by the blocks that have ended when a node begins.
-Nanoseconds Knowledge::set_by_blocks(const Node& joined) const {
-  Nanoseconds latest = nothing;
+Known Knowledge::set_by_blocks(const Node& joined) const {
+  Known latest;
   for (int block : problem_.steps[static_cast<std::size_t>(joined.cause_step)].threads) {
     if (!problem_.threads[static_cast<std::size_t>(block)].can_end) continue;
-    Nanoseconds soonest = never;
+    Known soonest = Sum::unbounded();
     for (int n : view_.conduct.threads[static_cast<std::size_t>(block)].nodes) {
       const int round = view_.conduct.round[static_cast<std::size_t>(n)];
       if (view_.forest.nodes[static_cast<std::size_t>(round)].cause != joined.cause) continue;
       for (const auto& [step, state] : arrivals_[static_cast<std::size_t>(n)]) {
         if (problem_.steps[static_cast<std::size_t>(step)].kind == Kind::end)
-          soonest = std::min(soonest, state.set);
+          soonest = either(soonest, state.set);
       }
     }
-    if (soonest < never) latest = std::max(latest, soonest);
+    if (soonest && soonest->bounded()) latest = both(latest, soonest);
   }
   return latest;
 }
@@ -173,7 +187,7 @@ Knowledge::State Knowledge::before_home(int node) const {
   const auto ways =
       std::count_if(of.rounds.begin(), of.rounds.end(), [this](int n) { return in_paced_round(view_, n); });
   if (ways > 1) return {};
-  State state{never, never};
+  State state{Sum::unbounded(), Sum::unbounded()};
   for (int other : of.nodes) {
     if (!in_paced_round(view_, other)) continue;
     const auto& arrivals = arrivals_[static_cast<std::size_t>(other)];
@@ -182,15 +196,15 @@ Knowledge::State Knowledge::before_home(int node) const {
       if (wait.step != of.home) continue;
       const auto found = arrivals.find(of.home);
       const State there = found == arrivals.end() ? State{} : found->second;
-      state.known = std::min(state.known, there.known);
-      state.set = std::min(state.set, there.set);
+      state.known = either(state.known, there.known);
+      state.set = either(state.set, there.set);
     }
   }
-  const Nanoseconds gap = view_.times.longest_gap[static_cast<std::size_t>(source)];
-  const Nanoseconds first = view_.times.first[static_cast<std::size_t>(source)];
-  const auto since = [&](Nanoseconds before) {
-    if (before >= never) return nothing;  // it never comes home
-    return first >= never ? nothing : std::min(earlier(before, gap), -first);
+  const Sum apart = gap(view_, source);
+  const Sum begin = first(view_, source);
+  const auto since = [&](const Known& before) -> Known {
+    if (before && !before->bounded()) return std::nullopt;  // it never comes home
+    return either(earlier(before, apart), earlier(Sum(), begin));
   };
   return {since(state.known), since(state.set)};
 }
@@ -201,49 +215,47 @@ bool Knowledge::sampled(int channel) const {
 }
 
 /// By the message that begins the node.
-Nanoseconds Knowledge::told(int node) const {
-  if (requirement_.condition >= 0) return nothing;
+Known Knowledge::told(int node) const {
+  if (requirement_.condition >= 0) return std::nullopt;
   const Node& of = view_.forest.nodes[static_cast<std::size_t>(node)];
   const Source& source = view_.forest.sources[static_cast<std::size_t>(of.source)];
   if (of.release == Release::message) return told_by(of.cause, of.sends, of.device);
-  if (of.release != Release::root) return nothing;
+  if (of.release != Release::root) return std::nullopt;
   if (source.kind == Source::Kind::event) {
     const int event = problem_.devices[static_cast<std::size_t>(source.device)].event;
-    return sampled(event) ? 0 : nothing;
+    return sampled(event) ? Known(Sum()) : std::nullopt;
   }
-  return source.kind == Source::Kind::loop ? told_in_loop(source, of.source) : nothing;
+  return source.kind == Source::Kind::loop ? told_in_loop(source, of.source) : std::nullopt;
 }
 
 /// A message carries what its sender knows; a device's answer says what was so after the request.
-Nanoseconds Knowledge::told_by(int sender, const std::vector<int>& sends, int device) const {
-  Nanoseconds known = never;
+Known Knowledge::told_by(int sender, const std::vector<int>& sends, int device) const {
+  Known known = Sum::unbounded();
   for (int send : sends) {
     if (device < 0) {
-      known = std::min(known, at({sender, send}));
+      known = either(known, at({sender, send}));
       continue;
     }
     const int request = problem_.steps[static_cast<std::size_t>(send)].channels.front();
     const int answer = problem_.channels[static_cast<std::size_t>(request)].answer;
-    known =
-        std::min(known, sampled(answer) ? earliest_effect(view_.forest, view_.times, sender, send) : nothing);
+    known = either(known, sampled(answer) ? Known(earliest(view_, sender, send)) : std::nullopt);
   }
-  return known >= never ? nothing : known;
+  return known && known->bounded() ? known : std::nullopt;
 }
 
 /// By what leads to the next round of a loop.
-Nanoseconds Knowledge::told_in_loop(const Source& source, int index) const {
-  Nanoseconds known = never;
+Known Knowledge::told_in_loop(const Source& source, int index) const {
+  Known known = Sum::unbounded();
   for (const Source::Feed& feed : source.feeds) {
-    if (feed.node < 0 || feed.sends.empty()) return nothing;
+    if (feed.node < 0 || feed.sends.empty()) return std::nullopt;
     const int from = view_.forest.nodes[static_cast<std::size_t>(feed.node)].source;
     const bool own = from == index;
     if (!own && view_.forest.sources[static_cast<std::size_t>(from)].kind != Source::Kind::start)
-      return nothing;
-    const auto& apart = own ? view_.times.longest_gap : view_.times.first;
-    known = std::min(
-        known, earlier(told_by(feed.node, feed.sends, feed.device), apart[static_cast<std::size_t>(index)]));
+      return std::nullopt;
+    const Sum apart = own ? gap(view_, index) : first(view_, index);
+    known = either(known, earlier(told_by(feed.node, feed.sends, feed.device), apart));
   }
-  return known >= never ? nothing : known;
+  return known && known->bounded() ? known : std::nullopt;
 }
 
 /// Whether a step surely reads a condition, or has read it before for this very test.
@@ -257,67 +269,66 @@ bool Knowledge::surely_read(int step, int condition) const {
 void Knowledge::transfer(int node, int step, State& state) {
   const Step& of = problem_.steps[static_cast<std::size_t>(step)];
   const int thread = view_.forest.thread_of(node);
-  const Nanoseconds now = earliest_effect(view_.forest, view_.times, node, step);
+  const Sum now = earliest(view_, node, step);
   if (requirement_.condition >= 0) {
     if (of.kind == Kind::set && of.condition == requirement_.condition) state.set = now;
     if (surely_read(step, requirement_.condition)) {
-      const Nanoseconds read = earlier(now, age_when_read(requirement_.condition, thread));
-      state.known = std::max({state.known, read, state.set});
+      const Known read = earlier(now, age_when_read(requirement_.condition, thread));
+      state.known = both(both(state.known, read), state.set);
     }
     return;
   }
   for (const auto& [condition, at] : set_at_) {
     if (!surely_read(step, condition)) continue;
-    state.known = std::max(state.known, earlier(now, age_when_read(condition, thread)));
+    state.known = both(state.known, earlier(now, age_when_read(condition, thread)));
   }
 }
 
-Nanoseconds Knowledge::age_when_read(int condition, int reader) {
-  const auto [place, fresh] = ages_.emplace(std::pair{condition, reader}, never);
+Sum Knowledge::age_when_read(int condition, int reader) {
+  const auto [place, fresh] = ages_.emplace(std::pair{condition, reader}, Sum::unbounded());
   if (fresh) {
-    place->second = requirement_.condition >= 0 ? value_age(view_, condition, reader).value
-                                                : sample_age(condition, reader);
+    place->second =
+        requirement_.condition >= 0 ? value_age(view_, condition, reader).sum : sample_age(condition, reader);
   }
   return place->second;
 }
 
 /// Greatest time since the sample that a condition carries when it is read. Before the first set of a round
 /// it is no longer than the skill has run.
-Nanoseconds Knowledge::sample_age(int condition, int reader) const {
+Sum Knowledge::sample_age(int condition, int reader) const {
   const auto found = setters_.find(condition);
-  if (found == setters_.end()) return never;
-  Nanoseconds at_set = 0;     // age of the sample at any set
-  Nanoseconds apart = never;  // sets
-  Nanoseconds until_first = never;
-  Nanoseconds together = never;  // both, of the one setter
-  bool later = false;            // sets that are neither in rounds nor at the start
+  if (found == setters_.end()) return Sum::unbounded();
+  Sum at_set;                    // age of the sample at any set
+  Sum apart = Sum::unbounded();  // sets
+  Sum until_first = Sum::unbounded();
+  Sum together = Sum::unbounded();  // both, of the one setter
+  bool later = false;               // sets that are neither in rounds nor at the start
   for (const Setter& setter : found->second) {
     const Passes& sets = *setter.sets;
     const auto age = [&](Pass pass) {
-      const Nanoseconds known = at(pass);
-      const Nanoseconds latest = latest_effect(view_.forest, view_.times, pass.node, pass.step);
-      return known <= nothing || latest >= never ? never : latest - known;
+      const Known known = at(pass);
+      return known ? latest(view_, pass.node, pass.step) - *known : Sum::unbounded();
     };
-    Nanoseconds soonest = never;
-    Nanoseconds known = never;
+    Sum soonest = Sum::unbounded();
+    Known known = Sum::unbounded();
     for (const Pass& pass : sets.in_rounds()) {
-      soonest = std::min(soonest, earliest_effect(view_.forest, view_.times, pass.node, pass.step));
-      known = std::min(known, at(pass));
-      at_set = std::max(at_set, age(pass));
+      soonest = less(soonest, earliest(view_, pass.node, pass.step));
+      known = either(known, at(pass));
+      at_set = greater(at_set, age(pass));
     }
     for (const Pass& pass : sets.before_rounds()) {
       const int source = view_.forest.nodes[static_cast<std::size_t>(pass.node)].source;
       later = later || view_.forest.sources[static_cast<std::size_t>(source)].kind != Source::Kind::start;
-      at_set = std::max(at_set, age(pass));
+      at_set = greater(at_set, age(pass));
     }
     if (!sets.every_round() || sets.in_rounds().empty() || !outlasts(view_, setter.thread, reader)) continue;
-    const Nanoseconds next = plus(sets.gap(), sets.latest());
-    until_first = std::min(until_first, plus(sets.first(), sets.latest()));
-    if (next < never) apart = std::min(apart, next - soonest);
-    if (next < never && known > nothing) together = next - known;
+    const Sum next = sets.gap() + sets.latest();
+    until_first = less(until_first, sets.first() + sets.latest());
+    apart = less(apart, next - soonest);
+    if (known) together = next - *known;
   }
-  if (found->second.size() > 1 || later) together = plus(apart, at_set);
-  return std::max(together, until_first);
+  if (found->second.size() > 1 || later) together = apart + at_set;
+  return greater(together, until_first);
 }
 
 }  // namespace pal::analyzer::compositional

@@ -17,18 +17,18 @@ namespace pal::analyzer::compositional {
 /// are followed backward, from the statement to what it was told last.
 class Knowledge {
  public:
-  static constexpr Nanoseconds nothing = -never;
+  /// The instant known; nothing: none is.
+  using Known = std::optional<Sum>;
 
   Knowledge(const View& view, const Requirement& requirement);
 
   /// At the effect of a step in a node.
-  Nanoseconds at(Pass pass) const;
+  Known at(Pass pass) const;
 
  private:
   struct State {
-    Nanoseconds known = nothing;
-    Nanoseconds set = nothing;  // the last set of the condition, as far as the thread's way says
-    friend bool operator==(const State&, const State&) = default;
+    Known known;
+    Known set;  // the last set of the condition, as far as the thread's way says
   };
   struct Setter {
     int thread;
@@ -39,27 +39,27 @@ class Knowledge {
   bool visit(int node);
   State begin(int node) const;
   State before_home(int node) const;
-  Nanoseconds set_by_blocks(const Node& joined) const;
-  Nanoseconds told(int node) const;
-  Nanoseconds told_by(int sender, const std::vector<int>& sends, int device) const;
-  Nanoseconds told_in_loop(const Source& source, int index) const;
+  Known set_by_blocks(const Node& joined) const;
+  Known told(int node) const;
+  Known told_by(int sender, const std::vector<int>& sends, int device) const;
+  Known told_in_loop(const Source& source, int index) const;
   void transfer(int node, int step, State& state);
-  Nanoseconds age_when_read(int condition, int reader);
-  Nanoseconds sample_age(int condition, int reader) const;
+  Sum age_when_read(int condition, int reader);
+  Sum sample_age(int condition, int reader) const;
   bool surely_read(int step, int condition) const;
   bool sampled(int channel) const;
 
   const View& view_;
   const Problem& problem_;
   const Requirement& requirement_;
-  std::vector<State> begins_;                        // by node
-  std::vector<std::vector<Nanoseconds>> effects_;    // by node and place in its segment
-  std::vector<std::map<int, State>> arrivals_;       // by node: at the waits and forks that end it
-  std::vector<bool> regular_;                        // by thread
-  std::vector<std::set<int>> latched_;               // by thread: conditions that it reads by RPC
-  std::map<int, std::vector<bool>> set_at_;          // by condition
-  std::map<int, std::vector<Setter>> setters_;       // by condition
-  std::map<std::pair<int, int>, Nanoseconds> ages_;  // by condition and reader
+  std::vector<State> begins_;                   // by node
+  std::vector<std::vector<Known>> effects_;     // by node and place in its segment
+  std::vector<std::map<int, State>> arrivals_;  // by node: at the waits and forks that end it
+  std::vector<bool> regular_;                   // by thread
+  std::vector<std::set<int>> latched_;          // by thread: conditions that it reads by RPC
+  std::map<int, std::vector<bool>> set_at_;     // by condition
+  std::map<int, std::vector<Setter>> setters_;  // by condition
+  std::map<std::pair<int, int>, Sum> ages_;     // by condition and reader
 };
 
 }  // namespace pal::analyzer::compositional

@@ -9,10 +9,10 @@ namespace {
 using Measure = Requirement::Measure;
 
 /// The next event but one must not come while the skill is ending: the first may find nobody at home.
-bool over_before_next(const View& view, int device, Nanoseconds over) {
+bool over_before_next(const View& view, int device, const Sum& over) {
   return std::any_of(view.forest.sources.begin(), view.forest.sources.end(), [&](const Source& source) {
     return source.kind == Source::Kind::event && source.device == device &&
-           over < source.period - source.jitter;
+           over.value() < source.period - source.jitter;
   });
 }
 
@@ -39,17 +39,15 @@ Bound until_left(const View& always, const Endurance& endurance, const Requireme
     case Measure::interval: {
       if (requirement.at_least) return strict;
       Bound bound = bound_of(steady, requirement);
-      if (bound.value < never && !only_in_leaver(always, endurance, requirement))
-        bound.value = plus(bound.value, endurance.over);
-      return bound.value < never ? bound : strict;
+      if (!only_in_leaver(always, endurance, requirement)) bound.sum = bound.sum + endurance.over;
+      return bound.known() ? bound : strict;
     }
     case Measure::response:
     case Measure::loss: {
       if (!over_before_next(always, requirement.device, endurance.over)) return strict;
       Bound bound = bound_of(steady, requirement);
-      if (bound.value < never && requirement.measure == Measure::response)
-        bound.value = plus(bound.value, endurance.over);
-      return bound.value < never ? bound : strict;
+      if (requirement.measure == Measure::response) bound.sum = bound.sum + endurance.over;
+      return bound.known() ? bound : strict;
     }
     case Measure::load:
     case Measure::busy:

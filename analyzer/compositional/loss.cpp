@@ -32,14 +32,14 @@ Bound frames_lost(const View& view, const Requirement& requirement, const pan::F
   const bool endless = std::any_of(threads.begin(), threads.end(), [&](int thread) {
     return view.lasts(thread) && !view.conduct.threads[static_cast<std::size_t>(thread)].leaves;
   });
-  if (!endless || view.steady) return {never, "nobody asks for frames for ever"};
+  if (!endless || view.steady) return {Sum::unbounded(), "nobody asks for frames for ever"};
   Requirement asked;
   asked.measure = Requirement::Measure::interval;
   asked.at = sends;
   const Bound apart = interval_bound(view, asked);
-  if (apart.value >= never) return apart;
-  const Nanoseconds lost = apart.value / frames.period.count();
-  return {requirement.in - requirement.in / (lost + 1), ""};
+  if (!apart.known()) return apart;
+  const Nanoseconds lost = apart.sum.value() / frames.period.count();
+  return {Sum::number(requirement.in - requirement.in / (lost + 1)), ""};
 }
 
 }  // namespace
@@ -50,11 +50,11 @@ Bound loss_bound(const View& view, const Requirement& requirement) {
   std::vector<bool> sends(view.problem.steps.size());
   for (int request : device.requests) {
     const std::string why = answers_lost(view, request, sends);
-    if (!why.empty()) return {never, why};
+    if (!why.empty()) return {Sum::unbounded(), why};
   }
   if (const auto* frames = std::get_if<pan::FrameDevice>(&device.behaviour))
     return frames_lost(view, requirement, *frames, sends);
-  return {0, ""};
+  return {Sum(), ""};
 }
 
 }  // namespace pal::analyzer::compositional

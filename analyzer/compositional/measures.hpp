@@ -4,14 +4,17 @@
 #include <functional>
 #include <string>
 
-#include "analyzer/compositional/times.hpp"
+#include "analyzer/compositional/demand.hpp"
+#include "analyzer/compositional/sum.hpp"
 
 namespace pal::analyzer::compositional {
 
-/// No run exceeds `value`; `never`: nothing is known, for the reason that `why` gives.
+/// No run exceeds it; if it is not bounded, nothing is known, for the reason that `why` gives.
 struct Bound {
-  Nanoseconds value = never;
+  Sum sum = Sum::unbounded();
   std::string why;
+
+  bool known() const { return sum.bounded(); }
 };
 
 struct View {
@@ -27,11 +30,20 @@ struct View {
   /// Only what is so before the first block leaves its rounds; nobody is cancelled till then.
   bool steady = false;
 
+  const BusyWindows& windows() const { return times.demand->windows(); }
   bool lasts(int thread) const {
     const auto t = static_cast<std::size_t>(thread);
     return (steady || !conduct.threads[t].may_be_cancelled) && reliable[t];
   }
 };
+
+/// The effect of a step in a node at the latest, and at the earliest; the node's end.
+Sum latest(const View& view, int node, int step);
+Sum earliest(const View& view, int node, int step);
+Sum finish(const View& view, int node);
+/// From one occurrence of a source to the next, and from time 0 to the first, at the latest.
+Sum gap(const View& view, int source);
+Sum first(const View& view, int source);
 
 Bound response_bound(const View& view, const Requirement& requirement);
 /// Whether each occurrence of a source of one root leads to a statement, as long as the skill lasts.
@@ -59,7 +71,7 @@ struct Endurance {
   Threads always;
   Threads steady;            // until the first block leaves its rounds
   std::vector<int> leavers;  // the blocks that do
-  Nanoseconds over = 0;      // from then until the skill has ended; `never`: it may go on
+  Sum over;                  // from then until the skill has ended; unbounded: it may go on
 };
 
 /// A bound for skills that end when a block leaves its rounds: what `bound_of` says of the time before, and

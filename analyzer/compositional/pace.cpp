@@ -8,9 +8,13 @@ namespace pal::analyzer::compositional {
 namespace {
 
 struct Pace {
-  Nanoseconds gap = never;
-  Nanoseconds first = never;
+  Due gap{never};
+  Due first{never};
 };
+
+void raise(Due& at, const Due& to) {
+  if (to.at > at.at) at = to;
+}
 
 /// The rounds of a thread that goes on by itself: all that leads from one to the next.
 class Loop {
@@ -23,19 +27,19 @@ class Loop {
 
   Pace run() const {
     if (!times_.trouble[static_cast<std::size_t>(of_.thread)].empty()) return {};
-    Pace pace{0, 0};
+    Pace pace{Due{0}, Due{0}};
     bool comes = false;
     for (const Source::Feed& feed : of_.feeds) {
       if (feed.node < 0) return {};
       const Node& from = ground_.node(feed.node);
       const Source::Kind by = ground_.forest.sources[static_cast<std::size_t>(from.source)].kind;
       if (from.source == index_) {
-        pace.gap = std::max(pace.gap, latest(feed));
+        raise(pace.gap, latest(feed));
         comes = true;
       } else if (by == Source::Kind::start) {
-        pace.first = std::max(pace.first, latest(feed));
+        raise(pace.first, latest(feed));
       } else if (by == Source::Kind::joined) {
-        pace.first = never;
+        pace.first = Due{never};
       } else {
         return {};
       }
@@ -47,18 +51,22 @@ class Loop {
 
  private:
   /// When what leads to the next round is there.
-  Nanoseconds latest(const Source::Feed& feed) const {
+  Due latest(const Source::Feed& feed) const {
     if (feed.wait >= 0) {
-      return plus(latest_arrival(ground_, times_.nodes, feed.node, feed.wait),
-                  ground_.step_at(feed.wait).within.value_or(0));
+      const Nanoseconds limit = ground_.step_at(feed.wait).within.value_or(0);
+      const Nanoseconds arrival = latest_arrival(ground_, times_.nodes, feed.node, feed.wait);
+      return {plus(arrival, limit), Due::By::arrival, feed.node, feed.wait, limit};
     }
     const int channel = ground_.step_at(feed.sends.front()).channels.front();
-    Nanoseconds at = 0;
-    for (int send : feed.sends) at = std::max(at, latest_effect(ground_.forest, times_, feed.node, send));
-    if (feed.device >= 0)
-      return plus(at,
-                  plus(ground_.device_time(feed.device).worst, ground_.answer_queue(feed.device, channel)));
-    return plus(at, latency(ground_.problem, channel, ground_.forest.thread_of(feed.node), of_.thread).worst);
+    Due due{-1, Due::By::message, feed.node};
+    for (int send : feed.sends)
+      raise(due, {latest_effect(ground_.forest, times_, feed.node, send), Due::By::message, feed.node, send});
+    due.after =
+        feed.device >= 0
+            ? plus(ground_.device_time(feed.device).worst, ground_.answer_queue(feed.device, channel))
+            : latency(ground_.problem, channel, ground_.forest.thread_of(feed.node), of_.thread).worst;
+    due.at = plus(due.at, due.after);
+    return due;
   }
 
   /// The thread itself must be back, too.
@@ -68,10 +76,10 @@ class Loop {
       const Segment& segment = ground_.segment(n);
       for (std::size_t w = 0; w < segment.waits.size(); ++w) {
         if (segment.waits[w].step != wait) continue;
-        const Nanoseconds arrival = times_.nodes[static_cast<std::size_t>(n)].arrivals[w];
-        if (ground_.node(n).source == index_) pace.gap = std::max(pace.gap, arrival);
-        if (ground_.source(n).kind == Source::Kind::start) pace.first = std::max(pace.first, arrival);
-        if (ground_.source(n).kind == Source::Kind::joined) pace.first = never;
+        const Due arrival{times_.nodes[static_cast<std::size_t>(n)].arrivals[w], Due::By::arrival, n, wait};
+        if (ground_.node(n).source == index_) raise(pace.gap, arrival);
+        if (ground_.source(n).kind == Source::Kind::start) raise(pace.first, arrival);
+        if (ground_.source(n).kind == Source::Kind::joined) pace.first = Due{never};
       }
     }
   }
@@ -116,7 +124,8 @@ void find_pace(const Ground& ground, Times& times) {
     Pace pace;
     if (taken && of.regular) {
       const Nanoseconds ready = first_at_home(ground, times.nodes, ground.forest.thread_of(of.roots.front()));
-      pace = {of.period, plus(ready, of.period)};
+      pace = {Due{of.period, Due::By::source, -1, -1, of.period},
+              Due{plus(ready, of.period), Due::By::home, -1, -1, of.period}};
     } else if (of.kind == Source::Kind::loop) {
       pace = Loop(ground, times, s).run();
     }

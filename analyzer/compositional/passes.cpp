@@ -42,8 +42,8 @@ Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
   }
   const int source = paced_source(view, thread);
   if (source < 0 || !regular(view, thread)) return;
-  gap_ = view.times.longest_gap[static_cast<std::size_t>(source)];
-  first_ = view.times.first[static_cast<std::size_t>(source)];
+  gap_ = compositional::gap(view, source);
+  first_ = compositional::first(view, source);
   Way round;
   for (int n : of.nodes) {
     const bool begins = view.conduct.round[static_cast<std::size_t>(n)] == n;
@@ -54,9 +54,9 @@ Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
 }
 
 void Passes::merge(Way& into, const Way& other) const {
-  into.latest = std::max(into.latest, other.latest);
+  into.latest = greater(into.latest, other.latest);
   into.home = into.home || other.home;
-  into.lost = into.lost || other.lost || other.latest >= never;
+  into.lost = into.lost || other.lost || !other.latest.bounded();
 }
 
 Way Passes::begun(int node) {
@@ -68,7 +68,7 @@ Way Passes::begun(int node) {
   const Step& step = view_.problem.steps[static_cast<std::size_t>(begins.step)];
   if (begins.kind == Beginning::Kind::joined) return from(node, step.next.front());
   if (at_[static_cast<std::size_t>(begins.step)]) {
-    return {latest_effect(view_.forest, view_.times, node, begins.step), false, false};
+    return {compositional::latest(view_, node, begins.step), false, false};
   }
   const bool gives_up = begins.kind == Beginning::Kind::give_up;
   return from(node, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
@@ -94,28 +94,27 @@ Way Passes::after(Pass pass) {
     const bool gives_up = begins.kind == Beginning::Kind::give_up;
     return from(pass.node, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
   }
-  if (step.next.empty()) way.latest = view_.times.nodes[static_cast<std::size_t>(pass.node)].finish;
+  if (step.next.empty()) way.latest = finish(view_, pass.node);
   for (int next : step.next) merge(way, from(pass.node, next));
   return way;
 }
 
 Way Passes::from(int node, int at) {
-  const auto [place, fresh] = known_.emplace(std::pair{node, at}, Way{0, false, true});
+  const auto [place, fresh] = known_.emplace(std::pair{node, at}, Way{Sum(), false, true});
   if (!fresh) return place->second;
   const Step& step = view_.problem.steps[static_cast<std::size_t>(at)];
-  const Nanoseconds finish = view_.times.nodes[static_cast<std::size_t>(node)].finish;
   Way way;
   if (!reachable_[static_cast<std::size_t>(at)]) {
-    way = {begins_again_ ? 0 : finish, begins_again_, false};
+    way = {begins_again_ ? Sum() : finish(view_, node), begins_again_, false};
   } else if (step.kind == Kind::wait || step.kind == Kind::fork) {
     way = beyond_wait(node, at);
   } else if (at_[static_cast<std::size_t>(at)]) {
-    way.latest = latest_effect(view_.forest, view_.times, node, at);
+    way.latest = compositional::latest(view_, node, at);
   } else {
-    if (may_match_nothing(step)) way.latest = finish;  // the skill ends
+    if (may_match_nothing(step)) way.latest = finish(view_, node);  // the skill ends
     for (int next : step.next) merge(way, from(node, next));
   }
-  way.lost = way.lost || way.latest >= never;
+  way.lost = way.lost || !way.latest.bounded();
   known_[{node, at}] = way;
   return way;
 }
@@ -123,7 +122,7 @@ Way Passes::from(int node, int at) {
 /// What the thread does when its wait, or its blocks, are over.
 Way Passes::beyond_wait(int node, int wait) {
   const ThreadConduct& of = view_.conduct.threads[static_cast<std::size_t>(thread_)];
-  if (wait == of.home) return {0, true, false};
+  if (wait == of.home) return {Sum(), true, false};
   Way way;
   bool any = false;
   for (int other : of.nodes) {

@@ -13,9 +13,9 @@ struct Pass {
 
 /// The ways on from a place: until one of the statements has had its effect, or none can come any more.
 struct Way {
-  Nanoseconds latest = 0;  // from the nominal instant of the source, of those ways that get there
-  bool home = false;       // some way comes home first
-  bool lost = false;       // nothing is known of some way
+  Sum latest;         // from the nominal instant of the source, of those ways that get there
+  bool home = false;  // some way comes home first
+  bool lost = false;  // nothing is known of some way
 };
 
 /// The effects of the statements `at` in one thread, as long as it comes home from every round.
@@ -33,10 +33,10 @@ class Passes {
   /// Whether each round passes one, or goes where none can come any more, and rounds come at a known pace.
   bool every_round() const { return every_round_; }
   /// With every_round: latest pass of a round, from the nominal instant of its source.
-  Nanoseconds latest() const { return latest_; }
-  /// Greatest distance of nominal instants of rounds, and of the first from time 0; `never`: not known.
-  Nanoseconds gap() const { return gap_; }
-  Nanoseconds first() const { return first_; }
+  const Sum& latest() const { return latest_; }
+  /// Greatest distance of nominal instants of rounds, and of the first from time 0; unbounded: not known.
+  const Sum& gap() const { return gap_; }
+  const Sum& first() const { return first_; }
 
  private:
   Way from(int node, int step);
@@ -53,9 +53,9 @@ class Passes {
   std::vector<Pass> before_rounds_;
   std::map<std::pair<int, int>, Way> known_;
   bool every_round_ = false;
-  Nanoseconds latest_ = 0;
-  Nanoseconds gap_ = never;
-  Nanoseconds first_ = never;
+  Sum latest_;
+  Sum gap_ = Sum::unbounded();
+  Sum first_ = Sum::unbounded();
 };
 
 }  // namespace pal::analyzer::compositional

@@ -6,9 +6,9 @@
 namespace pal::analyzer::compositional {
 namespace {
 
-Nanoseconds since_known(const Knowledge& knowledge, Pass pass, Nanoseconds until) {
-  const Nanoseconds known = knowledge.at(pass);
-  return known <= Knowledge::nothing || until >= never ? never : until - known;
+Sum since_known(const Knowledge& knowledge, Pass pass, const Sum& until) {
+  const std::optional<Sum> known = knowledge.at(pass);
+  return known ? until - *known : Sum::unbounded();
 }
 
 /// From what one effect reflects to the next effect of the same thread.
@@ -18,10 +18,10 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
   Passes passes(view, thread, requirement.at);
   if (passes.in_rounds().empty()) {
     // Once each, at the start.
-    const Bound none{never, "nothing bounds when " + name + " comes to it"};
+    const Bound none{Sum::unbounded(), "nothing bounds when " + name + " comes to it"};
     const Way way = passes.from_entry();
     if (!view.lively[t] || way.home || way.lost) return none;
-    Nanoseconds greatest = way.latest;
+    Sum longest = way.latest;
     for (const Pass& pass : passes.before_rounds()) {
       const int source = view.forest.nodes[static_cast<std::size_t>(pass.node)].source;
       const Way next = passes.after(pass);
@@ -29,41 +29,39 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
           next.lost) {
         return none;
       }
-      greatest = std::max(greatest, since_known(knowledge, pass, next.latest));
+      longest = greater(longest, since_known(knowledge, pass, next.latest));
     }
-    return {greatest, none.why};
+    return {longest, none.why};
   }
   if (!goes_on(view, thread) || !passes.every_round()) {
     const std::string& trouble = view.times.trouble[t];
-    return {never, trouble.empty() ? name + " need not come to it in every round" : trouble};
+    return {Sum::unbounded(), trouble.empty() ? name + " need not come to it in every round" : trouble};
   }
-  Nanoseconds greatest = plus(passes.first(), passes.latest());
-  Nanoseconds finish = 0;
+  Sum longest = passes.first() + passes.latest();
+  Sum end;
   for (int n : view.conduct.threads[t].nodes) {
-    if (in_paced_round(view, n))
-      finish = std::max(finish, view.times.nodes[static_cast<std::size_t>(n)].finish);
+    if (in_paced_round(view, n)) end = greater(end, finish(view, n));
   }
-  const Nanoseconds next = plus(passes.gap(), passes.latest());
+  const Sum next = passes.gap() + passes.latest();
   for (const Pass& pass : passes.in_rounds()) {
-    greatest = std::max(greatest, since_known(knowledge, pass, next));
+    longest = greater(longest, since_known(knowledge, pass, next));
     // A statement that a cancelled block finishes.
     if (view.conduct.threads[t].may_be_cancelled)
-      greatest = std::max(greatest, since_known(knowledge, pass, finish));
+      longest = greater(longest, since_known(knowledge, pass, end));
   }
-  return {greatest, "nothing bounds how old what " + name + " knows can be"};
+  return {longest, "nothing bounds how old what " + name + " knows can be"};
 }
 
 }  // namespace
 
 Bound known_age_bound(const View& view, const Requirement& requirement) {
   const Knowledge knowledge(view, requirement);
-  Nanoseconds oldest = 0;
+  Sum oldest;
   for (std::size_t s = 0; s < view.problem.steps.size(); ++s) {
     if (!requirement.at[s] || view.forest.segments.owner(static_cast<int>(s)) < 0) continue;
     for (int n : nodes_with(view, static_cast<int>(s))) {
       const Pass pass{n, static_cast<int>(s)};
-      const Nanoseconds latest = latest_effect(view.forest, view.times, n, pass.step);
-      oldest = std::max(oldest, since_known(knowledge, pass, latest));
+      oldest = greater(oldest, since_known(knowledge, pass, latest(view, n, pass.step)));
     }
   }
   return {oldest, "nothing bounds how old the sample is that is known there"};
@@ -72,14 +70,14 @@ Bound known_age_bound(const View& view, const Requirement& requirement) {
 Bound reaction_bound(const View& view, const Requirement& requirement) {
   const std::set<int> threads = owners(view, requirement.at);
   const Knowledge knowledge(view, requirement);
-  Bound least{never, "no thread comes to it"};
+  Bound least{Sum::unbounded(), "no thread comes to it"};
   for (int thread : threads) {
     // One of several must go on for as long as any of them.
     const auto t = static_cast<std::size_t>(thread);
     const ThreadConduct& of = view.conduct.threads[t];
     if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || !goes_on(view, thread))) continue;
     const Bound bound = in_thread(view, knowledge, requirement, thread);
-    if (bound.value < least.value || least.value >= never) least = bound;
+    if (bound.sum.value() < least.sum.value() || !least.known()) least = bound;
   }
   return least;
 }

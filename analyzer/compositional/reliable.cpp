@@ -204,39 +204,47 @@ class Ending {
          const std::vector<bool>& lively)
       : problem_(problem), forest_(forest), conduct_(conduct), times_(times), lively_(lively) {}
 
-  Nanoseconds after(int fork, int leaver) const {
-    Nanoseconds others = 0;    // latest end of the other blocks, from time 0
-    Nanoseconds stopping = 0;  // of those that cannot end
+  Sum after(int fork, int leaver) const {
+    Sum others;    // latest end of the other blocks, from time 0
+    Sum stopping;  // of those that cannot end
     for (int block : problem_.steps[static_cast<std::size_t>(fork)].threads) {
       const auto b = static_cast<std::size_t>(block);
       if (block == leaver) continue;
       if (!problem_.threads[b].can_end) {
-        stopping = std::max(stopping, stops_within(problem_, times_.windows, block));
+        const Nanoseconds within = stops_within(problem_, times_.demand->windows(), block);
+        stopping =
+            greater(stopping,
+                    {within, {Term::Kind::said, -1, -1, -1, "cancelled blocks finish what they have begun"}});
         continue;
       }
-      if (conduct_.threads[b].home >= 0 || !lively_[b] || !ends_straight(problem_, block)) return never;
+      if (conduct_.threads[b].home >= 0 || !lively_[b] || !ends_straight(problem_, block))
+        return Sum::unbounded();
       for (int n : conduct_.threads[b].nodes) {
         const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
         const bool at_start =
             forest_.sources[static_cast<std::size_t>(node.source)].kind == Source::Kind::start;
-        others = std::max(others, at_start ? times_.nodes[static_cast<std::size_t>(n)].finish : never);
+        others = greater(others, at_start ? finish(n) : Sum::unbounded());
       }
     }
-    return plus(plus(others, stopping), to_completion(fork));
+    return others + stopping + to_completion(fork);
   }
 
  private:
+  Sum finish(int node) const {
+    return {times_.nodes[static_cast<std::size_t>(node)].finish, {Term::Kind::latest, node, -1, -1, ""}};
+  }
+
   /// From when the blocks are over; all ways must complete the skill without another wait.
-  Nanoseconds to_completion(int fork) const {
+  Sum to_completion(int fork) const {
     for (std::size_t n = 0; n < forest_.nodes.size(); ++n) {
       const Segment& segment = forest_.segment_of(forest_.nodes[n]);
       const Source& source = forest_.sources[static_cast<std::size_t>(forest_.nodes[n].source)];
       if (source.kind != Source::Kind::joined || source.fork != fork || forest_.nodes[n].cause >= 0) continue;
       const bool completes =
           segment.waits.empty() && segment.forks.empty() && !segment.ends && sends_freely(segment);
-      return completes ? times_.nodes[n].finish : never;
+      return completes ? finish(static_cast<int>(n)) : Sum::unbounded();
     }
-    return never;
+    return Sum::unbounded();
   }
 
   bool sends_freely(const Segment& segment) const {
@@ -266,7 +274,7 @@ Endurance endurance_of(const Problem& problem, const Forest& forest, const Condu
     if (!conduct.threads[t].leaves) continue;
     made.leavers.push_back(thread);
     const bool known = steady.may_leave(thread) && made.steady.reliable[t];
-    made.over = std::max(made.over, known ? ending.after(steady.fork_of(thread), thread) : never);
+    made.over = greater(made.over, known ? ending.after(steady.fork_of(thread), thread) : Sum::unbounded());
   }
   return made;
 }

@@ -19,43 +19,45 @@ class Pursuit {
 
   Bound run() {
     const int source = source_of();
-    if (source < 0) return {never, "the event is none of a device"};
+    if (source < 0) return unknown("the event is none of a device");
     const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
     const std::string& device = problem_.devices[static_cast<std::size_t>(of.device)].name;
-    if (of.roots.empty()) return {never, "nobody waits for events of " + device};
+    if (of.roots.empty()) return unknown("nobody waits for events of " + device);
     if (!view_.times.no_overrun[static_cast<std::size_t>(source)]) {
       const std::string trouble = trouble_of(of.roots.front());
-      return {never, trouble.empty() ? "an event of " + device + " may come before the last one was taken"
-                                     : trouble};
+      return unknown(trouble.empty() ? "an event of " + device + " may come before the last one was taken"
+                                     : trouble);
     }
-    const Nanoseconds latest = node_value(of.roots.front());
-    if (latest >= never) return {never, why_.empty() ? "an event may stay without a response" : why_};
+    const Sum answer = node_value(of.roots.front());
+    if (!answer.bounded()) return unknown(why_.empty() ? "an event may stay without a response" : why_);
     const Nanoseconds apart = of.period - of.jitter;
-    if ((latest >= apart || view_.steady) && !in_order(source)) {
-      return {never, "an event may be answered after the next one has come, by another way"};
-    }
-    return {std::max<Nanoseconds>(latest, 0), ""};
+    if ((answer.value() >= apart || view_.steady) && !in_order(source))
+      return unknown("an event may be answered after the next one has come, by another way");
+    return {greater(Sum(), answer), ""};
   }
 
   /// Whether each occurrence of a source leads to a statement, in whatever round.
   bool always_comes(int source) {
     const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
     return std::any_of(of.roots.begin(), of.roots.end(),
-                       [this](int root) { return node_value(root) < never; });
+                       [this](int root) { return node_value(root).bounded(); });
   }
 
   /// Whether each event of the device is taken before the next one comes.
   Bound losses() {
     const int source = source_of();
-    if (source < 0) return {never, "nobody waits for its events"};
+    if (source < 0) return unknown("nobody waits for its events");
     const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
     const bool none = !of.roots.empty() && view_.times.no_overrun[static_cast<std::size_t>(source)] &&
                       certain(of.roots.front());
-    return {none ? 0 : never, why_.empty() ? "an event may come before the last one was taken" : why_};
+    if (none) return {Sum(), ""};
+    return unknown(why_.empty() ? "an event may come before the last one was taken" : why_);
   }
 
  private:
-  static constexpr Nanoseconds no_way = -1;
+  static Bound unknown(std::string why) { return {Sum::unbounded(), std::move(why)}; }
+  /// No way leads from here to an answer, nor to anything else.
+  static Sum no_way() { return Sum::number(-1); }
 
   const Node& node(int n) const { return view_.forest.nodes[static_cast<std::size_t>(n)]; }
   const Segment& segment(int n) const { return view_.forest.segment_of(node(n)); }
@@ -91,89 +93,84 @@ class Pursuit {
   }
 
   /// Latest answer of an event whose message begins this node.
-  Nanoseconds node_value(int n) {
+  Sum node_value(int n) {
     const auto known = nodes_.find(n);
     if (known != nodes_.end()) return known->second;
-    Nanoseconds value = never;
+    Sum value = Sum::unbounded();
     if (certain(n)) {
       value = beginning_value(n);
-      if (value >= never && why_.empty()) why_ = trouble_of(n);
+      if (!value.bounded() && why_.empty()) why_ = trouble_of(n);
     }
     nodes_[n] = value;
     return value;
   }
 
-  Nanoseconds beginning_value(int n) {
+  Sum beginning_value(int n) {
     const Beginning& begins = segment(n).beginning;
     if (begins.kind == Beginning::Kind::entry)
       return step_value(n, problem_.threads[static_cast<std::size_t>(begins.thread)].entry);
     const Step& step = step_at(begins.step);
     if (begins.kind == Beginning::Kind::joined) return step_value(n, step.next.front());
-    if (requirement_.at[static_cast<std::size_t>(begins.step)])
-      return view_.times.nodes[static_cast<std::size_t>(n)].effects.front();
+    if (requirement_.at[static_cast<std::size_t>(begins.step)]) return latest(view_, n, begins.step);
     const bool gives_up = begins.kind == Beginning::Kind::give_up;
     return step_value(n, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
   }
 
-  Nanoseconds step_value(int n, int at) {
+  Sum step_value(int n, int at) {
     const auto known = steps_.find({n, at});
     if (known != steps_.end()) return known->second;
     const Step& step = step_at(at);
-    Nanoseconds value = never;
+    Sum value = Sum::unbounded();
     if (step.kind == Kind::wait) {
       value = wait_value(n, at);
     } else if (step.kind == Kind::fork) {
       const bool reached = requirement_.at[static_cast<std::size_t>(at)];
-      value = reached ? view_.times.nodes[static_cast<std::size_t>(n)].finish : fork_value(n, at);
-    } else if (step.kind == Kind::end) {
-      value = never;
-    } else if (requirement_.at[static_cast<std::size_t>(at)]) {
-      value = latest_effect(view_.forest, view_.times, n, at);
-    } else if (step.kind == Kind::complete) {
-      value = latest_effect(view_.forest, view_.times, n, at);
-    } else {
-      value = may_match_nothing(step) ? latest_effect(view_.forest, view_.times, n, at) : no_way;
-      for (int next : step.next) value = std::max(value, step_value(n, next));
-      if (step.kind == Kind::send) value = std::min(value, sent_value(n, at));
+      value = reached ? finish(view_, n) : fork_value(n, at);
+    } else if (requirement_.at[static_cast<std::size_t>(at)] || step.kind == Kind::complete) {
+      value = latest(view_, n, at);
+    } else if (step.kind != Kind::end) {
+      value = may_match_nothing(step) ? latest(view_, n, at) : no_way();
+      for (int next : step.next) value = greater(value, step_value(n, next));
+      if (step.kind == Kind::send) value = less(value, sent_value(n, at));
     }
     steps_[{n, at}] = value;
     return value;
   }
 
   /// Of a message that carries the event to the one thread that takes it.
-  Nanoseconds sent_value(int n, int send) {
+  Sum sent_value(int n, int send) {
     const int channel = step_at(send).channels.front();
     if (problem_.channels[static_cast<std::size_t>(channel)].answer >= 0 && may_give_up(problem_, channel)) {
       if (why_.empty()) why_ = "a request may be withdrawn before it is taken";
-      return never;
+      return Sum::unbounded();
     }
     int taker = -1;
     for (int effect : node(n).effects) {
       const auto& sends = node(effect).sends;
       if (std::find(sends.begin(), sends.end(), send) == sends.end()) continue;
-      if (taker >= 0 || node(effect).release != Release::message) return never;
+      if (taker >= 0 || node(effect).release != Release::message) return Sum::unbounded();
       taker = effect;
     }
-    if (taker < 0 || view_.forest.thread_of(taker) == view_.forest.thread_of(n)) return never;
+    if (taker < 0 || view_.forest.thread_of(taker) == view_.forest.thread_of(n)) return Sum::unbounded();
     // What comes back to a thread in the middle of its round is followed there.
-    if (!view_.conduct.previous[static_cast<std::size_t>(taker)].empty()) return never;
+    if (!view_.conduct.previous[static_cast<std::size_t>(taker)].empty()) return Sum::unbounded();
     return node_value(taker);
   }
 
   /// Each block carries the event, as does its parent when they are over.
-  Nanoseconds fork_value(int n, int fork) {
-    Nanoseconds value = never;
+  Sum fork_value(int n, int fork) {
+    Sum value = Sum::unbounded();
     for (int effect : node(n).effects) {
       if (node(effect).release == Release::fork && node(effect).cause_step == fork)
-        value = std::min(value, node_value(effect));
+        value = less(value, node_value(effect));
     }
     return value;
   }
 
-  Nanoseconds wait_value(int n, int wait) {
+  Sum wait_value(int n, int wait) {
     const int thread = view_.forest.thread_of(n);
-    if (wait == view_.conduct.threads[static_cast<std::size_t>(thread)].home) return never;
-    Nanoseconds value = no_way;
+    if (wait == view_.conduct.threads[static_cast<std::size_t>(thread)].home) return Sum::unbounded();
+    Sum value = no_way();
     bool any = false;
     for (int other : view_.conduct.threads[static_cast<std::size_t>(thread)].nodes) {
       const auto& previous = view_.conduct.previous[static_cast<std::size_t>(other)];
@@ -181,9 +178,9 @@ class Pursuit {
           std::find(previous.begin(), previous.end(), n) == previous.end())
         continue;
       any = true;
-      value = std::max(value, node_value(other));
+      value = greater(value, node_value(other));
     }
-    return any ? value : never;
+    return any ? value : Sum::unbounded();
   }
 
   /// Whether events cannot overtake one another although several are on their way: every thread that they
@@ -205,8 +202,8 @@ class Pursuit {
   const View& view_;
   const Problem& problem_;
   const Requirement& requirement_;
-  std::map<int, Nanoseconds> nodes_;
-  std::map<std::pair<int, int>, Nanoseconds> steps_;
+  std::map<int, Sum> nodes_;
+  std::map<std::pair<int, int>, Sum> steps_;
   std::string why_;
 };
 

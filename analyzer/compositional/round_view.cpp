@@ -86,7 +86,7 @@ bool regular(const View& view, int thread) {
   comes.measure = Requirement::Measure::response;
   comes.device = source.device;
   comes.at = std::move(at);
-  return response_bound(view, comes).value < never;
+  return response_bound(view, comes).known();
 }
 
 std::vector<int> nodes_with(const View& view, int step) {

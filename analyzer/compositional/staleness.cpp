@@ -17,7 +17,7 @@ class Staleness {
   }
 
   Bound run() const {
-    if (setters_.empty()) return {never, "nobody sets the condition"};
+    if (setters_.empty()) return {Sum::unbounded(), "nobody sets the condition"};
     if (setters_.size() == 1) return sets_apart(*setters_.begin());
     return several_setters();
   }
@@ -36,7 +36,7 @@ class Staleness {
 
   /// A module may set a condition before its CONCURRENT, and then in a block.
   Bound several_setters() const {
-    const Bound none{never, "several threads set the condition"};
+    const Bound none{Sum::unbounded(), "several threads set the condition"};
     int block = -1;
     for (int setter : setters_) {
       if (problem_.threads[static_cast<std::size_t>(setter)].parent < 0) continue;
@@ -54,24 +54,25 @@ class Staleness {
     const Passes passes(view_, setter, at_);
     if (!outlasts(view_, setter, reader_) || !passes.every_round() || passes.in_rounds().empty()) {
       const std::string& trouble = view_.times.trouble[static_cast<std::size_t>(setter)];
-      return {never, trouble.empty() ? name + " may leave the condition as it is for long" : trouble};
+      return {Sum::unbounded(),
+              trouble.empty() ? name + " may leave the condition as it is for long" : trouble};
     }
-    Nanoseconds earliest = never;
+    Sum soonest = Sum::unbounded();
     for (const Pass& pass : passes.in_rounds())
-      earliest = std::min(earliest, earliest_effect(view_.forest, view_.times, pass.node, pass.step));
-    const Nanoseconds next = plus(passes.gap(), passes.latest());
-    if (next >= never) return {never, "nothing says how long " + name + " may wait between two rounds"};
-    const Nanoseconds first = plus(passes.first(), passes.latest());
-    return {std::max(next - earliest, until_first(setter, first)),
+      soonest = less(soonest, earliest(view_, pass.node, pass.step));
+    const Sum next = passes.gap() + passes.latest();
+    if (!next.bounded())
+      return {Sum::unbounded(), "nothing says how long " + name + " may wait between two rounds"};
+    return {greater(next - soonest, until_first(setter, passes.first() + passes.latest())),
             "nothing bounds when " + name + " sets first"};
   }
 
   /// Until the first set in a round a value is as old as the skill, or as what was set before the rounds.
-  Nanoseconds until_first(int setter, Nanoseconds first) const {
+  Sum until_first(int setter, const Sum& first) const {
     const int parent = problem_.threads[static_cast<std::size_t>(setter)].parent;
     const int above = parent < 0 ? setter : parent;
-    Nanoseconds earliest = never;
-    Nanoseconds latest = 0;
+    Sum soonest = Sum::unbounded();
+    Sum last;
     for (int n : conduct(above).nodes) {
       const int source = view_.forest.nodes[static_cast<std::size_t>(n)].source;
       const bool at_start =
@@ -79,14 +80,14 @@ class Staleness {
       if (!at_start || in_round(view_, n)) continue;
       for (const Segment::Passed& passed : segment(n).steps) {
         if (!sets(passed.step)) continue;
-        const Nanoseconds effect = latest_effect(view_.forest, view_.times, n, passed.step);
-        if (effect >= never) continue;  // after the blocks
-        earliest = std::min(earliest, earliest_effect(view_.forest, view_.times, n, passed.step));
-        latest = std::max(latest, effect);
+        const Sum effect = latest(view_, n, passed.step);
+        if (!effect.bounded()) continue;  // after the blocks
+        soonest = less(soonest, earliest(view_, n, passed.step));
+        last = greater(last, effect);
       }
     }
-    if (earliest >= never || first >= never || !sets_before_rounds(above)) return first;
-    return std::max(latest, first - earliest);
+    if (!soonest.bounded() || !first.bounded() || !sets_before_rounds(above)) return first;
+    return greater(last, first - soonest);
   }
 
   /// Every way from the beginning of a module to its first home or CONCURRENT sets the condition.

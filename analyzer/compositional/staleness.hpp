@@ -5,8 +5,7 @@
 
 namespace pal::analyzer::compositional {
 
-/// Greatest time since the set (or since time 0) whose value `reader` may read of `condition`; `never`, with
-/// the reason: nothing bounds it.
+/// Greatest time since the set (or since time 0) whose value `reader` may read of `condition`.
 Bound value_age(const View& view, int condition, int reader);
 
 /// Whether `thread` goes on with its rounds for as long as `reader` does.

@@ -4,13 +4,13 @@
 
 #include "analyzer/compositional/demand.hpp"
 #include "analyzer/compositional/pace.hpp"
+#include "analyzer/compositional/release.hpp"
 #include "analyzer/compositional/slots.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
 
 using Kind = Step::Kind;
-using Release = Node::Release;
 
 constexpr int most_passes = 400;
 
@@ -41,11 +41,15 @@ std::vector<NodeTimes> unhindered(const Ground& ground, const std::vector<bool>&
 class Solver : private Ground {
  public:
   Solver(const Ground& ground, const std::vector<bool>& at, const std::function<bool()>& stop)
-      : Ground(ground), stop_(stop), nodes_(unhindered(ground, at)), demand_(ground, nodes_) {}
+      : Ground(ground),
+        stop_(stop),
+        nodes_(unhindered(ground, at)),
+        demand_(ground, nodes_),
+        releases_(*this, nodes_, demand_) {}
 
   Times run() {
     times_.trouble.resize(problem.threads.size());
-    blocked_.assign(problem.threads.size(), false);
+    times_.blocked.assign(problem.threads.size(), false);
     for (std::size_t t = 0; t < problem.threads.size(); ++t) times_.trouble[t] = conduct.threads[t].trouble;
     const Slots slots(*this);
     do {
@@ -54,90 +58,14 @@ class Solver : private Ground {
       if (times_.interrupted) return std::move(times_);
     } while (finds_trouble(slots));
     find_pace(*this, times_);
-    times_.windows = demand_.windows();
+    times_.demand = std::make_shared<const Demand>(demand_);
     return std::move(times_);
   }
 
  private:
   NodeTimes& times(int n) { return nodes_[static_cast<std::size_t>(n)]; }
 
-  Nanoseconds latest_send(int n, const std::vector<int>& sends) const {
-    Nanoseconds latest = 0;
-    for (int send : sends) {
-      const std::size_t place = place_of(segment(n), send);
-      latest = std::max(latest, nodes_[static_cast<std::size_t>(n)].effects[place]);
-    }
-    return latest;
-  }
-
-  Nanoseconds arrival(int n, int wait) const { return latest_arrival(*this, nodes_, n, wait); }
-
-  Nanoseconds latest_release(int n) {
-    const Node& of = node(n);
-    const int thread = forest.thread_of(n);
-    if (blocked_[static_cast<std::size_t>(thread)]) return never;
-    const int round = round_of(n);
-    const Beginning& begins = segment(n).beginning;
-    // Trouble with rounds is none before they begin.
-    const bool waited = segment(round).beginning.kind == Beginning::Kind::arm ||
-                        segment(round).beginning.kind == Beginning::Kind::give_up;
-    if (waited && !times_.trouble[static_cast<std::size_t>(thread)].empty()) return never;
-    switch (of.release) {
-      case Release::root: {
-        if (source(n).kind != Source::Kind::event) return 0;
-        // The device is closed until its one taker is at home.
-        return std::max({source(n).jitter, held_back(thread),
-                         source(n).at_one_wait ? 0 : first_at_home(*this, nodes_, thread)});
-      }
-      case Release::fork: {
-        const Nanoseconds begun = arrival(of.cause, of.cause_step);
-        return begins.kind == Beginning::Kind::joined ? std::max(begun, blocks_over(of)) : begun;
-      }
-      case Release::limit:
-        return plus(arrival(of.cause, of.cause_step), step_at(of.cause_step).within.value_or(0));
-      case Release::message:
-        break;
-    }
-    Nanoseconds latest = plus(latest_send(of.cause, of.sends), way(n).worst);
-    if (of.device >= 0) latest = plus(latest, answer_queue(of.device, sent_channel(n)));
-    const auto& previous = conduct.previous[static_cast<std::size_t>(n)];
-    if (previous.empty())
-      return round == n ? std::max({latest, first_at_home(*this, nodes_, thread), held_back(thread)}) : never;
-    for (int before : previous) latest = std::max(latest, arrival(before, begins.step));
-    return latest;
-  }
-
-  /// When all blocks that a node's cause has started have ended or stopped.
-  Nanoseconds blocks_over(const Node& joined) {
-    Nanoseconds latest = 0;
-    Nanoseconds stopping = 0;
-    for (int block : step_at(joined.cause_step).threads) {
-      if (!problem.threads[static_cast<std::size_t>(block)].can_end) {
-        stopping = std::max(stopping, stops_within(problem, demand_.windows(), block));
-        continue;
-      }
-      const bool troubled = !times_.trouble[static_cast<std::size_t>(block)].empty() ||
-                            blocked_[static_cast<std::size_t>(block)];
-      if (troubled || conduct_of(block).home >= 0 || !ends_straight(problem, block)) return never;
-      for (int n : conduct_of(block).nodes) {
-        const Node& begun = node(round_of(n));
-        if (begun.cause == joined.cause && segment(n).ends) latest = std::max(latest, times(n).finish);
-      }
-    }
-    return plus(latest, stopping);
-  }
-
-  /// A thread that was held in the last send of its round is at home that much later.
-  Nanoseconds held_back(int thread) const {
-    Nanoseconds latest = 0;
-    for (int n : conduct_of(thread).nodes) {
-      for (const Segment::Passed& passed : segment(n).steps) {
-        const Nanoseconds until = held_until(*this, nodes_, n, passed.step);
-        latest = std::max(latest, until >= never ? never : until - source(n).period);
-      }
-    }
-    return latest;
-  }
+  Nanoseconds latest_release(int n) const { return releases_.latest(n, times_.trouble, times_.blocked).at; }
 
   bool update(int n) {
     NodeTimes& mine = times(n);
@@ -214,14 +142,15 @@ class Solver : private Ground {
     demand_.find_bursts(nodes_, home_again);
   }
 
+  /// Whether something is found that the times do not count with yet.
   bool finds_trouble(const Slots& slots) {
     bool found = false;
     for (const Slots::Trouble& each : slots.trouble(times_)) {
-      if (each.blocked) blocked_[static_cast<std::size_t>(each.thread)] = true;
-      std::string& trouble = times_.trouble[static_cast<std::size_t>(each.thread)];
-      if (!trouble.empty()) continue;
-      trouble = thread_at(each.thread).name + " " + each.why;
-      found = true;
+      const auto thread = static_cast<std::size_t>(each.thread);
+      found = found || times_.trouble[thread].empty() || (each.blocked && !times_.blocked[thread]);
+      if (each.blocked) times_.blocked[thread] = true;
+      if (times_.trouble[thread].empty())
+        times_.trouble[thread] = thread_at(each.thread).name + " " + each.why;
     }
     return found;
   }
@@ -229,7 +158,7 @@ class Solver : private Ground {
   const std::function<bool()>& stop_;
   std::vector<NodeTimes> nodes_;
   Demand demand_;
-  std::vector<bool> blocked_;  // by thread: it may have to wait in a send
+  Releases releases_;
   Times times_;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,16 +22,36 @@ struct NodeTimes {
   static constexpr Nanoseconds unknown = -1;
 };
 
+/// What an instant is due to: it is that of what is waited for, and `after` more.
+struct Due {
+  enum class By {
+    source,   // the nominal instant of its source
+    held,     // its thread was held in the last send of its round
+    home,     // its thread comes home for the first time
+    arrival,  // `node` arrives at the wait or CONCURRENT `step`
+    blocks,   // the blocks that `node` has started at `step` are over
+    message,  // `node` has sent by `step`
+  };
+  Nanoseconds at = 0;  // `never`: no bound
+  By by = By::source;
+  int node = -1;
+  int step = -1;
+  Nanoseconds after = 0;
+};
+
+class Demand;
+
 struct Times {
   std::vector<NodeTimes> nodes;
   /// By thread, why nothing bounds when it goes on; empty if something does.
   std::vector<std::string> trouble;
+  std::vector<bool> blocked;  // by thread: it may have to wait in a send
   /// By source: its events are all taken before the next can come.
   std::vector<bool> no_overrun;
   /// By source: latest distance from one occurrence to the next, and of the first from time 0; `never`: none.
-  std::vector<Nanoseconds> longest_gap;
-  std::vector<Nanoseconds> first;
-  BusyWindows windows{{}};  // of all processors, with the jitter found
+  std::vector<Due> longest_gap;
+  std::vector<Due> first;
+  std::shared_ptr<const Demand> demand;  // with the jitter found
   bool interrupted = false;
 };
 

@@ -71,7 +71,7 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
   } else {
     show_findings(session, console);
     if (!wrong) say_what_was_not_proved(session, console.err);
-    write_table(proofs, console.out);
+    write_table(proofs, options.explain, console.out);
   }
   if (options.statistics && options.format == Format::text) write_statistics(proofs, console.err);
   if (!options.witness.empty() && !wrong) {

@@ -90,6 +90,7 @@ void add_check(CLI::App& app, CheckOptions& options) {
       ->type_name("STAGE");
   command->add_option("--witness", options.witness, "write the run that shows each bound, for pal replay")
       ->type_name("FILE");
+  command->add_flag("--explain", options.explain, "print what adds up to each bound");
   command->add_flag("--statistics", options.statistics,
                     "print states, classes, seconds and peak memory of each requirement and of all");
   command->footer(statuses);

@@ -23,6 +23,7 @@ struct CheckOptions {
   ProofLimits limits;
   Format format = Format::text;
   Stage emit = Stage::none;
+  bool explain = false;
   bool statistics = false;
   std::string witness;  // where to write the witnesses
 };

@@ -38,8 +38,9 @@ void add_units(const pan::Network& network, const PanOptions& options, syntax::T
 }
 
 ExitStatus no_module(const PanOptions& options, const Console& console) {
-  console.err << (options.module.empty() ? "pal: there is no module with a body to draw\n"
-                                         : fmt::format("pal: no module with a body is called '{}'\n", options.module));
+  console.err << (options.module.empty()
+                      ? "pal: there is no module with a body to draw\n"
+                      : fmt::format("pal: no module with a body is called '{}'\n", options.module));
   return ExitStatus::usage;
 }
 

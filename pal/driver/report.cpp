@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "pal/driver/arithmetic.hpp"
 #include "pal/driver/statistics.hpp"
 #include "pal/support/render.hpp"
 
@@ -47,7 +48,7 @@ std::string method_text(const analyzer::Verdict& verdict) {
 
 }  // namespace
 
-void write_table(const std::vector<Proof>& proofs, std::ostream& out) {
+void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& out) {
   for (const Proof& proof : proofs) {
     std::size_t name_width = 0, measure_width = 0;
     for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
@@ -61,6 +62,7 @@ void write_table(const std::vector<Proof>& proofs, std::ostream& out) {
                          verdict.requirement, name_width, measure_text(proof.problem, i), measure_width,
                          bound_text(verdict), figure_text(verdict.measure, verdict.limit),
                          margin_text(verdict), method_text(verdict));
+      if (explain) write_arithmetic(verdict, out);
     }
   }
 }
@@ -86,6 +88,7 @@ std::string json(const std::vector<Proof>& proofs, const Session& session, bool 
       row["exact"] = verdict.exact;
       row["analysis"] = analyzer::name(verdict.method);
       row["verdict"] = analyzer::name(verdict.state);
+      row["addends"] = arithmetic(verdict);
       if (statistics) row["statistics"] = nlohmann::ordered_json::parse(json(verdict.statistics));
       document["requirements"].push_back(std::move(row));
     }

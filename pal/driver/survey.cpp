@@ -81,7 +81,8 @@ void Survey::measure_load(std::size_t index, const KnownRun& run, std::size_t nu
   for (const int processor : problem_.requirements[index].processors) {
     const Nanoseconds busy =
         busy_time(slices, run.trace, problem_.processors[static_cast<std::size_t>(processor)].name);
-    const auto share = static_cast<Nanoseconds>(second * static_cast<double>(busy) / static_cast<double>(run.end));
+    const auto share =
+        static_cast<Nanoseconds>(second * static_cast<double>(busy) / static_cast<double>(run.end));
     ++seen.values;
     if (!further(problem_.requirements[index], share, seen.extreme)) continue;
     seen.extreme = Measured{share, 0, run.end, -1};

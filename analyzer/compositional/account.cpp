@@ -1,0 +1,263 @@
+#include "analyzer/compositional/account.hpp"
+
+#include <algorithm>
+
+#include "analyzer/compositional/release.hpp"
+#include "analyzer/compositional/slots.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using By = Due::By;
+
+constexpr std::size_t most_addends = 400;
+
+/// Follows latest instants back to where their sources begin.
+class Writer {
+ public:
+  explicit Writer(const View& view)
+      : view_(view),
+        ground_{view.problem, view.forest, view.conduct},
+        releases_(ground_, view.times.nodes, *view.times.demand) {}
+
+  std::vector<Addend> run(const Sum& bound) {
+    for (const Sum::Addend& each : bound.addends()) add(each);
+    if (out_.size() > most_addends) out_.clear();
+    return std::move(out_);
+  }
+
+ private:
+  const NodeTimes& times(int node) const { return view_.times.nodes[static_cast<std::size_t>(node)]; }
+
+  void say(Nanoseconds amount, const std::string& actor, std::string what, int statement = -1) {
+    if (amount == 0 || out_.size() > most_addends) return;
+    Addend made{amount, actor, std::move(what), "", 0};
+    if (statement >= 0) {
+      const Statement& of = view_.problem.statements[static_cast<std::size_t>(statement)];
+      made.file = of.file;
+      made.line = of.line;
+    }
+    out_.push_back(std::move(made));
+  }
+
+  const std::string& thread_name(int thread) const { return ground_.thread_at(thread).name; }
+  const std::string& actor(int node) const { return thread_name(view_.forest.thread_of(node)); }
+
+  std::string text(int step) const {
+    const int statement = ground_.step_at(step).statement;
+    return statement < 0 ? "a test" : view_.problem.statements[static_cast<std::size_t>(statement)].text;
+  }
+
+  /// Where a node begins, in the text.
+  int statement_of(int node) const {
+    const Segment& of = ground_.segment(node);
+    for (const Segment::Passed& passed : of.steps) {
+      const int statement = ground_.step_at(passed.step).statement;
+      if (statement >= 0) return statement;
+    }
+    return -1;
+  }
+
+  void add(const Sum::Addend& each) {
+    const Term& term = each.term;
+    switch (term.kind) {
+      case Term::Kind::latest:
+        if (each.amount == instant(term)) return until(term.node, term.step);
+        return say(each.amount, actor(term.node), "at the latest, until " + place(term), statement(term));
+      case Term::Kind::earliest:
+        return say(each.amount, actor(term.node), "at the earliest, until " + place(term), statement(term));
+      case Term::Kind::gap:
+        return round(term.source, view_.times.longest_gap[static_cast<std::size_t>(term.source)],
+                     each.amount);
+      case Term::Kind::first:
+        return round(term.source, view_.times.first[static_cast<std::size_t>(term.source)], each.amount);
+      case Term::Kind::said:
+        return say(each.amount, term.node < 0 ? "" : actor(term.node), term.what,
+                   term.node < 0 ? -1 : statement(term));
+    }
+  }
+
+  /// To a source's next occurrence, or the first.
+  void round(int source, const Due& next, Nanoseconds amount) {
+    const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
+    const std::string& name = source_name(source);
+    if (of.kind == Source::Kind::event) {
+      say(amount - next.after, name, "finds nobody who waits for it before");
+      return say(next.after, name, "comes again");
+    }
+    if (amount != next.at || next.node < 0) return say(amount, name, "comes to the next round");
+    wait_for(next, name, feed_device(of, next));
+  }
+
+  static int feed_device(const Source& of, const Due& next) {
+    for (const Source::Feed& feed : of.feeds) {
+      if (feed.node == next.node && std::count(feed.sends.begin(), feed.sends.end(), next.step) > 0)
+        return feed.device;
+    }
+    return -1;
+  }
+
+  /// For an arrival, or for what was sent.
+  void wait_for(const Due& due, const std::string& name, int device) {
+    const int statement = ground_.step_at(due.step).statement;
+    if (due.by == By::arrival) {
+      until_arrival(due.node, due.step);
+      return say(due.after, name, "waits at " + text(due.step), statement);
+    }
+    until(due.node, due.step);
+    if (device < 0)
+      return say(due.after, actor(due.node), "waits until " + text(due.step) + " has arrived", statement);
+    say(due.after, view_.problem.devices[static_cast<std::size_t>(device)].name, "answers " + text(due.step),
+        statement);
+  }
+
+  Nanoseconds instant(const Term& term) const {
+    return term.step < 0 ? times(term.node).finish
+                         : latest_effect(view_.forest, view_.times, term.node, term.step);
+  }
+  std::string place(const Term& term) const {
+    return term.step < 0 ? "the end of the segment" : text(term.step) + " has its effect";
+  }
+  int statement(const Term& term) const {
+    return term.step < 0 ? statement_of(term.node) : ground_.step_at(term.step).statement;
+  }
+
+  std::string source_name(int source) const {
+    const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
+    return of.kind == Source::Kind::event ? view_.problem.devices[static_cast<std::size_t>(of.device)].name
+                                          : thread_name(of.thread);
+  }
+
+  /// To the latest effect of a step of a node, or to the end of its segment.
+  void until(int node, int step) {
+    const Segment& of = ground_.segment(node);
+    if (step < 0) return work(node, of.worst, times(node).finish, -1);
+    const std::size_t at = place_of(of, step);
+    work(node, of.steps[at].worst, times(node).effects[at], step);
+  }
+
+  /// To the latest arrival at a wait or CONCURRENT.
+  void until_arrival(int node, int step) {
+    const Segment& of = ground_.segment(node);
+    for (std::size_t w = 0; w < of.waits.size(); ++w) {
+      if (of.waits[w].step == step) return work(node, of.waits[w].worst, times(node).arrivals[w], step);
+    }
+    work(node, of.worst, times(node).finish, -1);
+  }
+
+  /// To when `part` of the node's work is done, at `done`; it ends with `step`.
+  void work(int node, Nanoseconds part, Nanoseconds done, int step) {
+    const Nanoseconds released = times(node).latest;
+    release(node);
+    const std::size_t before = out_.size();
+    Nanoseconds sum = released;
+    const bool runs = !ground_.segment(node).steps.empty();
+    if (runs && view_.times.demand->finish(node, part, view_.times.demand->blocking(node)) == done) {
+      window(node, part);
+      actions(node, part, step);
+      for (std::size_t a = before; a < out_.size(); ++a) sum += out_[a].amount;
+    }
+    // The send waits for its slot.
+    say(done - sum, actor(node), step < 0 ? "is held" : "is held at " + text(step),
+        step < 0 ? -1 : ground_.step_at(step).statement);
+  }
+
+  /// What keeps the node from its processor.
+  void window(int node, Nanoseconds part) {
+    const Account account = view_.times.demand->account(node, part);
+    const std::string& name = actor(node);
+    if (account.blocking > 0) {
+      const int thread = view_.times.demand->blocking_thread(node);
+      say(account.blocking, name,
+          "is kept from its processor by " + thread_name(thread) + ", which cannot be preempted");
+    }
+    for (const Account::Share& share : account.others) {
+      const int other = view_.times.demand->node_of(share.transaction, share.task);
+      const std::string times = share.jobs == 1 ? "" : ", " + std::to_string(share.jobs) + " times";
+      const bool itself = view_.forest.thread_of(other) == view_.forest.thread_of(node);
+      say(share.work, name,
+          (itself ? "does other work first" : "is kept from its processor by " + actor(other)) + times,
+          statement_of(other));
+    }
+    say(-account.done_before, name, "of all that, so much is over before it is released");
+  }
+
+  /// The actions on the longest way to `part` of the node's work.
+  void actions(int node, Nanoseconds part, int step) {
+    const Segment& of = ground_.segment(node);
+    std::vector<int> way;
+    Nanoseconds left = part;
+    int next = step;
+    for (std::size_t s = of.steps.size(); s-- > 0 && left > 0;) {
+      const Segment::Passed& passed = of.steps[s];
+      const std::vector<int>& after = ground_.step_at(passed.step).next;
+      const bool leads =
+          way.empty() && (next < 0 || passed.step == next)
+              ? true
+              : std::find(after.begin(), after.end(), next) != after.end() || begins_with(of, s);
+      if (!leads || passed.worst != left) continue;
+      way.push_back(passed.step);
+      left -= own(of, s);
+      next = passed.step;
+    }
+    const std::string& name = actor(node);
+    for (std::size_t w = way.size(); w-- > 0;) {
+      const Nanoseconds cost = own(of, place_of(of, way[w]));
+      say(cost, name, "runs " + text(way[w]), ground_.step_at(way[w]).statement);
+      part -= cost;
+    }
+    say(part, name, "runs", statement_of(node));
+  }
+
+  /// Whether a segment's place is that of the wait that begins it.
+  static bool begins_with(const Segment& of, std::size_t place) {
+    return place == 0 && of.steps.front().step == of.beginning.step;
+  }
+  /// Processor time of a step on its segment.
+  Nanoseconds own(const Segment& of, std::size_t place) const {
+    return begins_with(of, place) ? of.steps[place].worst : ground_.step_at(of.steps[place].step).cost.worst;
+  }
+
+  /// To the latest release of a node.
+  void release(int node) {
+    const Nanoseconds at = times(node).latest;
+    const Due latest = releases_.latest(node, view_.times.trouble, view_.times.blocked);
+    const Node& of = ground_.node(node);
+    const std::string& name = actor(node);
+    if (latest.at != at || deep_ > 200) return say(at, name, "begins so late", statement_of(node));
+    ++deep_;
+    switch (latest.by) {
+      case By::source:
+        say(latest.after, source_name(of.source), "comes so late");
+        break;
+      case By::held:
+        say(at, name, "was held in the round before");
+        break;
+      case By::home:
+        say(at, name, "comes to its first wait");
+        break;
+      case By::blocks:
+        say(at, name, "waits for its blocks", ground_.step_at(latest.step).statement);
+        break;
+      case By::arrival:
+      case By::message:
+        wait_for(latest, name, of.device);
+        break;
+    }
+    --deep_;
+  }
+
+  const View& view_;
+  Ground ground_;
+  Releases releases_;
+  std::vector<Addend> out_;
+  int deep_ = 0;
+};
+
+}  // namespace
+
+std::vector<Addend> account_of(const View& view, const Sum& bound) {
+  return Writer(view).run(bound);
+}
+
+}  // namespace pal::analyzer::compositional

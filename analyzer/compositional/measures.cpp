@@ -1,0 +1,27 @@
+#include "analyzer/compositional/measures.hpp"
+
+namespace pal::analyzer::compositional {
+
+using Kind = Term::Kind;
+
+Sum latest(const View& view, int node, int step) {
+  return {latest_effect(view.forest, view.times, node, step), {Kind::latest, node, step, -1, ""}};
+}
+
+Sum earliest(const View& view, int node, int step) {
+  return {earliest_effect(view.forest, view.times, node, step), {Kind::earliest, node, step, -1, ""}};
+}
+
+Sum finish(const View& view, int node) {
+  return {view.times.nodes[static_cast<std::size_t>(node)].finish, {Kind::latest, node, -1, -1, ""}};
+}
+
+Sum gap(const View& view, int source) {
+  return {view.times.longest_gap[static_cast<std::size_t>(source)].at, {Kind::gap, -1, -1, source, ""}};
+}
+
+Sum first(const View& view, int source) {
+  return {view.times.first[static_cast<std::size_t>(source)].at, {Kind::first, -1, -1, source, ""}};
+}
+
+}  // namespace pal::analyzer::compositional
