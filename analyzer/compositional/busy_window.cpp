@@ -22,7 +22,13 @@ Nanoseconds count(const Transaction& of, const Task& task, Nanoseconds phase, Na
   return piled + (length >= phase ? (length - phase) / of.period + 1 : 0);
 }
 
-/// Whether `task` comes only after `before` is done.
+/// Whether a task's work is there only after `before` is done, whatever occurs.
+bool comes_later(const Task* before, int transaction, int task) {
+  return before != nullptr && !before->later.empty() &&
+         std::binary_search(before->later.begin(), before->later.end(), std::pair{transaction, task});
+}
+
+/// Whether `task` comes, in one occurrence, only after `before` is done.
 bool follows(const Transaction& of, int before, int task) {
   const auto& followers = of.tasks[static_cast<std::size_t>(before)].followers;
   return std::binary_search(followers.begin(), followers.end(), task);
@@ -56,6 +62,7 @@ Nanoseconds BusyWindows::of_scenario(const Group& group, int scenario, const Ask
   for (int t : group.tasks) {
     const Task& task = of.tasks[static_cast<std::size_t>(t)];
     if (t == asked.task || task.priority < priority || task.cost == 0) continue;
+    if (comes_later(asked.before, group.transaction, t)) continue;
     const Nanoseconds due = phase(of, first, task);
     Nanoseconds jobs = count(of, task, due, length);
     if (asked.precedes && follows(of, asked.task, t)) {
@@ -70,7 +77,7 @@ Nanoseconds BusyWindows::of_scenario(const Group& group, int scenario, const Ask
 }
 
 /// Of the worst of a transaction's scenarios.
-Nanoseconds BusyWindows::of_group(const Group& group, int priority, Nanoseconds length,
+Nanoseconds BusyWindows::of_group(const Group& group, const Task* before, int priority, Nanoseconds length,
                                   Shares* shares) const {
   const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
   const bool alone = group.tasks.size() == 1;  // the usual case: the phase cancels out
@@ -78,26 +85,26 @@ Nanoseconds BusyWindows::of_group(const Group& group, int priority, Nanoseconds 
   int worst = -1;
   for (int t : group.tasks) {
     const Task& task = of.tasks[static_cast<std::size_t>(t)];
-    if (task.priority < priority || task.cost == 0) continue;
+    if (task.priority < priority || task.cost == 0 || comes_later(before, group.transaction, t)) continue;
     if (of.period == never || alone) {
       const Nanoseconds jobs = releases(of, task, length);
       most += jobs * task.cost;
       if (shares != nullptr) shares->push_back({group.transaction, t, jobs, jobs * task.cost});
       continue;
     }
-    const Nanoseconds work = of_scenario(group, t, {}, priority, length);
+    const Nanoseconds work = of_scenario(group, t, {before}, priority, length);
     if (worst < 0 || work > most) worst = t;
     most = std::max(most, work);
   }
-  if (shares != nullptr && worst >= 0) of_scenario(group, worst, {}, priority, length, shares);
+  if (shares != nullptr && worst >= 0) of_scenario(group, worst, {before}, priority, length, shares);
   return most;
 }
 
-Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, int priority,
-                                   Nanoseconds length, Shares* shares) const {
+Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, const Task* before,
+                                   int priority, Nanoseconds length, Shares* shares) const {
   Nanoseconds work = 0;
   for (const Group& group : groups) {
-    if (group.transaction != own) work += of_group(group, priority, length, shares);
+    if (group.transaction != own) work += of_group(group, before, priority, length, shares);
   }
   return work;
 }
@@ -111,6 +118,7 @@ Nanoseconds BusyWindows::of_siblings(int transaction, int task, Shares* shares) 
     const Task& other = of.tasks[t];
     // Of its own thread the others are over, or come later.
     if (self.thread >= 0 && other.thread == self.thread) continue;
+    if (comes_later(&self, transaction, static_cast<int>(t))) continue;
     if (static_cast<int>(t) == task || other.processor != self.processor || other.priority < self.priority)
       continue;
     work += other.cost;
@@ -129,7 +137,7 @@ BusyWindows::Critical BusyWindows::critical_once(int transaction, int task, Nano
   const Nanoseconds fixed = blocking + of_siblings(transaction, task, nullptr) + (preemptive ? part : 0);
   Nanoseconds window = fixed;
   for (int round = 0; round < most_rounds; ++round) {
-    const Nanoseconds next = fixed + of_others(groups, transaction, self.priority, window);
+    const Nanoseconds next = fixed + of_others(groups, transaction, &self, self.priority, window);
     if (next == window) return {self.offset + self.jitter + window + (preemptive ? 0 : part), window, -1, 1};
     if (next > longest_window) break;
     window = next;
@@ -152,8 +160,8 @@ Nanoseconds BusyWindows::busy(int processor) const {
 
 std::vector<Account::Share> BusyWindows::work(int processor, Nanoseconds busy) const {
   Shares shares;
-  of_others(by_processor_[static_cast<std::size_t>(processor)], -1, std::numeric_limits<int>::min(), busy,
-            &shares);
+  of_others(by_processor_[static_cast<std::size_t>(processor)], -1, nullptr, std::numeric_limits<int>::min(),
+            busy, &shares);
   return shares;
 }
 
@@ -170,7 +178,7 @@ Nanoseconds BusyWindows::window(int processor, int priority, Nanoseconds cost) c
   }
   Nanoseconds length = cost;
   for (int round = 0; round < most_rounds; ++round) {
-    const Nanoseconds next = cost + of_others(groups, -1, priority, length);
+    const Nanoseconds next = cost + of_others(groups, -1, nullptr, priority, length);
     if (next <= length) return length;
     if (next > longest_window) break;
     length = next;
@@ -191,6 +199,7 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
     for (int t : group.tasks) {
       const Task& other = each.tasks[static_cast<std::size_t>(t)];
       if (other.priority < self.priority || other.cost == 0) continue;
+      if (comes_later(&self, group.transaction, t)) continue;
       if (other.cost >= never || (other.jitter >= never && each.period != never)) return {never};
       if (each.period != never) demand += static_cast<double>(other.cost) / static_cast<double>(each.period);
     }
@@ -209,12 +218,12 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
     Nanoseconds window = 0;
     for (Nanoseconds job = 1 - piled;; ++job) {
       // Until the part is done (preemptive), or begins (not preemptive).
-      const Asked asked{task, true, due + (job - 1) * of.period - self.offset};
-      const Asked all{task, false, 0};
+      const Asked asked{&self, task, true, due + (job - 1) * of.period - self.offset};
+      const Asked all{&self, task, false, 0};
       const auto settle = [&](Nanoseconds fixed, const Asked& but) {
         Nanoseconds at = std::max(window, fixed);
         while (++rounds < most_rounds) {
-          const Nanoseconds next = fixed + of_others(groups, transaction, self.priority, at) +
+          const Nanoseconds next = fixed + of_others(groups, transaction, &self, self.priority, at) +
                                    of_scenario(own, scenario, but, self.priority, at);
           if (next <= at) return at;
           if (next > longest_window) break;
@@ -259,14 +268,14 @@ Account BusyWindows::account(int transaction, int task, Nanoseconds part, Nanose
   const Critical worst = critical(transaction, task, part, blocking);
   Account account;
   account.blocking = blocking;
-  of_others(groups, transaction, self.priority, worst.length, &account.others);
+  of_others(groups, transaction, &self, self.priority, worst.length, &account.others);
   if (worst.scenario < 0) {
     of_siblings(transaction, task, &account.others);
     return account;
   }
   const Nanoseconds due = phase(of, of.tasks[static_cast<std::size_t>(worst.scenario)], self);
   const Nanoseconds earlier = worst.job - 1 + (self.jitter + due) / of.period;
-  const Asked asked{task, true, due + (worst.job - 1) * of.period - self.offset};
+  const Asked asked{&self, task, true, due + (worst.job - 1) * of.period - self.offset};
   of_scenario(*group_of(transaction, self.processor), worst.scenario, asked, self.priority, worst.length,
               &account.others);
   account.others.push_back({transaction, task, earlier, earlier * self.cost});

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "analyzer/problem.hpp"
@@ -31,6 +32,8 @@ struct Task {
   Nanoseconds jitter = 0;
   /// Tasks of its transaction that come only after it is done, of the same occurrence; ascending.
   std::vector<int> followers;
+  /// Transactions and tasks whose work is never there before this one is done; ascending.
+  std::vector<std::pair<int, int>> later;
   int thread = -1;  // tasks of one thread are done one after the other, each when the one before is; -1: none
 };
 
@@ -100,6 +103,7 @@ class BusyWindows {
   /// The job that is asked about, and what is known to come after it: its followers of the occurrence at
   /// `occurrence`, from the beginning of the window, and of later ones.
   struct Asked {
+    const Task* before = nullptr;  // nothing of its `later` counts
     int task = -1;
     bool precedes = false;
     Nanoseconds occurrence = 0;
@@ -117,9 +121,11 @@ class BusyWindows {
   /// Work in a window; if `shares` is given, also what it is made of.
   Nanoseconds of_scenario(const Group& group, int scenario, const Asked& asked, int priority,
                           Nanoseconds length, Shares* shares = nullptr) const;
-  Nanoseconds of_group(const Group& group, int priority, Nanoseconds length, Shares* shares) const;
-  Nanoseconds of_others(const std::vector<Group>& groups, int own, int priority, Nanoseconds length,
-                        Shares* shares = nullptr) const;
+  Nanoseconds of_group(const Group& group, const Task* before, int priority, Nanoseconds length,
+                       Shares* shares) const;
+  /// Of all transactions but `own`, without what comes after `before`, if that is given.
+  Nanoseconds of_others(const std::vector<Group>& groups, int own, const Task* before, int priority,
+                        Nanoseconds length, Shares* shares = nullptr) const;
   Nanoseconds of_siblings(int transaction, int task, Shares* shares) const;
   Critical critical(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const;
   Critical critical_once(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "analyzer/compositional/precedence.hpp"
+
 namespace pal::analyzer::compositional {
 namespace {
 
@@ -11,16 +13,6 @@ std::vector<bool> preemptive(const Problem& problem) {
   std::vector<bool> all;
   for (const pan::Processor& processor : problem.processors) all.push_back(processor.preemptive);
   return all;
-}
-
-/// Whether the node's cause has nothing more to do once it has brought the node about.
-bool ends_with_cause(const Ground& ground, int node) {
-  const Node& of = ground.node(node);
-  if (of.release != Node::Release::message) return true;  // it has come to a wait, or to its blocks
-  return std::all_of(of.sends.begin(), of.sends.end(), [&](int send) {
-    const Step::Kind next = ground.step_at(ground.step_at(send).next.front()).kind;
-    return next == Step::Kind::wait || next == Step::Kind::fork || next == Step::Kind::end;
-  });
 }
 
 }  // namespace
@@ -45,9 +37,12 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes)
                      nodes[i].earliest,
                      0,
                      {},
+                     {},
                      ground.forest.thread_of(n)});
   }
   for (std::size_t n = 0; n < nodes.size(); ++n) precede(ground, static_cast<int>(n), transactions);
+  const std::vector<std::vector<int>> later = come_later(ground);
+  for (std::size_t n = 0; n < nodes.size(); ++n) exclude(static_cast<int>(n), later[n], transactions);
   for (Transaction& transaction : transactions) windows_.add(std::move(transaction));
   for (std::size_t t = 0; t < ground.problem.threads.size(); ++t)
     threads_on_[static_cast<std::size_t>(ground.problem.threads[t].processor)].push_back(static_cast<int>(t));
@@ -65,6 +60,20 @@ void Demand::precede(const Ground& ground, int node, std::vector<Transaction>& t
     if (before.processor != self.processor || before.priority > self.priority) continue;
     if (ends_with_cause(ground, at)) before.followers.push_back(task);
   }
+}
+
+/// Enters with the node what cannot delay it.
+void Demand::exclude(int node, const std::vector<int>& later, std::vector<Transaction>& transactions) const {
+  const auto task_of = [&](int n) -> Task& {
+    return transactions[static_cast<std::size_t>(ground_.node(n).source)]
+        .tasks[static_cast<std::size_t>(task_[static_cast<std::size_t>(n)])];
+  };
+  Task& self = task_of(node);
+  for (int other : later) {
+    if (task_of(other).processor == self.processor)
+      self.later.emplace_back(ground_.node(other).source, task_[static_cast<std::size_t>(other)]);
+  }
+  std::sort(self.later.begin(), self.later.end());
 }
 
 Nanoseconds Demand::greatest_jitter(int node) const {

@@ -32,6 +32,7 @@ class Demand {
 
  private:
   void precede(const Ground& ground, int node, std::vector<Transaction>& transactions) const;
+  void exclude(int node, const std::vector<int>& later, std::vector<Transaction>& transactions) const;
   Nanoseconds burst(int thread, const std::vector<NodeTimes>& nodes, bool home_again) const;
 
   Ground ground_;

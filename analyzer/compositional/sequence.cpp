@@ -36,7 +36,7 @@ int Sequence::fork_to(int thread, int block) const {
 bool Sequence::may_follow(const Beginning& earlier, const Beginning& later) {
   const Thread& first = problem_.threads[static_cast<std::size_t>(earlier.thread)];
   const Thread& second = problem_.threads[static_cast<std::size_t>(later.thread)];
-  if (first.module != second.module || later.step < 0) return true;
+  if (first.module != second.module) return true;
   const auto starts_again = [this](int thread) {
     const auto [place, fresh] = again_.emplace(thread, false);
     if (fresh) place->second = recurrent(problem_, {Beginning::Kind::entry, thread, -1, -1});
@@ -44,7 +44,7 @@ bool Sequence::may_follow(const Beginning& earlier, const Beginning& later) {
   };
   if (starts_again(earlier.thread) || starts_again(later.thread)) return true;
   const int from = earlier.step < 0 ? first.entry : earlier.step;
-  if (earlier.thread == later.thread) return reaches(from, later.step);
+  if (earlier.thread == later.thread) return later.step >= 0 && reaches(from, later.step);
   if (const int fork = fork_to(later.thread, earlier.thread); fork >= 0)
     return after(fork).contains(later.step);
   if (const int fork = fork_to(earlier.thread, later.thread); fork >= 0) return reaches(from, fork);

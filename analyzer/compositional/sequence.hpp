@@ -14,7 +14,7 @@ class Sequence {
  public:
   explicit Sequence(const Problem& problem);
 
-  /// Whether the thread of `later` may be at that wait once `earlier` has begun.
+  /// Whether `later` may still begin, or may be under way, once `earlier` has begun.
   bool may_follow(const Beginning& earlier, const Beginning& later);
 
  private:
