@@ -22,10 +22,10 @@ Nanoseconds count(const Transaction& of, const Task& task, Nanoseconds phase, Na
   return piled + (length >= phase ? (length - phase) / of.period + 1 : 0);
 }
 
-/// Whether a task's work is there only after `before` is done, whatever occurs.
-bool comes_later(const Task* before, int transaction, int task) {
-  return before != nullptr && !before->later.empty() &&
-         std::binary_search(before->later.begin(), before->later.end(), std::pair{transaction, task});
+/// Whether a task's work counts in windows of `asker`.
+bool counts(const Task* asker, int transaction, int task) {
+  return asker == nullptr || asker->without.empty() ||
+         !std::binary_search(asker->without.begin(), asker->without.end(), std::pair{transaction, task});
 }
 
 /// Whether `task` comes, in one occurrence, only after `before` is done.
@@ -62,7 +62,7 @@ Nanoseconds BusyWindows::of_scenario(const Group& group, int scenario, const Ask
   for (int t : group.tasks) {
     const Task& task = of.tasks[static_cast<std::size_t>(t)];
     if (t == asked.task || task.priority < priority || task.cost == 0) continue;
-    if (comes_later(asked.before, group.transaction, t)) continue;
+    if (!counts(asked.asker, group.transaction, t)) continue;
     const Nanoseconds due = phase(of, first, task);
     Nanoseconds jobs = count(of, task, due, length);
     if (asked.precedes && follows(of, asked.task, t)) {
@@ -77,7 +77,7 @@ Nanoseconds BusyWindows::of_scenario(const Group& group, int scenario, const Ask
 }
 
 /// Of the worst of a transaction's scenarios.
-Nanoseconds BusyWindows::of_group(const Group& group, const Task* before, int priority, Nanoseconds length,
+Nanoseconds BusyWindows::of_group(const Group& group, const Task* asker, int priority, Nanoseconds length,
                                   Shares* shares) const {
   const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
   const bool alone = group.tasks.size() == 1;  // the usual case: the phase cancels out
@@ -85,26 +85,26 @@ Nanoseconds BusyWindows::of_group(const Group& group, const Task* before, int pr
   int worst = -1;
   for (int t : group.tasks) {
     const Task& task = of.tasks[static_cast<std::size_t>(t)];
-    if (task.priority < priority || task.cost == 0 || comes_later(before, group.transaction, t)) continue;
+    if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, t)) continue;
     if (of.period == never || alone) {
       const Nanoseconds jobs = releases(of, task, length);
       most += jobs * task.cost;
       if (shares != nullptr) shares->push_back({group.transaction, t, jobs, jobs * task.cost});
       continue;
     }
-    const Nanoseconds work = of_scenario(group, t, {before}, priority, length);
+    const Nanoseconds work = of_scenario(group, t, {asker}, priority, length);
     if (worst < 0 || work > most) worst = t;
     most = std::max(most, work);
   }
-  if (shares != nullptr && worst >= 0) of_scenario(group, worst, {before}, priority, length, shares);
+  if (shares != nullptr && worst >= 0) of_scenario(group, worst, {asker}, priority, length, shares);
   return most;
 }
 
-Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, const Task* before,
-                                   int priority, Nanoseconds length, Shares* shares) const {
+Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, const Task* asker, int priority,
+                                   Nanoseconds length, Shares* shares) const {
   Nanoseconds work = 0;
   for (const Group& group : groups) {
-    if (group.transaction != own) work += of_group(group, before, priority, length, shares);
+    if (group.transaction != own) work += of_group(group, asker, priority, length, shares);
   }
   return work;
 }
@@ -118,7 +118,7 @@ Nanoseconds BusyWindows::of_siblings(int transaction, int task, Shares* shares) 
     const Task& other = of.tasks[t];
     // Of its own thread the others are over, or come later.
     if (self.thread >= 0 && other.thread == self.thread) continue;
-    if (comes_later(&self, transaction, static_cast<int>(t))) continue;
+    if (!counts(&self, transaction, static_cast<int>(t))) continue;
     if (static_cast<int>(t) == task || other.processor != self.processor || other.priority < self.priority)
       continue;
     work += other.cost;
@@ -199,7 +199,7 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
     for (int t : group.tasks) {
       const Task& other = each.tasks[static_cast<std::size_t>(t)];
       if (other.priority < self.priority || other.cost == 0) continue;
-      if (comes_later(&self, group.transaction, t)) continue;
+      if (!counts(&self, group.transaction, t)) continue;
       if (other.cost >= never || (other.jitter >= never && each.period != never)) return {never};
       if (each.period != never) demand += static_cast<double>(other.cost) / static_cast<double>(each.period);
     }

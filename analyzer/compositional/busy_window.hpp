@@ -32,8 +32,8 @@ struct Task {
   Nanoseconds jitter = 0;
   /// Tasks of its transaction that come only after it is done, of the same occurrence; ascending.
   std::vector<int> followers;
-  /// Transactions and tasks whose work is never there before this one is done; ascending.
-  std::vector<std::pair<int, int>> later;
+  /// Transactions and tasks whose work does not count in its windows; ascending.
+  std::vector<std::pair<int, int>> without;
   int thread = -1;  // tasks of one thread are done one after the other, each when the one before is; -1: none
 };
 
@@ -61,11 +61,15 @@ class BusyWindows {
   /// `preemptive` by processor.
   explicit BusyWindows(std::vector<bool> preemptive) : preemptive_(std::move(preemptive)) {}
 
-  /// Adds a transaction; its tasks' jitter may change later, nothing else.
+  /// Adds a transaction; its tasks' jitter, and what counts for them, may change later, nothing else.
   int add(Transaction transaction);
   void set_jitter(int transaction, int task, Nanoseconds jitter) {
     transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)].jitter =
         jitter;
+  }
+  void set_without(int transaction, int task, std::vector<std::pair<int, int>> without) {
+    transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)].without =
+        std::move(without);
   }
   const Transaction& transaction(int index) const { return transactions_[static_cast<std::size_t>(index)]; }
 
@@ -103,7 +107,7 @@ class BusyWindows {
   /// The job that is asked about, and what is known to come after it: its followers of the occurrence at
   /// `occurrence`, from the beginning of the window, and of later ones.
   struct Asked {
-    const Task* before = nullptr;  // nothing of its `later` counts
+    const Task* asker = nullptr;  // whose `without` does not count
     int task = -1;
     bool precedes = false;
     Nanoseconds occurrence = 0;
@@ -121,10 +125,10 @@ class BusyWindows {
   /// Work in a window; if `shares` is given, also what it is made of.
   Nanoseconds of_scenario(const Group& group, int scenario, const Asked& asked, int priority,
                           Nanoseconds length, Shares* shares = nullptr) const;
-  Nanoseconds of_group(const Group& group, const Task* before, int priority, Nanoseconds length,
+  Nanoseconds of_group(const Group& group, const Task* asker, int priority, Nanoseconds length,
                        Shares* shares) const;
-  /// Of all transactions but `own`, without what comes after `before`, if that is given.
-  Nanoseconds of_others(const std::vector<Group>& groups, int own, const Task* before, int priority,
+  /// Of all transactions but `own`, without what does not count for `asker`, if that is given.
+  Nanoseconds of_others(const std::vector<Group>& groups, int own, const Task* asker, int priority,
                         Nanoseconds length, Shares* shares = nullptr) const;
   Nanoseconds of_siblings(int transaction, int task, Shares* shares) const;
   Critical critical(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const;

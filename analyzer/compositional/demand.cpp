@@ -1,8 +1,7 @@
 #include "analyzer/compositional/demand.hpp"
 
 #include <algorithm>
-
-#include "analyzer/compositional/precedence.hpp"
+#include <limits>
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -22,7 +21,8 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes)
       windows_(preemptive(ground.problem)),
       task_(nodes.size()),
       threads_on_(ground.problem.processors.size()),
-      burst_(ground.problem.threads.size()) {
+      burst_(ground.problem.threads.size()),
+      order_(order_of(ground)) {
   std::vector<Transaction> transactions(ground.forest.sources.size());
   for (std::size_t s = 0; s < transactions.size(); ++s)
     transactions[s].period = ground.forest.sources[s].period;
@@ -41,11 +41,13 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes)
                      ground.forest.thread_of(n)});
   }
   for (std::size_t n = 0; n < nodes.size(); ++n) precede(ground, static_cast<int>(n), transactions);
-  const std::vector<std::vector<int>> later = come_later(ground);
-  for (std::size_t n = 0; n < nodes.size(); ++n) exclude(static_cast<int>(n), later[n], transactions);
   for (Transaction& transaction : transactions) windows_.add(std::move(transaction));
   for (std::size_t t = 0; t < ground.problem.threads.size(); ++t)
     threads_on_[static_cast<std::size_t>(ground.problem.threads[t].processor)].push_back(static_cast<int>(t));
+  nodes_on_.resize(ground.problem.processors.size());
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    nodes_on_[static_cast<std::size_t>(ground.thread_of(static_cast<int>(n)).processor)].push_back(
+        static_cast<int>(n));
 }
 
 /// Enters the node with the causes on its processor that are done before it begins.
@@ -62,18 +64,46 @@ void Demand::precede(const Ground& ground, int node, std::vector<Transaction>& t
   }
 }
 
-/// Enters with the node what cannot delay it.
-void Demand::exclude(int node, const std::vector<int>& later, std::vector<Transaction>& transactions) const {
-  const auto task_of = [&](int n) -> Task& {
-    return transactions[static_cast<std::size_t>(ground_.node(n).source)]
-        .tasks[static_cast<std::size_t>(task_[static_cast<std::size_t>(n)])];
+/// What comes later never counts. Nor does, on a preemptive processor, what is over before the node is
+/// released, if nothing that counts has its priority or a lower one (down to the node's): while it had the
+/// processor nothing that counts was waiting, so a window that begins when it ends has all that can delay the
+/// node.
+void Demand::exclude(int node, bool home_again) {
+  const Thread& mine = ground_.thread_of(node);
+  const auto n = static_cast<std::size_t>(node);
+  const int thread = ground_.forest.thread_of(node);
+  const auto comes_later = [&](int other) {
+    return std::binary_search(order_.later[n].begin(), order_.later[n].end(), other);
   };
-  Task& self = task_of(node);
-  for (int other : later) {
-    if (task_of(other).processor == self.processor)
-      self.later.emplace_back(ground_.node(other).source, task_[static_cast<std::size_t>(other)]);
+  const auto is_apart = [&](int other) {
+    return (home_again && ground_.forest.thread_of(other) == thread) ||
+           std::binary_search(order_.apart[n].begin(), order_.apart[n].end(), other);
+  };
+  const auto& here = nodes_on_[static_cast<std::size_t>(mine.processor)];
+  const bool preemptive = ground_.problem.processors[static_cast<std::size_t>(mine.processor)].preemptive;
+  int nearest = preemptive ? std::numeric_limits<int>::max() : mine.priority;  // least priority that counts
+  for (int other : here) {
+    const int priority = ground_.thread_of(other).priority;
+    const bool works = other != node && ground_.segment(other).worst > 0 && priority >= mine.priority;
+    if (works && !comes_later(other) && !is_apart(other)) nearest = std::min(nearest, priority);
   }
-  std::sort(self.later.begin(), self.later.end());
+  std::vector<std::pair<int, int>> without;
+  for (int other : here) {
+    if (other == node) continue;
+    if (comes_later(other) || (is_apart(other) && ground_.thread_of(other).priority < nearest))
+      without.emplace_back(ground_.node(other).source, task_[static_cast<std::size_t>(other)]);
+  }
+  std::sort(without.begin(), without.end());
+  windows_.set_without(ground_.node(node).source, task_[n], std::move(without));
+}
+
+void Demand::find_order(const std::vector<bool>& home_again) {
+  for (std::size_t n = 0; n < task_.size(); ++n) {
+    const auto thread = static_cast<std::size_t>(ground_.forest.thread_of(static_cast<int>(n)));
+    if (home_again_.empty() || home_again_[thread] != home_again[thread])
+      exclude(static_cast<int>(n), home_again[thread]);
+  }
+  home_again_ = home_again;
 }
 
 Nanoseconds Demand::greatest_jitter(int node) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/compositional/ground.hpp"
+#include "analyzer/compositional/precedence.hpp"
 #include "analyzer/compositional/times.hpp"
 
 namespace pal::analyzer::compositional {
@@ -16,6 +17,9 @@ class Demand {
   /// However late a node's causes are: what can have piled up on the way to it is one message a slot and one
   /// a thread.
   Nanoseconds greatest_jitter(int node) const;
+  /// Says of which threads no round is due before the one before is over, as releases are announced: rounds
+  /// of one thread do not delay one another then.
+  void find_order(const std::vector<bool>& home_again);
   /// How long threads keep a processor that is not preemptive once they have it, as releases are announced.
   /// `home_again`, by thread: no round is due before the one before is over.
   void find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& home_again);
@@ -32,14 +36,17 @@ class Demand {
 
  private:
   void precede(const Ground& ground, int node, std::vector<Transaction>& transactions) const;
-  void exclude(int node, const std::vector<int>& later, std::vector<Transaction>& transactions) const;
+  void exclude(int node, bool home_again);
   Nanoseconds burst(int thread, const std::vector<NodeTimes>& nodes, bool home_again) const;
 
   Ground ground_;
   BusyWindows windows_;
   std::vector<int> task_;
   std::vector<std::vector<int>> threads_on_;  // by processor
+  std::vector<std::vector<int>> nodes_on_;    // by processor
   std::vector<Nanoseconds> burst_;            // by thread
+  Order order_;
+  std::vector<bool> home_again_;  // by thread, as it was told
 };
 
 /// A block that is cancelled finishes what it has begun, as do its own: how long that may take.

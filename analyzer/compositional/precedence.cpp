@@ -19,17 +19,17 @@ bool ends_with(const Ground& ground, const std::vector<int>& sends) {
 
 class Precedence {
  public:
-  explicit Precedence(const Ground& ground) : ground_(ground), later_(ground.forest.nodes.size()) {}
+  explicit Precedence(const Ground& ground)
+      : ground_(ground), later_(ground.forest.nodes.size()), apart_(ground.forest.nodes.size()) {}
 
-  std::vector<std::vector<int>> run() {
+  Order run() {
     in_programs();
     by_causes();
     in_life();
-    for (std::vector<int>& each : later_) {
-      std::sort(each.begin(), each.end());
-      each.erase(std::unique(each.begin(), each.end()), each.end());
-    }
-    return std::move(later_);
+    for (std::size_t s = 0; s < ground_.forest.sources.size(); ++s) in_circle(static_cast<int>(s));
+    sort(later_);
+    sort(apart_);
+    return {std::move(later_), std::move(apart_)};
   }
 
  private:
@@ -58,7 +58,9 @@ class Precedence {
       if (ground_.source(static_cast<int>(n)).period < never) continue;
       for (int at = static_cast<int>(n); ground_.node(at).cause >= 0; at = ground_.node(at).cause) {
         const auto cause = static_cast<std::size_t>(ground_.node(at).cause);
-        if (ends_with_cause(ground_, at)) later_[cause].push_back(static_cast<int>(n));
+        if (!ends_with_cause(ground_, at)) continue;
+        later_[cause].push_back(static_cast<int>(n));
+        apart_[n].push_back(static_cast<int>(cause));
       }
     }
   }
@@ -74,7 +76,41 @@ class Precedence {
       for (int before : before_source(static_cast<int>(s), {})) {
         auto& later = later_[static_cast<std::size_t>(before)];
         later.insert(later.end(), nodes_of[s].begin(), nodes_of[s].end());
+        for (int n : nodes_of[s]) apart_[static_cast<std::size_t>(n)].push_back(before);
       }
+    }
+  }
+
+  /// The nodes on the way round of a loop of which one message goes round: brought about once, from outside,
+  /// and in each round by one of them.
+  void in_circle(int source) {
+    const Source& of = ground_.forest.sources[static_cast<std::size_t>(source)];
+    if (of.kind != Source::Kind::loop || of.feeds.size() != 2) return;
+    const auto own = std::find_if(of.feeds.begin(), of.feeds.end(), [&](const Source::Feed& feed) {
+      return feed.node >= 0 && ground_.node(feed.node).source == source;
+    });
+    const auto outer = std::find_if(of.feeds.begin(), of.feeds.end(), [&](const Source::Feed& feed) {
+      return feed.node >= 0 && ground_.source(feed.node).kind == Source::Kind::start;
+    });
+    if (own == of.feeds.end() || outer == of.feeds.end()) return;
+    std::vector<int> circle;
+    bool ended = own->wait >= 0 || ends_with(ground_, own->sends);
+    for (int at = own->node; at >= 0; at = ground_.node(at).cause) {
+      if (!ended) return;
+      circle.push_back(at);
+      ended = ends_with_cause(ground_, at);
+    }
+    for (int node : circle) {
+      for (int other : circle) {
+        if (other != node) apart_[static_cast<std::size_t>(node)].push_back(other);
+      }
+    }
+  }
+
+  static void sort(std::vector<std::vector<int>>& lists) {
+    for (std::vector<int>& each : lists) {
+      std::sort(each.begin(), each.end());
+      each.erase(std::unique(each.begin(), each.end()), each.end());
     }
   }
 
@@ -127,6 +163,7 @@ class Precedence {
 
   const Ground& ground_;
   std::vector<std::vector<int>> later_;
+  std::vector<std::vector<int>> apart_;
 };
 
 }  // namespace
@@ -137,7 +174,7 @@ bool ends_with_cause(const Ground& ground, int node) {
   return of.release != Node::Release::message || ends_with(ground, of.sends);
 }
 
-std::vector<std::vector<int>> come_later(const Ground& ground) {
+Order order_of(const Ground& ground) {
   return Precedence(ground).run();
 }
 

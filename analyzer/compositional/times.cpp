@@ -139,6 +139,7 @@ class Solver : private Ground {
       home_again.push_back(of.rounds.size() <= 1 &&
                            (of.rounds.empty() || at_home_again(*this, nodes_, of.rounds.front())));
     }
+    demand_.find_order(home_again);
     demand_.find_bursts(nodes_, home_again);
   }
 
