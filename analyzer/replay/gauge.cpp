@@ -233,9 +233,8 @@ std::optional<Nanoseconds> Gauge::growing_since() const {
       return requirement_->at_least ? std::nullopt : last_pass_;
     case Measure::busy:
       for (const int processor : requirement_->processors) {
-        const auto& since = busy_since_[static_cast<std::size_t>(processor)];
-        if (!since.empty() && paused_[static_cast<std::size_t>(processor)] < since.back())
-          return since.front();
+        const auto index = static_cast<std::size_t>(processor);
+        if (working_[index]) return busy_since_[index].front();
       }
       return std::nullopt;
     default:

@@ -174,3 +174,38 @@ TEST_CASE("an age is explained by what the thread read, not by the messages that
   REQUIRE_FALSE(age.reasons.empty());
   CHECK(test::unexplained(age) == "");
 }
+
+TEST_CASE("a thread that goes on at the instant at which it ended keeps its processor busy") {
+  const auto skill = test::skill_from_text(R"(CONDITION stop
+SKILL spinning
+  SENSOR DRIVER NONE
+  LOGICAL SENSOR NONE
+  MACHINE CONTROLLER NONE
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT pause : BUSY PERIOD OF P0 AT MOST 5 ms
+END SKILL
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  SPC( stop )
+  REPEAT
+  UNTIL( stop )
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PLACE SM1 ON P0 PRIORITY 1
+  COST TEST 1 ms
+END ENVIRONMENT
+)");
+  INFO(test::messages(skill->diagnostics));
+  REQUIRE(skill->problem);
+  const Analysis analysis = analyze(*skill->problem);
+  const Verdict& pause = analysis.verdicts.front();
+  REQUIRE(pause.state == Verdict::State::fails);
+  REQUIRE(pause.witness);
+  CHECK(pause.witness->grows);
+  CHECK(test::unconfirmed(*skill->problem, analysis) == "");
+}
