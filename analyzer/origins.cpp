@@ -72,8 +72,9 @@ void Origins::follow(std::size_t index) {
       const Origin carried = messages_[message];
       if (!device) {
         if (puts_.contains(message)) put_of_[index] = puts_[message];
-        // What a thread has read of a condition stays with it.
-        if (requirement_.condition < 0) gain(event.actor, index, carried);
+        // What a thread has read of a condition stays with it: a message tells only why it went on no sooner.
+        const bool told = requirement_.condition < 0 || carried.number == known(event.actor).number;
+        if (told) gain(event.actor, index, carried);
         return;
       }
       const int answer = problem_.channels[static_cast<std::size_t>(event.subject)].answer;

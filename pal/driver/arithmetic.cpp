@@ -29,7 +29,7 @@ void write_arithmetic(const analyzer::Verdict& verdict, std::ostream& out) {
   }
 }
 
-nlohmann::ordered_json arithmetic(const analyzer::Verdict& verdict) {
+std::string arithmetic_json(const analyzer::Verdict& verdict) {
   auto rows = nlohmann::ordered_json::array();
   for (const analyzer::Addend& each : verdict.addends) {
     rows.push_back({{"amount_ns", each.amount},
@@ -38,7 +38,7 @@ nlohmann::ordered_json arithmetic(const analyzer::Verdict& verdict) {
                     {"file", each.file},
                     {"line", each.line}});
   }
-  return rows;
+  return rows.dump();
 }
 
 }  // namespace pal::driver

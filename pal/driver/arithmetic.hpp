@@ -2,7 +2,7 @@
 #pragma once
 
 #include <iosfwd>
-#include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "analyzer/verdict.hpp"
 
@@ -12,7 +12,7 @@ namespace pal::driver {
 /// nothing if its addition is not known.
 void write_arithmetic(const analyzer::Verdict& verdict, std::ostream& out);
 
-/// [{"amount_ns", "actor", "what", "file", "line"}]; of a load, nanoseconds of work a second.
-nlohmann::ordered_json arithmetic(const analyzer::Verdict& verdict);
+/// As JSON: [{"amount_ns", "actor", "what", "file", "line"}]; of a load, nanoseconds of work a second.
+std::string arithmetic_json(const analyzer::Verdict& verdict);
 
 }  // namespace pal::driver

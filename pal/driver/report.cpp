@@ -88,7 +88,7 @@ std::string json(const std::vector<Proof>& proofs, const Session& session, bool 
       row["exact"] = verdict.exact;
       row["analysis"] = analyzer::name(verdict.method);
       row["verdict"] = analyzer::name(verdict.state);
-      row["addends"] = arithmetic(verdict);
+      row["addends"] = nlohmann::ordered_json::parse(arithmetic_json(verdict));
       if (statistics) row["statistics"] = nlohmann::ordered_json::parse(json(verdict.statistics));
       document["requirements"].push_back(std::move(row));
     }

@@ -50,6 +50,30 @@ TEST_CASE("the parts of an explanation add up to the bound") {
   CHECK(sum == Approx(35.0).epsilon(1e-12));
 }
 
+TEST_CASE("what is printed below a requirement adds up to its bound, whatever the analysis") {
+  for (const std::string analysis : {"exact", "compositional"}) {
+    const Json document = Json::parse(
+        pal::test::pal({"check", touch, "-e", cell, "--format", "json", "--analysis", analysis}).out);
+    int explained = 0;
+    for (const Json& row : document["requirements"]) {
+      std::int64_t sum = 0;
+      bool placed = false;
+      for (const Json& each : row["addends"]) {
+        sum += each["amount_ns"].get<std::int64_t>();
+        placed = placed || each["line"] > 0;
+      }
+      if (row["addends"].empty()) continue;
+      ++explained;
+      CHECK(sum == row["bound_ns"]);
+      CHECK(placed);
+    }
+    CHECK(explained >= 3);
+  }
+  const auto answer = pal::test::pal({"check", touch, "-e", cell, "--explain"});
+  CHECK(answer.status == ExitStatus::all_hold);
+  CHECK(answer.out.find("+ 200 us  MC1 runs obey  (") != std::string::npos);
+}
+
 TEST_CASE("the JSON form has the documented members and no others") {
   const auto answer = pal::test::pal({"check", read_first, "--environment", cell, "--format", "json"});
   CHECK(answer.status == ExitStatus::not_met);
@@ -62,9 +86,9 @@ TEST_CASE("the JSON form has the documented members and no others") {
   }
   REQUIRE(document.at("requirements").size() == 4);
   for (const Json& row : document.at("requirements")) {
-    CHECK(row.size() == 10);
+    CHECK(row.size() == 11);
     for (const char* member : {"name", "skill", "environment", "measure", "limit_ns", "bound_ns", "exact",
-                               "attained_ns", "analysis", "verdict"}) {
+                               "attained_ns", "analysis", "verdict", "addends"}) {
       CHECK(row.contains(member));
     }
   }
@@ -85,7 +109,8 @@ TEST_CASE("without an environment everything is checked that needs no times, and
 }
 
 TEST_CASE("a search that is cut short leaves what it did not decide undecided") {
-  const auto answer = pal::test::pal({"check", touch, "-e", cell, "--max-states", "10"});
+  const auto answer =
+      pal::test::pal({"check", touch, "-e", cell, "--max-states", "10", "--analysis", "exact"});
   CHECK(answer.status == ExitStatus::not_met);
   CHECK(answer.out.find("undecided") != std::string::npos);
   CHECK(answer.out.find("holds      fresh-force") == std::string::npos);
