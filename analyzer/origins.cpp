@@ -11,6 +11,7 @@ Origins::Origins(const Problem& problem, const Requirement& requirement, const t
       requirement_(requirement),
       run_(run),
       threads_(problem.threads.size()),
+      reads_(problem.threads.size()),
       requests_(problem.channels.size()),
       conditions_(problem.conditions.size()),
       sets_(problem.conditions.size()) {
@@ -52,6 +53,7 @@ void Origins::follow(std::size_t index) {
       for (int block = 0; forks && block < threads; ++block) {
         if (problem_.threads[static_cast<std::size_t>(block)].parent != event.actor) continue;
         threads_[static_cast<std::size_t>(block)].push_back({index, known(event.actor)});
+        reads_[static_cast<std::size_t>(block)] = reads_[static_cast<std::size_t>(event.actor)];
       }
       return;
     }
@@ -73,8 +75,8 @@ void Origins::follow(std::size_t index) {
       if (!device) {
         if (puts_.contains(message)) put_of_[index] = puts_[message];
         // What a thread has read of a condition stays with it: a message tells only why it went on no sooner.
-        const bool told = requirement_.condition < 0 || carried.number == known(event.actor).number;
-        if (told) gain(event.actor, index, carried);
+        const bool reads = requirement_.condition >= 0 && reads_[static_cast<std::size_t>(event.actor)];
+        if (!reads || carried.number == known(event.actor).number) gain(event.actor, index, carried);
         return;
       }
       const int answer = problem_.channels[static_cast<std::size_t>(event.subject)].answer;
@@ -95,6 +97,7 @@ void Origins::follow(std::size_t index) {
       set_of_[index] = sets_[condition];
       const bool watched = event.subject == requirement_.condition || !requirement_.samples.empty();
       if (watched) gain(event.actor, index, conditions_[condition]);
+      if (event.subject == requirement_.condition) reads_[static_cast<std::size_t>(event.actor)] = true;
       return;
     }
     default:

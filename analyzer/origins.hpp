@@ -55,6 +55,7 @@ class Origins {
   const Requirement& requirement_;
   const trace::Trace& run_;
   std::vector<std::vector<Gained>> threads_;
+  std::vector<bool> reads_;                         // by thread: it has read the requirement's condition
   std::map<std::pair<int, int>, Origin> messages_;  // by channel and serial number
   std::map<std::pair<int, int>, std::size_t> puts_;
   std::vector<Origin> requests_;  // what the answer to each will carry
