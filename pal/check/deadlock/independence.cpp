@@ -93,7 +93,7 @@ void Independence::enter_uses(std::size_t index) {
   }
   if (step.kind == Step::Kind::complete) add(Use::complete, 0);
   const auto bit = [&](pan::ConditionId c) { return automata_.bit[c.index()]; };
-  if (step.kind == Step::Kind::set) add(Use::write, *bit(step.condition));
+  if (step.kind == Step::Kind::set && bit(step.condition)) add(Use::write, *bit(step.condition));
   if (step.kind == Step::Kind::latch && bit(step.condition)) add(Use::read, *bit(step.condition));
   std::vector<pan::ConditionId> conditions;
   for (const auto& guard : step.guards) conditions_of(guard, conditions);

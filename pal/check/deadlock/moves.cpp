@@ -30,6 +30,17 @@ Moves::Moves(const Automata& automata, int withdrawn)
     slots_.push_back(end);
     end += answer ? 1 + most_asked / 2 : 1;
   }
+  requests_.resize(automata.threads.size());
+  for (const auto& step : automata.steps) {
+    if (step.kind != Step::Kind::send) continue;
+    const auto channel = step.channels.front();
+    if (!automata.answer_of[channel.index()]) continue;
+    // A block that ends hands over what it has open.
+    for (std::optional<std::size_t> t = step.thread; t; t = automata.threads[*t].parent) {
+      auto& of = requests_[*t];
+      if (std::find(of.begin(), of.end(), channel) == of.end()) of.push_back(channel);
+    }
+  }
   values_ = end;
   latches_ = values_ + bit_words_;
   words_ = latches_ + 2 * bit_words_ * automata.threads.size();
@@ -108,7 +119,7 @@ bool Moves::finishing(const State& state, std::size_t thread) const {
 }
 
 bool Moves::full(const State& state, pan::ChannelId channel) const {
-  return slot(state, channel).full;
+  return (state[slots_[channel.index()]] & 1) != 0;
 }
 
 int Moves::open(const State& state, pan::ChannelId request) const {
@@ -125,7 +136,7 @@ bool Moves::blurred(const State& state) const {
 
 bool Moves::blurred(const State& state, pan::ChannelId answer) const {
   const auto& request = automata_.request_of[answer.index()];
-  return request && slot(state, *request).withdrawn() > withdrawn_;
+  return request && asked(state, *request) > withdrawn_ && slot(state, *request).withdrawn() > withdrawn_;
 }
 
 int Moves::open(const State& state, pan::ChannelId request, std::size_t thread) const {
@@ -165,7 +176,13 @@ State Moves::first() const {
 void Moves::of(const State& state, std::size_t thread, std::vector<Move>& result) const {
   const auto before = result.size();
   steps_of(state, thread, result);
-  for (auto i = before; i < result.size(); ++i) forget(result[i].state);
+  for (auto i = before; i < result.size(); ++i) {
+    forget(result[i].state);
+    if (i == before) continue;
+    auto alike = result[i].deed;
+    alike.outcome = result[i - 1].deed.outcome;
+    if (alike == result[i - 1].deed) result[i].deed.outcome = alike.outcome + 1;
+  }
 }
 
 void Moves::forget(State& state) const {
@@ -222,9 +239,9 @@ void Moves::steps_of(const State& state, std::size_t thread, std::vector<Move>& 
 }
 
 bool Moves::can_take(const State& state, pan::ChannelId channel) const {
-  if (!automata_.from_device[channel.index()]) return slot(state, channel).full;
+  if (!automata_.from_device[channel.index()]) return full(state, channel);
   const auto& request = automata_.request_of[channel.index()];
-  return !request || slot(state, *request).asked > 0;  // an event may come at any time
+  return !request || asked(state, *request) > 0;  // an event may come at any time
 }
 
 void Moves::take(State& state, pan::ChannelId channel) const {
@@ -277,15 +294,11 @@ void Moves::withdraw(State& state, pan::ChannelId request, std::optional<std::si
 
 /// What a block that has ended has open is its parent's.
 void Moves::hand_over(State& state, std::size_t block, std::size_t parent) const {
-  for (std::size_t c = 0; c < slots_.size(); ++c) {
-    auto of = slot(state, pan::ChannelId(c));
-    bool changed = false;
-    for (int& owner : of.by) {
-      if (owner != static_cast<int>(block) + 1) continue;
-      owner = static_cast<int>(parent) + 1;
-      changed = true;
-    }
-    if (changed) put_slot(state, pan::ChannelId(c), of);
+  for (const auto request : requests_[block]) {
+    if (asked(state, request) == 0) continue;
+    auto of = slot(state, request);
+    std::replace(of.by.begin(), of.by.end(), static_cast<int>(block) + 1, static_cast<int>(parent) + 1);
+    put_slot(state, request, of);
   }
 }
 
@@ -297,7 +310,9 @@ State Moves::without_request(const State& state, pan::ChannelId request) const {
 }
 
 void Moves::abandon(State& state, std::size_t thread) const {
-  for (std::size_t c = 0; c < slots_.size(); ++c) withdraw(state, pan::ChannelId(c), thread);
+  for (const auto request : requests_[thread]) {
+    if (asked(state, request) > 0) withdraw(state, request, thread);
+  }
 }
 
 void Moves::wait(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const {
@@ -389,6 +404,7 @@ void Moves::set(const State& state, std::size_t thread, const Step& step, std::v
     }
     return go(std::move(move), step.next.front(), result);
   }
+  if (!known) return go({{Deed::Kind::sets, thread, index}, state, false, false}, step.next.front(), result);
   for (const bool value : {true, false}) {
     if (step.value && *step.value != value) continue;
     Move move{{Deed::Kind::sets, thread, index, {}, value}, state, false, false};
@@ -404,21 +420,45 @@ bool Moves::reads(const State& state, std::size_t thread, pan::ConditionId condi
   return bit(state, values_, *known);
 }
 
+/// Those of a test that may be taken, in the order of the text; the number of guards: no guard holds.
+std::vector<std::size_t> Moves::branches(const State& state, std::size_t thread, const Step& step) const {
+  std::vector<pan::ConditionId> unknown;
+  for (const auto& guard : step.guards) conditions_of(guard, unknown);
+  std::erase_if(unknown, [&](pan::ConditionId c) { return !automata_.unknown[c.index()]; });
+  const bool too_many = unknown.size() > most_read_at_once;
+  std::vector<bool> may(step.guards.size() + 1, too_many);
+  for (std::size_t values = 0; !too_many && values >> unknown.size() == 0; ++values) {
+    const auto read = [&](pan::ConditionId condition) {
+      const auto at = std::find(unknown.begin(), unknown.end(), condition);
+      if (at == unknown.end()) return reads(state, thread, condition);
+      return (values >> (at - unknown.begin()) & 1) != 0;
+    };
+    std::size_t branch = 0;
+    while (branch < step.guards.size() && !holds(step.guards[branch], read)) ++branch;
+    may[branch] = true;
+  }
+  std::vector<std::size_t> result;
+  for (std::size_t branch = 0; branch < may.size(); ++branch) {
+    if (may[branch]) result.push_back(branch);
+  }
+  return result;
+}
+
 void Moves::test(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const {
   const auto index = static_cast<std::size_t>(&step - automata_.steps.data());
-  const auto read = [&](pan::ConditionId condition) { return reads(state, thread, condition); };
-  std::size_t branch = 0;
-  while (branch < step.guards.size() && !holds(step.guards[branch], read)) ++branch;
-  Move move{{Deed::Kind::finds, thread, index}, state, false, false};
-  move.deed.branch = branch;
-  for (std::size_t w = 0; w < 2 * bit_words_; ++w) move.state[latched(thread) + w] = 0;
-  if (branch == step.guards.size() && !step.otherwise) {
-    move.deed.kind = Deed::Kind::faults;
-    move.ended = true;
-    result.push_back(std::move(move));
-    return;
+  const auto found = branches(state, thread, step);
+  for (const auto branch : found) {
+    Move move{{Deed::Kind::finds, thread, index}, state, false, false, found.size() > 1};
+    move.deed.branch = branch;
+    for (std::size_t w = 0; w < 2 * bit_words_; ++w) move.state[latched(thread) + w] = 0;
+    if (branch == step.guards.size() && !step.otherwise) {
+      move.deed.kind = Deed::Kind::faults;
+      move.ended = true;
+      result.push_back(std::move(move));
+    } else {
+      go(std::move(move), step.next[branch], result);
+    }
   }
-  go(std::move(move), step.next[branch], result);
 }
 
 }  // namespace pal::frontend::deadlock
