@@ -41,6 +41,11 @@ Moves::Moves(const Automata& automata, int withdrawn)
       if (std::find(of.begin(), of.end(), channel) == of.end()) of.push_back(channel);
     }
   }
+  for (const auto& step : automata.steps) {
+    auto& read = unknown_.emplace_back();
+    for (const auto& guard : step.guards) conditions_of(guard, read);
+    std::erase_if(read, [&](pan::ConditionId c) { return !automata.unknown[c.index()]; });
+  }
   values_ = end;
   latches_ = values_ + bit_words_;
   words_ = latches_ + 2 * bit_words_ * automata.threads.size();
@@ -421,21 +426,20 @@ bool Moves::reads(const State& state, std::size_t thread, pan::ConditionId condi
 }
 
 /// Those of a test that may be taken, in the order of the text; the number of guards: no guard holds.
-std::vector<std::size_t> Moves::branches(const State& state, std::size_t thread, const Step& step) const {
-  std::vector<pan::ConditionId> unknown;
-  for (const auto& guard : step.guards) conditions_of(guard, unknown);
-  std::erase_if(unknown, [&](pan::ConditionId c) { return !automata_.unknown[c.index()]; });
+std::vector<std::size_t> Moves::branches(const State& state, std::size_t thread, std::size_t index) const {
+  const auto& guards = automata_.steps[index].guards;
+  const auto& unknown = unknown_[index];
   const bool too_many = unknown.size() > most_read_at_once;
-  std::vector<bool> may(step.guards.size() + 1, too_many);
+  std::vector<bool> may(guards.size() + 1, too_many);
   for (std::size_t values = 0; !too_many && values >> unknown.size() == 0; ++values) {
     const auto read = [&](pan::ConditionId condition) {
       const auto at = std::find(unknown.begin(), unknown.end(), condition);
       if (at == unknown.end()) return reads(state, thread, condition);
       return (values >> (at - unknown.begin()) & 1) != 0;
     };
-    std::size_t branch = 0;
-    while (branch < step.guards.size() && !holds(step.guards[branch], read)) ++branch;
-    may[branch] = true;
+    const auto holds_now = [&](const pan::Guard& guard) { return holds(guard, read); };
+    const auto first = std::find_if(guards.begin(), guards.end(), holds_now);
+    may[static_cast<std::size_t>(first - guards.begin())] = true;
   }
   std::vector<std::size_t> result;
   for (std::size_t branch = 0; branch < may.size(); ++branch) {
@@ -446,7 +450,7 @@ std::vector<std::size_t> Moves::branches(const State& state, std::size_t thread,
 
 void Moves::test(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const {
   const auto index = static_cast<std::size_t>(&step - automata_.steps.data());
-  const auto found = branches(state, thread, step);
+  const auto found = branches(state, thread, index);
   for (const auto branch : found) {
     Move move{{Deed::Kind::finds, thread, index}, state, false, false, found.size() > 1};
     move.deed.branch = branch;

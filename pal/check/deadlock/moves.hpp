@@ -144,7 +144,7 @@ class Moves {
   void go(Move move, std::size_t next, std::vector<Move>& result) const;
   bool can_take(const State& state, pan::ChannelId channel) const;
   bool reads(const State& state, std::size_t thread, pan::ConditionId condition) const;
-  std::vector<std::size_t> branches(const State& state, std::size_t thread, const Step& step) const;
+  std::vector<std::size_t> branches(const State& state, std::size_t thread, std::size_t index) const;
 
   void wait(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const;
   void send(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const;
@@ -156,7 +156,8 @@ class Moves {
   StepSets to_be_read_;
   StepSets latches_to_be_read_;
   std::vector<std::size_t> slots_;  // where each slot begins
-  std::vector<std::vector<pan::ChannelId>> requests_;  // that may belong to each thread
+  std::vector<std::vector<pan::ChannelId>> requests_;    // that may belong to each thread
+  std::vector<std::vector<pan::ConditionId>> unknown_;  // that each step tests
   std::size_t values_ = 0;          // … the conditions' values
   std::size_t latches_ = 0;         // … what each thread has latched: masks, then values
   std::size_t bit_words_ = 0;

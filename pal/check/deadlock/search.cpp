@@ -135,9 +135,10 @@ Threads choose(const Independence& independence, const State& state, const Enabl
       const auto closure = independence.closure(state, enabled, Threads().set(t));
       if (!closure) continue;
       const auto some = movable(*closure);
+      if (some.count() == 1 && enabled[t].size() == 1) return some;
       if (!best || some.count() < best->count()) best = some;
-      if (best->count() == 1) return *best;
     }
+    if (best && best->count() == 1) return *best;
   }
   return best ? *best : enabled.can_move();
 }
