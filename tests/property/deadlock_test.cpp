@@ -191,8 +191,8 @@ TEST_CASE("withdrawn requests that are not counted change nothing of what is dec
   Seen seen;
   Blurred blurred;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    for (const auto& text : {test::RandomPolling(seed).text(), test::RandomTalk(seed).text(),
-                             test::RandomNest(seed).text()}) {
+    for (const auto& text :
+         {test::RandomPolling(seed).text(), test::RandomTalk(seed).text(), test::RandomNest(seed).text()}) {
       CAPTURE(seed);
       INFO(text);
       const auto skill = skill_of(text);

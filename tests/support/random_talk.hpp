@@ -198,8 +198,8 @@ class RandomPolling {
   std::mt19937_64 engine_;
 };
 
-/// The text of a skill whose method asks two or three sensors from blocks within blocks, of which some end and
-/// cancel others again and again, and tests what they set.
+/// The text of a skill whose method asks two or three sensors from blocks within blocks, of which some end
+/// and cancel others again and again, and tests what they set.
 class RandomNest {
  public:
   explicit RandomNest(std::uint64_t seed) : engine_(seed) {}
@@ -219,8 +219,9 @@ class RandomNest {
            "  SKILL METHOD SM1\n  COMPLETION 0 NORMAL\n  COMPLETION 2 ERROR\nEND SKILL\n";
     for (int i = 1; i <= sensors_; ++i) out += sensor(i);
     if (mover) {
-      out += "Machine Controller: MC1\nBEGIN\n  REPEAT\n    TXM( request motion from SM1 )\n    WTM( motion "
-             "from SM1 )\n  UNTIL( forever )\nEND\n";
+      out +=
+          "Machine Controller: MC1\nBEGIN\n  REPEAT\n    TXM( request motion from SM1 )\n    WTM( motion "
+          "from SM1 )\n  UNTIL( forever )\nEND\n";
     }
     out += "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n";
     for (int i = 1; i <= sensors_; ++i) out += "  SPC( c" + std::to_string(i) + " = FALSE )\n";
@@ -228,8 +229,10 @@ class RandomNest {
     out += block(moving(mover)) + "  END CONCURRENT\n";
     if (chance(3) == 0) out += sample(1 + chance(sensors_));
     if (mover && chance(2) == 0) {
-      out += "  CASE\n  ( lost = TRUE ):\n    WTM( request motion from MC1 )\n    TXM( motion to MC1 )\n  ( lost "
-             "= FALSE ): Do Nothing\n  END CASE\n";
+      out +=
+          "  CASE\n  ( lost = TRUE ):\n    WTM( request motion from MC1 )\n    TXM( motion to MC1 )\n  ( "
+          "lost "
+          "= FALSE ): Do Nothing\n  END CASE\n";
     }
     return out + "  TXM( Completion Protocol 0 )\nEND\n";
   }
@@ -281,7 +284,8 @@ class RandomNest {
         return block(looped(forked(block(sample(1)) + block(sample(2))), "forever")) +
                (last.empty() ? "" : block(looped(last, "forever")));
       case 1:  // one for ever until the other has ended, again and again
-        return block(looped(forked(block(looped(sample(1), "forever")) + block(sample(2) + last)), "forever"));
+        return block(
+            looped(forked(block(looped(sample(1), "forever")) + block(sample(2) + last)), "forever"));
       case 2:
         return block(looped(forked(block(looped(sample(1), "forever")) + block(looped(sample(2), any()))),
                             ends())) +

@@ -77,8 +77,8 @@ struct Automata {
 /// difference to what follows are left out, with the conditions that only they read.
 Automata automata(const pan::Network& network, const Flow& flow);
 
-/// The same with every condition that some module sets unknown. All runs of `automata` are runs of these, which
-/// may have others.
+/// The same with every condition that some module sets unknown. All runs of `automata` are runs of these,
+/// which may have others.
 Automata without_conditions(Automata automata);
 
 }  // namespace pal::frontend::deadlock

@@ -1,5 +1,5 @@
-// Whether a skill is without dead ends whatever values its conditions have: many orders in which these are set
-// and tested are then one.
+// Whether a skill is without dead ends whatever values its conditions have: many orders in which these are
+// set and tested are then one.
 #pragma once
 
 #include <optional>

@@ -38,8 +38,8 @@ struct Deed {
   std::size_t thread = 0;
   std::size_t step = 0;
   pan::ChannelId channel{};
-  bool value = false;      // sets, latches
-  std::size_t branch = 0;  // finds
+  bool value = false;       // sets, latches
+  std::size_t branch = 0;   // finds
   std::size_t outcome = 0;  // of several that are else alike: blocks that are cancelled stop or finish
 
   friend bool operator==(const Deed&, const Deed&) = default;
@@ -107,8 +107,8 @@ class Moves {
 
   struct Slot {
     bool full = false;
-    bool answers = false;              // of an answer: what is in the slot answers the oldest request
-    int asked = 0;                     // of a request: how many have no answer yet that was taken
+    bool answers = false;  // of an answer: what is in the slot answers the oldest request
+    int asked = 0;         // of a request: how many have no answer yet that was taken
     /// To which thread, from 1, each of them belongs, the oldest first; nobody: it is withdrawn.
     std::array<int, most_asked> by{};
 
@@ -117,6 +117,8 @@ class Moves {
     int withdrawn() const;
   };
 
+  void lay_out();
+  void find_requests();
   Slot slot(const State& state, pan::ChannelId channel) const;
   /// How many requests have no answer yet that was taken.
   int asked(const State& state, pan::ChannelId request) const {
@@ -155,11 +157,11 @@ class Moves {
   int withdrawn_;
   StepSets to_be_read_;
   StepSets latches_to_be_read_;
-  std::vector<std::size_t> slots_;  // where each slot begins
-  std::vector<std::vector<pan::ChannelId>> requests_;    // that may belong to each thread
+  std::vector<std::size_t> slots_;                      // where each slot begins
+  std::vector<std::vector<pan::ChannelId>> requests_;   // that may belong to each thread
   std::vector<std::vector<pan::ConditionId>> unknown_;  // that each step tests
-  std::size_t values_ = 0;          // … the conditions' values
-  std::size_t latches_ = 0;         // … what each thread has latched: masks, then values
+  std::size_t values_ = 0;                              // … the conditions' values
+  std::size_t latches_ = 0;  // … what each thread has latched: masks, then values
   std::size_t bit_words_ = 0;
   std::size_t words_ = 0;
   mutable bool overflowed_ = false;
