@@ -199,7 +199,8 @@ class RandomPolling {
 };
 
 /// The text of a skill whose method asks two or three sensors from blocks within blocks, of which some end
-/// and cancel others again and again, and tests what they set.
+/// and cancel others again and again, and tests what they set. Some sensors answer only if a condition allows
+/// it.
 class RandomNest {
  public:
   explicit RandomNest(std::uint64_t seed) : engine_(seed) {}
@@ -207,7 +208,9 @@ class RandomNest {
   std::string text() {
     sensors_ = 2 + (chance(3) == 0 ? 1 : 0);
     const bool mover = chance(2) == 0;
+    gate_ = chance(3) == 0;
     std::string out = "CONDITION reached\nCONDITION lost\n";
+    if (gate_) out += "CONDITION gate\n";
     std::string names;
     for (int i = 1; i <= sensors_; ++i) {
       const auto n = std::to_string(i);
@@ -225,6 +228,7 @@ class RandomNest {
     }
     out += "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n";
     for (int i = 1; i <= sensors_; ++i) out += "  SPC( c" + std::to_string(i) + " = FALSE )\n";
+    if (gate_) out += set_gate();
     out += "  SPC( reached = FALSE )\n  SPC( lost = FALSE )\n  CONCURRENT\n" + blocks();
     out += block(moving(mover)) + "  END CONCURRENT\n";
     if (chance(3) == 0) out += sample(1 + chance(sensors_));
@@ -248,11 +252,18 @@ class RandomNest {
     return "  CONCURRENT\n" + blocks + "  END CONCURRENT\n";
   }
 
+  std::string set_gate() {
+    static const std::vector<std::string> values = {"gate", "gate = TRUE", "gate = FALSE"};
+    return "  SPC( " + values[static_cast<std::size_t>(chance(3))] + " )\n";
+  }
+
   /// Mostly one answer a request.
   std::string sensor(int i) {
     const auto n = std::to_string(i);
     const std::string take = "    WTM( request value" + n + " from SM1 )\n";
-    const std::string give = "    TXM( value" + n + " to SM1 )\n";
+    std::string give = "    TXM( value" + n + " to SM1 )\n";
+    if (gate_ && chance(2) == 0)
+      give = "    CASE\n    ( gate = TRUE ):\n" + give + "    ( gate = FALSE ): Do Nothing\n    END CASE\n";
     static const std::vector<std::string> orders = {"wt", "wt", "wt", "wt", "wwt", "wtwwt", "wwtt", "t"};
     std::string body;
     for (const char step : orders[static_cast<std::size_t>(chance(8))]) body += step == 'w' ? take : give;
@@ -316,11 +327,14 @@ class RandomNest {
     else
       body += "  SPC( reached )\n";
     if (mover) body += "  TXM( motion to MC1 )\n";
+    if (gate_ && chance(4) == 0) body += set_gate();
+    if (mover && chance(6) == 0) return looped(body, "forever");
     return chance(5) == 0 ? body : looped(body, any());
   }
 
   std::mt19937_64 engine_;
   int sensors_ = 2;
+  bool gate_ = false;
 };
 
 }  // namespace pal::test
