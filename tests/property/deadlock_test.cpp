@@ -186,6 +186,72 @@ TEST_CASE("blocks within blocks that are cancelled change nothing that is found"
                      << ", whatever the conditions " << seen.without_values);
 }
 
+// The sensor answers in some runs and in others never, whereas the robot goes on in all of them.
+TEST_CASE("a wait whose end depends on a value is found by a search without values") {
+  const std::string text = R"(CONDITION gate
+MESSAGE raw : SIGNAL
+MESSAGE value : SIGNAL
+MESSAGE motion : SIGNAL
+SKILL s
+  SENSOR DRIVER SD1
+  LOGICAL SENSOR LS1
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 2 ERROR
+END SKILL
+Sensor Driver: SD1
+BEGIN
+  REPEAT
+    WTM( request raw from LS1 )
+    TXM( raw to LS1 )
+  UNTIL( forever )
+END
+Logical Sensor: LS1
+BEGIN
+  REPEAT
+    WTM( request value from SM1 )
+    REPEAT
+      TXM( request raw from SD1 )
+      WTM( raw from SD1 )
+    UNTIL( gate )
+    TXM( value to SM1 )
+  UNTIL( forever )
+END
+Machine Controller: MC1
+BEGIN
+  REPEAT
+    TXM( request motion from SM1 )
+    WTM( motion from SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  SPC( gate )
+  CONCURRENT
+  BEGIN
+    TXM( request value from LS1 )
+    WTM( value from LS1 )
+  END
+  BEGIN
+    REPEAT
+      WTM( request motion from MC1 )
+      TXM( motion to MC1 )
+    UNTIL( forever )
+  END
+  END CONCURRENT
+  TXM( Completion Protocol 0 )
+END
+)";
+  const auto skill = skill_of(text);
+  REQUIRE(skill);
+  Seen seen;
+  compare(*skill, seen);
+  CHECK(seen.compared == 2);
+  CHECK(seen.partial == 2);
+}
+
 TEST_CASE("withdrawn requests that are not counted change nothing of what is decided") {
   const auto seeds = number("PAL_SEEDS", 200);
   Seen seen;

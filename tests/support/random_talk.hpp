@@ -210,7 +210,9 @@ class RandomNest {
     const bool mover = chance(2) == 0;
     gate_ = chance(3) == 0;
     std::string out = "CONDITION reached\nCONDITION lost\n";
+    driver_ = gate_ && chance(2) == 0;
     if (gate_) out += "CONDITION gate\n";
+    if (driver_) out += "MESSAGE raw : SIGNAL\n";
     std::string names;
     for (int i = 1; i <= sensors_; ++i) {
       const auto n = std::to_string(i);
@@ -218,8 +220,14 @@ class RandomNest {
       names += (i == 1 ? "LS" : ", LS") + n;
     }
     if (mover) out += "MESSAGE motion : SIGNAL\n";
-    out += "SKILL s\n  LOGICAL SENSOR " + names + "\n" + (mover ? "  MACHINE CONTROLLER MC1\n" : "") +
+    out += std::string("SKILL s\n") + (driver_ ? "  SENSOR DRIVER SD1\n" : "") + "  LOGICAL SENSOR " + names +
+           "\n" + (mover ? "  MACHINE CONTROLLER MC1\n" : "") +
            "  SKILL METHOD SM1\n  COMPLETION 0 NORMAL\n  COMPLETION 2 ERROR\nEND SKILL\n";
+    if (driver_) {
+      out +=
+          "Sensor Driver: SD1\nBEGIN\n  REPEAT\n    WTM( request raw from LS1 )\n    TXM( raw to LS1 )\n  "
+          "UNTIL( forever )\nEND\n";
+    }
     for (int i = 1; i <= sensors_; ++i) out += sensor(i);
     if (mover) {
       out +=
@@ -264,6 +272,9 @@ class RandomNest {
     std::string give = "    TXM( value" + n + " to SM1 )\n";
     if (gate_ && chance(2) == 0)
       give = "    CASE\n    ( gate = TRUE ):\n" + give + "    ( gate = FALSE ): Do Nothing\n    END CASE\n";
+    else if (i == 1 && driver_)
+      give =
+          "    REPEAT\n    TXM( request raw from SD1 )\n    WTM( raw from SD1 )\n    UNTIL( gate )\n" + give;
     static const std::vector<std::string> orders = {"wt", "wt", "wt", "wt", "wwt", "wtwwt", "wwtt", "t"};
     std::string body;
     for (const char step : orders[static_cast<std::size_t>(chance(8))]) body += step == 'w' ? take : give;
@@ -290,7 +301,9 @@ class RandomNest {
   std::string blocks() {
     const std::string last = sensors_ == 3 ? sample(3) : "";
     const auto ends = [&] { return chance(2) == 0 ? "forever" : any(); };
-    switch (chance(5)) {
+    switch (chance(6)) {
+      case 5:  // both once
+        return block(sample(1) + sample(2)) + (last.empty() ? "" : block(looped(last, ends())));
       case 0:  // two that are asked together, again and again
         return block(looped(forked(block(sample(1)) + block(sample(2))), "forever")) +
                (last.empty() ? "" : block(looped(last, "forever")));
@@ -328,13 +341,14 @@ class RandomNest {
       body += "  SPC( reached )\n";
     if (mover) body += "  TXM( motion to MC1 )\n";
     if (gate_ && chance(4) == 0) body += set_gate();
-    if (mover && chance(6) == 0) return looped(body, "forever");
+    if (mover && chance(4) == 0) return looped(body, "forever");
     return chance(5) == 0 ? body : looped(body, any());
   }
 
   std::mt19937_64 engine_;
   int sensors_ = 2;
   bool gate_ = false;
+  bool driver_ = false;  // of the first sensor, which asks it until the gate is open
 };
 
 }  // namespace pal::test
