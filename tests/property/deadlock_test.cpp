@@ -165,7 +165,7 @@ TEST_CASE("leaving out orders of moves changes nothing that is found") {
 
 // PAL_SEEDS=N tries N skills, PAL_FIRST=M from the M-th on.
 TEST_CASE("blocks within blocks that are cancelled change nothing that is found") {
-  const auto seeds = number("PAL_SEEDS", 300);
+  const auto seeds = number("PAL_SEEDS", 150);
   const auto first = number("PAL_FIRST", 1);
   Seen seen;
   for (auto seed = first; seed < first + seeds; ++seed) {
@@ -177,9 +177,9 @@ TEST_CASE("blocks within blocks that are cancelled change nothing that is found"
   CAPTURE(seen.compared, seen.total, seen.partial, seen.undelivered, seen.untaken, seen.without_values);
   CHECK(seen.compared > static_cast<int>(seeds / 2));
   CHECK(seen.without_values > static_cast<int>(seeds / 20));
-  CHECK(seen.total > 20);
+  CHECK(seen.total > 10);
   CHECK(seen.partial > 5);
-  CHECK(seen.undelivered > 20);
+  CHECK(seen.undelivered > 10);
   if (std::getenv("PAL_SEEDS") != nullptr)
     WARN("compared " << seen.compared << ", deadlocks " << seen.total << ", waits for ever " << seen.partial
                      << ", undelivered " << seen.undelivered << ", untaken " << seen.untaken
