@@ -198,4 +198,157 @@ class RandomPolling {
   std::mt19937_64 engine_;
 };
 
+/// The text of a skill whose method asks two or three sensors from blocks within blocks, of which some end
+/// and cancel others again and again, and tests what they set. Some sensors answer only if a condition allows
+/// it.
+class RandomNest {
+ public:
+  explicit RandomNest(std::uint64_t seed) : engine_(seed) {}
+
+  std::string text() {
+    sensors_ = 2 + (chance(3) == 0 ? 1 : 0);
+    const bool mover = chance(2) == 0;
+    gate_ = chance(3) == 0;
+    std::string out = "CONDITION reached\nCONDITION lost\n";
+    driver_ = gate_ && chance(2) == 0;
+    if (gate_) out += "CONDITION gate\n";
+    if (driver_) out += "MESSAGE raw : SIGNAL\n";
+    std::string names;
+    for (int i = 1; i <= sensors_; ++i) {
+      const auto n = std::to_string(i);
+      out += "MESSAGE value" + n + " : SIGNAL\nCONDITION c" + n + "\n";
+      names += (i == 1 ? "LS" : ", LS") + n;
+    }
+    if (mover) out += "MESSAGE motion : SIGNAL\n";
+    out += std::string("SKILL s\n") + (driver_ ? "  SENSOR DRIVER SD1\n" : "") + "  LOGICAL SENSOR " + names +
+           "\n" + (mover ? "  MACHINE CONTROLLER MC1\n" : "") +
+           "  SKILL METHOD SM1\n  COMPLETION 0 NORMAL\n  COMPLETION 2 ERROR\nEND SKILL\n";
+    if (driver_) {
+      out +=
+          "Sensor Driver: SD1\nBEGIN\n  REPEAT\n    WTM( request raw from LS1 )\n    TXM( raw to LS1 )\n  "
+          "UNTIL( forever )\nEND\n";
+    }
+    for (int i = 1; i <= sensors_; ++i) out += sensor(i);
+    if (mover) {
+      out +=
+          "Machine Controller: MC1\nBEGIN\n  REPEAT\n    TXM( request motion from SM1 )\n    WTM( motion "
+          "from SM1 )\n  UNTIL( forever )\nEND\n";
+    }
+    out += "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n";
+    for (int i = 1; i <= sensors_; ++i) out += "  SPC( c" + std::to_string(i) + " = FALSE )\n";
+    if (gate_) out += set_gate();
+    out += "  SPC( reached = FALSE )\n  SPC( lost = FALSE )\n  CONCURRENT\n" + blocks();
+    out += block(moving(mover)) + "  END CONCURRENT\n";
+    if (chance(3) == 0) out += sample(1 + chance(sensors_));
+    if (mover && chance(2) == 0) {
+      out +=
+          "  CASE\n  ( lost = TRUE ):\n    WTM( request motion from MC1 )\n    TXM( motion to MC1 )\n  ( "
+          "lost "
+          "= FALSE ): Do Nothing\n  END CASE\n";
+    }
+    return out + "  TXM( Completion Protocol 0 )\nEND\n";
+  }
+
+ private:
+  int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
+
+  static std::string block(const std::string& body) { return "  BEGIN\n" + body + "  END\n"; }
+  static std::string looped(const std::string& body, const std::string& until) {
+    return "  REPEAT\n" + body + "  UNTIL( " + until + " )\n";
+  }
+  static std::string forked(const std::string& blocks) {
+    return "  CONCURRENT\n" + blocks + "  END CONCURRENT\n";
+  }
+
+  std::string set_gate() {
+    static const std::vector<std::string> values = {"gate", "gate = TRUE", "gate = FALSE"};
+    return "  SPC( " + values[static_cast<std::size_t>(chance(3))] + " )\n";
+  }
+
+  /// Mostly one answer a request.
+  std::string sensor(int i) {
+    const auto n = std::to_string(i);
+    const std::string take = "    WTM( request value" + n + " from SM1 )\n";
+    std::string give = "    TXM( value" + n + " to SM1 )\n";
+    if (gate_ && chance(2) == 0)
+      give = "    CASE\n    ( gate = TRUE ):\n" + give + "    ( gate = FALSE ): Do Nothing\n    END CASE\n";
+    else if (i == 1 && driver_)
+      give =
+          "    REPEAT\n    TXM( request raw from SD1 )\n    WTM( raw from SD1 )\n    UNTIL( gate )\n" + give;
+    static const std::vector<std::string> orders = {"wt", "wt", "wt", "wt", "wwt", "wtwwt", "wwtt", "t"};
+    std::string body;
+    for (const char step : orders[static_cast<std::size_t>(chance(8))]) body += step == 'w' ? take : give;
+    return "Logical Sensor: LS" + n + "\nBEGIN\n  REPEAT\n" + body + "  UNTIL( forever )\nEND\n";
+  }
+
+  std::string sample(int i) {
+    const auto n = std::to_string(i);
+    const std::string wait = "  WTM( value" + n + " from LS" + n + " )";
+    std::string out = "  TXM( request value" + n + " from LS" + n + " )\n" + wait;
+    out += chance(8) == 0 ? " WITHIN 1 ms\n    Do Nothing\n  ELSE\n    SPC( lost )\n  END WTM\n" : "\n";
+    switch (chance(6)) {
+      case 0:
+        return out;
+      case 1:
+        return out + "  CASE\n  ( c" + n + " = TRUE ): SPC( c" + n + " = FALSE )\n  ( c" + n +
+               " = FALSE ): SPC( c" + n + " )\n  END CASE\n";
+      default:
+        return out + "  SPC( c" + n + " )\n";
+    }
+  }
+
+  /// One block or two, with each sensor in one of them.
+  std::string blocks() {
+    const std::string last = sensors_ == 3 ? sample(3) : "";
+    const auto ends = [&] { return chance(2) == 0 ? "forever" : any(); };
+    switch (chance(6)) {
+      case 5:  // both once
+        return block(sample(1) + sample(2)) + (last.empty() ? "" : block(looped(last, ends())));
+      case 0:  // two that are asked together, again and again
+        return block(looped(forked(block(sample(1)) + block(sample(2))), "forever")) +
+               (last.empty() ? "" : block(looped(last, "forever")));
+      case 1:  // one for ever until the other has ended, again and again
+        return block(
+            looped(forked(block(looped(sample(1), "forever")) + block(sample(2) + last)), "forever"));
+      case 2:
+        return block(looped(forked(block(looped(sample(1), "forever")) + block(looped(sample(2), any()))),
+                            ends())) +
+               (last.empty() ? "" : block(looped(last, ends())));
+      case 3:  // three deep
+        return block(looped(
+            forked(block(looped(forked(block(looped(sample(1), "forever")) + block(sample(2))), "forever")) +
+                   block(last.empty() ? "  SPC( reached )\n" : last)),
+            "forever"));
+      default:
+        return block(looped(sample(1), ends())) + block(looped(sample(2) + last, ends()));
+    }
+  }
+
+  std::string any() {
+    std::string out = chance(2) == 0 ? "reached OR lost" : "lost";
+    for (int i = 1; i <= sensors_; ++i) {
+      if (chance(3) != 0) out += " OR c" + std::to_string(i);
+    }
+    return out;
+  }
+
+  std::string moving(bool mover) {
+    std::string body;
+    if (mover && chance(4) != 0) body += "  WTM( request motion from MC1 )\n";
+    if (chance(2) == 0)
+      body += "  CASE\n  ( c1 OR c2 ): SPC( lost )\n  ( NOT ( c1 OR c2 ) ): SPC( reached )\n  END CASE\n";
+    else
+      body += "  SPC( reached )\n";
+    if (mover) body += "  TXM( motion to MC1 )\n";
+    if (gate_ && chance(4) == 0) body += set_gate();
+    if (mover && chance(4) == 0) return looped(body, "forever");
+    return chance(5) == 0 ? body : looped(body, any());
+  }
+
+  std::mt19937_64 engine_;
+  int sensors_ = 2;
+  bool gate_ = false;
+  bool driver_ = false;  // of the first sensor, which asks it until the gate is open
+};
+
 }  // namespace pal::test

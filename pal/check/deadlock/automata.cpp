@@ -87,6 +87,7 @@ class Compiler {
                                 !result_.to_device.back());
     }
     result_.bit.resize(network_.conditions.size());
+    result_.unknown.resize(network_.conditions.size());
   }
 
   std::size_t new_thread(std::string name, pan::ModuleId module, std::optional<std::size_t> parent) {
@@ -244,6 +245,15 @@ class Compiler {
 
 Automata automata(const pan::Network& network, const Flow& flow) {
   return Compiler(network, flow).compile();
+}
+
+Automata without_conditions(Automata automata) {
+  for (std::size_t c = 0; c < automata.bit.size(); ++c) {
+    automata.unknown[c] = automata.bit[c].has_value();
+    automata.bit[c].reset();
+  }
+  automata.bits = 0;
+  return automata;
 }
 
 }  // namespace pal::frontend::deadlock

@@ -69,10 +69,16 @@ struct Automata {
   /// Conditions that some test reads and some module sets; the others are FALSE for ever, or of no account.
   std::vector<std::optional<std::size_t>> bit;  // by condition
   std::size_t bits = 0;
+  /// Conditions whose values are not followed: a test may find either. They have no bit.
+  std::vector<bool> unknown;  // by condition
 };
 
 /// Every module with a body that is not executed by another one is a thread. Tests whose outcome makes no
 /// difference to what follows are left out, with the conditions that only they read.
 Automata automata(const pan::Network& network, const Flow& flow);
+
+/// The same with every condition that some module sets unknown. All runs of `automata` are runs of these,
+/// which may have others.
+Automata without_conditions(Automata automata);
 
 }  // namespace pal::frontend::deadlock

@@ -1,6 +1,7 @@
 #include "pal/check/deadlock/decide.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -116,15 +117,28 @@ class Decider {
     for (std::size_t t = 0; t < enabled.size(); ++t) {
       if (!chosen.test(t)) continue;
       for (const auto& move : enabled[t]) add_successor(id, move);
+      nodes_[id].moved |= moved_by_guess(*nodes_[id].state, enabled[t]);
     }
+  }
+
+  /// Whatever is real of the thread's guessed moves moves these.
+  Threads moved_by_guess(const State& state, const std::vector<Move>& moves) const {
+    std::optional<Threads> result;
+    for (const auto& move : moves) {
+      if (!move.guessed) continue;
+      Threads moved;
+      add_moved(state, move, moved);
+      if (move.ended) moved.set();
+      result = result ? *result & moved : moved;
+    }
+    return result.value_or(Threads());
   }
 
   void add_successor(std::uint32_t from, const Move& move) {
     note(*nodes_[from].state, move);
     nodes_[from].followed.set(move.deed.thread);
     if (move.guessed) {
-      result_.blurred = true;
-      add_moved(*nodes_[from].state, move, nodes_[from].moved);
+      result_.blurred = result_.blurred || move.deed.kind == Deed::Kind::discards;
       if (!move.ended) guessed_.push_back(node_of(move.state));
       return;
     }

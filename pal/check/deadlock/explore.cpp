@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "pal/check/deadlock/decide.hpp"
+#include "pal/check/deadlock/exclude.hpp"
 #include "pal/check/deadlock/search.hpp"
 #include "pal/check/deadlock/ways_on.hpp"
 
@@ -23,11 +24,12 @@ class Explorer {
       : automata_(automata),
         moves_(automata, limits.withdrawn),
         most_(std::min(limits.states, limits.words / moves_.words() + 1)),
+        at_first_(limits.at_first),
+        withdrawn_(limits.withdrawn),
         plain_(automata, moves_, std::vector<bool>(automata.request_of.size()), false) {}
 
   Findings run() {
-    const Independence absorbing(automata_, moves_, automata_.command, true);
-    const auto decision = decide(automata_, moves_, absorbing, most_);
+    const auto decision = decision_of();
     result_.complete = decision.complete;
     result_.blurred = decision.blurred;
     result_.states = decision.states;
@@ -40,14 +42,29 @@ class Explorer {
     }
     if (decision.total || !decision.complete) find_total();
     if (decision.partial || !decision.complete) find_partial();
-    for (std::size_t c = 0; c < decision.undelivered.size(); ++c) {
-      if (decision.undelivered[c]) find_undelivered(pan::ChannelId(c));
-    }
+    if (!find_undelivered(decision.undelivered, most_)) result_.complete = false;
     result_.overflowed = moves_.overflowed() || (decision.blurred && !result_.complete);
     return std::move(result_);
   }
 
  private:
+  /// Small skills as they are; of large ones it is seen first whether the values of conditions matter at all.
+  Decision decision_of() {
+    const Independence absorbing(automata_, moves_, automata_.command, true);
+    const auto at_first = automata_.bits == 0 ? most_ : std::min(at_first_, most_);
+    auto decision = decide(automata_, moves_, absorbing, at_first);
+    if (decision.complete || at_first == most_ || moves_.overflowed()) return decision;
+    if (auto excluded = exclude(automata_, withdrawn_, most_)) {
+      result_.without_values = find_undelivered(excluded->undelivered, most_ / 4);
+      if (result_.without_values) {
+        excluded->undelivered.clear();
+        return *excluded;
+      }
+      result_.undelivered.clear();
+    }
+    return decide(automata_, moves_, absorbing, most_);
+  }
+
   Found look(const Independence& independence, const State& from, const Goal& goal) {
     auto found = search(moves_, independence, automata_.threads.size(), from, goal, most_);
     result_.complete = result_.complete && found.complete;
@@ -95,7 +112,20 @@ class Explorer {
     return result;
   }
 
-  void find_undelivered(pan::ChannelId channel) {
+  /// Of those channels, as far as there is a run. False: there may be one where none was found.
+  bool find_undelivered(const std::vector<bool>& channels, std::size_t most) {
+    bool complete = true;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      if (!channels[c]) continue;
+      const auto found = find_undelivered(pan::ChannelId(c), most);
+      complete = complete && found.complete;
+      if (found.way)
+        result_.undelivered.push_back({pan::ChannelId(c), found.way->length.timely > 0, found.way->run});
+    }
+    return complete;
+  }
+
+  Found find_undelivered(pan::ChannelId channel, std::size_t most) const {
     std::vector<bool> observed(automata_.request_of.size());
     observed[channel.index()] = true;
     const Independence independence(automata_, moves_, observed, false);
@@ -109,8 +139,7 @@ class Explorer {
       if (t == 0 || (parent && method.test(*parent))) method.set(t);
     }
     goal.needed = [&](const State&, const Enabled&) { return method; };
-    const auto found = look(independence, moves_.first(), goal);
-    if (found.way) result_.undelivered.push_back({channel, found.way->length.timely > 0, found.way->run});
+    return search(moves_, independence, automata_.threads.size(), moves_.first(), goal, most);
   }
 
   void describe(DeadEnd& end, const State& state, WaysOn& ways) {
@@ -169,6 +198,8 @@ class Explorer {
   const Automata& automata_;
   Moves moves_;
   std::size_t most_;
+  std::size_t at_first_;
+  int withdrawn_;
   Independence plain_;
   Length total_length_;
   Findings result_;

@@ -40,6 +40,7 @@ struct Limits {
   std::size_t states = 200'000;
   std::size_t words = 24'000'000;         // states times words of each
   int withdrawn = Moves::most_withdrawn;  // requests, yet to be answered, that are counted exactly
+  std::size_t at_first = 1'000;           // states, before it is tried without the values of conditions
 };
 
 struct Findings {
@@ -47,6 +48,7 @@ struct Findings {
   bool overflowed =
       false;  // … because more requests than can be counted are open, or withdrawn and not yet answered
   bool blurred = false;  // more requests were withdrawn than are counted; what is found is real all the same
+  bool without_values = false;  // whatever values the conditions have, it is the same
   std::size_t states = 0;
   std::optional<DeadEnd> total;
   std::optional<DeadEnd> partial;       // not if `total` says as much

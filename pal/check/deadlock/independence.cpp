@@ -93,7 +93,7 @@ void Independence::enter_uses(std::size_t index) {
   }
   if (step.kind == Step::Kind::complete) add(Use::complete, 0);
   const auto bit = [&](pan::ConditionId c) { return automata_.bit[c.index()]; };
-  if (step.kind == Step::Kind::set) add(Use::write, *bit(step.condition));
+  if (step.kind == Step::Kind::set && bit(step.condition)) add(Use::write, *bit(step.condition));
   if (step.kind == Step::Kind::latch && bit(step.condition)) add(Use::read, *bit(step.condition));
   std::vector<pan::ConditionId> conditions;
   for (const auto& guard : step.guards) conditions_of(guard, conditions);
@@ -247,7 +247,8 @@ std::optional<Threads> Independence::disturbing_service(const State& state, std:
   if (!automata_.answer_of[request.index()] || observed_[request.index()]) return std::nullopt;
   const auto back = moves_.without_request(state, request);
   auto at = moves_.without_request(moves.front().state, request);
-  // Withdrawing changes one count, and of one that is not exact it cannot be told whether it comes back to what it was.
+  // Withdrawing changes one count, and of one that is not exact it cannot be told whether it comes back to
+  // what it was.
   const auto answer = *automata_.answer_of[request.index()];
   if (moves_.blurred(back, answer) || moves_.blurred(at, answer)) return std::nullopt;
   Threads result;

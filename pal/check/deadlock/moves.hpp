@@ -38,8 +38,9 @@ struct Deed {
   std::size_t thread = 0;
   std::size_t step = 0;
   pan::ChannelId channel{};
-  bool value = false;      // sets, latches
-  std::size_t branch = 0;  // finds
+  bool value = false;       // sets, latches
+  std::size_t branch = 0;   // finds
+  std::size_t outcome = 0;  // of several that are else alike: blocks that are cancelled stop or finish
 
   friend bool operator==(const Deed&, const Deed&) = default;
 };
@@ -52,8 +53,9 @@ struct Move {
   State state;
   bool ended = false;   // the skill has completed
   bool timely = false;  // only the right times bring this about: giving up, an answer that is lost
-  bool guessed =
-      false;  // one of two moves, of which the blurred count of the state before says not which is real
+  /// One of several moves of a thread of which one is real; the state before says not which: its count is
+  /// blurred, or a condition is unknown.
+  bool guessed = false;
 };
 
 class Moves {
@@ -105,8 +107,8 @@ class Moves {
 
   struct Slot {
     bool full = false;
-    bool answers = false;              // of an answer: what is in the slot answers the oldest request
-    int asked = 0;                     // of a request: how many have no answer yet that was taken
+    bool answers = false;  // of an answer: what is in the slot answers the oldest request
+    int asked = 0;         // of a request: how many have no answer yet that was taken
     /// To which thread, from 1, each of them belongs, the oldest first; nobody: it is withdrawn.
     std::array<int, most_asked> by{};
 
@@ -115,7 +117,13 @@ class Moves {
     int withdrawn() const;
   };
 
+  void lay_out();
+  void find_requests();
   Slot slot(const State& state, pan::ChannelId channel) const;
+  /// How many requests have no answer yet that was taken.
+  int asked(const State& state, pan::ChannelId request) const {
+    return static_cast<int>(state[slots_[request.index()]] >> 2);
+  }
   void put_slot(State& state, pan::ChannelId channel, const Slot& slot) const;
   void ask(Slot& slot, std::size_t thread) const;
   void blur(Slot& slot) const;
@@ -138,6 +146,7 @@ class Moves {
   void go(Move move, std::size_t next, std::vector<Move>& result) const;
   bool can_take(const State& state, pan::ChannelId channel) const;
   bool reads(const State& state, std::size_t thread, pan::ConditionId condition) const;
+  std::vector<std::size_t> branches(const State& state, std::size_t thread, std::size_t index) const;
 
   void wait(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const;
   void send(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const;
@@ -148,9 +157,11 @@ class Moves {
   int withdrawn_;
   StepSets to_be_read_;
   StepSets latches_to_be_read_;
-  std::vector<std::size_t> slots_;  // where each slot begins
-  std::size_t values_ = 0;          // … the conditions' values
-  std::size_t latches_ = 0;         // … what each thread has latched: masks, then values
+  std::vector<std::size_t> slots_;                      // where each slot begins
+  std::vector<std::vector<pan::ChannelId>> requests_;   // that may belong to each thread
+  std::vector<std::vector<pan::ConditionId>> unknown_;  // that each step tests
+  std::size_t values_ = 0;                              // … the conditions' values
+  std::size_t latches_ = 0;  // … what each thread has latched: masks, then values
   std::size_t bit_words_ = 0;
   std::size_t words_ = 0;
   mutable bool overflowed_ = false;

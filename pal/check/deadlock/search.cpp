@@ -111,15 +111,17 @@ class Searcher {
 
 Threads choose(const Independence& independence, const State& state, const Enabled& enabled,
                const Threads& needed, std::size_t first) {
-  const auto movable = [&](const std::optional<Threads>& some) {
-    if (!some) return enabled.can_move();
+  const auto movable = [&](const Threads& some) {
     Threads result;
     for (std::size_t t = 0; t < enabled.size(); ++t) {
-      if (some->test(t) && !enabled[t].empty()) result.set(t);
+      if (some.test(t) && !enabled[t].empty()) result.set(t);
     }
     return result;
   };
-  if (needed.any()) return movable(independence.closure(state, enabled, needed));
+  if (needed.any()) {
+    const auto some = independence.closure(state, enabled, needed);
+    return some ? movable(*some) : enabled.can_move();
+  }
   // Those that wait for an event of a device come last: there is always a next one.
   const auto is_driven = [&](std::size_t t) {
     const auto& deed = enabled[t].front().deed;
@@ -130,12 +132,15 @@ Threads choose(const Independence& independence, const State& state, const Enabl
     for (std::size_t i = 0; i < enabled.size(); ++i) {
       const auto t = (first + i) % enabled.size();
       if (enabled[t].empty() || is_driven(t) != driven) continue;
-      const auto some = movable(independence.closure(state, enabled, Threads().set(t)));
+      const auto closure = independence.closure(state, enabled, Threads().set(t));
+      if (!closure) continue;
+      const auto some = movable(*closure);
+      if (some.count() == 1 && enabled[t].size() == 1) return some;
       if (!best || some.count() < best->count()) best = some;
-      if (best->count() == 1) return *best;
     }
+    if (best && best->count() == 1) return *best;
   }
-  return best.value_or(Threads());
+  return best ? *best : enabled.can_move();
 }
 
 Found search(const Moves& moves, const Independence& independence, std::size_t threads, const State& from,

@@ -1,0 +1,17 @@
+// Whether a skill is without dead ends whatever values its conditions have: many orders in which these are
+// set and tested are then one.
+#pragma once
+
+#include <optional>
+
+#include "pal/check/deadlock/decide.hpp"
+
+namespace pal::frontend::deadlock {
+
+/// What is decided of the skill with its conditions unknown, if that has no dead end and takes every message
+/// that is put, and some runs of the skill itself are seen to take each of them, too: then this is so of the
+/// skill itself. Of the commands that are undelivered it may have fewer.
+/// `withdrawn`: requests that are counted. `most_states`: as for decide.
+std::optional<Decision> exclude(const Automata& automata, int withdrawn, std::size_t most_states);
+
+}  // namespace pal::frontend::deadlock
