@@ -137,4 +137,23 @@ std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& grap
   return bounds;
 }
 
+LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph, const std::vector<int>& processors,
+                          const Fraction& limit, const Limits& limits) {
+  const std::vector<Recurrence> everywhere = recurrences(graph);
+  std::vector<std::pair<std::size_t, int>> open;
+  for (std::size_t r = 0; r < everywhere.size(); ++r) {
+    for (int processor : processors) {
+      const WorkGraph work = work_graph(machine, graph, everywhere[r], processor);
+      if (!share_bound(work, limit, limits.stop)) open.emplace_back(r, processor);
+    }
+  }
+  if (open.empty()) return {LoadDecision::State::holds, std::nullopt};
+  const auto above = [&limit](const Fraction& load) { return greater(load, limit); };
+  for (const auto& [r, processor] : open) {
+    auto run = search_unending(machine, graph, everywhere[r], processor, above, limits.stop);
+    if (run && above(run->load)) return {LoadDecision::State::fails, std::move(run->witness)};
+  }
+  return {};
+}
+
 }  // namespace pal::analyzer

@@ -25,4 +25,14 @@ struct LoadBound {
 std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph,
                                    const std::vector<int>& processors, const Limits& limits);
 
+/// Whether each of `processors` keeps a limit, without a grid: cheaper than bounds, and sometimes undecided where
+/// these would not be. `graph` as for load_bounds().
+struct LoadDecision {
+  enum class State { holds, fails, undecided };
+  State state = State::undecided;
+  std::optional<Witness> witness;  // fails
+};
+LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph, const std::vector<int>& processors,
+                          const Fraction& limit, const Limits& limits);
+
 }  // namespace pal::analyzer

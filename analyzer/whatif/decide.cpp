@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/compositional.hpp"
+#include "analyzer/load.hpp"
 #include "analyzer/simulate.hpp"
 
 namespace pal::analyzer {
@@ -95,6 +96,21 @@ Decision by_analysis(const Problem& problem, std::size_t requirement, const Opti
           fails ? std::move(verdict.witness) : std::nullopt, verdict.statistics.classes};
 }
 
+/// Loads, without asking how great they are.
+std::optional<Decision> by_shares(const Problem& problem, const Requirement& requirement,
+                                  const Options& options, Workers& workers) {
+  const Watch nothing;
+  const Machine machine(problem, nothing);
+  ZoneGraph graph(machine, 0, true);
+  const Limits limits{options.max_states, options.stop, {}, &workers};
+  if (!graph.explore(limits)) return Decision{};
+  const Fraction limit{requirement.limit, 1'000'000'000};
+  LoadDecision decision = decide_loads(machine, graph, requirement.processors, limit, limits);
+  if (decision.state == LoadDecision::State::undecided) return std::nullopt;
+  const bool fails = decision.state == LoadDecision::State::fails;
+  return Decision{fails ? Is::fails : Is::holds, std::move(decision.witness), graph.classes().size()};
+}
+
 /// Bounds of the compositional analysis cost next to nothing, and often suffice.
 bool holds_by_bound(const Problem& problem, std::size_t requirement) {
   Problem alone = problem;
@@ -107,6 +123,9 @@ bool holds_by_bound(const Problem& problem, std::size_t requirement) {
 Decision decide(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
   const Requirement& requirement = problem.requirements[index];
   if (holds_by_bound(problem, index)) return {Is::holds, std::nullopt, 0};
+  if (requirement.measure == Measure::load) {
+    if (auto decision = by_shares(problem, requirement, options, workers)) return std::move(*decision);
+  }
   if (!has_cap(requirement)) return by_analysis(problem, index, options);
   const Watch watch = watch_of(problem, requirement);
   const Machine machine(problem, watch);
