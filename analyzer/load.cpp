@@ -141,19 +141,23 @@ LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph, const 
                           const Fraction& limit, const Limits& limits) {
   const std::vector<Recurrence> everywhere = recurrences(graph);
   std::vector<std::pair<std::size_t, int>> open;
+  LoadDecision decision;
+  decision.load = {0, 1};
   for (std::size_t r = 0; r < everywhere.size(); ++r) {
     for (int processor : processors) {
       const WorkGraph work = work_graph(machine, graph, everywhere[r], processor);
-      if (!share_bound(work, limit, limits.stop)) open.emplace_back(r, processor);
+      const auto most = share_bound(work, limit, limits.stop);
+      if (!most) open.emplace_back(r, processor);
+      if (most && greater(*most, decision.load)) decision.load = *most;
     }
   }
-  if (open.empty()) return {LoadDecision::State::holds, std::nullopt};
+  if (open.empty()) decision.state = VerdictState::holds;
   const auto above = [&limit](const Fraction& load) { return greater(load, limit); };
   for (const auto& [r, processor] : open) {
     auto run = search_unending(machine, graph, everywhere[r], processor, above, limits.stop);
-    if (run && above(run->load)) return {LoadDecision::State::fails, std::move(run->witness)};
+    if (run && above(run->load)) return {VerdictState::fails, run->load, std::move(run->witness)};
   }
-  return {};
+  return decision;
 }
 
 }  // namespace pal::analyzer

@@ -7,6 +7,7 @@
 
 #include "analyzer/fraction.hpp"
 #include "analyzer/problem.hpp"
+#include "analyzer/verdict.hpp"
 #include "analyzer/witness.hpp"
 #include "analyzer/zone_graph.hpp"
 
@@ -28,9 +29,9 @@ std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& grap
 /// Whether each of `processors` keeps a limit, without a grid: cheaper than bounds, and sometimes undecided where
 /// these would not be. `graph` as for load_bounds().
 struct LoadDecision {
-  enum class State { holds, fails, undecided };
-  State state = State::undecided;
-  std::optional<Witness> witness;  // fails
+  VerdictState state = VerdictState::undecided;
+  Fraction load;                   // holds: no run exceeds it; fails: a run attains it
+  std::optional<Witness> witness;  // fails: that run
 };
 LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph, const std::vector<int>& processors,
                           const Fraction& limit, const Limits& limits);

@@ -14,6 +14,8 @@ constexpr Nanoseconds longest_time = 1'000'000'000'000'000;
 /// How an environment looks when some worst times have grown.
 class Growth {
  public:
+  __extension__ using Wide = __int128;
+
   Growth(const pan::Environment& environment, std::vector<std::string> names)
       : environment_(environment), names_(std::move(names)) {
     pan::Environment copy = environment;
@@ -37,8 +39,6 @@ class Growth {
   }
 
  private:
-  __extension__ using Wide = __int128;
-
   Nanoseconds share(Nanoseconds worst, Nanoseconds extra) const {
     if (single_ || longest_ == 0) return single_ ? extra : 0;
     return static_cast<Nanoseconds>((static_cast<Wide>(worst) * extra + longest_ - 1) / longest_);
@@ -91,12 +91,16 @@ class SlackSearch {
     Known known;
     Nanoseconds open = most + 1;  // nothing from here on is asked
     Nanoseconds step = std::max<Nanoseconds>(growth.longest(), 1'000);
+    std::optional<Nanoseconds> below;  // the excess of `holds`, if it is known
+    std::optional<Nanoseconds> above;  // of `open`
     const auto heard = [&](Nanoseconds extra, const Ruling& ruling) {
       if (ruling.state == Is::holds) {
         known.holds = extra;
+        below = ruling.excess;
         return;
       }
       open = extra;
+      above = ruling.excess;
       if (ruling.state == Is::fails) {
         known.fails = extra;
         sharpen(growth, requirements, known);
@@ -111,10 +115,12 @@ class SlackSearch {
       step *= 100;  // a run that fails leads back at once
     }
     bool next_to_failure = true;
-    while (open - known.holds > 1 && !judge_.stopped()) {
+    for (int n = 1; open - known.holds > 1 && !judge_.stopped(); ++n) {
       // The least growth with which a known run fails is often the least of all.
       const bool try_it = next_to_failure && known.fails == open;
-      const Nanoseconds extra = try_it ? open - 1 : known.holds + (open - known.holds) / 2;
+      Nanoseconds extra = try_it ? open - 1 : known.holds + (open - known.holds) / 2;
+      // Loads grow in proportion, or nearly so.
+      if (below && above && n % 4 != 0) extra = crossing(known.holds, *below, open, *above);
       heard(extra, asker(extra));
       next_to_failure = !try_it || open < extra;  // sharpened: worth another try
     }
@@ -125,6 +131,12 @@ class SlackSearch {
       (asker(middle).state == Is::fails ? known.fails : low) = middle;
     }
     return known;
+  }
+
+  /// Between two growths, one with and one without excess: where it begins, if it grows in proportion.
+  static Nanoseconds crossing(Nanoseconds low, Nanoseconds below, Nanoseconds high, Nanoseconds above) {
+    const Growth::Wide part = static_cast<Growth::Wide>(high - low) * -below / std::max<Nanoseconds>(above - below, 1);
+    return std::clamp<Nanoseconds>(low + static_cast<Nanoseconds>(part), low + 1, high - 1);
   }
 
   /// Down to the least growth with which a known run fails: replays only.
