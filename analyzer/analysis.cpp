@@ -5,6 +5,7 @@
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/explain.hpp"
 #include "analyzer/run_search.hpp"
+#include "analyzer/standstill.hpp"
 #include "analyzer/story.hpp"
 
 namespace pal::analyzer {
@@ -136,13 +137,30 @@ Analysis analyze_automatically(const Problem& problem, const Options& options) {
   return analysis;
 }
 
-}  // namespace
-
-Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
+Analysis analyze_as(const Problem& problem, AnalysisChoice choice, const Options& options) {
   if (choice == AnalysisChoice::automatic) return analyze_automatically(problem, options);
   Analysis analysis =
       choice == AnalysisChoice::exact ? analyze(problem, options) : analyze_compositionally(problem, options);
   search_all(problem, options, analysis);
+  return analysis;
+}
+
+/// Bounds on the time that passes say nothing where it stands still.
+void withhold(const std::string& why, Analysis& analysis) {
+  for (Verdict& verdict : analysis.verdicts) {
+    if (verdict.state == State::fails) continue;
+    verdict.state = State::undecided;
+    verdict.bound.reset();
+    verdict.exact = false;
+    verdict.explanation = why;
+  }
+}
+
+}  // namespace
+
+Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
+  Analysis analysis = analyze_as(problem, choice, options);
+  if (const auto why = standstill(problem, {options.max_states, options.stop})) withhold(*why, analysis);
   return analysis;
 }
 

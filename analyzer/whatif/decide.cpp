@@ -5,6 +5,7 @@
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/load.hpp"
 #include "analyzer/simulate.hpp"
+#include "analyzer/standstill.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -132,9 +133,7 @@ std::optional<Decision> holds_by_bound(const Problem& problem, std::size_t index
   return decision;
 }
 
-}  // namespace
-
-Decision decide(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
+Decision decide_by_time(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
   const Requirement& requirement = problem.requirements[index];
   if (auto decision = holds_by_bound(problem, index)) return *decision;
   if (requirement.measure == Measure::load) return load_decision(problem, index, options, workers);
@@ -154,6 +153,15 @@ Decision decide(const Problem& problem, std::size_t index, const Options& option
   if (complete && clean) return {Is::holds, {}, {}};
   if (!complete) return {};
   return by_analysis(problem, index, options);  // what is over the limit may not be possible
+}
+
+}  // namespace
+
+Decision decide(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
+  Decision decision = decide_by_time(problem, index, options, workers);
+  const Limits limits{options.max_states, options.stop, {}, &workers};
+  if (decision.state == Is::holds && standstill(problem, limits)) return {};
+  return decision;
 }
 
 bool refutes(const Problem& problem, std::size_t index, const Witness& witness) {
