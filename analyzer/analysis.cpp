@@ -146,13 +146,13 @@ Analysis analyze_as(const Problem& problem, AnalysisChoice choice, const Options
 }
 
 /// Bounds on the time that passes say nothing where it stands still.
-void withhold(const std::string& why, Analysis& analysis) {
+void withhold(Analysis& analysis) {
   for (Verdict& verdict : analysis.verdicts) {
     if (verdict.state == State::fails) continue;
     verdict.state = State::undecided;
     verdict.bound.reset();
     verdict.exact = false;
-    verdict.explanation = why;
+    verdict.explanation = "a loop goes round for ever at one instant, so nothing is said of times";
   }
 }
 
@@ -160,7 +160,8 @@ void withhold(const std::string& why, Analysis& analysis) {
 
 Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
   Analysis analysis = analyze_as(problem, choice, options);
-  if (const auto why = standstill(problem, {options.max_states, options.stop})) withhold(*why, analysis);
+  analysis.standstill = standstill(problem, {options.max_states, options.stop});
+  if (analysis.standstill) withhold(analysis);
   return analysis;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "analyzer/cycle_ratio.hpp"
 
@@ -50,32 +51,29 @@ std::vector<int> way_round(const ZoneGraph& graph) {
   return way;
 }
 
-std::string told(const Problem& problem, const ZoneGraph& graph, const std::vector<int>& way) {
-  std::set<std::string> who;
+std::vector<int> statements_of(const Problem& problem, const ZoneGraph& graph, const std::vector<int>& way) {
+  std::set<int> found;
   for (int e : way) {
     const Edge& edge = graph.edges()[static_cast<std::size_t>(e)];
     if (edge.timer >= static_cast<int>(problem.threads.size())) continue;
     const ZoneClass& from = graph.classes()[static_cast<std::size_t>(edge.from)];
     const State& state = graph.places()[static_cast<std::size_t>(from.state)].state;
-    const auto thread = static_cast<std::size_t>(edge.timer);
-    const Step& step = problem.steps[static_cast<std::size_t>(state.threads[thread].step)];
-    std::string text = problem.threads[thread].name;
-    if (step.statement >= 0) {
-      const Statement& statement = problem.statements[static_cast<std::size_t>(step.statement)];
-      text += " at " + statement.text;
-      if (statement.line > 0) text += " in line " + std::to_string(statement.line);
-    }
-    who.insert(std::move(text));
+    const int step = state.threads[static_cast<std::size_t>(edge.timer)].step;
+    const int statement = problem.steps[static_cast<std::size_t>(step)].statement;
+    if (statement >= 0) found.insert(statement);
   }
-  std::string list;
-  for (const std::string& each : who) list += (list.empty() ? "" : ", ") + each;
-  return "In some run no time passes any more, for a loop goes round for ever at one instant: " + list +
-         ". Of such a skill nothing is said about time; give something in the loop a time.";
+  std::vector<int> ordered(found.begin(), found.end());
+  std::stable_sort(ordered.begin(), ordered.end(), [&problem](int a, int b) {
+    const Statement& one = problem.statements[static_cast<std::size_t>(a)];
+    const Statement& other = problem.statements[static_cast<std::size_t>(b)];
+    return std::tie(one.file, one.line) < std::tie(other.file, other.line);
+  });
+  return ordered;
 }
 
 }  // namespace
 
-std::optional<std::string> standstill(const Problem& problem, const Limits& limits) {
+std::optional<Standstill> standstill(const Problem& problem, const Limits& limits) {
   if (!fits_exploration(problem) || !possible(problem)) return std::nullopt;
   const Watch nothing;
   const Machine machine(problem, nothing);
@@ -83,7 +81,7 @@ std::optional<std::string> standstill(const Problem& problem, const Limits& limi
   graph.explore(limits);
   const std::vector<int> way = way_round(graph);
   if (way.empty()) return std::nullopt;
-  return told(problem, graph, way);
+  return Standstill{statements_of(problem, graph, way)};
 }
 
 }  // namespace pal::analyzer

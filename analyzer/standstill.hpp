@@ -2,14 +2,13 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
+#include "analyzer/exact.hpp"
 #include "analyzer/zone_graph.hpp"
 
 namespace pal::analyzer {
 
-/// A way round on which nothing can take any time, told in one sentence, if a run gets to one and
-/// `limits` suffice to find it. Costs next to nothing where each loop of each thread takes some time.
-std::optional<std::string> standstill(const Problem& problem, const Limits& limits);
+/// A way round on which nothing can take any time, if a run gets to one and `limits` suffice to find it. Costs next to nothing where each loop of each thread takes some time.
+std::optional<Standstill> standstill(const Problem& problem, const Limits& limits);
 
 }  // namespace pal::analyzer
