@@ -55,7 +55,8 @@ class Loads {
     return bound;
   }
 
-  /// In one recurrence: a small grid, shares of the time with a run that is looked for, then a grid of any size.
+  /// In one recurrence: a small grid, shares of the time with a run that is looked for, then a grid of any
+  /// size.
   LoadBound in(std::size_t r, int processor) {
     Slice slice = slice_of(machine_, graph_, recurrences_[r], processor);
     if (std::find(slice.threads.begin(), slice.threads.end(), true) == slice.threads.end()) return idle();
@@ -97,8 +98,7 @@ class Loads {
     if (!ratio || ratio->work == 0) return bound;
     bound.most = {ratio->work, ratio->time};
     if (!grid.sporadic())
-      bound.witness =
-          unending_run(machine_, graph_, recurrences_[r], explored.slice, grid, ratio->edges);
+      bound.witness = unending_run(machine_, graph_, recurrences_[r], explored.slice, grid, ratio->edges);
     bound.exact = bound.witness.has_value();
     return bound;
   }

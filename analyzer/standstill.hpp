@@ -8,7 +8,8 @@
 
 namespace pal::analyzer {
 
-/// A way round on which nothing can take any time, if a run gets to one and `limits` suffice to find it. Costs next to nothing where each loop of each thread takes some time.
+/// A way round on which nothing can take any time, if a run gets to one and `limits` suffice to find it.
+/// Costs next to nothing where each loop of each thread takes some time.
 std::optional<Standstill> standstill(const Problem& problem, const Limits& limits);
 
 }  // namespace pal::analyzer

@@ -23,11 +23,7 @@ class Wanderer {
  public:
   Wanderer(const Machine& machine, const std::unordered_set<State, StateHash>& inside, int processor,
            std::uint64_t seed)
-      : machine_(machine),
-        inside_(inside),
-        processor_(processor),
-        manner_(seed % 4),
-        engine_(seed) {}
+      : machine_(machine), inside_(inside), processor_(processor), manner_(seed % 4), engine_(seed) {}
 
   struct Visit {
     State state;
@@ -156,8 +152,8 @@ std::vector<Nanoseconds> periods(const Problem& problem) {
   return all;
 }
 
-/// The time in which devices that keep a period do so as often as between the two visits; without any, `usual`.
-/// 0: they cannot all come back together.
+/// The time in which devices that keep a period do so as often as between the two visits; without any,
+/// `usual`. 0: they cannot all come back together.
 Nanoseconds period_of(const std::vector<Nanoseconds>& periods, const Wanderer::Visit& from,
                       const Wanderer::Visit& to, Nanoseconds usual) {
   std::optional<Nanoseconds> period;
@@ -193,7 +189,7 @@ std::vector<Candidate> candidates(const Machine& machine, const Wanderer& run) {
       const Nanoseconds passed = run.script()[stretch.end].at - run.script()[stretch.begin].at;
       const Nanoseconds period = period_of(own, from, to, passed);
       const Nanoseconds work = to.work - from.work;
-      if (period > 0 && work > 0 && work <= period) 
+      if (period > 0 && work > 0 && work <= period)
         found.push_back({stretch, period, std::abs(passed - period), {work, period}});
     }
     earlier.push_back(v);

@@ -51,7 +51,7 @@ class Builder {
   Meaning meaning(const State& state, int timer) const {
     if (timer >= static_cast<int>(state.threads.size())) return {timer, -1, Meaning::Kind::other};
     const ThreadState& thread = state.threads[static_cast<std::size_t>(timer)];
-    const Meaning::Kind kind = thread.status == Status::waiting                  ? Meaning::Kind::limit
+    const Meaning::Kind kind = thread.status == Status::waiting         ? Meaning::Kind::limit
                                : thread.choice == ThreadState::gives_up ? Meaning::Kind::gives_up
                                                                         : Meaning::Kind::action;
     return {timer, thread.step, kind};

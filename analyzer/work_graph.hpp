@@ -1,5 +1,5 @@
-// What a processor has to do while a skill stays in a recurrence, and what has to pass meanwhile, as sums over
-// cycles.
+// What a processor has to do while a skill stays in a recurrence, and what has to pass meanwhile, as sums
+// over cycles.
 //
 // Each timer that something waits for is given a share of the time: as much of each of its nanoseconds as its
 // share says counts for it. Where the shares of those that go on at once add up to at most R, what all of

@@ -337,8 +337,7 @@ void ZoneGraph::enter() {
     const int parent = arrival->made.parent;
     const int place = classes_[static_cast<std::size_t>(parent)].state;
     const Move* first = places_[static_cast<std::size_t>(place)].moves.data();
-    edges_.push_back(
-        {parent, arrival->number, arrival->made.timer, static_cast<int>(arrival->move - first)});
+    edges_.push_back({parent, arrival->number, arrival->made.timer, static_cast<int>(arrival->move - first)});
   }
   for (const Arrival* arrival : entering) {
     classes_.push_back(arrival->made);

@@ -85,11 +85,10 @@ class Planner {
 
   /// Its events answer no request: one to it is a message like any other.
   bool sends_events(const std::string& device) const {
-    return std::any_of(environment_.devices.begin(), environment_.devices.end(),
-                       [&device](const pan::DeviceTiming& timing) {
-                         return timing.device == device &&
-                                std::holds_alternative<pan::EventDevice>(timing.behaviour);
-                       });
+    return std::any_of(
+        environment_.devices.begin(), environment_.devices.end(), [&device](const pan::DeviceTiming& timing) {
+          return timing.device == device && std::holds_alternative<pan::EventDevice>(timing.behaviour);
+        });
   }
 
   void channels() {

@@ -48,7 +48,7 @@ class Judge {
   Options options_;
   Workers workers_;
   std::vector<Refutation> refutations_;  // the last ones first
-  std::vector<std::size_t> failed_;       // requirements, the last first
+  std::vector<std::size_t> failed_;      // requirements, the last first
 };
 
 }  // namespace pal::analyzer

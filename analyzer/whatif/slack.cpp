@@ -135,7 +135,8 @@ class SlackSearch {
 
   /// Between two growths, one with and one without excess: where it begins, if it grows in proportion.
   static Nanoseconds crossing(Nanoseconds low, Nanoseconds below, Nanoseconds high, Nanoseconds above) {
-    const Growth::Wide part = static_cast<Growth::Wide>(high - low) * -below / std::max<Nanoseconds>(above - below, 1);
+    const Growth::Wide part =
+        static_cast<Growth::Wide>(high - low) * -below / std::max<Nanoseconds>(above - below, 1);
     return std::clamp<Nanoseconds>(low + static_cast<Nanoseconds>(part), low + 1, high - 1);
   }
 

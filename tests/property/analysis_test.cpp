@@ -237,9 +237,8 @@ TEST_CASE("no unending run exceeds what shares of the time prove, whatever the t
         const auto most = share_bound(work_graph(machine, graph, recurrence, processor), {}, {});
         if (!most) continue;
         ++proved;
-        const auto run = search_unending(
-            machine, graph, recurrence, processor,
-            [&most](const Fraction& load) { return !greater(*most, load); }, {});
+        const auto run = search_unending(machine, graph, recurrence, processor,
+                                         [&most](const Fraction& load) { return !greater(*most, load); }, {});
         if (!run) continue;
         ++shown;
         INFO("processor " << p << ": " << run->load.work << " / " << run->load.time << " shown, "
