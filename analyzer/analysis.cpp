@@ -5,6 +5,7 @@
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/explain.hpp"
 #include "analyzer/run_search.hpp"
+#include "analyzer/standstill.hpp"
 #include "analyzer/story.hpp"
 
 namespace pal::analyzer {
@@ -146,7 +147,7 @@ void add_up(Verdict& verdict) {
   }
 }
 
-Analysis analyze_as_chosen(const Problem& problem, AnalysisChoice choice, const Options& options) {
+Analysis analyze_as(const Problem& problem, AnalysisChoice choice, const Options& options) {
   if (choice == AnalysisChoice::automatic) return analyze_automatically(problem, options);
   Analysis analysis =
       choice == AnalysisChoice::exact ? analyze(problem, options) : analyze_compositionally(problem, options);
@@ -154,10 +155,24 @@ Analysis analyze_as_chosen(const Problem& problem, AnalysisChoice choice, const 
   return analysis;
 }
 
+/// Bounds on the time that passes say nothing where it stands still.
+void withhold(Analysis& analysis) {
+  for (Verdict& verdict : analysis.verdicts) {
+    if (verdict.state == State::fails) continue;
+    verdict.state = State::undecided;
+    verdict.bound.reset();
+    verdict.addends.clear();
+    verdict.exact = false;
+    verdict.explanation = "a loop goes round for ever at one instant, so nothing is said of times";
+  }
+}
+
 }  // namespace
 
 Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
-  Analysis analysis = analyze_as_chosen(problem, choice, options);
+  Analysis analysis = analyze_as(problem, choice, options);
+  analysis.standstill = standstill(problem, {options.max_states, options.stop});
+  if (analysis.standstill) withhold(analysis);
   for (Verdict& verdict : analysis.verdicts) add_up(verdict);
   return analysis;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace pal::analyzer {
@@ -25,5 +26,27 @@ struct CycleRatio {
 /// E. L. Lawler, Combinatorial optimization, 1976: a cycle is better than a ratio iff it is positive for
 /// weights work - ratio · time; every better cycle found gives the next ratio.
 std::optional<CycleRatio> greatest_cycle_ratio(int nodes, const std::vector<WeightedEdge>& edges);
+
+__extension__ using Gain = __int128;
+
+/// Finds cycles of a graph whose edges gain or lose, by longest paths from everywhere at once.
+class PositiveCycle {
+ public:
+  /// Ends of the edges: nodes from 0 to `nodes` - 1.
+  PositiveCycle(int nodes, std::vector<std::pair<int, int>> edges);
+
+  /// A cycle whose gains, one an edge, add up to more than nothing, as indices in order; empty: there is
+  /// none.
+  std::vector<int> find(const std::vector<Gain>& gains);
+
+ private:
+  std::vector<int> in_parents() const;
+
+  std::vector<std::pair<int, int>> edges_;
+  std::vector<std::size_t> first_;
+  std::vector<int> order_;
+  std::vector<Gain> distance_;
+  std::vector<int> parent_;
+};
 
 }  // namespace pal::analyzer

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "analyzer/verdict.hpp"
@@ -23,9 +24,16 @@ struct Options {
   std::function<std::size_t()> peak_memory;
 };
 
+/// Some run goes round these statements for ever at one instant (in Problem::statements, in the order of the
+/// text). Then nothing is said of times.
+struct Standstill {
+  std::vector<int> statements;
+};
+
 struct Analysis {
   std::vector<Verdict> verdicts;  // in the order of Problem::requirements
   Statistics statistics;          // sums; the greatest peak
+  std::optional<Standstill> standstill = {};
 };
 
 Analysis analyze(const Problem& problem, const Options& options = {});

@@ -1,21 +1,27 @@
 #include "analyzer/load.hpp"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 
 #include "analyzer/cycle_ratio.hpp"
 #include "analyzer/grid.hpp"
+#include "analyzer/share_bound.hpp"
 #include "analyzer/unending.hpp"
+#include "analyzer/unending_search.hpp"
+#include "analyzer/work_graph.hpp"
 
 namespace pal::analyzer {
 namespace {
 
-__extension__ using Wide = __int128;
+/// Grids that are larger are not tried before shares of the time.
+constexpr std::size_t brief_grid = 20'000;
 
 /// A slice's runs, shared by the processors that are in it.
 struct Explored {
   Slice slice;
   std::unique_ptr<Grid> grid;
+  std::size_t tried = 0;  // a limit with which it was not complete
   bool complete = false;
 };
 
@@ -25,37 +31,59 @@ class Loads {
       : machine_(machine), graph_(graph), limits_(limits), recurrences_(recurrences(graph)) {}
 
   LoadBound of(int processor) {
-    LoadBound bound;
-    bound.most = {0, 1};
-    bound.proved = bound.exact = true;
+    LoadBound bound = idle();
     for (std::size_t r = 0; r < recurrences_.size(); ++r) {
-      const Explored* explored = explore(r, processor);
-      if (explored == nullptr) continue;
-      if (!explored->complete) return {};
-      consider(*explored, recurrences_[r], processor, bound);
+      LoadBound there = in(r, processor);
+      there.states += bound.states;
+      if (!there.proved) return {};
+      // Of two recurrences with the same load one may be shown by a run and the other not.
+      const bool more = greater(there.most, bound.most);
+      if (more || (!greater(bound.most, there.most) && there.exact && there.most.work > 0)) {
+        bound = std::move(there);
+      } else {
+        bound.states = there.states;
+      }
     }
     return bound;
   }
 
  private:
-  const Explored* explore(std::size_t r, int processor) {
-    Slice slice = slice_of(machine_, graph_, recurrences_[r], processor);
-    bool any = false;
-    for (bool thread : slice.threads) any = any || thread;
-    if (!any) return nullptr;
-    auto& known = explored_[{r, slice.threads}];
-    if (known) return known.get();
-    known = std::make_unique<Explored>();
-    known->slice = std::move(slice);
-    known->grid = std::make_unique<Grid>(machine_, known->slice);
-    known->complete = known->grid->start(graph_, recurrences_[r], limits_) && known->grid->explore(limits_) &&
-                      !known->grid->relaxed();
-    return known.get();
+  static LoadBound idle() {
+    LoadBound bound;
+    bound.most = {0, 1};
+    bound.proved = bound.exact = true;
+    return bound;
   }
 
-  void consider(const Explored& explored, const Recurrence& recurrence, int processor, LoadBound& bound) {
+  /// In one recurrence: a small grid, shares of the time with a run that is looked for, then a grid of any
+  /// size.
+  LoadBound in(std::size_t r, int processor) {
+    Slice slice = slice_of(machine_, graph_, recurrences_[r], processor);
+    if (std::find(slice.threads.begin(), slice.threads.end(), true) == slice.threads.end()) return idle();
+    Explored& explored = explored_[{r, slice.threads}];
+    explored.slice = std::move(slice);
+    Limits brief = limits_;
+    brief.classes = std::min(limits_.classes, brief_grid);
+    LoadBound bound = by_grid(explored, r, processor, brief);
+    if (bound.exact) return bound;
+    by_shares(r, processor, bound);
+    if (bound.exact || explored.complete) return bound;
+    LoadBound further = by_grid(explored, r, processor, limits_);
+    return further.proved && !(bound.proved && greater(further.most, bound.most)) ? std::move(further)
+                                                                                  : std::move(bound);
+  }
+
+  LoadBound by_grid(Explored& explored, std::size_t r, int processor, const Limits& limits) {
+    if (!explored.complete && explored.tried < limits.classes) {
+      explored.tried = limits.classes;
+      explored.grid = std::make_unique<Grid>(machine_, explored.slice);
+      Grid& made = *explored.grid;
+      explored.complete =
+          made.start(graph_, recurrences_[r], limits) && made.explore(limits) && !made.relaxed();
+    }
+    LoadBound bound;
+    if (!explored.complete) return bound;
     const Grid& grid = *explored.grid;
-    bound.states += grid.nodes().size();
     std::vector<WeightedEdge> edges;
     edges.reserve(grid.edges().size());
     for (const GridEdge& edge : grid.edges()) {
@@ -65,34 +93,41 @@ class Loads {
       edges.push_back({edge.from, edge.to, busy ? edge.time : 0, edge.time});
     }
     const auto ratio = greatest_cycle_ratio(static_cast<int>(grid.nodes().size()), edges);
-    if (!ratio) return;
-    const Fraction most{ratio->work, ratio->time};
-    // Of two recurrences with the same load one may be shown by a run and the other not.
-    if (greater(bound.most, most) || (!greater(most, bound.most) && bound.exact)) return;
-    bound.most = most;
-    bound.witness.reset();
+    bound = idle();
+    bound.states = grid.nodes().size();
+    if (!ratio || ratio->work == 0) return bound;
+    bound.most = {ratio->work, ratio->time};
     if (!grid.sporadic())
-      bound.witness = unending_run(machine_, graph_, recurrence, explored.slice, grid, ratio->edges);
+      bound.witness = unending_run(machine_, graph_, recurrences_[r], explored.slice, grid, ratio->edges);
     bound.exact = bound.witness.has_value();
+    return bound;
+  }
+
+  void by_shares(std::size_t r, int processor, LoadBound& bound) const {
+    const auto most = share_bound(work_graph(machine_, graph_, recurrences_[r], processor), {}, limits_.stop);
+    if (most && (!bound.proved || greater(bound.most, *most))) bound.most = *most;
+    bound.proved = bound.proved || most;
+    if (!bound.proved) return;
+    if (bound.most.work == 0) {
+      bound.exact = true;
+      return;
+    }
+    auto run = search_unending(
+        machine_, graph_, recurrences_[r], processor,
+        [&bound](const Fraction& load) { return !greater(bound.most, load); }, limits_.stop);
+    if (!run || greater(bound.most, run->load)) return;
+    bound.exact = true;
+    bound.witness = std::move(run->witness);
   }
 
   const Machine& machine_;
   const ZoneGraph& graph_;
   const Limits& limits_;
   std::vector<Recurrence> recurrences_;
-  std::map<std::pair<std::size_t, std::vector<bool>>, std::unique_ptr<Explored>> explored_;
+  std::map<std::pair<std::size_t, std::vector<bool>>, Explored> explored_;
 };
 
 }  // namespace
-
-bool greater(const Fraction& a, const Fraction& b) {
-  return static_cast<Wide>(a.work) * b.time > static_cast<Wide>(b.work) * a.time;
-}
-
-Nanoseconds per_second(const Fraction& fraction) {
-  const Wide scaled = static_cast<Wide>(fraction.work) * 1'000'000'000;
-  return static_cast<Nanoseconds>((scaled + fraction.time - 1) / fraction.time);
-}
 
 std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph,
                                    const std::vector<int>& processors, const Limits& limits) {
@@ -100,6 +135,29 @@ std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& grap
   std::vector<LoadBound> bounds;
   for (int processor : processors) bounds.push_back(loads.of(processor));
   return bounds;
+}
+
+LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph, const std::vector<int>& processors,
+                          const Fraction& limit, const Limits& limits) {
+  const std::vector<Recurrence> everywhere = recurrences(graph);
+  std::vector<std::pair<std::size_t, int>> open;
+  LoadDecision decision;
+  decision.load = {0, 1};
+  for (std::size_t r = 0; r < everywhere.size(); ++r) {
+    for (int processor : processors) {
+      const WorkGraph work = work_graph(machine, graph, everywhere[r], processor);
+      const auto most = share_bound(work, limit, limits.stop);
+      if (!most) open.emplace_back(r, processor);
+      if (most && greater(*most, decision.load)) decision.load = *most;
+    }
+  }
+  if (open.empty()) decision.state = VerdictState::holds;
+  const auto above = [&limit](const Fraction& load) { return greater(load, limit); };
+  for (const auto& [r, processor] : open) {
+    auto run = search_unending(machine, graph, everywhere[r], processor, above, limits.stop);
+    if (run && above(run->load)) return {VerdictState::fails, run->load, std::move(run->witness)};
+  }
+  return decision;
 }
 
 }  // namespace pal::analyzer

@@ -5,19 +5,13 @@
 #include <optional>
 #include <vector>
 
+#include "analyzer/fraction.hpp"
 #include "analyzer/problem.hpp"
+#include "analyzer/verdict.hpp"
 #include "analyzer/witness.hpp"
 #include "analyzer/zone_graph.hpp"
 
 namespace pal::analyzer {
-
-/// Work in every `time`; work <= time, time > 0.
-struct Fraction {
-  Nanoseconds work = 0;
-  Nanoseconds time = 1;
-};
-
-bool greater(const Fraction& a, const Fraction& b);
 
 struct LoadBound {
   Fraction most{1, 1};             // no unending run keeps the processor busier
@@ -27,12 +21,19 @@ struct LoadBound {
   std::size_t states = 0;
 };
 
-/// Nanoseconds of work in a second, rounded up.
-Nanoseconds per_second(const Fraction& fraction);
-
 /// One bound a processor. `graph`: all classes of `machine`, which watches nothing, with its edges, explored
 /// to the end.
 std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph,
                                    const std::vector<int>& processors, const Limits& limits);
+
+/// Whether each of `processors` keeps a limit, without a grid: cheaper than bounds, and sometimes undecided
+/// where these would not be. `graph` as for load_bounds().
+struct LoadDecision {
+  VerdictState state = VerdictState::undecided;
+  Fraction load;                   // holds: no run exceeds it; fails: a run attains it
+  std::optional<Witness> witness;  // fails: that run
+};
+LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph, const std::vector<int>& processors,
+                          const Fraction& limit, const Limits& limits);
 
 }  // namespace pal::analyzer

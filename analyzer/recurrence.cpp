@@ -91,11 +91,13 @@ std::vector<Recurrence> recurrences(const ZoneGraph& graph) {
   std::vector<bool> repeats(all.size());
   std::vector<bool> entered(graph.classes().size());
   std::vector<std::set<int>> fired(all.size());
-  for (const Edge& edge : graph.edges()) {
+  for (std::size_t e = 0; e < graph.edges().size(); ++e) {
+    const Edge& edge = graph.edges()[e];
     const auto to = static_cast<std::size_t>(components.of(edge.to));
     if (components.of(edge.from) == components.of(edge.to)) {
       repeats[to] = true;
       fired[to].insert(edge.timer);
+      all[to].edges.push_back(static_cast<int>(e));
     } else {
       entered[static_cast<std::size_t>(edge.to)] = true;
     }

@@ -13,6 +13,7 @@ struct Recurrence {
   std::vector<int> classes;
   std::vector<int> entries;  // classes that are reached from outside
   std::vector<int> fired;    // timers that fire inside
+  std::vector<int> edges;    // of the graph, inside
 };
 
 std::vector<Recurrence> recurrences(const ZoneGraph& graph);

@@ -333,8 +333,11 @@ void ZoneGraph::enter() {
     arrival->number =
         enters ? static_cast<int>(classes_.size() + entering.size()) : number_of(arrival->held_by);
     if (enters) entering.push_back(arrival);
-    if (keep_edges_ && arrival->made.parent >= 0)
-      edges_.push_back({arrival->made.parent, arrival->number, arrival->made.timer});
+    if (!keep_edges_ || arrival->made.parent < 0) continue;
+    const int parent = arrival->made.parent;
+    const int place = classes_[static_cast<std::size_t>(parent)].state;
+    const Move* first = places_[static_cast<std::size_t>(place)].moves.data();
+    edges_.push_back({parent, arrival->number, arrival->made.timer, static_cast<int>(arrival->move - first)});
   }
   for (const Arrival* arrival : entering) {
     classes_.push_back(arrival->made);

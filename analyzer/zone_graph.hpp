@@ -53,6 +53,7 @@ struct Edge {
   int from = -1;
   int to = -1;
   int timer = -1;
+  int move = -1;  // of the place that it comes from
 };
 
 /// What was measured, and what cannot be.

@@ -83,6 +83,14 @@ class Planner {
     }
   }
 
+  /// Its events answer no request: one to it is a message like any other.
+  bool sends_events(const std::string& device) const {
+    return std::any_of(
+        environment_.devices.begin(), environment_.devices.end(), [&device](const pan::DeviceTiming& timing) {
+          return timing.device == device && std::holds_alternative<pan::EventDevice>(timing.behaviour);
+        });
+  }
+
   void channels() {
     Scope scope;
     for (const pan::Channel& channel : network_.channels) {
@@ -93,8 +101,9 @@ class Planner {
       planned.constant =
           scope.unique(snake_words(planned.message + " from " + planned.sender + " to " + planned.receiver));
       planned.fields = indices_.messages[channel.message.index()];
-      if (channel.answer.valid()) planned.answer = channel.answer.index();
-      planned.request = network_.messages[channel.message.index()].asks_for.valid();
+      const bool asks = network_.messages[channel.message.index()].asks_for.valid();
+      planned.request = asks && !sends_events(planned.receiver);
+      if (planned.request && channel.answer.valid()) planned.answer = channel.answer.index();
       planned.from_device = is_device(network_, channel.sender);
       planned.to_device = is_device(network_, channel.receiver);
       for (const auto* party : {&channel.sender, &channel.receiver}) {

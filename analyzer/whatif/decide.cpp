@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "analyzer/compositional/compositional.hpp"
+#include "analyzer/load.hpp"
 #include "analyzer/simulate.hpp"
+#include "analyzer/standstill.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -16,6 +18,11 @@ bool has_cap(const Requirement& requirement) {
   const bool timed = requirement.measure == Measure::age || requirement.measure == Measure::response ||
                      requirement.measure == Measure::reaction || requirement.measure == Measure::duration;
   return timed && !requirement.at_least;
+}
+
+/// Whether one run can be played again with other figures, and break it again.
+bool one_run(const Requirement& requirement) {
+  return requirement.measure != Measure::load && requirement.measure != Measure::busy;
 }
 
 bool broken(const Requirement& requirement, const Witness& witness) {
@@ -92,43 +99,74 @@ Decision by_analysis(const Problem& problem, std::size_t requirement, const Opti
   Verdict verdict = std::move(analyze(alone, options).verdicts.front());
   const bool fails = verdict.state == Is::fails;
   return {verdict.state == Is::never ? Is::holds : verdict.state,
-          fails ? std::move(verdict.witness) : std::nullopt, verdict.statistics.classes};
+          fails && one_run(problem.requirements[requirement]) ? std::move(verdict.witness) : std::nullopt,
+          {}};
+}
+
+/// A grid is given up when it takes many times as many states as there are classes.
+Decision load_decision(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
+  const Watch nothing;
+  const Machine machine(problem, nothing);
+  ZoneGraph graph(machine, 0, true);
+  const Limits limits{options.max_states, options.stop, {}, &workers};
+  if (!graph.explore(limits)) return {};
+  const Requirement& requirement = problem.requirements[index];
+  const Fraction limit{requirement.limit, 1'000'000'000};
+  LoadDecision decision = decide_loads(machine, graph, requirement.processors, limit, limits);
+  if (decision.state != Is::undecided)
+    return {decision.state, std::nullopt, per_second(decision.load) - requirement.limit};
+  Options brief = options;
+  brief.max_states = std::min(options.max_states, 4 * graph.classes().size() + 1'000);
+  return by_analysis(problem, index, brief);
 }
 
 /// Bounds of the compositional analysis cost next to nothing, and often suffice.
-bool holds_by_bound(const Problem& problem, std::size_t requirement) {
+std::optional<Decision> holds_by_bound(const Problem& problem, std::size_t index) {
+  const Requirement& requirement = problem.requirements[index];
   Problem alone = problem;
-  alone.requirements = {problem.requirements[requirement]};
-  return analyze_compositionally(alone).verdicts.front().state == Is::holds;
+  alone.requirements = {requirement};
+  const Verdict verdict = analyze_compositionally(alone).verdicts.front();
+  if (verdict.state != Is::holds) return std::nullopt;
+  Decision decision{Is::holds, {}, {}};
+  if (requirement.measure == Measure::load && verdict.bound)
+    decision.excess = verdict.bound->count() - requirement.limit;
+  return decision;
 }
 
-}  // namespace
-
-Decision decide(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
+Decision decide_by_time(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
   const Requirement& requirement = problem.requirements[index];
-  if (holds_by_bound(problem, index)) return {Is::holds, std::nullopt, 0};
+  if (auto decision = holds_by_bound(problem, index)) return *decision;
+  if (requirement.measure == Measure::load) return load_decision(problem, index, options, workers);
   if (!has_cap(requirement)) return by_analysis(problem, index, options);
   const Watch watch = watch_of(problem, requirement);
   const Machine machine(problem, watch);
-  if (simulated_break(requirement, machine)) return {Is::fails, std::nullopt, 0};
+  if (simulated_break(requirement, machine)) return {Is::fails, {}, {}};
   Search search(requirement, machine);
   ZoneGraph graph(machine, requirement.limit, false);
   const bool complete =
       graph.explore({options.max_states, options.stop,
                      [&](const ZoneGraph& so_far) { return search.found(so_far); }, &workers});
-  if (search.found(graph)) return {Is::fails, std::move(search.witness), graph.classes().size()};
+  if (search.found(graph)) return {Is::fails, std::move(search.witness), {}};
   const Findings& findings = graph.findings();
   const bool clean = !findings.failure && !findings.over_cap && !findings.never_answered &&
                      findings.peak.value <= requirement.limit;
-  if (complete && clean) return {Is::holds, std::nullopt, graph.classes().size()};
+  if (complete && clean) return {Is::holds, {}, {}};
   if (!complete) return {};
   return by_analysis(problem, index, options);  // what is over the limit may not be possible
 }
 
+}  // namespace
+
+Decision decide(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
+  Decision decision = decide_by_time(problem, index, options, workers);
+  const Limits limits{options.max_states, options.stop, {}, &workers};
+  if (decision.state == Is::holds && standstill(problem, limits)) return {};
+  return decision;
+}
+
 bool refutes(const Problem& problem, std::size_t index, const Witness& witness) {
   const Requirement& requirement = problem.requirements[index];
-  const bool one_run = requirement.measure != Measure::load && requirement.measure != Measure::busy;
-  if (!one_run || witness.grows || witness.script.empty()) return false;
+  if (!one_run(requirement) || witness.grows || witness.script.empty()) return false;
   const Watch watch = watch_of(problem, requirement);
   const Machine machine(problem, watch);
   const auto made = witness_along(machine, witness.script, !witness.failed, -1, true);

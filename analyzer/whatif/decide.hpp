@@ -13,8 +13,10 @@ namespace pal::analyzer {
 /// the witness.
 struct Decision {
   Verdict::State state = Verdict::State::undecided;
-  std::optional<Witness> witness;  // fails; nothing if a simulation sufficed
-  std::size_t classes = 0;         // that it took
+  std::optional<Witness> witness;  // fails; nothing if a simulation sufficed, or of loads
+  /// Load: by how much one that no run exceeds (holds) or that a run attains (fails) is over the limit, in
+  /// nanoseconds of work in a second. Nothing: not known.
+  std::optional<Nanoseconds> excess;
 };
 Decision decide(const Problem& problem, std::size_t requirement, const Options& options, Workers& workers);
 

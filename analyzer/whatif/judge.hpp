@@ -1,7 +1,6 @@
 // A skill's requirements asked again and again, with other figures.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -15,9 +14,10 @@ namespace pal::analyzer {
 struct Ruling {
   Verdict::State state = Verdict::State::undecided;
   int requirement = -1;  // that fails, or is undecided
+  /// Where all are loads: the greatest excess (Decision), if it is known of each.
+  std::optional<Nanoseconds> excess = {};
 };
 
-/// A load is given up when it takes many times as many states as the first time that it was asked for.
 /// Keeps the runs that refuted something: one that still breaks its requirement with the new figures spares
 /// the exploration. The requirement that failed last is asked first, and the first that fails ends the
 /// asking.
@@ -44,14 +44,11 @@ class Judge {
     Witness witness;
   };
 
-  Options options_for(const Problem& problem, std::size_t requirement) const;
-
   const pan::Network& network_;
   Options options_;
   Workers workers_;
-  std::vector<Refutation> refutations_;      // the last ones first
-  std::vector<std::size_t> failed_;          // requirements, the last first
-  std::map<std::size_t, std::size_t> cost_;  // of the first decision on each load, in classes
+  std::vector<Refutation> refutations_;  // the last ones first
+  std::vector<std::size_t> failed_;      // requirements, the last first
 };
 
 }  // namespace pal::analyzer

@@ -14,6 +14,8 @@ constexpr Nanoseconds longest_time = 1'000'000'000'000'000;
 /// How an environment looks when some worst times have grown.
 class Growth {
  public:
+  __extension__ using Wide = __int128;
+
   Growth(const pan::Environment& environment, std::vector<std::string> names)
       : environment_(environment), names_(std::move(names)) {
     pan::Environment copy = environment;
@@ -25,30 +27,21 @@ class Growth {
   Nanoseconds longest() const { return longest_; }
   Nanoseconds most() const { return longest_time - longest_; }
 
-  enum class Rounding { none, up, down };
-  /// `extra`: of the longest. Each growth is rounded to a multiple of `unit`.
-  pan::Environment by(Nanoseconds extra, Nanoseconds unit, Rounding rounding) const {
+  /// `extra`: of the longest.
+  pan::Environment by(Nanoseconds extra) const {
     pan::Environment grown = environment_;
     for (const std::string& name : names_) {
       Interval& time = *find_figure(grown, name);
-      time.worst += Duration(rounded(share(time.worst.count(), extra), unit, rounding));
+      time.worst += Duration(share(time.worst.count(), extra));
       time.worst = std::min(time.worst, Duration(longest_time));
     }
     return grown;
   }
 
  private:
-  __extension__ using Wide = __int128;
-
   Nanoseconds share(Nanoseconds worst, Nanoseconds extra) const {
     if (single_ || longest_ == 0) return single_ ? extra : 0;
     return static_cast<Nanoseconds>((static_cast<Wide>(worst) * extra + longest_ - 1) / longest_);
-  }
-
-  static Nanoseconds rounded(Nanoseconds time, Nanoseconds unit, Rounding rounding) {
-    if (rounding == Rounding::none || unit <= 1) return time;
-    const Nanoseconds rest = time % unit;
-    return time - rest + (rounding == Rounding::up && rest > 0 ? unit : 0);
   }
 
   const pan::Environment& environment_;
@@ -59,7 +52,7 @@ class Growth {
 
 class SlackSearch {
  public:
-  SlackSearch(Judge& judge, const Problem& problem, Nanoseconds unit) : judge_(judge), unit_(unit) {
+  SlackSearch(Judge& judge, const Problem& problem) : judge_(judge) {
     for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
       const bool load = problem.requirements[r].measure == Requirement::Measure::load;
       (load ? loads_ : timed_).push_back(r);
@@ -68,12 +61,10 @@ class SlackSearch {
 
   void find(const Growth& growth, Slack& slack) {
     Nanoseconds most = growth.most();
-    Known known = narrow(
-        growth, most, timed_, [&](Nanoseconds extra) { return ask(growth, extra, timed_); }, 1);
+    Known known = narrow(growth, most, timed_);
     if (!loads_.empty()) {
       // Loads are asked last: never beyond what the others allow.
-      const Known load = narrow(
-          growth, known.holds, loads_, [&](Nanoseconds extra) { return ask_loads(growth, extra); }, unit_);
+      const Known load = narrow(growth, known.holds, loads_);
       if (load.holds < known.holds) known = load;
     }
     slack.holds = Duration(known.holds);
@@ -90,37 +81,26 @@ class SlackSearch {
   };
 
   Ruling ask(const Growth& growth, Nanoseconds extra, const std::vector<std::size_t>& requirements) {
-    const auto problem = judge_.problem(growth.by(extra, 1, Growth::Rounding::none));
+    const auto problem = judge_.problem(growth.by(extra));
     return problem ? judge_.ask(*problem, requirements) : Ruling{};
   }
 
-  /// The exploration of loads counts in common divisors of all times: growths that keep these are tried
-  /// first. If it holds with more it holds, if it fails with less it fails.
-  Ruling ask_loads(const Growth& growth, Nanoseconds extra) {
-    const auto above = judge_.problem(growth.by(extra, unit_, Growth::Rounding::up));
-    Ruling ruling;
-    if (above) ruling = judge_.ask(*above, loads_);
-    if (ruling.state == Is::holds || extra % unit_ == 0) return ruling;
-    const auto below = judge_.problem(growth.by(extra, unit_, Growth::Rounding::down));
-    const Ruling less = below ? judge_.ask(*below, loads_) : Ruling{};
-    if (less.state == Is::fails) return less;
-    return {Is::undecided, ruling.requirement};
-  }
-
-  /// Greatest growth up to `most` that is known to hold, and the least beyond it that is known to fail, as
-  /// far as that can be told: answers that lie within `grain` of one another are not told apart.
-  template <class Asker>
-  Known narrow(const Growth& growth, Nanoseconds most, const std::vector<std::size_t>& requirements,
-               const Asker& asker, Nanoseconds grain) {
+  /// Greatest growth up to `most` that is known to hold, and the least beyond it that is known to fail.
+  Known narrow(const Growth& growth, Nanoseconds most, const std::vector<std::size_t>& requirements) {
+    const auto asker = [&](Nanoseconds extra) { return ask(growth, extra, requirements); };
     Known known;
     Nanoseconds open = most + 1;  // nothing from here on is asked
     Nanoseconds step = std::max<Nanoseconds>(growth.longest(), 1'000);
+    std::optional<Nanoseconds> below;  // the excess of `holds`, if it is known
+    std::optional<Nanoseconds> above;  // of `open`
     const auto heard = [&](Nanoseconds extra, const Ruling& ruling) {
       if (ruling.state == Is::holds) {
         known.holds = extra;
+        below = ruling.excess;
         return;
       }
       open = extra;
+      above = ruling.excess;
       if (ruling.state == Is::fails) {
         known.fails = extra;
         sharpen(growth, requirements, known);
@@ -135,22 +115,29 @@ class SlackSearch {
       step *= 100;  // a run that fails leads back at once
     }
     bool next_to_failure = true;
-    while (open - known.holds > grain && !judge_.stopped()) {
+    for (int n = 1; open - known.holds > 1 && !judge_.stopped(); ++n) {
       // The least growth with which a known run fails is often the least of all.
       const bool try_it = next_to_failure && known.fails == open;
       Nanoseconds extra = try_it ? open - 1 : known.holds + (open - known.holds) / 2;
-      if (grain > 1) extra -= extra % grain;  // these are decided best
-      if (extra <= known.holds) break;
+      // Loads grow in proportion, or nearly so.
+      if (below && above && n % 4 != 0) extra = crossing(known.holds, *below, open, *above);
       heard(extra, asker(extra));
       next_to_failure = !try_it || open < extra;  // sharpened: worth another try
     }
     // What could not be decided lies between: the least that fails.
     Nanoseconds low = open;
-    while (known.fails - low > grain && !judge_.stopped()) {
+    while (known.fails - low > 1 && !judge_.stopped()) {
       const Nanoseconds middle = low + (known.fails - low) / 2;
       (asker(middle).state == Is::fails ? known.fails : low) = middle;
     }
     return known;
+  }
+
+  /// Between two growths, one with and one without excess: where it begins, if it grows in proportion.
+  static Nanoseconds crossing(Nanoseconds low, Nanoseconds below, Nanoseconds high, Nanoseconds above) {
+    const Growth::Wide part =
+        static_cast<Growth::Wide>(high - low) * -below / std::max<Nanoseconds>(above - below, 1);
+    return std::clamp<Nanoseconds>(low + static_cast<Nanoseconds>(part), low + 1, high - 1);
   }
 
   /// Down to the least growth with which a known run fails: replays only.
@@ -158,7 +145,7 @@ class SlackSearch {
     Nanoseconds low = known.holds;
     while (known.fails - low > 1) {
       const Nanoseconds middle = low + (known.fails - low) / 2;
-      const auto problem = judge_.problem(growth.by(middle, 1, Growth::Rounding::none));
+      const auto problem = judge_.problem(growth.by(middle));
       if (problem && judge_.refuted(*problem, requirements) >= 0) {
         known.fails = middle;
       } else {
@@ -168,41 +155,9 @@ class SlackSearch {
   }
 
   Judge& judge_;
-  Nanoseconds unit_;
   std::vector<std::size_t> timed_;
   std::vector<std::size_t> loads_;
 };
-
-/// Common divisor of all times of the problem.
-Nanoseconds unit_of(const Problem& problem) {
-  Nanoseconds unit = 0;
-  const auto add = [&unit](Nanoseconds time) { unit = std::gcd(unit, time); };
-  const auto add_range = [&](const Range& range) {
-    add(range.best);
-    if (range.worst < Range::unbounded) add(range.worst);
-  };
-  for (const Step& step : problem.steps) {
-    add_range(step.cost);
-    add_range(step.give_up_cost);
-    add(step.within.value_or(0));
-  }
-  add_range(problem.within_processor);
-  add_range(problem.between_processors);
-  for (const Device& device : problem.devices) {
-    if (const auto* event = std::get_if<pan::EventDevice>(&device.behaviour)) {
-      add(event->period.count());
-      add(event->jitter.count());
-      add(event->phase.value_or(Duration(0)).count());
-    } else if (const auto* request = std::get_if<pan::RequestDevice>(&device.behaviour)) {
-      add_range({request->answer.best.count(), request->answer.worst.count()});
-    } else if (const auto* frames = std::get_if<pan::FrameDevice>(&device.behaviour)) {
-      add(frames->period.count());
-      add(frames->collecting.count());
-      add(frames->phase.value_or(Duration(0)).count());
-    }
-  }
-  return std::max<Nanoseconds>(unit, 1);
-}
 
 }  // namespace
 
@@ -223,7 +178,7 @@ std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& e
   std::vector<std::size_t> everything(problem->requirements.size());
   std::iota(everything.begin(), everything.end(), std::size_t{0});
   const Ruling now = judge.ask(*problem, everything);
-  SlackSearch search(judge, *problem, unit_of(*problem));
+  SlackSearch search(judge, *problem);
   for (Slack& slack : all) {
     slack.requirement = now.requirement;
     if (now.state != Is::holds) continue;

@@ -48,6 +48,7 @@ const analyzer::Reason* longest_wait_after_read(const analyzer::Verdict& verdict
 
 /// What may decide a requirement that is undecided.
 std::string hint_of_undecided(const Proof& proof, const analyzer::Verdict& verdict) {
+  if (proof.analysis.standstill) return "give something in the loop a time";
   if (proof.explored)
     return "allow more with --max-states or --timeout, or make the skill or its times simpler";
   if (analyzer::fits_exploration(proof.problem)) return "ask the exact analysis too, with --analysis auto";
@@ -113,10 +114,25 @@ void report(const Proof& proof, std::size_t index, Session& session) {
   }
 }
 
+void report_standstill(const Proof& proof, Session& session) {
+  const std::vector<int>& statements = proof.analysis.standstill->statements;
+  const auto where = [&proof](int statement) {
+    return proof.problem.statements[static_cast<std::size_t>(statement)].where;
+  };
+  Diagnostic& finding = session.diagnostics.report(
+      Code::PAL0821, statements.empty() ? SourceSpan{} : where(statements.front()),
+      "no time passes any more in some run in " + proof.problem.environment +
+          ": a loop goes round for ever at one instant",
+      "give something in the loop a time, in the environment, or let it wait for something that takes time");
+  for (std::size_t i = 1; i < statements.size(); ++i)
+    finding.notes.push_back({where(statements[i]), "this is in the loop, too"});
+}
+
 }  // namespace
 
 void report_unmet(const std::vector<Proof>& proofs, Session& session) {
   for (const Proof& proof : proofs) {
+    if (proof.analysis.standstill) report_standstill(proof, session);
     for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
       const State state = proof.analysis.verdicts[i].state;
       if (state == State::never) report_never(proof, i, session);

@@ -5,7 +5,9 @@
 
 #include "analyzer/exact.hpp"
 #include "analyzer/load.hpp"
+#include "analyzer/share_bound.hpp"
 #include "analyzer/simulate.hpp"
+#include "analyzer/unending_search.hpp"
 #include "runtime/trace/slices.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/random_skill.hpp"
@@ -208,4 +210,44 @@ TEST_CASE("no simulated run keeps a processor busier for long than what was prov
   }
   std::cout << proved << " loads proved, " << exact << " exactly\n";
   CHECK(exact > 0);
+}
+
+TEST_CASE("no unending run exceeds what shares of the time prove, whatever the times have in common") {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 20);
+  std::size_t proved = 0;
+  std::size_t shown = 0;
+  std::size_t equal = 0;
+  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
+    std::string text;
+    const auto skill = accepted(seed, 9, text);
+    if (!skill) continue;
+    INFO("seed " << seed << "\n" << text);
+    Problem problem = *skill->problem;
+    // Nanoseconds that no two times share.
+    for (std::size_t s = 0; s < problem.steps.size() && seed % 2 == 0; ++s)
+      problem.steps[s].cost.worst += static_cast<Nanoseconds>(1 + s * 7'919 % 100'003);
+    const Watch nothing;
+    const Machine machine(problem, nothing);
+    ZoneGraph graph(machine, 0, true);
+    if (!graph.explore({20'000, {}})) continue;
+    for (const Recurrence& recurrence : recurrences(graph)) {
+      for (std::size_t p = 0; p < problem.processors.size(); ++p) {
+        const int processor = static_cast<int>(p);
+        const auto most = share_bound(work_graph(machine, graph, recurrence, processor), {}, {});
+        if (!most) continue;
+        ++proved;
+        const auto run = search_unending(machine, graph, recurrence, processor,
+                                         [&most](const Fraction& load) { return !greater(*most, load); }, {});
+        if (!run) continue;
+        ++shown;
+        INFO("processor " << p << ": " << run->load.work << " / " << run->load.time << " shown, "
+                          << most->work << " / " << most->time << " proved");
+        CHECK_FALSE(greater(run->load, *most));
+        equal += greater(*most, run->load) ? 0 : 1;
+      }
+    }
+  }
+  std::cout << proved << " loads proved by shares, " << shown << " with a run, " << equal << " attained\n";
+  CHECK(equal > 0);
 }

@@ -18,7 +18,12 @@ class RandomCell {
   enum class Asks { little, all };
 
   RandomCell(std::uint64_t seed, int longest, int deep = 2, Asks asks = Asks::little)
-      : engine_(seed), required_(seed), longest_(longest), deep_(deep), asks_(asks) {}
+      : engine_(seed),
+        required_(seed),
+        longest_(longest),
+        deep_(deep),
+        asks_(asks),
+        asks_events_(seed % 4 == 1) {}
 
   std::string text() {
     sensor_ = chance(5);  // 0 answers, 1 frames, 2 event, 3 a body that asks a device, 4 two kinds of request
@@ -213,7 +218,7 @@ class RandomCell {
         out += "Sensor Driver: SD1\n";
       }
       begin({"extract"}, {"force to SM1"}, {"request force from SM1", "raw from SD1"});
-      const bool asks = sensor_ != 2;
+      const bool asks = sensor_ != 2 || asks_events_;
       if (asks) sends_.push_back("request raw from SD1");
       std::string get = asks ? "TXM( request raw from SD1 )\nWTM( raw from SD1 )\n" : "WTM( raw from SD1 )\n";
       if (sensor_ == 4) {
@@ -346,6 +351,7 @@ class RandomCell {
   int longest_;
   int deep_;
   Asks asks_;
+  bool asks_events_;  // requests go to a sensor that sends by itself, too
   int sensor_ = 0;
   bool controller_ = true;
   bool lonely_ = false;

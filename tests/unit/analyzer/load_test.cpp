@@ -52,3 +52,18 @@ END
   CHECK(verdict.state == Verdict::State::holds);
   CHECK(verdict.bound == Duration(0));
 }
+
+TEST_CASE("a load is exact whatever the times have in common") {
+  const auto skill = test::sound_skill(
+      small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 40 %", worker,
+                  "PROCESSOR P0\nPROCESSOR P1\nDEVICE MC1 EVENT tick EVERY 12000001 ns\nTIME "
+                  "work : 1 TO 3999999 ns\nCOST SET 999983 ns\nPLACE SM1 ON P1 PRIORITY 1\n"));
+  Options options;
+  options.max_states = 5'000;  // far fewer than there are nanoseconds
+  const Verdict verdict = analyze(*skill->problem, options).verdicts.front();
+  CHECK(verdict.state == Verdict::State::fails);
+  CHECK(verdict.exact);
+  REQUIRE(verdict.bound);
+  CHECK(verdict.bound->count() == 416'665'132);  // 4,999,982 ns in 12,000,001 ns, rounded up
+  REQUIRE(verdict.witness);
+}
