@@ -3,8 +3,10 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <tuple>
 
 #include "pal/pan/dump.hpp"
+#include "pal/pan/threads.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
 namespace pal::analyzer {
@@ -17,7 +19,8 @@ Range range(const Interval& interval) {
 }
 
 /// Steps of one body in one thread. A module that is executed in two places is compiled once for each: where
-/// its flow goes on differs.
+/// its flow goes on differs. Its blocks are compiled once for each thread that executes it: where they end
+/// nothing goes on.
 class Compiler {
  public:
   Compiler(const Network& network, TimesAndPlaces& environment, const SourceManager* sources,
@@ -32,8 +35,8 @@ class Compiler {
     for (std::size_t m = 0; m < network_.modules.size(); ++m) {
       const pan::Module& module = network_.modules[m];
       if (module.body.empty() || module.executed_by.valid()) continue;
-      const int index = new_thread(module.name, static_cast<int>(m), -1);
-      Place place{m, index, {}, nullptr};
+      const int index = new_thread(module.name, static_cast<int>(m), -1, -1);
+      Place place{m, index, index, {}, nullptr};
       const int entry = step_at(place, NodeId(std::size_t{0}));
       thread(index).entry = entry;
     }
@@ -45,6 +48,7 @@ class Compiler {
   struct Place {
     std::size_t module;
     int thread;
+    int runner;                        // the thread that runs the module's body: of a block, an outer one
     std::map<std::int32_t, int> done;  // step of each node that has one
     std::function<int()> after;
     int depth = 0;
@@ -53,12 +57,12 @@ class Compiler {
   Thread& thread(int index) { return problem_.threads[static_cast<std::size_t>(index)]; }
   Step& step(int index) { return problem_.steps[static_cast<std::size_t>(index)]; }
 
-  int new_thread(const std::string& name, int module, int parent) {
+  int new_thread(const std::string& name, int module, int parent, int runner) {
     Thread made;
     made.name = name;
     made.module = module;
     made.parent = parent;
-    environment_.place(made, parent);
+    environment_.place(made, runner);
     problem_.threads.push_back(std::move(made));
     return static_cast<int>(problem_.threads.size()) - 1;
   }
@@ -98,6 +102,7 @@ class Compiler {
                           "execute fewer modules within one another");
       return end_step();
     }
+    if (problem_.steps.size() > most_steps) return end_step();
     // Each place of an Execute has its own copy, kept alive as long as its steps may still be asked for.
     const auto known = place.done.find(index_of(place, node));
     if (known != place.done.end()) return known->second;
@@ -106,7 +111,7 @@ class Compiler {
     place.done.emplace(index_of(place, node), entry);
     auto inner = std::make_unique<Place>();
     inner->module = execute.module.index();
-    inner->thread = place.thread;
+    inner->thread = inner->runner = place.thread;
     inner->depth = place.depth + 1;
     const NodeId next = node.out.front();
     inner->after = [this, &place, next] { return step_at(place, next); };
@@ -126,6 +131,8 @@ class Compiler {
     if (known != place.done.end()) return known->second;
     const int index = end_step();
     place.done.emplace(id.value, index);
+    // Modules that execute one another twice each multiply; what is too large is refused, however it goes on.
+    if (problem_.steps.size() > most_steps) return index;
     const Node& node = body(place)[id];
     Step made;
     made.statement = statement(place.module, id);
@@ -189,20 +196,30 @@ class Compiler {
 
   void fill_fork(Place& place, const Node& node, const Fork& fork, Step& made) {
     made.kind = Step::Kind::fork;
-    for (std::size_t i = 0; i < fork.threads.size(); ++i) {
-      const std::string& name = network_.modules[place.module].threads[fork.threads[i]];
-      const int block = new_thread(name, thread(place.thread).module, place.thread);
-      made.threads.push_back(block);
-      auto inside = std::make_unique<Place>();
-      inside->module = place.module;
-      inside->thread = block;
-      inside->depth = place.depth;
-      Place& kept = *inside;
-      places_.push_back(std::move(inside));
-      const int entry = step_at(kept, node.out[i]);
-      thread(block).entry = entry;
-    }
+    for (std::size_t i = 0; i < fork.threads.size(); ++i)
+      made.threads.push_back(block(place, node.out[i], fork.threads[i]));
     made.next.push_back(step_at(place, body(place)[node.mate].out.front()));
+  }
+
+  /// The thread of a block: its own for each thread that begins it, however often that executes the module.
+  int block(Place& place, NodeId first, std::size_t number) {
+    const auto key = std::tuple(place.thread, place.module, number);
+    if (const auto known = blocks_.find(key); known != blocks_.end()) return known->second;
+    const Thread& runner = thread(place.runner);
+    const std::string name =
+        pan::block_name(runner.name, runner.parent >= 0, network_.modules[place.module].threads[number]);
+    const int made = new_thread(name, runner.module, place.thread, place.runner);
+    blocks_.emplace(key, made);
+    auto inside = std::make_unique<Place>();
+    inside->module = place.module;
+    inside->thread = made;
+    inside->runner = place.runner;
+    inside->depth = place.depth;
+    Place& kept = *inside;
+    places_.push_back(std::move(inside));
+    const int entry = step_at(kept, first);
+    thread(made).entry = entry;
+    return made;
   }
 
   int statement(std::size_t module, NodeId id) {
@@ -251,6 +268,7 @@ class Compiler {
   Problem& problem_;
   std::vector<std::unique_ptr<Place>> places_;
   std::map<int, int> forwards_;
+  std::map<std::tuple<int, std::size_t, std::size_t>, int> blocks_;  // by parent, module and number
   std::map<std::pair<std::size_t, std::int32_t>, int> statements_;
 };
 

@@ -11,9 +11,12 @@ class TimesAndPlaces {
   virtual ~TimesAndPlaces() = default;
   virtual Range activity(const pan::Activity& activity) = 0;
   virtual const pan::Costs& costs() const = 0;
-  /// Places `thread` (its name is set); `parent` is the thread that it is a block of, or -1.
-  virtual void place(Thread& thread, int parent) = 0;
+  /// Places `thread` (its name is set); `runner`: of a block, the thread that runs its module's body; or -1.
+  virtual void place(Thread& thread, int runner) = 0;
 };
+
+/// A problem has fewer steps. Compilation ends soon after.
+constexpr std::size_t most_steps = 30'000;
 
 /// Fills threads, steps and statements of `problem`; its channels stand already. Reports loops in which
 /// nothing ever happens.

@@ -3,6 +3,7 @@
 #include <unordered_set>
 
 #include "analyzer/problem_builder.hpp"
+#include "pal/pan/threads.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
 namespace pal::analyzer {
@@ -61,17 +62,13 @@ Range ProblemBuilder::activity(const Activity& activity) {
   return {};
 }
 
-void ProblemBuilder::place(Thread& thread, int parent) {
-  const Placement* placement = placement_of(thread.name);
-  if (placement == nullptr && parent >= 0) {
-    const Thread& above = problem_.threads[static_cast<std::size_t>(parent)];
-    const std::string module = thread.name.substr(0, thread.name.find('.'));
-    placement = placement_of(module);
-    if (placement == nullptr) {
-      thread.processor = above.processor;
-      thread.priority = above.priority;
-      return;
-    }
+void ProblemBuilder::place(Thread& thread, int runner) {
+  const Placement* placement = place_of(environment_, thread.name);
+  if (placement == nullptr && runner >= 0) {
+    const Thread& where = problem_.threads[static_cast<std::size_t>(runner)];
+    thread.processor = where.processor;
+    thread.priority = where.priority;
+    return;
   }
   if (placement == nullptr) {
     diagnostics_.report(Code::PAL0721, environment_.where,
@@ -83,13 +80,6 @@ void ProblemBuilder::place(Thread& thread, int parent) {
   const auto processor = processor_.find(placement->processor);
   thread.processor = processor == processor_.end() ? 0 : processor->second;
   thread.priority = placement->priority;
-}
-
-const Placement* ProblemBuilder::placement_of(const std::string& thread) const {
-  for (const Placement& placement : environment_.placements) {
-    if (placement.thread == thread) return &placement;
-  }
-  return nullptr;
 }
 
 void ProblemBuilder::processors() {
@@ -113,11 +103,18 @@ void ProblemBuilder::processors() {
 /// lacks; what this one needs and misses is found where it is needed. Nothing may be said twice.
 void ProblemBuilder::known_names() {
   std::set<std::string> threads;
+  for (const SkillThread& thread : threads_of(network_, most_threads)) {
+    threads.insert(thread.name);
+    // A block may be placed by the end of its name.
+    for (auto slash = thread.name.find('/'); slash != std::string::npos;
+         slash = thread.name.find('/', slash + 1)) {
+      threads.insert(thread.name.substr(slash + 1));
+    }
+  }
   std::set<std::string> modules;
   for (const Module& module : network_.modules) {
     if (module.body.empty()) continue;
     modules.insert(module.name);
-    for (const std::string& name : module.threads) threads.insert(name);
     if (module.executed_by.valid()) executed_.insert(module.name);
   }
   std::set<std::string> placed;
@@ -136,11 +133,14 @@ void ProblemBuilder::known_names() {
                   placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
                   "leave the placement out")
           .fix = {{placement.where, ""}};
-    } else if (modules.contains(placement.thread.substr(0, placement.thread.find('.'))) &&
-               !threads.contains(placement.thread)) {
-      diagnostics_.report(Code::PAL0723, placement.where,
-                          "skill " + network_.skill.name + " has no block " + placement.thread,
-                          "count the blocks of CONCURRENT in the order of the text, from 1");
+    } else if (modules.contains(module_of_thread(placement.thread)) && !threads.contains(placement.thread)) {
+      diagnostics_.report(
+          Code::PAL0723, placement.where,
+          "skill " + network_.skill.name + " has no block " + placement.thread,
+          placement.thread.find('/') == std::string::npos
+              ? "count the blocks of CONCURRENT in the order of the text, from 1"
+              : "before the / stands a block that executes the module; what a module itself executes has "
+                "no /");
     }
   }
   std::set<std::pair<std::string, std::string>> timed;
@@ -255,7 +255,7 @@ void ProblemBuilder::limits() {
   const bool fits = static_cast<int>(problem_.threads.size()) <= most_threads &&
                     static_cast<int>(problem_.conditions.size()) <= most_conditions &&
                     static_cast<int>(problem_.channels.size()) <= most_channels &&
-                    problem_.steps.size() < 30000;
+                    problem_.steps.size() < most_steps;
   if (!fits) {
     diagnostics_.report(Code::PAL0730, network_.skill.where,
                         "skill " + network_.skill.name + " is too large to analyse",

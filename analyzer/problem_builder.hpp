@@ -24,11 +24,10 @@ class ProblemBuilder final : public TimesAndPlaces {
 
   const pan::Costs& costs() const override { return environment_.costs; }
   Range activity(const pan::Activity& activity) override;
-  void place(Thread& thread, int parent) override;
+  void place(Thread& thread, int runner) override;
 
  private:
   // Names, places and times (problem.cpp).
-  const pan::Placement* placement_of(const std::string& thread) const;
   void processors();
   void known_names();
   void common_times();

@@ -40,7 +40,7 @@ class BodyPlanner {
     find_taken();
     planned_.body = follow(pan::NodeId(std::size_t{0}), {});
     std::sort(planned_.blocks.begin(), planned_.blocks.end(),
-              [](const auto& a, const auto& b) { return a.thread < b.thread; });
+              [](const auto& a, const auto& b) { return a.threads < b.threads; });
   }
 
  private:
@@ -291,10 +291,10 @@ class BodyPlanner {
     made.kind = Kind::concurrent;
     made.row = row(id, {});
     for (const std::size_t thread : fork.threads) {
-      const std::size_t index = indices_.threads[module_.index()][thread];
-      made.threads.push_back(index);
-      const std::string& name = plan_.threads[index].pal_name;
-      planned_.blocks.push_back({index, block_function(name)});
+      const std::vector<std::size_t>& threads = indices_.threads[module_.index()][thread];
+      made.threads.push_back(threads);
+      const std::string& name = network_.modules[module_.index()].threads[thread];
+      planned_.blocks.push_back({threads, block_function(name), {}});
     }
     branches(id, made);
     return after(graph_[id].mate);
@@ -347,7 +347,7 @@ bool can_pass(Plan& plan, const PlannedStatement& statement, int depth) {
       bool any = false;
       for (std::size_t i = 0; i < statement.branches.size(); ++i) {
         const bool ends = can_end(plan, statement.branches[i], depth);
-        plan.threads[statement.threads[i]].can_end = ends;
+        for (const std::size_t thread : statement.threads[i]) plan.threads[thread].can_end = ends;
         any = any || ends;
       }
       return any;
@@ -365,26 +365,31 @@ bool can_end(Plan& plan, const PlannedBody& body, int depth) {
   return ends;
 }
 
-void find_parents(Plan& plan, const PlannedBody& body, std::size_t thread, int depth) {
+void add_runner(Plan& plan, const PlannedBody& body, std::size_t thread) {
   for (const PlannedStatement& statement : body) {
     for (std::size_t i = 0; i < statement.branches.size(); ++i) {
-      const bool block = statement.kind == Kind::concurrent;
-      if (block) plan.threads[statement.threads[i]].parent = thread;
-      find_parents(plan, statement.branches[i], block ? statement.threads[i] : thread, depth);
+      if (statement.kind != Kind::concurrent) {
+        add_runner(plan, statement.branches[i], thread);
+        continue;
+      }
+      for (const std::size_t block : statement.threads[i]) {
+        if (plan.threads[block].parent == thread) add_runner(plan, statement.branches[i], block);
+      }
     }
-    if (statement.kind == Kind::execute && statement.module && depth > 0)
-      find_parents(plan, plan.modules[*statement.module].body, thread, depth - 1);
+    if (statement.kind != Kind::execute || !statement.module) continue;
+    PlannedModule& executed = plan.modules[*statement.module];
+    if (std::find(executed.runners.begin(), executed.runners.end(), thread) != executed.runners.end())
+      continue;
+    executed.runners.push_back(thread);
+    add_runner(plan, executed.body, thread);
   }
 }
 
 }  // namespace
 
-void find_parents(Plan& plan) {
+void find_runners(Plan& plan) {
   for (std::size_t t = 0; t < plan.threads.size(); ++t) {
-    const PlannedModule& module = plan.modules[plan.threads[t].module];
-    // A module's own thread comes before its blocks.
-    const bool own = !module.executed && (t == 0 || plan.threads[t - 1].module != plan.threads[t].module);
-    if (own) find_parents(plan, module.body, t, static_cast<int>(plan.modules.size()));
+    if (!plan.threads[t].parent) add_runner(plan, plan.modules[plan.threads[t].module].body, t);
   }
 }
 

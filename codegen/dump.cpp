@@ -80,7 +80,9 @@ class Dumper {
       for (std::size_t i = 0; i < statement.branches.size(); ++i) {
         if (i < statement.arms.size()) out_ << margin << ' ' << statement.arms[i] << '\n';
         if (i < statement.threads.size()) {
-          out_ << margin << " block " << plan_.threads[statement.threads[i]].pal_name << '\n';
+          out_ << margin << " block";
+          for (const std::size_t thread : statement.threads[i]) out_ << ' ' << plan_.threads[thread].pal_name;
+          out_ << '\n';
         }
         dump(statement.branches[i], margin + "  ");
       }

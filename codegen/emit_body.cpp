@@ -172,9 +172,16 @@ class BodyWriter {
 
   void write_concurrent(const PlannedStatement& statement) {
     std::vector<std::string> given{row(statement)};
-    for (const std::size_t thread : statement.threads)
-      given.push_back("thread_of::" + plan_.threads[thread].constant);
+    for (const std::vector<std::size_t>& threads : statement.threads) given.push_back(block(threads));
     out_.list("co_await thread.concurrent(", given, ");");
+  }
+
+  /// The thread of a block; of several the one that this thread begins.
+  std::string block(const std::vector<std::size_t>& threads) const {
+    for (const PlannedModule::Block& known : module_.blocks) {
+      if (known.threads == threads && !known.chooser.empty()) return known.chooser + "(thread)";
+    }
+    return "thread_of::" + plan_.threads[threads.front()].constant;
   }
 
   // Guards.

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "codegen/emit.hpp"
 
 namespace pal::codegen {
@@ -103,12 +105,12 @@ std::string header(const Plan& plan) {
   return out.take();
 }
 
-/// The body of block `thread`, wherever it stands in `body`.
-const PlannedBody* find_block(const PlannedBody& body, std::size_t thread) {
+/// The body of the block that `threads` run, wherever it stands in `body`.
+const PlannedBody* find_block(const PlannedBody& body, const std::vector<std::size_t>& threads) {
   for (const PlannedStatement& statement : body) {
     for (std::size_t i = 0; i < statement.branches.size(); ++i) {
-      if (i < statement.threads.size() && statement.threads[i] == thread) return &statement.branches[i];
-      if (const PlannedBody* found = find_block(statement.branches[i], thread)) return found;
+      if (i < statement.threads.size() && statement.threads[i] == threads) return &statement.branches[i];
+      if (const PlannedBody* found = find_block(statement.branches[i], threads)) return found;
     }
   }
   return nullptr;
@@ -122,6 +124,32 @@ void write_function(Writer& out, const Plan& plan, const PlannedModule& module, 
   write_body(out, plan, module, body);
   out.line("co_return;");
   out.close();
+}
+
+/// Which of a block's threads another begins.
+void write_chooser(Writer& out, const Plan& plan, const PlannedModule& module,
+                   const PlannedModule::Block& block) {
+  out.line();
+  out.open("int " + block.chooser + "(const runtime::Thread& thread) {");
+  out.line("switch (thread.index()) {").indent();
+  for (const std::size_t thread : block.threads) {
+    out.line("case thread_of::" + plan.threads[*plan.threads[thread].parent].constant + ":").indent();
+    out.line("return thread_of::" + plan.threads[thread].constant + ";").outdent();
+  }
+  out.line("default:").indent().line("return -1;  // nobody else executes " + module.pal_name).outdent();
+  out.close("}");
+  out.close();
+}
+
+void write_choosers(Writer& out, const Plan& plan, const PlannedModule& module) {
+  const auto several = [](const PlannedModule::Block& block) { return !block.chooser.empty(); };
+  if (std::none_of(module.blocks.begin(), module.blocks.end(), several)) return;
+  out.line("namespace {").line();
+  out.line("// Several threads execute " + module.pal_name + "; each has its blocks for itself.");
+  for (const PlannedModule::Block& block : module.blocks) {
+    if (several(block)) write_chooser(out, plan, module, block);
+  }
+  out.line().line("}  // namespace").line();
 }
 
 void write_start(Writer& out, const Plan& plan, const PlannedModule& module) {
@@ -148,10 +176,11 @@ std::string source(const Plan& plan) {
     out.line()
         .line("// " + module.kind + " " + module.pal_name + (module.file.empty() ? "" : ", " + module.file))
         .line();
+    write_choosers(out, plan, module);
     write_start(out, plan, module);
     write_function(out, plan, module, "body", module.body);
     for (const auto& block : module.blocks) {
-      write_function(out, plan, module, block.function, *find_block(module.body, block.thread));
+      write_function(out, plan, module, block.function, *find_block(module.body, block.threads));
     }
   }
   close_namespace(out, plan);

@@ -89,8 +89,9 @@ void write_class(Writer& out, const Plan& plan) {
       }
     }
     for (const auto& block : module.blocks) {
-      out.line("case thread_of::" + plan.threads[block.thread].constant + ":").indent();
-      out.line("return " + module.variable + "_." + block.function + "(thread);").outdent();
+      for (const std::size_t thread : block.threads)
+        out.line("case thread_of::" + plan.threads[thread].constant + ":");
+      out.indent().line("return " + module.variable + "_." + block.function + "(thread);").outdent();
     }
   }
   out.line("default:").indent().line("return {};").outdent();
@@ -98,13 +99,19 @@ void write_class(Writer& out, const Plan& plan) {
   out.close().line();
   std::vector<std::string> reserves;
   for (const PlannedModule& module : plan.modules) {
-    if (module.executed) reserves.push_back("static_cast<void>(" + module.variable + "_.body(thread));");
+    for (std::size_t each = 0; each < module.runners.size(); ++each)
+      reserves.push_back(module.variable + "_.body(thread)");
   }
   if (reserves.empty()) {
     out.line("void reserve_executed(runtime::Thread&) override {}");
   } else {
     out.open("void reserve_executed(runtime::Thread& thread) override {");
-    for (const std::string& text : reserves) out.line(text);
+    if (reserves.size() == 1) {
+      out.line("static_cast<void>(" + reserves.front() + ");");
+    } else {
+      out.line("// All that can be there at a time, together.");
+      out.list("const std::array bodies{", reserves, "};");
+    }
     out.close();
   }
   out.outdent().line().line(" private:").indent();

@@ -1,41 +1,28 @@
 #include "codegen/placement.hpp"
 
-#include "pal/support/diagnostic_code.hpp"
-
 #include <algorithm>
+
+#include "pal/pan/threads.hpp"
+#include "pal/support/diagnostic_code.hpp"
 
 namespace pal::codegen {
 
 namespace {
 
-const pan::Placement* find(const pan::Environment& environment, const std::string& thread) {
-  for (const pan::Placement& placement : environment.placements) {
-    if (placement.thread == thread) return &placement;
+const pan::Placement* place_of(const pan::Environment& environment, const std::vector<PlannedThread>& threads,
+                               const PlannedThread& thread) {
+  for (const PlannedThread* at = &thread;; at = &threads[*at->runner]) {
+    const pan::Placement* found = pan::place_of(environment, at->pal_name);
+    if (found != nullptr || !at->runner) return found;
   }
-  return nullptr;
-}
-
-const pan::Placement* place_of(const pan::Network& network, const pan::Environment& environment,
-                               const std::string& thread) {
-  if (const auto* own = find(environment, thread)) return own;
-  std::string name = thread.substr(0, thread.find('.'));
-  // At most as many steps as there are modules: modules that execute one another in a circle are nowhere.
-  for (std::size_t steps = 0; steps <= network.modules.size(); ++steps) {
-    if (const auto* found = find(environment, name)) return found;
-    const auto module = std::find_if(network.modules.begin(), network.modules.end(),
-                                     [&](const pan::Module& candidate) { return candidate.name == name; });
-    if (module == network.modules.end() || !module->executed_by.valid()) return nullptr;
-    name = network.modules[module->executed_by.index()].name;
-  }
-  return nullptr;
 }
 
 }  // namespace
 
-void place_threads(const pan::Network& network, const pan::Environment& environment, Diagnostics& diagnostics,
+void place_threads(const pan::Environment& environment, Diagnostics& diagnostics,
                    std::vector<PlannedThread>& threads) {
   for (PlannedThread& thread : threads) {
-    const pan::Placement* place = place_of(network, environment, thread.pal_name);
+    const pan::Placement* place = place_of(environment, threads, thread);
     if (place == nullptr) {
       diagnostics.report(
           Code::PAL0721, environment.where,

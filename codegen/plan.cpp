@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <tuple>
 
 #include "codegen/body.hpp"
 #include "codegen/names.hpp"
 #include "codegen/placement.hpp"
 #include "pal/pan/dump.hpp"
+#include "pal/pan/threads.hpp"
+#include "pal/support/diagnostic_code.hpp"
 
 namespace pal::codegen {
 
 namespace {
+
+constexpr std::size_t most_threads = 20'000;  // as the analysis
 
 bool is_device(const pan::Network& network, const pan::Party& party) {
   const auto* module = std::get_if<pan::ModuleId>(&party);
@@ -43,7 +49,7 @@ class Planner {
     conditions();
     channels();
     modules();
-    threads();
+    if (!threads()) return std::nullopt;
     bodies();
     stores();
     if (diagnostics_.errors() != errors) return std::nullopt;
@@ -132,26 +138,38 @@ class Planner {
     }
   }
 
-  void threads() {
-    indices_.threads.resize(network_.modules.size());
-    Scope scope;
-    for (std::size_t m = 0; m < network_.modules.size(); ++m) {
-      const pan::Module& module = network_.modules[m];
-      if (module.body.empty()) continue;
-      for (std::size_t t = 0; t < module.threads.size(); ++t) {
-        indices_.threads[m].push_back(plan_.threads.size());
-        if (t == 0 && module.executed_by.valid()) {
-          indices_.threads[m].back() = no_thread;
-          continue;
-        }
-        PlannedThread planned;
-        planned.constant = scope.unique(snake_case(module.threads[t]));
-        planned.pal_name = module.threads[t];
-        planned.module = *indices_.modules[m];
-        plan_.threads.push_back(std::move(planned));
-      }
+  /// By module, in the order of the text; the blocks that one thread begins together.
+  bool threads() {
+    const std::vector<pan::SkillThread> found = pan::threads_of(network_, most_threads);
+    if (found.size() > most_threads) {
+      diagnostics_.report(Code::PAL0730, network_.skill.where,
+                          "skill " + network_.skill.name + " has more threads than can be generated",
+                          "execute modules that have a CONCURRENT in fewer blocks");
+      return false;
     }
-    place_threads(network_, environment_, diagnostics_, plan_.threads);
+    std::vector<std::size_t> order(found.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto rank = [&found](std::size_t t) {
+      return std::tuple(found[t].module.index(), found[t].runner.value_or(0), found[t].index);
+    };
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+    std::vector<std::size_t> place(found.size());
+    for (std::size_t t = 0; t < order.size(); ++t) place[order[t]] = t;
+    for (const pan::Module& module : network_.modules) indices_.threads.emplace_back(module.threads.size());
+    Scope scope;
+    for (const std::size_t from : order) {
+      const pan::SkillThread& thread = found[from];
+      PlannedThread planned;
+      planned.constant = scope.unique(snake_case(thread.name));
+      planned.pal_name = thread.name;
+      planned.module = *indices_.modules[thread.module.index()];
+      if (thread.parent) planned.parent = place[*thread.parent];
+      if (thread.runner) planned.runner = place[*thread.runner];
+      indices_.threads[thread.module.index()][thread.index].push_back(plan_.threads.size());
+      plan_.threads.push_back(std::move(planned));
+    }
+    place_threads(environment_, diagnostics_, plan_.threads);
+    return true;
   }
 
   void bodies() {
@@ -166,9 +184,13 @@ class Planner {
           method.result_type = types_.unique(module.type + camel_case(method.name) + "Result");
         }
       }
+      for (PlannedModule::Block& block : module.blocks) {
+        if (block.threads.size() > 1)
+          block.chooser = types_.unique(snake_case("thread of " + module.words + " " + block.function));
+      }
     }
-    find_parents(plan_);
     find_ends(plan_);
+    find_runners(plan_);
   }
 
   void stores() {

@@ -87,8 +87,9 @@ struct PlannedStatement {
   std::vector<pan::Guard> guards;        // choose: one a branch; loop: the UNTIL's one, or none
   std::vector<std::string> arms;         // choose, wait with branches: the head of each branch as PAL has it
   std::vector<PlannedBody> branches;     // choose, wait with branches, concurrent; loop: one
-  std::vector<std::size_t> threads;      // concurrent: of each branch, in Plan::threads
-  std::string until;                     // loop: the UNTIL in its canonical spelling
+  /// concurrent: of each branch its threads, in Plan::threads, one for each thread that begins it.
+  std::vector<std::vector<std::size_t>> threads;
+  std::string until;  // loop: the UNTIL in its canonical spelling
   int until_line = 0;
 };
 
@@ -106,12 +107,14 @@ struct PlannedModule {
   /// together.
   std::optional<std::size_t> keeper;
   std::vector<std::size_t> executes;  // modules that it runs
-  bool executed = false;              // runs in another's thread only
+  bool executed = false;              // runs in others' threads only
+  std::vector<std::size_t> runners;   // executed: the threads in which it runs, in Plan::threads
   PlannedBody body;
-  /// Blocks of CONCURRENT anywhere in the body: member functions of their own.
+  /// Blocks of CONCURRENT anywhere in the body, in the order of the text: member functions of their own.
   struct Block {
-    std::size_t thread = 0;
+    std::vector<std::size_t> threads;  // that run it, in Plan::threads
     std::string function;
+    std::string chooser;  // of several: the C++ function that gives the one that a thread begins
   };
   std::vector<Block> blocks;
 };
@@ -130,7 +133,8 @@ struct PlannedThread {
   std::size_t module = 0;
   std::size_t processor = 0;
   int priority = 0;
-  std::optional<std::size_t> parent;  // of a block: in Plan::threads
+  std::optional<std::size_t> parent;  // of a block: whose CONCURRENT begins it, in Plan::threads
+  std::optional<std::size_t> runner;  // of a block: which runs the body of its module
   bool can_end = true;
 };
 

@@ -206,11 +206,16 @@ item
   | DEVICE name EVENT message eventClause+                                            # eventDevice
   | DEVICE name ON REQUEST interval                                                   # requestDevice
   | DEVICE name FRAMES frameClause+                                                   # frameDevice
-  | PLACE name ( DOT NUMBER )? ON name PRIORITY NUMBER                                # placement
+  | PLACE thread ON name PRIORITY NUMBER                                              # placement
   | TIME activityName ( OF name )? COLON interval                                     # activityTime
   | COST ( SEND | RECEIVE | SET | READ | TEST ) interval                              # cost
   | LATENCY ( WITHIN PROCESSOR | BETWEEN PROCESSORS ) interval                        # latency
   ;
+
+// SM1; its second block SM1.2; the first block of CM1 when that block executes it, SM1.2/CM1.1.
+thread : threadPart ( SLASH threadPart )* ;
+
+threadPart : name ( DOT NUMBER )? ;
 
 eventClause
   : EVERY duration

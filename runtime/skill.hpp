@@ -72,8 +72,8 @@ class Skill {
   /// The coroutine of thread `index` of the wiring, not yet begun.
   virtual Task body(std::size_t index, Thread& thread) = 0;
 
-  /// Makes and drops one coroutine of each module that is run by Execute, so that its frame is there when it
-  /// is needed.
+  /// Makes a coroutine of each module that is run by Execute for each thread that runs it, and drops them
+  /// together, so that the frames are there when they are needed.
   virtual void reserve_executed(Thread& thread) = 0;
 };
 

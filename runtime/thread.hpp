@@ -115,6 +115,9 @@ class Thread {
 
   auto complete(int statement, int code) { return Complete(*this, statement, code); }
 
+  /// In the wiring.
+  int index() const { return control.index; }
+
   Run& run() const { return run_; }
 
   ThreadControl control;

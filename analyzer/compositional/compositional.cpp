@@ -1,6 +1,7 @@
 #include "analyzer/compositional/compositional.hpp"
 
 #include "analyzer/compositional/account.hpp"
+#include "analyzer/compositional/apart.hpp"
 #include "analyzer/compositional/measures.hpp"
 
 namespace pal::analyzer {
@@ -55,8 +56,9 @@ std::vector<bool> asked_for(const Problem& problem) {
 
 }  // namespace
 
-Analysis analyze_compositionally(const Problem& problem, const Options& options) {
+Analysis analyze_compositionally(const Problem& skill, const Options& options) {
   const double begun = options.clock ? options.clock() : 0;
+  const Problem problem = apart(skill);
   Analysis analysis;
   for (const Requirement& requirement : problem.requirements) {
     Verdict& verdict = analysis.verdicts.emplace_back();

@@ -41,12 +41,7 @@ class PlacementSearch {
   }
 
   Placements run(const Problem& as_it_is) {
-    for (const Thread& thread : as_it_is.threads) {
-      // A module that is executed in two places has its blocks twice, and a block one place.
-      const auto same = [&](const Seat& seat) { return seat.thread == thread.name; };
-      if (std::none_of(seats_.begin(), seats_.end(), same))
-        seats_.push_back({thread.name, 0, thread.priority});
-    }
+    for (const Thread& thread : as_it_is.threads) seats_.push_back({thread.name, 0, thread.priority});
     found_.broken.assign(as_it_is.requirements.size(), 0);
     requirements_.resize(as_it_is.requirements.size());
     std::iota(requirements_.begin(), requirements_.end(), std::size_t{0});

@@ -1,7 +1,5 @@
 #include "pal/check/calls.hpp"
 
-#include <algorithm>
-#include <map>
 #include <set>
 #include <string_view>
 
@@ -12,42 +10,25 @@ namespace pal::frontend {
 
 namespace {
 
-/// Every Execute and bare name, in the order of the text, and whether it stands in a block of CONCURRENT.
+/// Every Execute and bare name, in the order of the text.
 template <class Visit>
-void each_call(const syntax::Statements& statements, const Visit& visit, bool in_block = false) {
+void each_call(const syntax::Statements& statements, const Visit& visit) {
   for (const auto& statement : statements) {
     if (const auto* execute = std::get_if<syntax::Execute>(&statement.content)) {
-      visit(execute->module.name, in_block);
+      visit(execute->module.name);
     } else if (const auto* perform = std::get_if<syntax::Perform>(&statement.content)) {
-      visit(perform->name, in_block);
+      visit(perform->name);
     } else if (const auto* wait = std::get_if<syntax::WaitBranches>(&statement.content)) {
-      for (const auto& arm : wait->arms) each_call(arm.body, visit, in_block);
-      each_call(wait->otherwise, visit, in_block);
+      for (const auto& arm : wait->arms) each_call(arm.body, visit);
+      each_call(wait->otherwise, visit);
     } else if (const auto* choose = std::get_if<syntax::Choose>(&statement.content)) {
-      for (const auto& arm : choose->arms) each_call(arm.body, visit, in_block);
+      for (const auto& arm : choose->arms) each_call(arm.body, visit);
     } else if (const auto* repeat = std::get_if<syntax::Repeat>(&statement.content)) {
-      each_call(repeat->body, visit, in_block);
+      each_call(repeat->body, visit);
     } else if (const auto* concurrent = std::get_if<syntax::Concurrent>(&statement.content)) {
-      for (const auto& block : concurrent->blocks) each_call(block.body, visit, true);
+      for (const auto& block : concurrent->blocks) each_call(block.body, visit);
     }
   }
-}
-
-bool has_concurrent(const syntax::Statements& statements) {
-  return std::any_of(statements.begin(), statements.end(), [](const syntax::Statement& statement) {
-    if (std::holds_alternative<syntax::Concurrent>(statement.content)) return true;
-    if (const auto* wait = std::get_if<syntax::WaitBranches>(&statement.content)) {
-      return has_concurrent(wait->otherwise) ||
-             std::any_of(wait->arms.begin(), wait->arms.end(),
-                         [](const auto& arm) { return has_concurrent(arm.body); });
-    }
-    if (const auto* choose = std::get_if<syntax::Choose>(&statement.content)) {
-      return std::any_of(choose->arms.begin(), choose->arms.end(),
-                         [](const auto& arm) { return has_concurrent(arm.body); });
-    }
-    const auto* repeat = std::get_if<syntax::Repeat>(&statement.content);
-    return repeat != nullptr && has_concurrent(repeat->body);
-  });
 }
 
 std::set<std::string_view> activities_of(const syntax::ModuleUnit& unit) {
@@ -64,40 +45,18 @@ bool executed_within(pan::ModuleId from, pan::ModuleId to, const pan::Network& n
   return false;
 }
 
-/// A CONCURRENT has one set of threads. A module that runs in a block may run in two of them at a time.
-void report_blocks_within(const std::map<std::size_t, SourceSpan>& called_in_block, const Names& names,
-                          const pan::Network& network, Diagnostics& diagnostics) {
-  for (std::size_t i = 0; i < network.modules.size(); ++i) {
-    const auto* unit = names.unit_of(pan::ModuleId(i));
-    if (unit == nullptr || !has_concurrent(unit->body)) continue;
-    auto at = pan::ModuleId(i);
-    std::size_t steps = 0;
-    while (at.valid() && !called_in_block.contains(at.index()) && ++steps <= network.modules.size()) {
-      at = network.modules[at.index()].executed_by;
-    }
-    if (!at.valid() || !called_in_block.contains(at.index())) continue;
-    auto& finding = diagnostics.report(
-        Code::PAL0216, called_in_block.at(at.index()),
-        quoted(unit->name.text) + " has a CONCURRENT, so it cannot be executed in a block of another",
-        "write the CONCURRENT of " + quoted(unit->name.text) + " in the block itself");
-    finding.notes.push_back({network.modules[i].where, "it is declared here"});
-  }
-}
-
 }  // namespace
 
 void enter_calls(Names& names, pan::Network& network, Diagnostics& diagnostics) {
-  std::map<std::size_t, SourceSpan> called_in_block;  // module -> the first such place
   for (std::size_t i = 0; i < network.modules.size(); ++i) {
     const pan::ModuleId caller(i);
     const auto* unit = names.unit_of(caller);
     if (unit == nullptr) continue;
     const auto activities = activities_of(*unit);
-    each_call(unit->body, [&](const syntax::Name& name, bool in_block) {
+    each_call(unit->body, [&](const syntax::Name& name) {
       if (activities.contains(name.text) || !names.is_module(name.text)) return;
       const auto called = *names.module(name, false);
       const auto& module = network.modules[called.index()];
-      if (in_block) called_in_block.emplace(called.index(), name.where);
       if (names.unit_of(called) != nullptr && !names.unit_of(called)->has_body) {
         auto& finding = diagnostics.report(Code::PAL0210, name.where,
                                            quoted(name.text) + " has no body that could be executed",
@@ -121,7 +80,6 @@ void enter_calls(Names& names, pan::Network& network, Diagnostics& diagnostics) 
       }
     });
   }
-  report_blocks_within(called_in_block, names, network, diagnostics);
 }
 
 }  // namespace pal::frontend

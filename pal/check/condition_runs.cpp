@@ -8,6 +8,7 @@
 #include "pal/check/condition_concern.hpp"
 #include "pal/check/condition_state.hpp"
 #include "pal/check/guards.hpp"
+#include "pal/pan/threads.hpp"
 
 namespace pal::frontend {
 
@@ -107,9 +108,20 @@ class Explorer {
     for (const auto to : node(thread.at).out) go(state, state, thread, to, std::nullopt);
   }
 
-  RunStep told(const Thread& thread, std::string what) const {
-    return {network_.modules[thread.module.index()].threads[thread.name], thread.at.module, thread.at.node,
-            std::move(what)};
+  std::string name_of(const State& state, const Thread& thread) const {
+    const auto& text = network_.modules[thread.module.index()].threads[thread.name];
+    if (thread.parent < 0) return text;
+    // Its parent runs the body of its module, or is a block of that module itself.
+    const auto above = [&state](const Thread& of) {
+      return &state.threads[static_cast<std::size_t>(of.parent)];
+    };
+    const Thread* runner = above(thread);
+    while (runner->calls.empty() && runner->parent >= 0) runner = above(*runner);
+    return pan::block_name(name_of(state, *runner), runner->parent >= 0, text);
+  }
+
+  RunStep told(const State& state, const Thread& thread, std::string what) const {
+    return {name_of(state, thread), thread.at.module, thread.at.node, std::move(what)};
   }
 
   void set(const State& state, const Thread& thread, const pan::Set& set) {
@@ -119,7 +131,7 @@ class Explorer {
       if (set.value && *set.value != value) continue;
       State next = state;
       next.values[set.condition] = value;
-      go(state, std::move(next), thread, to, told(thread, set_text(set, value)));
+      go(state, std::move(next), thread, to, told(state, thread, set_text(set, value)));
     }
   }
 
@@ -141,7 +153,7 @@ class Explorer {
       State next = state;
       at(next, thread).latched[read.condition] = value;
       const auto& name = network_.conditions[read.condition.index()].name;
-      go(state, std::move(next), thread, to, told(thread, "reads " + name + " as " + truth(value)));
+      go(state, std::move(next), thread, to, told(state, thread, "reads " + name + " as " + truth(value)));
     }
   }
 
@@ -187,7 +199,7 @@ class Explorer {
         // The search goes breadth first, so the first run found is a shortest one.
         if (outcome.no_arm_holds) continue;
         outcome.no_arm_holds = run_to(state);
-        outcome.no_arm_holds->push_back(told(thread, "finds " + reading_text(reading)));
+        outcome.no_arm_holds->push_back(told(state, thread, "finds " + reading_text(reading)));
         continue;
       }
       const auto index = static_cast<std::size_t>(arm - choose.guards.begin());
@@ -195,7 +207,7 @@ class Explorer {
       State next = state;
       at(next, thread).latched.clear();
       go(state, std::move(next), thread, node(thread.at).out[index],
-         told(thread, "finds " + reading_text(reading)));
+         told(state, thread, "finds " + reading_text(reading)));
     }
   }
 
@@ -217,7 +229,7 @@ class Explorer {
       const auto to = holds_for(*until.guard, reading) ? here.out.front() : here.mate;
       State next = state;
       at(next, thread).latched.clear();
-      go(state, std::move(next), thread, to, told(thread, "finds " + reading_text(reading)));
+      go(state, std::move(next), thread, to, told(state, thread, "finds " + reading_text(reading)));
     }
   }
 
@@ -257,7 +269,7 @@ class Explorer {
     for (auto& ending : endings(network_, concern_, next, thread.parent)) {
       std::optional<RunStep> step;
       if (const auto& last = ending.last)
-        step = told(last->block, set_text(last->set, last->value) + " before it is cancelled");
+        step = told(state, last->block, set_text(last->set, last->value) + " before it is cancelled");
       reach(std::move(ending.state), &state, std::move(step));
     }
   }

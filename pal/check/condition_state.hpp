@@ -26,8 +26,8 @@ struct Thread {
   bool waits_for_blocks = false;
   bool can_end = true;  // of a block
   bool ended = false;
-  pan::ModuleId module;      // whose thread it is,
-  std::size_t name = 0;      // and which: index in Module::threads
+  pan::ModuleId module;      // in whose text it stands,
+  std::size_t name = 0;      // and where: index in Module::threads
   std::vector<Place> calls;  // the Executes it is in
   Place at;
   Values latched;

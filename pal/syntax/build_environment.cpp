@@ -41,6 +41,16 @@ bool Builder::add_resource(Resources& resources, Parser::ItemContext* context) {
   return false;
 }
 
+std::string Builder::thread(Parser::ThreadContext* context) {
+  std::string result;
+  if (context == nullptr) return result;
+  for (auto* part : context->threadPart()) {
+    result += (result.empty() ? "" : "/") + name(part->name()).text;
+    if (part->NUMBER() != nullptr) result += "." + std::to_string(integer(part->NUMBER()).value_or(0));
+  }
+  return result;
+}
+
 /// What else there is to say of a device with an unreadable time would only follow from that.
 template <typename Behaviour>
 void Builder::add_device(EnvironmentUnit& environment, const std::string& name, SourceSpan where,
@@ -72,14 +82,8 @@ void Builder::add_item(EnvironmentUnit& environment, Parser::ItemContext* contex
     return add_device(environment, name(c->name()).text, where, [&] { return frame_device(c); });
   }
   if (auto* c = dynamic_cast<Parser::PlacementContext*>(context)) {
-    auto thread = name(c->name(0)).text;
-    auto* priority = c->NUMBER(0);
-    if (c->DOT() != nullptr) {
-      thread += "." + std::to_string(integer(c->NUMBER(0)).value_or(0));
-      priority = c->NUMBER(1);
-    }
     environment.placements.push_back(
-        {std::move(thread), name(c->name(1)).text, integer(priority).value_or(0), where});
+        {thread(c->thread()), name(c->name()).text, integer(c->NUMBER()).value_or(0), where});
     return;
   }
   if (auto* c = dynamic_cast<Parser::ActivityTimeContext*>(context)) {

@@ -50,9 +50,14 @@ class AnyTest final : public runtime::TestConditions {
 
 class AnyConcurrent final : public runtime::ConcurrentOperation {
  public:
-  AnyConcurrent(runtime::Thread& thread, const PlannedStatement& statement)
+  AnyConcurrent(runtime::Thread& thread, const PlannedStatement& statement, const Plan& plan)
       : ConcurrentOperation(thread, static_cast<int>(*statement.row)) {
-    for (const std::size_t block : statement.threads) blocks_.push_back(static_cast<int>(block));
+    for (const std::vector<std::size_t>& threads : statement.threads) {
+      for (const std::size_t block : threads) {
+        if (plan.threads[block].parent == static_cast<std::size_t>(thread.index()))
+          blocks_.push_back(static_cast<int>(block));
+      }
+    }
   }
   std::span<const int> blocks() const override { return blocks_; }
 
@@ -125,7 +130,10 @@ PlannedSkill::Follower& PlannedSkill::follower(const PlannedBody& body) {
 const PlannedBody* PlannedSkill::block(const PlannedBody& body, std::size_t thread) const {
   for (const PlannedStatement& statement : body) {
     for (std::size_t i = 0; i < statement.branches.size(); ++i) {
-      if (i < statement.threads.size() && statement.threads[i] == thread) return &statement.branches[i];
+      if (i < statement.threads.size()) {
+        const std::vector<std::size_t>& threads = statement.threads[i];
+        if (std::find(threads.begin(), threads.end(), thread) != threads.end()) return &statement.branches[i];
+      }
       if (const PlannedBody* found = block(statement.branches[i], thread)) return found;
     }
   }
@@ -197,7 +205,7 @@ runtime::Task PlannedSkill::Follower::follow(runtime::Thread& thread) {
         }
         break;
       case Kind::concurrent:
-        co_await AnyConcurrent(thread, statement);
+        co_await AnyConcurrent(thread, statement, skill->plan_);
         break;
     }
   }

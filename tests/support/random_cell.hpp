@@ -20,6 +20,7 @@ class RandomCell {
   RandomCell(std::uint64_t seed, int longest, int deep = 2, Asks asks = Asks::little)
       : engine_(seed),
         required_(seed),
+        executed_(~seed),
         longest_(longest),
         deep_(deep),
         asks_(asks),
@@ -259,17 +260,20 @@ class RandomCell {
     backbone_ = {act, sense};
     executes_ = false;
     activities_ = {"recover"};
-    const std::string executed =
-        "Contingency Module: CM1\nACTIVITY recover\nBEGIN\nrecover\n" + mixed({act}) + "END\n";
+    const std::string executed = "Contingency Module: CM1\nACTIVITY recover\nBEGIN\nrecover\n" +
+                                 mixed({act}) + executed_blocks() + "END\n";
     executes_ = true;
     activities_ = {"think", "prepare"};
     std::string method;
     if (chance(2) == 0) {
-      method = "CONCURRENT\nBEGIN\nREPEAT\n" + mixed({sense}) + "UNTIL( forever )\nEND\nBEGIN\nREPEAT\n" +
-               mixed({act, "SPC( d )\n"}) + "UNTIL( d )\nEND\nEND CONCURRENT\n";
+      method = "CONCURRENT\nBEGIN\nREPEAT\n" + mixed({sense}) + call() +
+               "UNTIL( forever )\nEND\nBEGIN\nREPEAT\n" + call() + mixed({act, "SPC( d )\n"}) +
+               "UNTIL( d )\nEND\nEND CONCURRENT\n";
     } else {
       method = "REPEAT\n" + mixed({sense, act, "SPC( d )\n"}) + "UNTIL( d )\n";
     }
+    if (blocks_ && executed_() % 2 == 0)
+      method += "CONCURRENT\nBEGIN\n" + call() + "think\nEND\nBEGIN\nExecute CM1\nEND\nEND CONCURRENT\n";
     if (chance(3) == 0) method = few(deep_) + method;
     if (chance(3) == 0) method += few(deep_);
     out += executed +
@@ -278,6 +282,28 @@ class RandomCell {
            method + (chance(5) != 0 ? "TXM( Completion Protocol 0 )\n" : "") + "END\n";
     return out;
   }
+
+  /// A CONCURRENT in the module that is executed; drawn apart, so that other skills are the same without.
+  std::string executed_blocks() {
+    blocks_ = executed_() % 4 == 0;
+    if (!blocks_) return "";
+    const auto some = [this] {
+      Lines lines = {"recover\n",
+                     "RPC( c )\n",
+                     "TXM( motion to MC1 )\n",
+                     "WTM( request motion from MC1 ) WITHIN 1 ms\nrecover\nELSE\nDo Nothing\nEND WTM\n",
+                     "REPEAT\nrecover\nUNTIL( d )\n",
+                     "CONCURRENT\nBEGIN\nrecover\nEND\nBEGIN\nSPC( d )\nEND\nEND CONCURRENT\n",
+                     "REPEAT\nrecover\nUNTIL( forever )\n"};
+      if (!lonely_) lines.insert(lines.begin(), "TXM( request force from LS1 )\n");
+      if (!lonely_) lines.insert(lines.begin(), "TXM( request force from LS1 )\nWTM( force from LS1 )\n");
+      std::string out;
+      for (auto count = 1 + executed_() % 2; count > 0; --count) out += lines[executed_() % lines.size()];
+      return out;
+    };
+    return "CONCURRENT\nBEGIN\n" + some() + "END\nBEGIN\n" + some() + "END\nEND CONCURRENT\n";
+  }
+  std::string call() { return blocks_ && executed_() % 2 == 0 ? "Execute CM1\n" : ""; }
 
   void begin(Lines activities, Lines sends, Lines waits) {
     activities_ = std::move(activities);
@@ -332,6 +358,12 @@ class RandomCell {
     if (!lonely_) out += place("LS1", processors);
     if (!lonely_ && sensor_ == 3) out += place("SD1", processors);
     if (controller_) out += place("MC1", processors);
+    for (const char* thread : {"CM1.1", "CM1.2", "SM1.1/CM1.1", "SM1.2/CM1.2", "SM1.2/CM1.1"}) {
+      if (!blocks_ || executed_() % 3 != 0) continue;
+      out += std::string("  PLACE ") + thread + " ON P" +
+             std::to_string(executed_() % static_cast<std::uint64_t>(processors)) + " PRIORITY " +
+             std::to_string(1 + executed_() % 3) + "\n";
+    }
     for (const char* activity : {"extract", "think", "prepare", "obey", "filter", "recover"}) {
       if (activity[0] == 'e' && lonely_) continue;
       if (activity[0] == 'f' && (lonely_ || sensor_ != 3)) continue;
@@ -348,6 +380,7 @@ class RandomCell {
 
   std::mt19937_64 engine_;
   std::mt19937_64 required_;
+  std::mt19937_64 executed_;
   int longest_;
   int deep_;
   Asks asks_;
@@ -357,6 +390,7 @@ class RandomCell {
   bool lonely_ = false;
   bool sets_ = false;
   bool executes_ = false;
+  bool blocks_ = false;
   Lines activities_, sends_, waits_, backbone_;
 };
 

@@ -17,7 +17,14 @@ Logical Sensor: LS1
 Machine Controller: MC1
 Contingency Module: CM1
 BEGIN
-  Do Nothing
+  CONCURRENT
+  BEGIN
+    Do Nothing
+  END
+  BEGIN
+    Do Nothing
+  END
+  END CONCURRENT
 END
 )";
 

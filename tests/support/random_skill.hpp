@@ -5,6 +5,8 @@
 #include <random>
 #include <string>
 
+#include "tests/support/executed_blocks.hpp"
+
 namespace pal::test {
 
 /// The text of a skill with its environment: a sensor that is asked, a robot that asks, and a skill between
@@ -12,7 +14,8 @@ namespace pal::test {
 /// text.
 class RandomSkill {
  public:
-  RandomSkill(std::uint64_t seed, int longest) : engine_(seed), required_(seed), longest_(longest) {}
+  RandomSkill(std::uint64_t seed, int longest)
+      : engine_(seed), required_(seed), executed_(seed, 4), longest_(longest) {}
 
   std::string text() {
     const bool sensor_module = chance(2);
@@ -36,7 +39,8 @@ SKILL random
   SKILL METHOD       SM1
   COMPLETION 0 NORMAL "touching"
   COMPLETION 1 ERROR  "any other error"
-  REQUIREMENT age  : AGE OF pc-force AT TXM( motion to MC1 ) IN SM1 AT MOST )" +
+)" + executed_.contingency() +
+                      R"(  REQUIREMENT age  : AGE OF pc-force AT TXM( motion to MC1 ) IN SM1 AT MOST )" +
                       std::to_string(2 * longest_) + R"( ms
   REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 60 %
 )";
@@ -60,16 +64,19 @@ SKILL random
            "    TXM( force to SM1 )\n  UNTIL( forever )\nEND\n";
     out += "Machine Controller: MC1\n";
     if (controller_module) out += controller();
-    out += "Skill Module: SM1\n  ACTIVITY think\n  ACTIVITY prepare\nBEGIN\n  WTM( Coordinator )\n";
-    out += sense();
+    std::string method =
+        "Skill Module: SM1\n  ACTIVITY think\n  ACTIVITY prepare\nBEGIN\n  WTM( Coordinator )\n";
+    method += sense();
     if (concurrent) {
-      out += "  CONCURRENT\n  BEGIN\n    REPEAT\n" + sense() +
-             "    UNTIL( forever )\n  END\n  BEGIN\n    REPEAT\n" + act() + "    UNTIL( pc-stop )\n  END\n" +
-             (chance(4) == 0 ? "  BEGIN\n    think\n    prepare\n  END\n" : "") + "  END CONCURRENT\n";
+      method += "  CONCURRENT\n  BEGIN\n    REPEAT\n" + sense() +
+                "    UNTIL( forever )\n  END\n  BEGIN\n    REPEAT\n" + act() +
+                "    UNTIL( pc-stop )\n  END\n" +
+                (chance(4) == 0 ? "  BEGIN\n    think\n    prepare\n  END\n" : "") + "  END CONCURRENT\n";
     } else {
-      out += "  REPEAT\n" + (chance(2) != 0 ? sense() + act() : act() + sense()) + "  UNTIL( pc-stop )\n";
+      method += "  REPEAT\n" + (chance(2) != 0 ? sense() + act() : act() + sense()) + "  UNTIL( pc-stop )\n";
     }
-    out += "  TXM( Completion Protocol 0 )\nEND\n";
+    out += executed_.executed_in(method + "  TXM( Completion Protocol 0 )\nEND\n");
+    out += executed_.module("pc-force");
     out += environment(sensor_module, controller_module, concurrent);
     return out;
   }
@@ -110,7 +117,8 @@ SKILL random
     return out;
   }
 
-  std::string sense() {
+  std::string sense() { return sensed() + executed_.call(); }
+  std::string sensed() {
     std::string out = "      TXM( request force from LS1 )\n";
     if (chance(3) == 0) out += "      prepare\n";
     if (chance(6) == 0) {
@@ -129,7 +137,8 @@ SKILL random
     return out + "      WTM( force from LS1 )\n      SPC( pc-force )\n";
   }
 
-  std::string act() {
+  std::string act() { return executed_.call() + acted(); }
+  std::string acted() {
     std::string out;
     const int order = chance(3);
     if (order == 0) out += "      RPC( pc-force )\n";
@@ -189,6 +198,7 @@ SKILL random
     out += place("SM1", processors) + place("LS1", processors);
     if (concurrent && chance(2) == 0) out += place("SM1.1", processors);
     if (concurrent && chance(2) == 0) out += place("SM1.2", processors);
+    out += executed_.times_and_places(processors);
     if (sensor_module) out += place("SD1", processors);
     if (controller_module) out += place("MC1", processors);
     for (const char* activity : {"extract", "think", "prepare", "obey", "hold"}) {
@@ -204,6 +214,7 @@ SKILL random
 
   std::mt19937_64 engine_;
   std::mt19937_64 required_;
+  ExecutedBlocks executed_;
   int longest_;
 };
 

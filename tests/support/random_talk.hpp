@@ -12,7 +12,7 @@ namespace pal::test {
 /// The text of a skill with one or two sensors, a controller and a method. The same seed gives the same text.
 class RandomTalk {
  public:
-  explicit RandomTalk(std::uint64_t seed) : engine_(seed), ahead_(seed) {}
+  explicit RandomTalk(std::uint64_t seed) : engine_(seed), ahead_(seed), executed_(~seed) {}
 
   std::string text() {
     const bool driver = chance(3) == 0;
@@ -59,8 +59,9 @@ END SKILL
     out += "Machine Controller: MC1\nBEGIN\n  REPEAT\n";
     if (chance(2) != 0) out += "    WTM( tick from robot )\n";
     out += talk({"TXM( request motion from SM1 )", waits("motion", "SM1")});
+    blocks_ = executed_() % 3 == 0;
     out += "  UNTIL( forever )\nEND\nContingency Module: CM1\nBEGIN\n" +
-           talk({"WTM( request motion from MC1 )", "TXM( motion to MC1 )"}) + "END\n";
+           executed(talk({"WTM( request motion from MC1 )", "TXM( motion to MC1 )"})) + "END\n";
     out += "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n  SPC( c )\n  SPC( d )\n  SPC( e = FALSE )\n";
     const std::uint64_t ahead = ahead_() % 6;  // drawn apart, so that the skill is the same without
     if (ahead < 2) out += "  TXM( request force from LS1 )\n";
@@ -97,9 +98,33 @@ END SKILL
     return "  REPEAT\n" + body + "  UNTIL( " + until + " )\n";
   }
 
-  std::string sense() { return talk({"TXM( request force from LS1 )", waits("force", "LS1"), "SPC( c )"}); }
+  /// The body of the contingency module: perhaps with a CONCURRENT, and then blocks execute it too.
+  std::string executed(const std::string& body) {
+    if (!blocks_) return body;
+    switch (executed_() % 4) {
+      case 0:
+        return "  CONCURRENT\n" + block(body) + block("    RPC( c )\n") + "  END CONCURRENT\n";
+      case 1:
+        return "  CONCURRENT\n" + block("    WTM( request motion from MC1 )\n") +
+               block("    TXM( motion to MC1 )\n") + "  END CONCURRENT\n";
+      case 2:
+        return "  CONCURRENT\n" + block(body) + block(looped("    TXM( motion to MC1 )\n", "forever")) +
+               "  END CONCURRENT\n";
+      default:
+        return "  CONCURRENT\n" + block(body) +
+               block("    CONCURRENT\n" + block("    TXM( motion to MC1 )\n") + block("    Do Nothing\n") +
+                     "    END CONCURRENT\n") +
+               "  END CONCURRENT\n";
+    }
+  }
+  std::string call() { return blocks_ && executed_() % 3 == 0 ? "    Execute CM1\n" : ""; }
+
+  std::string sense() { return sensed() + call(); }
+  std::string act() { return call() + acted(); }
+
+  std::string sensed() { return talk({"TXM( request force from LS1 )", waits("force", "LS1"), "SPC( c )"}); }
   std::string locate() { return talk({"TXM( request place from LS2 )", waits("place", "LS2"), "SPC( e )"}); }
-  std::string act() {
+  std::string acted() {
     if (chance(5) == 0) {
       return "    RPC( c )\n    WTM( request motion from MC1 )\n    CASE\n    ( c = TRUE ): SPC( d = TRUE "
              ")\n    ( NOT c ): SPC( d "
@@ -139,7 +164,9 @@ END SKILL
 
   std::mt19937_64 engine_;
   std::mt19937_64 ahead_;
+  std::mt19937_64 executed_;
   bool two_ = false;
+  bool blocks_ = false;
 };
 
 /// The text of a skill whose method asks one or two sensors a few times and mostly gives up, where the

@@ -117,7 +117,7 @@ void Talk::fork(State state, int parent, std::vector<State>& result) const {
     Thread block;
     block.at = {{place.module, n.out[i].index()}};
     block.parent = parent;
-    block.name = name(place.module, n.out[i].index());
+    block.name = state.threads[at(parent)].name + " " + name(place.module, n.out[i].index());
     block.can_end = block_can_end(place.module, n.out[i].index());
     block.latched = state.threads[at(parent)].latched;
     std::size_t place_for = 0;
@@ -204,7 +204,7 @@ void Talk::stop(State state, int thread, std::vector<State>& result) const {
 State Talk::packed(State state) {
   while (!state.threads.empty() && state.threads.back().gone) state.threads.pop_back();
   for (auto& thread : state.threads) {
-    if (thread.gone) thread = Thread{{}, -2, 0, true, false, true, {}};
+    if (thread.gone) thread = Thread{{}, -2, "", true, false, true, {}};
   }
   return state;
 }

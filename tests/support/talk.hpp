@@ -23,7 +23,8 @@ struct Place {
 struct Thread {
   std::vector<Place> at;  // the last one is where it is; those before execute it
   int parent = -1;
-  std::size_t name = 0;  // the same block, begun again, has the same
+  std::string
+      name;  // with those of its parents; the same block of the same parent, begun again, has the same
   bool can_end = true;
   bool finishing = false;
   bool gone = false;
@@ -32,7 +33,7 @@ struct Thread {
 };
 /// A request that was sent, and whose answer was not taken yet.
 struct Asked {
-  std::size_t owner = 0;  // name of the thread to which it belongs
+  std::string owner;  // name of the thread to which it belongs
   bool withdrawn = false;
   friend auto operator<=>(const Asked&, const Asked&) = default;
 };
@@ -79,7 +80,9 @@ class Talk {
   static State packed(State state);
 
  private:
-  static std::size_t name(std::size_t module, std::size_t node) { return module * 100'000 + node + 1; }
+  static std::string name(std::size_t module, std::size_t node) {
+    return std::to_string(module) + ":" + std::to_string(node);
+  }
   std::optional<std::size_t> answer_to(std::size_t request) const;
   std::optional<std::size_t> request_for(std::size_t answer) const;
   void go_to(State state, int thread, std::size_t target, std::vector<State>& result) const;
@@ -90,7 +93,7 @@ class Talk {
   bool may_be_working(const State& state, int thread) const;
   void stop(State state, int thread, std::vector<State>& result) const;
   bool available(const State& state, std::size_t channel) const;
-  void withdraw(State& state, std::size_t request, std::optional<std::size_t> owner) const;
+  void withdraw(State& state, std::size_t request, const std::optional<std::string>& owner) const;
   std::optional<std::size_t> answered(const State& state, std::size_t answer) const;
   void take(State& state, std::size_t channel) const;
   void done(Step step, std::size_t next, std::vector<Step>& result) const;

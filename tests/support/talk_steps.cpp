@@ -25,7 +25,7 @@ std::optional<std::size_t> Talk::answered(const State& state, std::size_t answer
 
 /// Open requests, all or those of one thread: out of the slot, or the answer out of its slot, or the answer
 /// that is to come is not wanted.
-void Talk::withdraw(State& state, std::size_t request, std::optional<std::size_t> owner) const {
+void Talk::withdraw(State& state, std::size_t request, const std::optional<std::string>& owner) const {
   const auto back = answer_to(request);
   if (!back) return;
   Slot& slot = state.slots[request];

@@ -5,6 +5,8 @@
 #include <random>
 #include <string>
 
+#include "tests/support/executed_blocks.hpp"
+
 namespace pal::test {
 
 /// The text of a skill with its environment: a robot that asks for motions at a steady pace, a sensor that is
@@ -14,7 +16,7 @@ namespace pal::test {
 /// text.
 class TimedSkill {
  public:
-  explicit TimedSkill(std::uint64_t seed) : engine_(seed) {}
+  explicit TimedSkill(std::uint64_t seed) : engine_(seed), executed_(seed, 4) {}
 
   std::string text() {
     shape_ = static_cast<Shape>(chance(7));
@@ -25,15 +27,21 @@ class TimedSkill {
     if (sensor_ == Sensor::sends && shape_ != Shape::loops && shape_ != Shape::endless_loops)
       sensor_ = Sensor::asked;
     const std::string limit = std::to_string(between(4, 120)) + " ms";
-    return messages() + "SKILL timed\n" + R"(  SENSOR DRIVER      SD1
+    // In the order of drawing: the operands of + have none.
+    std::string out = messages() + "SKILL timed\n" + R"(  SENSOR DRIVER      SD1
   LOGICAL SENSOR     LS1
   MACHINE CONTROLLER MC1
   MODEL DATA         NONE
   SKILL METHOD       SM1
   COMPLETION 0 NORMAL "done"
   COMPLETION 1 ERROR  "any other error"
-)" + requirements(limit) +
-           "END SKILL\n" + driver() + logical_sensor() + controller() + method() + environment();
+)" + executed_.contingency();
+    out += requirements(limit);
+    out += "END SKILL\n" + driver() + logical_sensor();
+    out += controller();
+    out += executed_.executed_in(method());
+    out += executed_.module("pc-force");
+    return out + environment();
   }
 
  private:
@@ -140,14 +148,16 @@ DEVICE robot "asks for corrections"
     return out + "    TXM( correction to robot )\n  UNTIL( forever )\nEND\n";
   }
 
-  std::string sense() {
+  std::string sense() { return sensed() + executed_.call(); }
+  std::string sensed() {
     if (sensor_ == Sensor::sends) return "      WTM( force from LS1 )\n      SPC( pc-force )\n";
     std::string out = "      TXM( request force from LS1 )\n";
     if (chance(4) == 0) out += "      prepare\n";
     return out + "      WTM( force from LS1 )\n      SPC( pc-force )\n";
   }
 
-  std::string decide() {
+  std::string decide() { return executed_.call() + decided(); }
+  std::string decided() {
     if (chance(2) == 0) {
       return "      CASE\n        ( pc-force = TRUE ):\n          TXM( motion to MC1 )\n"
              "        ( pc-force = FALSE ):\n          think\n          TXM( motion to MC1 )\n      END "
@@ -239,6 +249,7 @@ DEVICE robot "asks for corrections"
       if (chance(2) == 0) out += place("SM1.1", processors);
       if (chance(2) == 0) out += place("SM1.2", processors);
     }
+    out += executed_.times_and_places(processors);
     if (driver_module_) out += place("SD1", processors);
     if (robot_module_) out += place("MC1", processors);
     for (const char* activity : {"extract", "think", "prepare", "obey", "hold"})
@@ -252,6 +263,7 @@ DEVICE robot "asks for corrections"
   }
 
   std::mt19937_64 engine_;
+  ExecutedBlocks executed_;
   Shape shape_ = Shape::round;
   Sensor sensor_ = Sensor::asked;
   bool driver_module_ = true;

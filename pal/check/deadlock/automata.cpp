@@ -4,9 +4,11 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "pal/check/deadlock/simplify.hpp"
+#include "pal/pan/threads.hpp"
 
 namespace pal::frontend::deadlock {
 
@@ -27,13 +29,13 @@ class Compiler {
       const auto& module = network_.modules[m];
       if (module.body.empty() || module.executed_by.valid()) continue;
       const auto thread = new_thread(module.name, pan::ModuleId(m), std::nullopt);
-      Body& body = new_body(pan::ModuleId(m), thread);
+      Body& body = new_body(pan::ModuleId(m), thread, thread);
       body.after = [this, m, thread] { return end(pan::ModuleId(m), thread); };
       const auto first = step_at(body, pan::NodeId(0));
       result_.threads[thread].first = first;
     }
     // A list of what is still to be done instead of recursion: a body may be very long.
-    while (!open_.empty()) {
+    while (!open_.empty() && result_.steps.size() <= most_steps) {
       const auto [body, id, index] = open_.back();
       open_.pop_back();
       const auto& here = node(*body, id);
@@ -50,6 +52,7 @@ class Compiler {
   struct Body {
     pan::ModuleId module;
     std::size_t thread;
+    std::size_t runner;  // the thread that runs the module's body: of a block, an outer one
     std::map<pan::NodeId, std::size_t> done;
     std::function<std::size_t()> after;
   };
@@ -60,8 +63,8 @@ class Compiler {
     std::size_t step;
   };
 
-  Body& new_body(pan::ModuleId module, std::size_t thread) {
-    bodies_.push_back({module, thread, {}, {}});
+  Body& new_body(pan::ModuleId module, std::size_t thread, std::size_t runner) {
+    bodies_.push_back({module, thread, runner, {}, {}});
     return bodies_.back();
   }
 
@@ -164,7 +167,7 @@ class Compiler {
 
   void fill(Body& body, const pan::Node& here, const pan::Execute& execute, Step& step) {
     step.kind = Step::Kind::enter;
-    Body& inner = new_body(execute.module, body.thread);
+    Body& inner = new_body(execute.module, body.thread, body.thread);
     inner.after = [this, &body, next = here.out.front()] { return step_at(body, next); };
     step.next.push_back(step_at(inner, pan::NodeId(0)));
   }
@@ -213,19 +216,13 @@ class Compiler {
 
   void fill(Body& body, const pan::Node& here, const pan::Fork& fork, Step& step) {
     step.kind = Step::Kind::fork;
-    const auto& names = network_.modules[body.module.index()].threads;
     const bool ends =
         flow_.fork_can_end(body.module, node(body, here.mate).mate);  // the join's mate is this node
     const auto join = new_step(Step::Kind::join, body.module, here.mate, body.thread);
     for (std::size_t i = 0; i < fork.threads.size(); ++i) {
-      const auto thread = new_thread(names[fork.threads[i]], body.module, body.thread);
+      const auto thread = block(body, here.out[i], fork.threads[i]);
       step.blocks.push_back(thread);
-      result_.threads[thread].can_end = flow_.block_can_end(body.module, here.out[i]);
-      Body& block = new_body(body.module, thread);
-      block.after = [this, module = body.module, thread] { return end(module, thread); };
-      const auto first = step_at(block, here.out[i]);
-      result_.threads[thread].first = first;
-      step.next.push_back(first);
+      step.next.push_back(result_.threads[thread].first);
     }
     step.next.push_back(join);  // where the parent waits
     if (ends) {
@@ -234,9 +231,27 @@ class Compiler {
     }
   }
 
+  /// The thread of a block: its own for each thread that begins it, however often that executes the module.
+  std::size_t block(const Body& body, pan::NodeId first, std::size_t number) {
+    const auto key = std::tuple(body.thread, body.module, number);
+    if (const auto known = blocks_.find(key); known != blocks_.end()) return known->second;
+    const Thread& runner = result_.threads[body.runner];
+    const auto& text = network_.modules[body.module.index()].threads[number];
+    const auto thread =
+        new_thread(pan::block_name(runner.name, runner.parent.has_value(), text), body.module, body.thread);
+    blocks_.emplace(key, thread);
+    result_.threads[thread].can_end = flow_.block_can_end(body.module, first);
+    Body& inside = new_body(body.module, thread, body.runner);
+    inside.after = [this, module = body.module, thread] { return end(module, thread); };
+    const auto begins = step_at(inside, first);
+    result_.threads[thread].first = begins;
+    return thread;
+  }
+
   const pan::Network& network_;
   const Flow& flow_;
   Automata result_;
+  std::map<std::tuple<std::size_t, pan::ModuleId, std::size_t>, std::size_t> blocks_;
   std::deque<Body> bodies_;
   std::vector<Open> open_;
 };

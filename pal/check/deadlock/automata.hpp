@@ -1,6 +1,6 @@
 // The modules of a skill as automata that talk: what is left of their bodies when only messages and
 // conditions count. Activities, Do Nothing and everything that only joins flow are passed over; a module that
-// is executed stands once for each place that executes it.
+// is executed stands once for each place that executes it, its blocks once for each thread that does.
 #pragma once
 
 #include <cstddef>
@@ -72,6 +72,9 @@ struct Automata {
   /// Conditions whose values are not followed: a test may find either. They have no bit.
   std::vector<bool> unknown;  // by condition
 };
+
+/// Automata with more steps are too large to explore, and not whole.
+constexpr std::size_t most_steps = 0x7ff0;
 
 /// Every module with a body that is not executed by another one is a thread. Tests whose outcome makes no
 /// difference to what follows are left out, with the conditions that only they read.

@@ -15,7 +15,6 @@ namespace pal::frontend::deadlock {
 
 namespace {
 
-constexpr std::size_t most_steps = 0x7ff0;
 constexpr std::size_t most_nearby = 10'000;
 
 class Explorer {

@@ -79,6 +79,16 @@ TEST_CASE("plan and code of a skill with every statement and odd names") {
   compare("odd_names.expected", all(codegen::emit(*plan)));
 }
 
+TEST_CASE("plan and code of a module that several blocks execute") {
+  Input input("tests/golden/codegen/at_a_time.pal", "tests/golden/codegen/at_a_time_bench.pal");
+  const auto plan = input.plan();
+  REQUIRE(plan);
+  std::ostringstream text;
+  codegen::dump(*plan, text);
+  compare("at_a_time.plan", text.str());
+  compare("at_a_time.expected", all(codegen::emit(*plan)));
+}
+
 TEST_CASE("plan and code of approach to touch") {
   Input input("skills_pal/touch/touch.pal", "skills_pal/workcell.pal");
   const auto plan = input.plan();

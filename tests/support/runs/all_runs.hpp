@@ -74,7 +74,7 @@ class AllRuns {
   // The beginning, and time (time.cpp).
   int draw(Interval interval);
   Interval cost_of(const Thread& thread) const;
-  void place(Thread& thread, const std::string& name, int above) const;
+  void place(Thread& thread, const std::string& name, int runner) const;
   void canonical(State& state) const;
   void say(const std::string& what);
   std::string who(int thread) const;
@@ -167,6 +167,7 @@ class AllRuns {
   std::vector<int> sender_process_, receiver_process_, request_of_;  // by channel
   std::map<std::pair<int, std::vector<std::pair<int, int>>>, int> known_threads_;
   std::map<int, std::string> names_;
+  std::map<int, int> runners_;  // of a block: the thread that runs the body of its module
   mutable std::map<std::pair<int, int>, Ahead> ahead_;
   State s_;
   Decisions* decisions_ = nullptr;

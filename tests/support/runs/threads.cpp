@@ -88,14 +88,20 @@ void AllRuns::begin_blocks(int thread) {
     const auto [found, fresh] =
         known_threads_.try_emplace({thread, path}, static_cast<int>(known_threads_.size()));
     const int index = found->second;
-    const std::string& name = network_.modules[ix(module)].threads[std::get<Fork>(fork.content).threads[i]];
+    // A block of the module that its parent executes; or, as its parent, of one that somebody above runs.
+    const bool runs = s_.threads[ix(thread)].at.size() > 1 || s_.threads[ix(thread)].parent < 0;
+    const int runner = runs ? thread : runners_.at(thread);
+    const std::string before = s_.threads[ix(runner)].parent < 0 ? "" : names_.at(runner) + "/";
+    const std::string name =
+        before + network_.modules[ix(module)].threads[std::get<Fork>(fork.content).threads[i]];
     names_[index] = name;
+    runners_[index] = runner;
     made.at = {{module, fork.out[i].value}};
     made.module = s_.threads[ix(thread)].module;
     made.parent = thread;
     made.carries = s_.threads[ix(thread)].carries;
     made.can_end = ahead(module, fork.out[i].value).ends;
-    place(made, name, thread);
+    place(made, name, runner);
     made.status = Status::ready;
     if (s_.threads.size() <= ix(index)) s_.threads.resize(ix(index) + 1);
     s_.threads[ix(index)] = made;

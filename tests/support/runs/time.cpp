@@ -35,18 +35,16 @@ Interval AllRuns::cost_of(const Thread& thread) const {
   return costs.test;
 }
 
-void AllRuns::place(Thread& thread, const std::string& name, int above) const {
-  const auto placed = [&](const std::string& what) -> const Placement* {
-    for (const Placement& each : environment_.placements) {
-      if (each.thread == what) return &each;
-    }
-    return nullptr;
-  };
-  const Placement* found = placed(name);
-  if (found == nullptr) found = placed(name.substr(0, name.find('.')));
+/// What the environment says of the longest end of a name; nothing: the thread is where `runner` is.
+void AllRuns::place(Thread& thread, const std::string& name, int runner) const {
+  const Placement* found = nullptr;
+  for (const Placement& each : environment_.placements) {
+    const bool meant = name == each.thread || name.ends_with("/" + each.thread);
+    if (meant && (found == nullptr || each.thread.size() > found->thread.size())) found = &each;
+  }
   if (found == nullptr) {
-    thread.processor = s_.threads[ix(above)].processor;
-    thread.priority = s_.threads[ix(above)].priority;
+    thread.processor = s_.threads[ix(runner)].processor;
+    thread.priority = s_.threads[ix(runner)].priority;
     return;
   }
   for (std::size_t p = 0; p < environment_.processors.size(); ++p) {
