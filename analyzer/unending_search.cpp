@@ -17,6 +17,7 @@ constexpr std::size_t most_detours = 64;
 /// A state that was met before: so many of the last times are tried.
 constexpr std::size_t most_returns = 24;
 constexpr int most_tries = 3;  // a run and period
+constexpr int most_tries_of_all = 120;
 
 /// One run that stays in the recurrence once it is there.
 class Wanderer {
@@ -213,6 +214,7 @@ std::optional<UnendingRun> search_unending(const Machine& machine, const ZoneGra
     inside.insert(graph.places()[static_cast<std::size_t>(of.state)].state);
   }
   std::optional<UnendingRun> best;
+  int all_tries = 0;
   for (std::uint64_t seed = 0; seed < most_runs && !recurrence.entries.empty() && !(stop && stop()); ++seed) {
     const int entry = recurrence.entries[seed / 4 % recurrence.entries.size()];
     const auto beginning = script_to(machine, graph, entry, {});
@@ -224,6 +226,7 @@ std::optional<UnendingRun> search_unending(const Machine& machine, const ZoneGra
     for (const Candidate& each : candidates(machine, run)) {
       if (best && !greater(each.load, best->load)) break;
       if (tries[each.period]++ >= most_tries) continue;
+      if (++all_tries > most_tries_of_all) return best;
       auto made = repeat(machine, run.script(), each.stretch, each.period, processor);
       if (!made || (best && !greater(made->load, best->load))) continue;
       best = std::move(made);
