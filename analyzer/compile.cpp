@@ -1,10 +1,13 @@
 #include "analyzer/compile.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <tuple>
 
+#include "analyzer/empty_rounds.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/pan/threads.hpp"
 #include "pal/support/diagnostic_code.hpp"
@@ -39,6 +42,7 @@ class Compiler {
       Place place{m, index, index, {}, nullptr};
       const int entry = step_at(place, NodeId(std::size_t{0}));
       thread(index).entry = entry;
+      fill_all();
     }
   }
 
@@ -53,6 +57,49 @@ class Compiler {
     std::function<int()> after;
     int depth = 0;
   };
+
+  /// A step that is known and not yet filled, or one that stands in for the beginning of a body.
+  struct Open {
+    Place* place;
+    NodeId node;
+    int step;
+    bool stands_in;
+  };
+
+  /// One step after another, so that a long body takes no deep stack.
+  void fill_all() {
+    while (!open_.empty()) {
+      const Open next = open_.back();
+      open_.pop_back();
+      if (next.stands_in) {
+        const int first = step_at(*next.place, next.node);
+        forwards_[next.step] = first;
+        continue;
+      }
+      Step made;
+      made.statement = statement(next.place->module, next.node);
+      fill(*next.place, body(*next.place)[next.node], made);
+      step(next.step) = std::move(made);
+    }
+  }
+
+  /// Past all stand-ins that follow one another.
+  void lead_on(int entry) {
+    std::vector<int> way;
+    int at = entry;
+    while (forwards_.contains(at) && !led_.contains(at)) {
+      led_.insert(at);
+      way.push_back(at);
+      at = forwards_[at];
+    }
+    if (!way.empty() && forwards_.contains(at) && std::find(way.begin(), way.end(), at) != way.end()) {
+      diagnostics_.report(Code::PAL0729, executes_.at(at), "nothing ever happens in the loop around this",
+                          "give the loop, or the module, a wait or an activity");
+    }
+    const auto known = forwards_.find(at);
+    const int first = known == forwards_.end() ? at : known->second;
+    for (int each : way) forwards_[each] = first;
+  }
 
   Thread& thread(int index) { return problem_.threads[static_cast<std::size_t>(index)]; }
   Step& step(int index) { return problem_.steps[static_cast<std::size_t>(index)]; }
@@ -106,8 +153,7 @@ class Compiler {
     // Each place of an Execute has its own copy, kept alive as long as its steps may still be asked for.
     const auto known = place.done.find(index_of(place, node));
     if (known != place.done.end()) return known->second;
-    const int entry =
-        end_step();  // stands in for the entry while the body is compiled: it may loop back to here
+    const int entry = end_step();
     place.done.emplace(index_of(place, node), entry);
     auto inner = std::make_unique<Place>();
     inner->module = execute.module.index();
@@ -117,8 +163,8 @@ class Compiler {
     inner->after = [this, &place, next] { return step_at(place, next); };
     Place& kept = *inner;
     places_.push_back(std::move(inner));
-    const int first = step_at(kept, NodeId(std::size_t{0}));
-    forwards_[entry] = first;
+    executes_.emplace(entry, node.where);
+    open_.push_back({&kept, NodeId(std::size_t{0}), entry, true});
     return entry;
   }
 
@@ -133,11 +179,7 @@ class Compiler {
     place.done.emplace(id.value, index);
     // Modules that execute one another twice each multiply; what is too large is refused, however it goes on.
     if (problem_.steps.size() > most_steps) return index;
-    const Node& node = body(place)[id];
-    Step made;
-    made.statement = statement(place.module, id);
-    fill(place, node, made);
-    step(index) = std::move(made);
+    open_.push_back({&place, id, index, false});
     return index;
   }
 
@@ -246,13 +288,10 @@ class Compiler {
  public:
   /// Links that lead to the stand-in of an Execute lead on to its first step.
   void link() {
+    for (const auto& [entry, first] : forwards_) lead_on(entry);
     const auto target = [this](int index) {
-      for (std::size_t hops = 0; hops <= forwards_.size(); ++hops) {
-        const auto forward = forwards_.find(index);
-        if (forward == forwards_.end()) break;
-        index = forward->second;
-      }
-      return index;
+      const auto forward = forwards_.find(index);
+      return forward == forwards_.end() ? index : forward->second;
     };
     for (Step& each : problem_.steps) {
       for (int& next : each.next) next = target(next);
@@ -267,7 +306,10 @@ class Compiler {
   Diagnostics& diagnostics_;
   Problem& problem_;
   std::vector<std::unique_ptr<Place>> places_;
-  std::map<int, int> forwards_;
+  std::vector<Open> open_;
+  std::map<int, int> forwards_;         // by stand-in: the step that it stands for
+  std::map<int, SourceSpan> executes_;  // by stand-in
+  std::set<int> led_;
   std::map<std::tuple<int, std::size_t, std::size_t>, int> blocks_;  // by parent, module and number
   std::map<std::pair<std::size_t, std::int32_t>, int> statements_;
 };
@@ -302,6 +344,7 @@ void compile(const Network& network, TimesAndPlaces& environment, const SourceMa
   compiler.threads();
   compiler.link();
   find_ends(problem);
+  report_empty_rounds(problem, diagnostics);
 }
 
 int device_of(const Network& network, const Party& party) {

@@ -164,8 +164,96 @@ TEST_CASE("the referee confirms every witness, and no changed one") {
 }
 
 TEST_CASE("an age is explained by what the thread read, not by the messages that came since") {
-  const auto skill = test::skill_from_text(test::RandomSkill(300301, 9).text());
-  REQUIRE(skill->problem);
+  const auto skill = test::sound_skill(R"(MESSAGE force : REAL N
+MESSAGE raw : REAL N
+MESSAGE motion : dz : REAL mm
+MESSAGE correction : dz : REAL mm
+MESSAGE tick : SIGNAL
+CONDITION pc-force FROM force "touching"
+CONDITION pc-stop             "far enough"
+DEVICE sensor "asked for raw forces"
+DEVICE robot "asks for corrections"
+SKILL random
+  SENSOR DRIVER      SD1
+  LOGICAL SENSOR     LS1
+  MACHINE CONTROLLER MC1
+  MODEL DATA         NONE
+  SKILL METHOD       SM1
+  COMPLETION 0 NORMAL "touching"
+  COMPLETION 1 ERROR  "any other error"
+  REQUIREMENT age  : AGE OF pc-force AT TXM( motion to MC1 ) IN SM1 AT MOST 18 ms
+  REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 60 %
+  REQUIREMENT answer : RESPONSE FROM tick OF robot TO TXM( correction to robot ) AT MOST 18 ms
+  REQUIREMENT more-1 : INTERVAL OF TXM( motion to MC1 ) IN SM1 AT MOST 18 ms
+  REQUIREMENT more-2 : INTERVAL OF WTM( raw from SD1 ) IN LS1 BETWEEN 1 ms AND 9 ms
+END SKILL
+Sensor Driver: SD1
+Logical Sensor: LS1
+  ACTIVITY extract READS raw WRITES force
+BEGIN
+  REPEAT
+    WTM( request force from SM1 )
+    TXM( request raw from SD1 )
+    WTM( raw from SD1 )
+    extract
+    TXM( force to SM1 )
+  UNTIL( forever )
+END
+Machine Controller: MC1
+  ACTIVITY obey READS motion WRITES correction
+  ACTIVITY hold WRITES correction
+BEGIN
+  REPEAT
+    WTM( tick from robot )
+    TXM( request motion from SM1 )
+    WTM( motion from SM1 ) WITHIN 5 ms
+      obey
+    ELSE
+      hold
+    END WTM
+    TXM( correction to robot )
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY think
+  ACTIVITY prepare
+BEGIN
+  WTM( Coordinator )
+      TXM( request force from LS1 )
+      WTM( force from LS1 )
+      SPC( pc-force )
+  REPEAT
+      TXM( request force from LS1 )
+      WTM( force from LS1 )
+      SPC( pc-force )
+      RPC( pc-force )
+      WTM( motion request from MC1 )
+      CASE
+        ( pc-force = TRUE ):
+          TXM( motion to MC1 )
+        ( pc-force = FALSE ):
+          think
+          TXM( motion to MC1 )
+      END CASE
+      SPC( pc-stop )
+  UNTIL( pc-stop )
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PROCESSOR P1
+  DEVICE SD1 ON REQUEST 1 ms
+  DEVICE robot EVENT tick EVERY 6 ms JITTER 1 ms
+  PLACE SM1 ON P0 PRIORITY 1
+  PLACE LS1 ON P0 PRIORITY 3
+  PLACE MC1 ON P0 PRIORITY 3
+  TIME extract : 2 ms
+  TIME think : 2 ms
+  TIME prepare : 0 TO 2 ms
+  TIME obey : 1 ms
+  TIME hold : 0 TO 2 ms
+END ENVIRONMENT
+)");
   Options options;
   options.max_states = 2'500;
   const Analysis analysis = analyze(*skill->problem, options);

@@ -26,6 +26,7 @@ Moves::Moves(const Automata& automata, int withdrawn)
   lay_out();
   find_requests();
   for (const auto& step : automata.steps) {
+    forks_ += step.kind == Step::Kind::fork ? 1 : 0;
     auto& read = unknown_.emplace_back();
     for (const auto& guard : step.guards) conditions_of(guard, read);
     std::erase_if(read, [&](pan::ConditionId c) { return !automata.unknown[c.index()]; });
@@ -146,12 +147,12 @@ void Moves::steps_of(const State& state, std::size_t thread, std::vector<Move>& 
     }
     case Step::Kind::spin:
     case Step::Kind::enter:
+    case Step::Kind::fork:
       result.push_back({{Deed::Kind::spins, thread, static_cast<std::size_t>(&step - automata_.steps.data())},
                         state,
                         false,
                         false});
       return;
-    case Step::Kind::fork:
     case Step::Kind::join:
     case Step::Kind::end:
       return;

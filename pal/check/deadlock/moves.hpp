@@ -56,6 +56,7 @@ struct Move {
   /// One of several moves of a thread of which one is real; the state before says not which: its count is
   /// blurred, or a condition is unknown.
   bool guessed = false;
+  std::size_t forks = 0;  // gone through at this instant
 };
 
 class Moves {
@@ -160,6 +161,7 @@ class Moves {
   std::vector<std::size_t> slots_;                      // where each slot begins
   std::vector<std::vector<pan::ChannelId>> requests_;   // that may belong to each thread
   std::vector<std::vector<pan::ConditionId>> unknown_;  // that each step tests
+  std::size_t forks_ = 0;                               // in all programs
   std::size_t values_ = 0;                              // … the conditions' values
   std::size_t latches_ = 0;  // … what each thread has latched: masks, then values
   std::size_t bit_words_ = 0;

@@ -30,6 +30,8 @@ void Moves::arrive(Move move, std::size_t thread, std::size_t step, std::vector<
       return after_blocks(std::move(move), *automata_.threads[thread].parent, result);
     }
     if (to.kind != Step::Kind::fork) break;
+    // One that comes again without anything between goes round for ever: the thread spins there.
+    if (++move.forks > forks_) break;
     state[thread] = word(to.next.back());
     // All blocks are there before the first of them goes on: one that is empty ends at once.
     for (const auto block : to.blocks) {
