@@ -4,6 +4,7 @@
 
 #include "analyzer/explain.hpp"
 #include "analyzer/load.hpp"
+#include "analyzer/load_account.hpp"
 #include "analyzer/story.hpp"
 
 namespace pal::analyzer {
@@ -227,6 +228,7 @@ class Analyzer {
     const Nanoseconds bound = per_second(worst.most);
     verdict.bound = Duration(bound);
     verdict.exact = worst.exact;
+    verdict.addends = load_account(problem_, busiest, worst);
     verdict.witness = std::move(worst.witness);
     verdict.state = bound <= requirement.limit ? Is::holds : worst.exact ? Is::fails : Is::undecided;
     const std::string& name = problem_.processors[static_cast<std::size_t>(busiest)].name;

@@ -71,8 +71,8 @@ struct Verdict {
   std::string explanation;
   /// Without gaps from the birth of what is measured to its use; the lengths add up to the witness's value.
   std::vector<Reason> reasons;
-  /// They add up to the bound, to the nanosecond. Empty: the bound is no sum of times (a loss, a load that
-  /// was found by looking at all runs), or there is none.
+  /// They add up to the bound, to the nanosecond. Empty: there is no bound, it is a number (of losses), or it
+  /// was found by looking at all runs and none is known to attain it.
   std::vector<Addend> addends;
   SourceSpan where;
   Statistics statistics;

@@ -67,7 +67,7 @@ TEST_CASE("what is printed below a requirement adds up to its bound, whatever th
       CHECK(sum == row["bound_ns"]);
       CHECK(placed);
     }
-    CHECK(explained >= 3);
+    CHECK(explained == 4);
   }
   const auto answer = pal::test::pal({"check", touch, "-e", cell, "--explain"});
   CHECK(answer.status == ExitStatus::all_hold);
