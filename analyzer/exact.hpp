@@ -16,6 +16,8 @@ struct Options {
   /// At work on one requirement after the other; 0: as many as the machine has cores. Says nothing about the
   /// result, which is the same for any number.
   unsigned threads = 0;
+  /// Whether to find what adds up to compositional bounds (Verdict::addends).
+  bool addends = true;
   /// Asked now and then; once it says true, what is not decided stays undecided.
   std::function<bool()> stop;
   /// For the statistics: seconds from some beginning. Without it they say 0.

@@ -30,7 +30,7 @@ class Writer {
   const NodeTimes& times(int node) const { return view_.times.nodes[static_cast<std::size_t>(node)]; }
 
   void say(Nanoseconds amount, const std::string& actor, std::string what, int statement = -1) {
-    if (amount == 0 || out_.size() > most_addends) return;
+    if (amount == 0) return;
     Addend made{amount, actor, std::move(what), "", 0};
     if (statement >= 0) {
       const Statement& of = view_.problem.statements[static_cast<std::size_t>(statement)];
@@ -147,6 +147,7 @@ class Writer {
 
   /// To when `part` of the node's work is done, at `done`; it ends with `step`.
   void work(int node, Nanoseconds part, Nanoseconds done, int step) {
+    if (out_.size() > most_addends) return;
     const Nanoseconds released = times(node).latest;
     release(node);
     const std::size_t before = out_.size();
@@ -165,6 +166,7 @@ class Writer {
   /// What keeps the node from its processor.
   void window(int node, Nanoseconds part) {
     const Account account = view_.times.demand->account(node, part);
+    if (out_.size() + account.others.size() > most_addends) return out_.resize(most_addends + 1);
     const std::string& name = actor(node);
     if (account.blocking > 0) {
       const int thread = view_.times.demand->blocking_thread(node);

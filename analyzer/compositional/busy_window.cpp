@@ -80,16 +80,14 @@ Nanoseconds BusyWindows::of_scenario(const Group& group, int scenario, const Ask
 Nanoseconds BusyWindows::of_group(const Group& group, const Task* asker, int priority, Nanoseconds length,
                                   Shares* shares) const {
   const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
-  const bool alone = group.tasks.size() == 1;  // the usual case: the phase cancels out
   Nanoseconds most = 0;
   int worst = -1;
   for (int t : group.tasks) {
     const Task& task = of.tasks[static_cast<std::size_t>(t)];
     if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, t)) continue;
-    if (of.period == never || alone) {
-      const Nanoseconds jobs = releases(of, task, length);
-      most += jobs * task.cost;
-      if (shares != nullptr) shares->push_back({group.transaction, t, jobs, jobs * task.cost});
+    if (of.period == never) {
+      most += task.cost;
+      if (shares != nullptr) shares->push_back({group.transaction, t, 1, task.cost});
       continue;
     }
     const Nanoseconds work = of_scenario(group, t, {asker}, priority, length);
@@ -104,7 +102,20 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, co
                                    Nanoseconds length, Shares* shares) const {
   Nanoseconds work = 0;
   for (const Group& group : groups) {
-    if (group.transaction != own) work += of_group(group, asker, priority, length, shares);
+    if (group.transaction == own) continue;
+    if (group.tasks.size() > 1) {
+      work += of_group(group, asker, priority, length, shares);
+      continue;
+    }
+    // The usual case: there is one scenario, whose phase cancels out.
+    const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+    const Task& task = of.tasks[static_cast<std::size_t>(group.tasks.front())];
+    if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, group.tasks.front()))
+      continue;
+    const Nanoseconds jobs = releases(of, task, length);
+    work += jobs * task.cost;
+    if (shares != nullptr)
+      shares->push_back({group.transaction, group.tasks.front(), jobs, jobs * task.cost});
   }
   return work;
 }

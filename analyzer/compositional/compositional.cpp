@@ -85,7 +85,7 @@ Analysis analyze_compositionally(const Problem& skill, const Options& options) {
         const Bound bound = bound_of(view, requirement);
         const Bound known = bound.known() ? bound : until_left(view, endurance, requirement, bound_of);
         judge(known, analysis.verdicts[r]);
-        if (known.known() && requirement.measure != Measure::loss)
+        if (options.addends && known.known() && requirement.measure != Measure::loss)
           analysis.verdicts[r].addends = account_of(view, known.sum);
       }
     }

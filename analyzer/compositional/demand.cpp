@@ -20,6 +20,7 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes)
     : ground_(ground),
       windows_(preemptive(ground.problem)),
       task_(nodes.size()),
+      nodes_of_(ground.forest.sources.size()),
       threads_on_(ground.problem.processors.size()),
       burst_(ground.problem.threads.size()),
       order_(order_of(ground)) {
@@ -31,6 +32,7 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes)
     const Thread& thread = ground.thread_of(n);
     auto& tasks = transactions[static_cast<std::size_t>(ground.node(n).source)].tasks;
     task_[i] = static_cast<int>(tasks.size());
+    nodes_of_[static_cast<std::size_t>(ground.node(n).source)].push_back(n);
     tasks.push_back({thread.processor,
                      thread.priority,
                      ground.segment(n).worst,
@@ -178,14 +180,6 @@ Nanoseconds Demand::finish(int node, Nanoseconds part, Nanoseconds blocking) con
 Account Demand::account(int node, Nanoseconds part) const {
   return windows_.account(ground_.node(node).source, task_[static_cast<std::size_t>(node)], part,
                           blocking(node));
-}
-
-int Demand::node_of(int transaction, int task) const {
-  for (std::size_t n = 0; n < task_.size(); ++n) {
-    if (ground_.node(static_cast<int>(n)).source == transaction && task_[n] == task)
-      return static_cast<int>(n);
-  }
-  return -1;
 }
 
 Nanoseconds stops_within(const Problem& problem, const BusyWindows& windows, int block) {

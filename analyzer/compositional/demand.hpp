@@ -31,7 +31,9 @@ class Demand {
   Account account(int node, Nanoseconds part) const;
   /// The thread of lower priority that blocks the node longest.
   int blocking_thread(int node) const;
-  int node_of(int transaction, int task) const;
+  int node_of(int transaction, int task) const {
+    return nodes_of_[static_cast<std::size_t>(transaction)][static_cast<std::size_t>(task)];
+  }
   const BusyWindows& windows() const { return windows_; }
 
  private:
@@ -41,7 +43,8 @@ class Demand {
 
   Ground ground_;
   BusyWindows windows_;
-  std::vector<int> task_;
+  std::vector<int> task_;                     // by node
+  std::vector<std::vector<int>> nodes_of_;    // by transaction and task
   std::vector<std::vector<int>> threads_on_;  // by processor
   std::vector<std::vector<int>> nodes_on_;    // by processor
   std::vector<Nanoseconds> burst_;            // by thread

@@ -57,6 +57,7 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
   if (!session.diagnostics.has_errors()) {
     ProofLimits limits = options.limits;
     limits.peak_memory = options.statistics;
+    limits.addends = options.explain || options.format == Format::json;
     proofs = prove(session, limits);
   }
   const ExitStatus found = status_of_findings(session);

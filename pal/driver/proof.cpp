@@ -24,6 +24,7 @@ analyzer::Options options_of(const ProofLimits& limits) {
   analyzer::Options options;
   options.max_states = limits.max_states;
   options.threads = limits.threads;
+  options.addends = limits.addends;
   options.clock = [begin] { return seconds_since(begin); };
   if (limits.peak_memory) options.peak_memory = peak_memory;
   options.stop = [begin, seconds = limits.seconds] {

@@ -25,6 +25,7 @@ struct ProofLimits {
   analyzer::AnalysisChoice analysis = analyzer::AnalysisChoice::automatic;
   unsigned threads = 0;      // at work; 0: one a core
   bool peak_memory = false;  // count it
+  bool addends = false;      // find what adds up to bounds
 };
 
 /// The limits as an analysis wants them, from now on: also Ctrl-C ends it, as long as an Interruption lives.

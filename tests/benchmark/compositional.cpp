@@ -166,7 +166,9 @@ void grow(int steps, int processors) {
   shape.load = 0.6;
   const Problem problem = test::problem_of(test::random_chains(7, shape));
   const auto begin = Clock::now();
-  const Analysis analysis = analyze_compositionally(problem);
+  Options options;
+  options.addends = false;  // as pal check without --explain
+  const Analysis analysis = analyze_compositionally(problem, options);
   const double seconds = seconds_since(begin);
   const auto bounds = std::count_if(analysis.verdicts.begin(), analysis.verdicts.end(),
                                     [](const Verdict& verdict) { return verdict.bound.has_value(); });
