@@ -101,9 +101,11 @@ void Panel::draw_names() {
     const std::string title = lane.device ? "device " + lane.name
                                           : "thread " + lane.name + " on processor " + lane.processor +
                                                 ", priority " + std::to_string(lane.priority);
+    const Length room = panel_left - (lane.device ? group_x : name_x) - 40;
+    const bool fits = text_width(lane.name, 110) <= room;
     out_.text({lane.device ? group_x : name_x, middle + 38}, Anchor::start,
-              lane.device ? "name device" : "name",
-              fitted(lane.name, 110, panel_left - (lane.device ? group_x : name_x) - 40), title);
+              std::string("name") + (lane.device ? " device" : "") + (fits ? "" : " long"),
+              fitted(lane.name, fits ? 110 : 78, room), title);
     if (lane.device || (i > 0 && same_group(lanes[i - 1], lane))) continue;
     std::size_t last = i;
     while (last + 1 < lanes.size() && same_group(lane, lanes[last + 1])) ++last;

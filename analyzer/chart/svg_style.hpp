@@ -11,7 +11,7 @@ text { font-family: "DejaVu Sans", Verdana, sans-serif; font-size: 90px; fill: #
 .title { font-size: 165px; font-weight: bold } .title.fails { fill: #a63c00 }
 .subtitle { font-size: 115px } .strong { font-weight: bold }
 .heading { font-size: 110px; font-weight: bold }
-.name { font-size: 110px } .device { font-style: italic } .processor { font-size: 110px; font-weight: bold }
+.name { font-size: 110px } .long { font-size: 78px } .device { font-style: italic } .processor { font-size: 110px; font-weight: bold }
 .tick { font-size: 100px } .small, .number { font-size: 85px } .key { font-size: 90px } .key.number { font-weight: bold }
 .on-dark { font-size: 85px; fill: #fff } .on-light { font-size: 85px }
 .number.on-dark, .number.on-light { font-size: 85px }
