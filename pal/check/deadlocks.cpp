@@ -86,7 +86,7 @@ void check_deadlocks(const pan::Network& network, const Flow& flow, Diagnostics&
   if (findings.overflowed) {
     diagnostics.report(Code::PAL0525, network.skill.where,
                        begin +
-                           " can have more than 8 requests for one message open at once, or withdrawn and "
+                           " can have more than 12 requests for one message open at once, or withdrawn and "
                            "yet to be answered: a "
                            "deadlock could not be excluded",
                        "let every request be answered, or taken back, before the next one");
