@@ -1,23 +1,19 @@
 // What must not change when a program is told in another way, and what may only grow.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <iostream>
 #include <random>
 
 #include "analyzer/exact.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/random_cell.hpp"
+#include "tests/support/setting.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
+using pal::test::setting;
 
 namespace {
-
-std::uint64_t setting(const char* name, std::uint64_t usual) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? usual : std::strtoull(value, nullptr, 10);
-}
 
 /// By requirement: the bound, -1 if it fails without one, nothing if that is not known for sure.
 using Known = std::map<std::string, std::optional<std::int64_t>>;

@@ -9,20 +9,16 @@
 #include "tests/support/mutant.hpp"
 #include "tests/support/random_cell.hpp"
 #include "tests/support/runs/all_runs.hpp"
+#include "tests/support/setting.hpp"
 #include "tests/support/timed_skill.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
+using pal::test::setting;
 
 namespace {
 
 constexpr Duration millisecond{1'000'000};
-
-/// PAL_SEED and PAL_ROUNDS in the environment make a run longer, or another one.
-std::uint64_t setting(const char* name, std::uint64_t usual) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? usual : std::strtoull(value, nullptr, 10);
-}
 
 struct Counts {
   std::size_t timed = 0;

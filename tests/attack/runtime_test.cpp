@@ -1,7 +1,6 @@
 // The runtime against the analyzer: programs by chance, run as generated code would run them; every run keeps
 // the rules, and measures no more than was proved.
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <iostream>
 #include <sstream>
 
@@ -13,16 +12,13 @@
 #include "tests/support/mutant.hpp"
 #include "tests/support/planned_skill.hpp"
 #include "tests/support/random_cell.hpp"
+#include "tests/support/setting.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
+using pal::test::setting;
 
 namespace {
-
-std::uint64_t setting(const char* name, std::uint64_t usual) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? usual : std::strtoull(value, nullptr, 10);
-}
 
 /// Every third one is changed in a few places.
 std::string program(std::uint64_t seed, int longest) {

@@ -1,6 +1,5 @@
 // What must hold of the analysis of every skill.
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <iostream>
 
 #include "analyzer/exact.hpp"
@@ -11,20 +10,16 @@
 #include "runtime/trace/slices.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/random_skill.hpp"
+#include "tests/support/setting.hpp"
 #include "tests/support/skill.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
+using pal::test::setting;
 
 namespace {
 
 constexpr Nanoseconds millisecond = 1'000'000;
-
-/// PAL_SEED and PAL_ROUNDS in the environment make a run longer, or another one.
-std::uint64_t setting(const char* name, std::uint64_t usual) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? usual : std::strtoull(value, nullptr, 10);
-}
 
 /// A skill that the checker accepts.
 std::unique_ptr<test::Skill> accepted(std::uint64_t seed, int longest, std::string& text) {

@@ -1,6 +1,5 @@
 // The referee and the machine, written apart, must agree on what a run is.
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <iostream>
 #include <sstream>
 
@@ -11,22 +10,19 @@
 #include "tests/support/confirm.hpp"
 #include "tests/support/mutant.hpp"
 #include "tests/support/random_skill.hpp"
+#include "tests/support/setting.hpp"
 #include "tests/support/skill.hpp"
 #include "tests/support/timed_skill.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
 using pal::test::refusal;
+using pal::test::setting;
 using pal::test::shows;
 
 namespace {
 
 constexpr Nanoseconds millisecond = 1'000'000;
-
-std::uint64_t setting(const char* name, std::uint64_t usual) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? usual : std::strtoull(value, nullptr, 10);
-}
 
 /// A skill by chance; every third one a timed one that is changed in a few places.
 std::string program(std::uint64_t seed) {

@@ -1,6 +1,5 @@
 // Runs that are looked for: facts, never beyond what is proved, and mostly the worst there are.
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <iostream>
 
 #include "analyzer/analysis.hpp"
@@ -8,18 +7,14 @@
 #include "tests/support/chain_system.hpp"
 #include "tests/support/confirm.hpp"
 #include "tests/support/random_skill.hpp"
+#include "tests/support/setting.hpp"
 #include "tests/support/skill.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
+using pal::test::setting;
 
 namespace {
-
-/// PAL_SEED and PAL_ROUNDS in the environment make a run longer, or another one.
-std::uint64_t setting(const char* name, std::uint64_t usual) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? usual : std::strtoull(value, nullptr, 10);
-}
 
 struct Tally {
   std::size_t found = 0;

@@ -1,6 +1,5 @@
 // What simulation shows <= what exact analysis proves <= what compositional analysis proves, of any program.
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -11,22 +10,17 @@
 #include "tests/support/holistic.hpp"
 #include "tests/support/mutant.hpp"
 #include "tests/support/random_skill.hpp"
+#include "tests/support/setting.hpp"
 #include "tests/support/skill.hpp"
 #include "tests/support/timed_skill.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
+using pal::test::setting;
 
 namespace {
 
 constexpr Nanoseconds millisecond = 1'000'000;
-
-/// PAL_SEED and PAL_ROUNDS in the environment make a run longer, or another one; PAL_STATES says how many
-/// classes the exact analysis may take.
-std::uint64_t setting(const char* name, std::uint64_t usual) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? usual : std::strtoull(value, nullptr, 10);
-}
 
 /// What was compared, by measure.
 struct Tally {
