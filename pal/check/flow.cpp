@@ -51,19 +51,21 @@ void Flow::visit_forks(pan::ModuleId module) {
 }
 
 bool Flow::block_can_end(pan::ModuleId module, pan::NodeId first) const {
-  const auto& graph = network_.modules[module.index()].body;
-  const auto seen = reach(module, first);
-  // A block within this block has its own End, reached as well. Its own is the one after which no node of it
-  // follows: the first End that is not nested, counting CONCURRENT and END CONCURRENT in the order of the
-  // text.
+  return reach(module, first)[block_end(module, first).index()];
+}
+
+pan::NodeId Flow::block_end(pan::ModuleId module, pan::NodeId first) const {
+  // The first End that is not of a block within this one, counting CONCURRENT and END CONCURRENT in the order
+  // of the text.
+  const auto& nodes = network_.modules[module.index()].body.nodes;
   int depth = 0;
-  for (auto i = first.index(); i < graph.nodes.size(); ++i) {
-    const auto& content = graph.nodes[i].content;
-    if (std::holds_alternative<pan::Fork>(content)) ++depth;
-    if (std::holds_alternative<pan::Join>(content)) --depth;
-    if (depth == 0 && std::holds_alternative<pan::End>(content)) return seen[i];
+  auto at = first.index();
+  while (depth > 0 || !std::holds_alternative<pan::End>(nodes[at].content)) {
+    if (std::holds_alternative<pan::Fork>(nodes[at].content)) ++depth;
+    if (std::holds_alternative<pan::Join>(nodes[at].content)) --depth;
+    ++at;
   }
-  return false;
+  return pan::NodeId(at);
 }
 
 std::vector<bool> Flow::reach(pan::ModuleId module, pan::NodeId from) const {

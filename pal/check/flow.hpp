@@ -31,6 +31,9 @@ class Flow {
   /// True if the flow from `first`, the first node of a block, can reach the end of that block.
   bool block_can_end(pan::ModuleId module, pan::NodeId first) const;
 
+  /// The end of the block that begins at `first`.
+  pan::NodeId block_end(pan::ModuleId module, pan::NodeId first) const;
+
  private:
   void visit_forks(pan::ModuleId module);
   std::vector<bool> reach(pan::ModuleId module, pan::NodeId from) const;

@@ -3,6 +3,7 @@
 
 #include "pal/check/families.hpp"
 #include "pal/check/report.hpp"
+#include "pal/check/silence.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
@@ -12,9 +13,11 @@ namespace {
 
 class FlowCheck {
  public:
-  FlowCheck(const pan::Network& network, const Flow& flow, pan::ModuleId module, Diagnostics& diagnostics)
+  FlowCheck(const pan::Network& network, const Flow& flow, const Silence& silence, pan::ModuleId module,
+            Diagnostics& diagnostics)
       : network_(network),
         flow_(flow),
+        silence_(silence),
         module_(module),
         nodes_(network.modules[module.index()].body.nodes),
         diagnostics_(diagnostics) {}
@@ -43,8 +46,8 @@ class FlowCheck {
     const auto* cause = index > 0 ? &nodes_[index - 1] : nullptr;
     const bool ended = cause != nullptr && std::holds_alternative<pan::Complete>(cause->content);
     if (ended && std::holds_alternative<pan::Complete>(node.content)) {
-      auto& finding = diagnostics_.report(
-          Code::PAL0505, node.where, "the skill has sent its completion already", "remove it");
+      auto& finding = diagnostics_.report(Code::PAL0505, node.where,
+                                          "the skill has sent its completion already", "remove it");
       finding.fix = {{node.where, ""}};
       finding.notes.push_back({cause->where, "it ends here"});
       return;
@@ -65,13 +68,6 @@ class FlowCheck {
     }
   }
 
-  /// Can take time or let others go on: a thread that passes one of these again and again does something.
-  static bool pauses(const pan::Content& content) {
-    return std::holds_alternative<pan::Wait>(content) || std::holds_alternative<pan::WaitForStart>(content) ||
-           std::holds_alternative<pan::Send>(content) || std::holds_alternative<pan::Perform>(content) ||
-           std::holds_alternative<pan::Execute>(content) || std::holds_alternative<pan::Fork>(content);
-  }
-
   /// A way through the body of the loop on which nothing pauses.
   void spinning(pan::NodeId loop) {
     const auto until = nodes_[loop.index()].mate;
@@ -86,8 +82,8 @@ class FlowCheck {
         report_spinning(loop, until, from);
         return;
       }
-      if (pauses(nodes_[here.index()].content)) continue;
-      for (const auto to : flow_.next(module_, here)) {
+      if (!silence_.silent(module_, here)) continue;
+      for (const auto to : silence_.next(module_, here)) {
         if (to < loop || to > until || seen[to.index()]) continue;
         seen[to.index()] = true;
         from[to.index()] = here;
@@ -113,6 +109,7 @@ class FlowCheck {
 
   const pan::Network& network_;
   const Flow& flow_;
+  const Silence& silence_;
   pan::ModuleId module_;
   const std::vector<pan::Node>& nodes_;
   Diagnostics& diagnostics_;
@@ -121,9 +118,10 @@ class FlowCheck {
 }  // namespace
 
 void check_flow(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics) {
+  const Silence silence(network, flow);
   for (std::size_t i = 0; i < network.modules.size(); ++i) {
     if (network.modules[i].body.empty()) continue;
-    FlowCheck(network, flow, pan::ModuleId(i), diagnostics).check();
+    FlowCheck(network, flow, silence, pan::ModuleId(i), diagnostics).check();
   }
 }
 

@@ -1,0 +1,82 @@
+#include "pal/check/silence.hpp"
+
+#include <set>
+
+namespace pal::frontend {
+
+namespace {
+
+/// Each module after those that it executes. Modules that execute one another in a circle are left out.
+std::vector<pan::ModuleId> executed_first(const pan::Network& network) {
+  std::vector<std::size_t> missing(network.modules.size());  // by module: executed, and not listed yet
+  for (const auto& module : network.modules) {
+    if (module.executed_by.valid()) ++missing[module.executed_by.index()];
+  }
+  std::vector<pan::ModuleId> order;
+  for (std::size_t m = 0; m < missing.size(); ++m) {
+    if (missing[m] == 0) order.emplace_back(m);
+  }
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto caller = network.modules[order[i].index()].executed_by;
+    if (caller.valid() && --missing[caller.index()] == 0) order.push_back(caller);
+  }
+  return order;
+}
+
+}  // namespace
+
+Silence::Silence(const pan::Network& network, const Flow& flow)
+    : network_(network), flow_(flow), modules_(network.modules.size(), false) {
+  for (const auto& module : network.modules) forks_.emplace_back(module.body.nodes.size(), false);
+  for (const auto module : executed_first(network)) {
+    const auto& nodes = network.modules[module.index()].body.nodes;
+    if (nodes.empty()) continue;
+    // An inner CONCURRENT stands behind the outer one in the text, and the outer one needs to know about it.
+    for (auto i = nodes.size(); i-- > 0;) {
+      if (std::holds_alternative<pan::Fork>(nodes[i].content))
+        forks_[module.index()][i] = fork_passes(module, pan::NodeId(i));
+    }
+    modules_[module.index()] = passes(module, pan::NodeId(0), pan::NodeId(nodes.size() - 1));
+  }
+}
+
+bool Silence::silent(pan::ModuleId module, pan::NodeId id) const {
+  const auto& content = network_.modules[module.index()].body[id].content;
+  if (const auto* execute = std::get_if<pan::Execute>(&content)) return modules_[execute->module.index()];
+  if (std::holds_alternative<pan::Fork>(content)) return forks_[module.index()][id.index()];
+  return !std::holds_alternative<pan::Wait>(content) && !std::holds_alternative<pan::WaitForStart>(content) &&
+         !std::holds_alternative<pan::Send>(content) && !std::holds_alternative<pan::Perform>(content);
+}
+
+std::vector<pan::NodeId> Silence::next(pan::ModuleId module, pan::NodeId id) const {
+  const auto& node = network_.modules[module.index()].body[id];
+  if (std::holds_alternative<pan::Fork>(node.content)) return {node.mate};
+  return flow_.next(module, id);
+}
+
+bool Silence::passes(pan::ModuleId module, pan::NodeId from, pan::NodeId end) const {
+  std::set<pan::NodeId> seen{from};
+  std::vector<pan::NodeId> open{from};
+  while (!open.empty()) {
+    const auto at = open.back();
+    open.pop_back();
+    if (at == end) return true;
+    if (!silent(module, at)) continue;
+    for (const auto to : next(module, at)) {
+      if (seen.insert(to).second) open.push_back(to);
+    }
+  }
+  return false;
+}
+
+bool Silence::fork_passes(pan::ModuleId module, pan::NodeId fork) const {
+  bool any = false;
+  for (const auto first : network_.modules[module.index()].body[fork].out) {
+    if (!flow_.block_can_end(module, first)) continue;
+    any = true;
+    if (!passes(module, first, flow_.block_end(module, first))) return false;
+  }
+  return any;
+}
+
+}  // namespace pal::frontend
