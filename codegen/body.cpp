@@ -18,10 +18,11 @@ void add_once(std::vector<T>& list, const T& value) {
 
 class BodyPlanner {
  public:
-  BodyPlanner(const pan::Network& network, pan::ModuleId module, const pan::Environment& environment,
-              const SourceManager& sources, const Indices& indices, Diagnostics& diagnostics, Scope& rows,
-              Plan& plan)
+  BodyPlanner(const pan::Network& network, const pan::Flow& flow, pan::ModuleId module,
+              const pan::Environment& environment, const SourceManager& sources, const Indices& indices,
+              Diagnostics& diagnostics, Scope& rows, Plan& plan)
       : network_(network),
+        flow_(flow),
         module_(module),
         graph_(network.modules[module.index()].body),
         environment_(environment),
@@ -290,9 +291,12 @@ class BodyPlanner {
   pan::NodeId plan_statement(pan::NodeId id, const pan::Fork& fork, PlannedStatement& made) {
     made.kind = Kind::concurrent;
     made.row = row(id, {});
-    for (const std::size_t thread : fork.threads) {
+    for (std::size_t block = 0; block < fork.threads.size(); ++block) {
+      const std::size_t thread = fork.threads[block];
       const std::vector<std::size_t>& threads = indices_.threads[module_.index()][thread];
       made.threads.push_back(threads);
+      const bool can_end = flow_.block_can_end(module_, graph_[id].out[block]);
+      for (const std::size_t each : threads) plan_.threads[each].can_end = can_end;
       const std::string& name = network_.modules[module_.index()].threads[thread];
       planned_.blocks.push_back({threads, block_function(name), {}});
     }
@@ -308,6 +312,7 @@ class BodyPlanner {
   }
 
   const pan::Network& network_;
+  const pan::Flow& flow_;
   pan::ModuleId module_;
   const pan::Graph& graph_;
   const pan::Environment& environment_;
@@ -324,89 +329,12 @@ class BodyPlanner {
   std::vector<std::optional<std::size_t>> composes_;   // of each message
 };
 
-// Whether the flow of `body` can go past its last statement. Modules that execute one another in a circle
-// never end.
-bool can_end(Plan& plan, const PlannedBody& body, int depth);
-
-bool can_pass(Plan& plan, const PlannedStatement& statement, int depth) {
-  switch (statement.kind) {
-    case Kind::complete:
-      return false;
-    case Kind::loop: {
-      // Also of a loop that goes on for ever: the blocks in it are to be known.
-      const bool ends = can_end(plan, statement.branches.front(), depth);
-      return ends && !statement.guards.empty();
-    }
-    case Kind::wait:
-    case Kind::choose: {
-      bool any = statement.branches.empty();
-      for (const PlannedBody& branch : statement.branches) any = can_end(plan, branch, depth) || any;
-      return any;
-    }
-    case Kind::concurrent: {
-      bool any = false;
-      for (std::size_t i = 0; i < statement.branches.size(); ++i) {
-        const bool ends = can_end(plan, statement.branches[i], depth);
-        for (const std::size_t thread : statement.threads[i]) plan.threads[thread].can_end = ends;
-        any = any || ends;
-      }
-      return any;
-    }
-    case Kind::execute:
-      return depth > 0 && statement.module && can_end(plan, plan.modules[*statement.module].body, depth - 1);
-    default:
-      return true;
-  }
-}
-
-bool can_end(Plan& plan, const PlannedBody& body, int depth) {
-  bool ends = true;
-  for (const PlannedStatement& statement : body) ends = can_pass(plan, statement, depth) && ends;
-  return ends;
-}
-
-void add_runner(Plan& plan, const PlannedBody& body, std::size_t thread) {
-  for (const PlannedStatement& statement : body) {
-    for (std::size_t i = 0; i < statement.branches.size(); ++i) {
-      if (statement.kind != Kind::concurrent) {
-        add_runner(plan, statement.branches[i], thread);
-        continue;
-      }
-      for (const std::size_t block : statement.threads[i]) {
-        if (plan.threads[block].parent == thread) add_runner(plan, statement.branches[i], block);
-      }
-    }
-    if (statement.kind != Kind::execute || !statement.module) continue;
-    PlannedModule& executed = plan.modules[*statement.module];
-    if (std::find(executed.runners.begin(), executed.runners.end(), thread) != executed.runners.end())
-      continue;
-    executed.runners.push_back(thread);
-    add_runner(plan, executed.body, thread);
-  }
-}
-
 }  // namespace
 
-void find_runners(Plan& plan) {
-  for (std::size_t t = 0; t < plan.threads.size(); ++t) {
-    if (!plan.threads[t].parent) add_runner(plan, plan.modules[plan.threads[t].module].body, t);
-  }
-}
-
-void plan_body(const pan::Network& network, pan::ModuleId module, const pan::Environment& environment,
-               const SourceManager& sources, const Indices& indices, Diagnostics& diagnostics, Scope& rows,
-               Plan& plan) {
-  BodyPlanner(network, module, environment, sources, indices, diagnostics, rows, plan).plan();
-}
-
-void find_ends(Plan& plan) {
-  const int depth = static_cast<int>(plan.modules.size());
-  for (const PlannedModule& module : plan.modules) {
-    const bool ends = can_end(plan, module.body, depth);
-    for (PlannedThread& thread : plan.threads) {
-      if (!thread.parent && plan.modules[thread.module].pal_name == module.pal_name) thread.can_end = ends;
-    }
-  }
+void plan_body(const pan::Network& network, const pan::Flow& flow, pan::ModuleId module,
+               const pan::Environment& environment, const SourceManager& sources, const Indices& indices,
+               Diagnostics& diagnostics, Scope& rows, Plan& plan) {
+  BodyPlanner(network, flow, module, environment, sources, indices, diagnostics, rows, plan).plan();
 }
 
 }  // namespace pal::codegen

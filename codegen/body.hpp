@@ -6,6 +6,7 @@
 
 #include "codegen/names.hpp"
 #include "codegen/plan.hpp"
+#include "pal/pan/flow.hpp"
 
 namespace pal::codegen {
 
@@ -17,15 +18,10 @@ struct Indices {
   std::vector<std::vector<std::vector<std::size_t>>> threads;
 };
 
-/// Fills body, methods, messages and blocks of one module of the plan, and adds its rows to Plan::statements.
-void plan_body(const pan::Network& network, pan::ModuleId module, const pan::Environment& environment,
-               const SourceManager& sources, const Indices& indices, Diagnostics& diagnostics, Scope& rows,
-               Plan& plan);
-
-/// Fills PlannedModule::runners.
-void find_runners(Plan& plan);
-
-/// Fills PlannedThread::can_end: whether the flow of each block can reach its end.
-void find_ends(Plan& plan);
+/// Fills body, methods, messages and blocks of one module of the plan, says of the threads of its blocks
+/// whether they can end, and adds its rows to Plan::statements.
+void plan_body(const pan::Network& network, const pan::Flow& flow, pan::ModuleId module,
+               const pan::Environment& environment, const SourceManager& sources, const Indices& indices,
+               Diagnostics& diagnostics, Scope& rows, Plan& plan);
 
 }  // namespace pal::codegen

@@ -8,6 +8,7 @@
 #include "codegen/body.hpp"
 #include "codegen/names.hpp"
 #include "codegen/placement.hpp"
+#include "codegen/runners.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/pan/threads.hpp"
 #include "pal/support/diagnostic_code.hpp"
@@ -35,7 +36,11 @@ class Planner {
  public:
   Planner(const pan::Network& network, const pan::Environment& environment, const SourceManager& sources,
           Diagnostics& diagnostics)
-      : network_(network), environment_(environment), sources_(sources), diagnostics_(diagnostics) {}
+      : network_(network),
+        flow_(network),
+        environment_(environment),
+        sources_(sources),
+        diagnostics_(diagnostics) {}
 
   std::optional<Plan> plan() {
     const std::size_t errors = diagnostics_.errors();
@@ -163,6 +168,7 @@ class Planner {
       planned.constant = scope.unique(snake_case(thread.name));
       planned.pal_name = thread.name;
       planned.module = *indices_.modules[thread.module.index()];
+      planned.can_end = flow_.can_end(thread.module);  // a block's own end is found with its body
       if (thread.parent) planned.parent = place[*thread.parent];
       if (thread.runner) planned.runner = place[*thread.runner];
       indices_.threads[thread.module.index()][thread.index].push_back(plan_.threads.size());
@@ -176,7 +182,8 @@ class Planner {
     Scope rows;
     for (std::size_t m = 0; m < network_.modules.size(); ++m) {
       if (network_.modules[m].body.empty()) continue;
-      plan_body(network_, pan::ModuleId(m), environment_, sources_, indices_, diagnostics_, rows, plan_);
+      plan_body(network_, flow_, pan::ModuleId(m), environment_, sources_, indices_, diagnostics_, rows,
+                plan_);
       PlannedModule& module = plan_.modules[*indices_.modules[m]];
       if (!module.methods.empty()) module.interface = types_.unique(module.type + "Activities");
       for (PlannedMethod& method : module.methods) {
@@ -189,7 +196,6 @@ class Planner {
           block.chooser = types_.unique(snake_case("thread of " + module.words + " " + block.function));
       }
     }
-    find_ends(plan_);
     find_runners(plan_);
   }
 
@@ -230,6 +236,7 @@ class Planner {
   }
 
   const pan::Network& network_;
+  pan::Flow flow_;
   const pan::Environment& environment_;
   const SourceManager& sources_;
   Diagnostics& diagnostics_;

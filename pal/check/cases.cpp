@@ -51,7 +51,7 @@ void report_endless(const pan::Node& until, const pan::Graph& graph, const pan::
 
 }  // namespace
 
-void check_cases(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics) {
+void check_cases(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < network.modules.size(); ++i) {
     const auto& module = network.modules[i];
     if (module.body.empty() || module.executed_by.valid()) continue;

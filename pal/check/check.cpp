@@ -9,9 +9,9 @@
 #include "pal/check/build_network.hpp"
 #include "pal/check/environment.hpp"
 #include "pal/check/families.hpp"
-#include "pal/check/flow.hpp"
 #include "pal/check/report.hpp"
 #include "pal/check/scope.hpp"
+#include "pal/pan/flow.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
 namespace pal {
@@ -64,7 +64,7 @@ class Checker {
     auto network = frontend::build_network(scope, skill, diagnostics_);
     check_network(network, every_name_known(before));
     if (diagnostics_.errors() == errors_before)
-      frontend::check_deadlocks(network, frontend::Flow(network), diagnostics_);
+      frontend::check_deadlocks(network, pan::Flow(network), diagnostics_);
     result_.skills.push_back(std::move(network));
   }
 
@@ -81,7 +81,7 @@ class Checker {
         "check a file with a SKILL that USES this one to have its talk and its ending checked");
     const auto errors_before = diagnostics_.errors();
     auto network = frontend::build_sketch(scope, first.name.text, first.where, diagnostics_);
-    if (diagnostics_.errors() == errors_before) check_bodies(network, frontend::Flow(network));
+    if (diagnostics_.errors() == errors_before) check_bodies(network, pan::Flow(network));
     result_.sketches.push_back(std::move(network));
   }
 
@@ -102,14 +102,14 @@ class Checker {
   void check_network(const pan::Network& network, bool sound) {
     frontend::check_layers(network, diagnostics_);
     if (!sound) return;
-    const frontend::Flow flow(network);
+    const pan::Flow flow(network);
     frontend::check_channels(network, diagnostics_);
     frontend::check_protocol(network, flow, diagnostics_);
     frontend::check_starts(network, diagnostics_);
     check_bodies(network, flow);
   }
 
-  void check_bodies(const pan::Network& network, const frontend::Flow& flow) {
+  void check_bodies(const pan::Network& network, const pan::Flow& flow) {
     frontend::check_askers(network, diagnostics_);
     frontend::check_writers(network, diagnostics_);
     frontend::check_reads(network, flow, diagnostics_);

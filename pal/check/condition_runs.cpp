@@ -34,7 +34,7 @@ std::string truth(bool value) {
 
 class Explorer {
  public:
-  Explorer(const pan::Network& network, const Flow& flow, pan::ModuleId root)
+  Explorer(const pan::Network& network, const pan::Flow& flow, pan::ModuleId root)
       : network_(network), flow_(flow), concern_(network, root) {
     State first;
     Thread main;
@@ -286,7 +286,7 @@ class Explorer {
   }
 
   const pan::Network& network_;
-  const Flow& flow_;
+  const pan::Flow& flow_;
   Concern concern_;
   std::map<State, Origin> seen_;
   std::size_t parts_ = 0;
@@ -296,7 +296,7 @@ class Explorer {
 
 }  // namespace
 
-ConditionRuns explore_conditions(const pan::Network& network, const Flow& flow, pan::ModuleId root) {
+ConditionRuns explore_conditions(const pan::Network& network, const pan::Flow& flow, pan::ModuleId root) {
   return Explorer(network, flow, root).run();
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pal/check/flow.hpp"
+#include "pal/pan/flow.hpp"
 #include "pal/pan/network.hpp"
 
 namespace pal::frontend {
@@ -29,7 +29,8 @@ struct CaseOutcome {
 struct ConditionRuns {
   bool complete = true;  // false: there were too many states, and arms not taken prove nothing
   std::map<std::pair<pan::ModuleId, pan::NodeId>, CaseOutcome> cases;  // those that were reached
-  std::map<std::pair<pan::ModuleId, pan::NodeId>, bool> loops;         // UNTILs that were reached: some run ends there
+  std::map<std::pair<pan::ModuleId, pan::NodeId>, bool>
+      loops;  // UNTILs that were reached: some run ends there
 };
 
 /// Explores every interleaving. Waits may always go on: talk with others is left out, so that there are more
@@ -37,6 +38,6 @@ struct ConditionRuns {
 /// may have any value at each read. RPC latches for the next test of its thread; a test reads what is not
 /// latched, at one instant. When CONCURRENT ends, a block that cannot end has stopped, or finishes the
 /// statement it is at (docs/execution-model.md). `root` has a body and is not executed by another module.
-ConditionRuns explore_conditions(const pan::Network& network, const Flow& flow, pan::ModuleId root);
+ConditionRuns explore_conditions(const pan::Network& network, const pan::Flow& flow, pan::ModuleId root);
 
 }  // namespace pal::frontend

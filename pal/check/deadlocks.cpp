@@ -68,7 +68,7 @@ void report_untaken(const pan::Channel& channel, const pan::Network& network, Di
 
 }  // namespace
 
-void check_deadlocks(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics) {
+void check_deadlocks(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics) {
   if (!network.main.valid()) return;
   const auto automata = deadlock::automata(network, flow);
   const auto findings = deadlock::explore(automata);

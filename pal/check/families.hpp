@@ -1,7 +1,7 @@
 // The families of checks on a network, one file each.
 #pragma once
 
-#include "pal/check/flow.hpp"
+#include "pal/pan/flow.hpp"
 #include "pal/pan/network.hpp"
 #include "pal/support/diagnostic.hpp"
 
@@ -16,20 +16,20 @@ void check_askers(const pan::Network& network, Diagnostics& diagnostics);
 /// Conditions with two writers, in two modules or in two blocks at once.
 void check_writers(const pan::Network& network, Diagnostics& diagnostics);
 /// Conditions that are read before they are set.
-void check_reads(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
+void check_reads(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics);
 /// CASE with no arm that holds, arms that never do, and loops whose end never holds.
-void check_cases(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
+void check_cases(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics);
 /// Statements that are never reached, loops that spin.
-void check_flow(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
+void check_flow(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics);
 /// Activities and conditions that read a message which never comes, or has not come yet.
-void check_readers(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
+void check_readers(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics);
 /// The start of the skill and its completions; contingency methods that nothing executes.
-void check_protocol(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
+void check_protocol(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics);
 
 /// Modules that begin with something other than a wait.
 void check_starts(const pan::Network& network, Diagnostics& diagnostics);
 /// Runs after which the skill can never complete, and messages that no run takes. For networks without
 /// errors.
-void check_deadlocks(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics);
+void check_deadlocks(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics);
 
 }  // namespace pal::frontend

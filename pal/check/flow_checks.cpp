@@ -13,7 +13,7 @@ namespace {
 
 class FlowCheck {
  public:
-  FlowCheck(const pan::Network& network, const Flow& flow, const Silence& silence, pan::ModuleId module,
+  FlowCheck(const pan::Network& network, const pan::Flow& flow, const Silence& silence, pan::ModuleId module,
             Diagnostics& diagnostics)
       : network_(network),
         flow_(flow),
@@ -35,9 +35,9 @@ class FlowCheck {
     bool before = true;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const bool here = flow_.reached(module_, pan::NodeId(i));
-      if (!here && before && is_statement(nodes_[i].content)) report_unreached(i);
+      if (!here && before && pan::is_statement(nodes_[i].content)) report_unreached(i);
       // Places where branches come together say nothing of what was written.
-      if (here || is_statement(nodes_[i].content)) before = here;
+      if (here || pan::is_statement(nodes_[i].content)) before = here;
     }
   }
 
@@ -101,14 +101,14 @@ class FlowCheck {
     for (auto at = from[until.index()]; at.valid() && at != loop; at = from[at.index()]) path.push_back(at);
     for (auto at = path.rbegin(); at != path.rend(); ++at) {
       const auto& node = nodes_[at->index()];
-      if (!is_statement(node.content)) continue;
+      if (!pan::is_statement(node.content)) continue;
       finding.notes.push_back({node.where, "by way of " + statement_text(network_, module_, *at)});
     }
     finding.notes.push_back({nodes_[until.index()].where, "and back from here"});
   }
 
   const pan::Network& network_;
-  const Flow& flow_;
+  const pan::Flow& flow_;
   const Silence& silence_;
   pan::ModuleId module_;
   const std::vector<pan::Node>& nodes_;
@@ -117,7 +117,7 @@ class FlowCheck {
 
 }  // namespace
 
-void check_flow(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics) {
+void check_flow(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics) {
   const Silence silence(network, flow);
   for (std::size_t i = 0; i < network.modules.size(); ++i) {
     if (network.modules[i].body.empty()) continue;

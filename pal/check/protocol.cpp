@@ -79,7 +79,7 @@ void check_codes(const pan::Network& network, Diagnostics& diagnostics) {
   }
 }
 
-void check_end(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics) {
+void check_end(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics) {
   if (!network.main.valid()) return;
   const auto& module = network.modules[network.main.index()];
   const pan::NodeId end(module.body.nodes.size() - 1);
@@ -107,7 +107,7 @@ void check_end(const pan::Network& network, const Flow& flow, Diagnostics& diagn
 }
 
 /// No way through the method, or through what it executes, gets to a completion.
-void check_completes(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics) {
+void check_completes(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics) {
   if (!network.main.valid()) return;
   const pan::Node* endless = nullptr;
   for (std::size_t m = 0; m < network.modules.size(); ++m) {
@@ -147,7 +147,7 @@ void check_contingencies(const pan::Network& network, Diagnostics& diagnostics) 
 
 }  // namespace
 
-void check_protocol(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics) {
+void check_protocol(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics) {
   check_start(network, diagnostics);
   check_codes(network, diagnostics);
   check_end(network, flow, diagnostics);

@@ -18,7 +18,7 @@ using Marks = std::vector<std::vector<bool>>;
 /// module and those that it executes keep their messages together.
 class Sources {
  public:
-  Sources(const pan::Network& network, const Flow& flow, pan::ModuleId module, pan::MessageId message)
+  Sources(const pan::Network& network, const pan::Flow& flow, pan::ModuleId module, pan::MessageId message)
       : network_(network), flow_(flow), outermost_(outermost(module)), message_(message) {}
 
   bool any() const {
@@ -116,14 +116,14 @@ class Sources {
   }
 
   const pan::Network& network_;
-  const Flow& flow_;
+  const pan::Flow& flow_;
   pan::ModuleId outermost_;
   pan::MessageId message_;
   Marks reached_;
   std::vector<Place> open_;
 };
 
-void check_activity(const pan::Network& network, const Flow& flow, const pan::Activity& activity,
+void check_activity(const pan::Network& network, const pan::Flow& flow, const pan::Activity& activity,
                     pan::ActivityId id, Diagnostics& diagnostics) {
   const auto& module = network.modules[activity.module.index()];
   for (const auto message : activity.reads) {
@@ -150,7 +150,7 @@ void check_activity(const pan::Network& network, const Flow& flow, const pan::Ac
   }
 }
 
-void check_condition(const pan::Network& network, const Flow& flow, const pan::Condition& condition,
+void check_condition(const pan::Network& network, const pan::Flow& flow, const pan::Condition& condition,
                      Diagnostics& diagnostics) {
   if (!condition.writer.valid()) return;
   const auto& writer = network.modules[condition.writer.index()];
@@ -167,7 +167,7 @@ void check_condition(const pan::Network& network, const Flow& flow, const pan::C
 
 }  // namespace
 
-void check_readers(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics) {
+void check_readers(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < network.activities.size(); ++i) {
     check_activity(network, flow, network.activities[i], pan::ActivityId(i), diagnostics);
   }

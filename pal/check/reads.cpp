@@ -44,7 +44,7 @@ std::vector<pan::ConditionId> read_at(const pan::Content& content) {
 /// followed without telling apart where they come from, which can only make it say less.
 class Follower {
  public:
-  Follower(const pan::Network& network, const Flow& flow, pan::ConditionId condition)
+  Follower(const pan::Network& network, const pan::Flow& flow, pan::ConditionId condition)
       : network_(network), flow_(flow), condition_(condition) {
     for (const auto& module : network.modules) states_.emplace_back(module.body.nodes.size());
   }
@@ -156,7 +156,7 @@ class Follower {
   }
 
   const pan::Network& network_;
-  const Flow& flow_;
+  const pan::Flow& flow_;
   pan::ConditionId condition_;
   std::vector<std::vector<State>> states_;
   std::vector<std::pair<pan::ModuleId, pan::NodeId>> open_;
@@ -218,7 +218,7 @@ pan::ModuleId root_of(const pan::Network& network, pan::ModuleId module) {
 
 }  // namespace
 
-void check_reads(const pan::Network& network, const Flow& flow, Diagnostics& diagnostics) {
+void check_reads(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics) {
   std::set<pan::ConditionId> read;
   for (const auto& module : network.modules) {
     for (const auto& node : module.body.nodes) {

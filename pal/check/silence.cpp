@@ -4,31 +4,10 @@
 
 namespace pal::frontend {
 
-namespace {
-
-/// Each module after those that it executes. Modules that execute one another in a circle are left out.
-std::vector<pan::ModuleId> executed_first(const pan::Network& network) {
-  std::vector<std::size_t> missing(network.modules.size());  // by module: executed, and not listed yet
-  for (const auto& module : network.modules) {
-    if (module.executed_by.valid()) ++missing[module.executed_by.index()];
-  }
-  std::vector<pan::ModuleId> order;
-  for (std::size_t m = 0; m < missing.size(); ++m) {
-    if (missing[m] == 0) order.emplace_back(m);
-  }
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const auto caller = network.modules[order[i].index()].executed_by;
-    if (caller.valid() && --missing[caller.index()] == 0) order.push_back(caller);
-  }
-  return order;
-}
-
-}  // namespace
-
-Silence::Silence(const pan::Network& network, const Flow& flow)
+Silence::Silence(const pan::Network& network, const pan::Flow& flow)
     : network_(network), flow_(flow), modules_(network.modules.size(), false) {
   for (const auto& module : network.modules) forks_.emplace_back(module.body.nodes.size(), false);
-  for (const auto module : executed_first(network)) {
+  for (const auto module : pan::executed_first(network)) {
     const auto& nodes = network.modules[module.index()].body.nodes;
     if (nodes.empty()) continue;
     // An inner CONCURRENT stands behind the outer one in the text, and the outer one needs to know about it.

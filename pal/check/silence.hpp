@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "pal/check/flow.hpp"
+#include "pal/pan/flow.hpp"
 #include "pal/pan/network.hpp"
 
 namespace pal::frontend {
@@ -11,7 +11,7 @@ namespace pal::frontend {
 /// The statements of a network on which nothing pauses. Nothing is assumed of conditions, as in Flow.
 class Silence {
  public:
-  Silence(const pan::Network& network, const Flow& flow);
+  Silence(const pan::Network& network, const pan::Flow& flow);
 
   /// Takes no time and lets nobody else go on. A CONCURRENT can pass in silence if each of its blocks that
   /// can end can do so, an Execute if its module has a silent way from its start to its end.
@@ -25,7 +25,7 @@ class Silence {
   bool fork_passes(pan::ModuleId module, pan::NodeId fork) const;
 
   const pan::Network& network_;
-  const Flow& flow_;
+  const pan::Flow& flow_;
   std::vector<bool> modules_;             // by module: it has a silent way
   std::vector<std::vector<bool>> forks_;  // by module and node
 };

@@ -1,9 +1,9 @@
 #include <string>
 
 #include "pal/check/families.hpp"
-#include "pal/check/flow.hpp"
 #include "pal/check/report.hpp"
 #include "pal/pan/dump.hpp"
+#include "pal/pan/flow.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
 namespace pal::frontend {

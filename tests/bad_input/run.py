@@ -1,4 +1,4 @@
-"""Runs `pal check` on extreme and broken inputs: run.py PAL [WORD] (only inputs whose description has the word).
+"""Runs `pal` on extreme and broken inputs: run.py PAL [WORD] (only inputs whose description has the word).
 
 Each runs in a process of its own that may take so much memory and time and no more, and must end by itself with the
 status and the findings that its input asks for.
@@ -12,7 +12,10 @@ import tempfile
 import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from inputs import INPUTS
+import drawings  # noqa: F401, each enters its inputs
+import generated  # noqa: F401
+import texts  # noqa: F401
+from an_input import INPUTS
 
 MEMORY = 2 << 30  # bytes of address space
 SECONDS = 10      # of the processor
@@ -23,14 +26,14 @@ def limit():
     resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
 
 
-def run(pal, an_input):
+def run(pal, command, an_input):
     """A line on what happened, and whether it should have."""
     with tempfile.TemporaryDirectory() as folder:
         arguments, status, codes = an_input(pathlib.Path(folder))
         output = pathlib.Path(folder) / "output"
         begin = time.perf_counter()
         with open(output, "wb") as out:
-            process = subprocess.Popen([pal, "check", *arguments], stdout=out, stderr=out, preexec_fn=limit)
+            process = subprocess.Popen([pal, command, *arguments], stdout=out, stderr=out, preexec_fn=limit)
             _, ended, usage = os.wait4(process.pid, 0)
             process.returncode = os.waitstatus_to_exitcode(ended)
         seconds = usage.ru_utime + usage.ru_stime
@@ -52,10 +55,10 @@ def main():
     pal = sys.argv[1]
     word = sys.argv[2] if len(sys.argv) > 2 else ""
     good = True
-    for an_input in INPUTS:
+    for command, an_input in INPUTS:
         if word not in an_input.__doc__:
             continue
-        line, right = run(pal, an_input)
+        line, right = run(pal, command, an_input)
         print(line, flush=True)
         good = good and right
     sys.exit(0 if good else 1)

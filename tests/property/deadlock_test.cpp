@@ -66,7 +66,7 @@ void compare(const deadlock::Findings& found, const test::TalkOracle::Result& ex
 void compare(const pan::Network& network, Seen& seen, std::size_t most_states = 8'000) {
   const auto expected = test::TalkOracle(network, most_states).run();
   if (!expected.complete) return;
-  const Flow flow(network);
+  const pan::Flow flow(network);
   const auto automata = deadlock::automata(network, flow);
   deadlock::Limits limits;
   for (const std::size_t at_first : {limits.states, std::size_t{0}}) {
@@ -105,7 +105,7 @@ void compare_blurred(const deadlock::Findings& found, const test::TalkOracle::Re
 void compare_blurred(const pan::Network& network, Blurred& seen) {
   const auto expected = test::TalkOracle(network, 8'000).run();
   if (!expected.complete) return;
-  const Flow flow(network);
+  const pan::Flow flow(network);
   const auto automata = deadlock::automata(network, flow);
   deadlock::Limits limits;
   for (limits.withdrawn = 0; limits.withdrawn <= 2; ++limits.withdrawn) {

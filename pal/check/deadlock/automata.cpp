@@ -16,7 +16,7 @@ namespace {
 
 class Compiler {
  public:
-  Compiler(const pan::Network& network, const Flow& flow) : network_(network), flow_(flow) {}
+  Compiler(const pan::Network& network, const pan::Flow& flow) : network_(network), flow_(flow) {}
 
   Automata compile() {
     describe_channels();
@@ -249,7 +249,7 @@ class Compiler {
   }
 
   const pan::Network& network_;
-  const Flow& flow_;
+  const pan::Flow& flow_;
   Automata result_;
   std::map<std::tuple<std::size_t, pan::ModuleId, std::size_t>, std::size_t> blocks_;
   std::deque<Body> bodies_;
@@ -258,7 +258,7 @@ class Compiler {
 
 }  // namespace
 
-Automata automata(const pan::Network& network, const Flow& flow) {
+Automata automata(const pan::Network& network, const pan::Flow& flow) {
   return Compiler(network, flow).compile();
 }
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "pal/check/deadlock/threads.hpp"
-#include "pal/check/flow.hpp"
 #include "pal/check/guards.hpp"
+#include "pal/pan/flow.hpp"
 #include "pal/pan/network.hpp"
 
 namespace pal::frontend::deadlock {
@@ -78,7 +78,7 @@ constexpr std::size_t most_steps = 0x7ff0;
 
 /// Every module with a body that is not executed by another one is a thread. Tests whose outcome makes no
 /// difference to what follows are left out, with the conditions that only they read.
-Automata automata(const pan::Network& network, const Flow& flow);
+Automata automata(const pan::Network& network, const pan::Flow& flow);
 
 /// The same with every condition that some module sets unknown. All runs of `automata` are runs of these,
 /// which may have others.

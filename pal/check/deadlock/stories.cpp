@@ -5,7 +5,7 @@ namespace pal::frontend::deadlock {
 std::vector<Story> stories(const pan::Network& network) {
   std::vector<Story> result;
   if (!network.main.valid()) return result;
-  const Flow flow(network);
+  const pan::Flow flow(network);
   const auto automata = deadlock::automata(network, flow);
   const auto findings = explore(automata);
   for (const auto& end : {findings.total, findings.partial}) {

@@ -48,7 +48,7 @@ bool measure(const Case& one, int runs) {
   pal::Diagnostics findings;
   const auto specification = pal::check(trees, findings);
   const auto& network = specification.skills.front();
-  const pal::frontend::Flow flow(network);
+  const pal::pan::Flow flow(network);
   std::vector<double> seconds;
   pal::frontend::deadlock::Findings found;
   for (int i = 0; i < runs; ++i) {

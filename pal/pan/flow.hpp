@@ -1,50 +1,52 @@
-// Where the flow of a module can go: the ground for all checks of bodies.
+// Where the flow of a module can go: the ground for all checks of bodies, and for code that ends with them.
 #pragma once
 
 #include <vector>
 
 #include "pal/pan/network.hpp"
 
-namespace pal::frontend {
+namespace pal::pan {
 
 /// The flow of every module of a network. Nothing is assumed of conditions: a guard may hold or not.
 class Flow {
  public:
-  explicit Flow(const pan::Network& network);
+  explicit Flow(const Network& network);
 
   /// Nodes that can come next. After a completion there are none; after Execute of a module that cannot end
   /// there are none; after CONCURRENT there are the blocks and, if one of them can end, END CONCURRENT.
-  std::vector<pan::NodeId> next(pan::ModuleId module, pan::NodeId node) const;
+  std::vector<NodeId> next(ModuleId module, NodeId node) const;
 
   /// From the module's start.
-  bool reached(pan::ModuleId module, pan::NodeId node) const {
-    return reached_[module.index()][node.index()];
-  }
+  bool reached(ModuleId module, NodeId node) const { return reached_[module.index()][node.index()]; }
 
   /// True if the flow from the module's start can reach its end.
-  bool can_end(pan::ModuleId module) const { return can_end_[module.index()]; }
+  bool can_end(ModuleId module) const { return can_end_[module.index()]; }
 
   /// True if a block of the CONCURRENT at `fork` can end, so that its END CONCURRENT can be reached.
-  bool fork_can_end(pan::ModuleId module, pan::NodeId fork) const {
+  bool fork_can_end(ModuleId module, NodeId fork) const {
     return fork_can_end_[module.index()][fork.index()];
   }
   /// True if the flow from `first`, the first node of a block, can reach the end of that block.
-  bool block_can_end(pan::ModuleId module, pan::NodeId first) const;
+  bool block_can_end(ModuleId module, NodeId first) const;
 
   /// The end of the block that begins at `first`.
-  pan::NodeId block_end(pan::ModuleId module, pan::NodeId first) const;
+  NodeId block_end(ModuleId module, NodeId first) const;
 
  private:
-  void visit_forks(pan::ModuleId module);
-  std::vector<bool> reach(pan::ModuleId module, pan::NodeId from) const;
+  void visit_forks(ModuleId module);
+  std::vector<bool> reach(ModuleId module, NodeId from) const;
 
-  const pan::Network& network_;
+  const Network& network_;
   std::vector<bool> can_end_;                    // by module
   std::vector<std::vector<bool>> fork_can_end_;  // by module and node
   std::vector<std::vector<bool>> reached_;
 };
 
-/// A statement that a person wrote: no start, end, or place where branches come together.
-bool is_statement(const pan::Content& content);
+/// Each module after those that it executes; last those that execute one another in a circle, which no
+/// network without errors has.
+std::vector<ModuleId> executed_first(const Network& network);
 
-}  // namespace pal::frontend
+/// A statement that a person wrote: no start, end, or place where branches come together.
+bool is_statement(const Content& content);
+
+}  // namespace pal::pan
