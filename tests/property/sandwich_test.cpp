@@ -1,5 +1,7 @@
 // What simulation shows <= what exact analysis proves <= what compositional analysis proves, of any program.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -135,7 +137,19 @@ void compare(const Problem& problem, std::uint64_t seed, std::size_t states, Tal
   if (most > 0) compare_with_exact(problem, compositional, most, tally);
 }
 
-/// What mutants are made of: skills by chance that keep pace, and those of the repository.
+/// Of all files in a folder with one skill and its environment each, the names in order.
+std::vector<std::vector<std::string>> files_of(const std::string& folder) {
+  std::vector<std::vector<std::string>> files;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(PAL_SOURCE_DIR) + "/" + folder)) {
+    if (entry.path().extension() == ".pal")
+      files.push_back({folder + "/" + entry.path().filename().string()});
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// What mutants are made of: skills and chains by chance, those of the repository and those that were
+/// published.
 std::string base(std::uint64_t seed) {
   static const std::vector<std::vector<std::string>> written = {
       {"skills_pal/touch/touch_modules.pal", "skills_pal/touch/touch.pal", "skills_pal/workcell.pal"},
@@ -146,9 +160,12 @@ std::string base(std::uint64_t seed) {
       {"examples/standoff/standoff.pal", "examples/standoff/cell.pal"},
       {"examples/surface_following/surface_following.pal", "examples/surface_following/cell.pal"},
   };
-  if (seed % 3 != 0) return test::TimedSkill(seed).text();
+  static const std::vector<std::vector<std::string>> published = files_of("tests/figures/published");
+  if (seed % 3 == 1) return test::TimedSkill(seed).text();
+  if (seed % 6 == 2) return test::text_of(test::small_chains(seed));
+  const auto& from = seed % 6 == 5 ? published : written;
   std::string text;
-  for (const std::string& path : written[seed / 3 % written.size()]) {
+  for (const std::string& path : from[seed / 6 % from.size()]) {
     std::ifstream file(std::string(PAL_SOURCE_DIR) + "/" + path);
     for (std::string line; std::getline(file, line);)
       if (line.find("USES") == std::string::npos) text += line + "\n";

@@ -12,9 +12,9 @@
 
 namespace pal::test {
 
-/// Changes a skill step by step, and keeps each step that `accepts` takes: lines left out, written twice,
-/// moved or wrapped in another statement, figures and names that become others. The same seed and text give
-/// the same mutant.
+/// Changes a skill step by step, and keeps each step that `accepts` takes: lines and stretches of them left
+/// out, written twice, moved or wrapped in another statement, figures and names that become others,
+/// processors and devices that behave otherwise. The same seed and text give the same mutant.
 class Mutant {
  public:
   using Accepts = std::function<bool(const std::string&)>;
@@ -54,7 +54,7 @@ class Mutant {
 
   void change(Lines& lines) {
     const std::size_t line = chance(lines.size());
-    switch (chance(10)) {
+    switch (chance(16)) {
       case 0:
         lines.erase(at(lines, line));
         break;
@@ -68,13 +68,20 @@ class Mutant {
         copy(lines, line);
         break;
       case 4:
-        wrap(lines, line);
-        break;
       case 5:
-        wrap(lines, line);
+        stretch(lines, line);
         break;
       case 6:
+      case 7:
+        wrap(lines, line);
+        break;
+      case 8:
         rename(lines, line);
+        break;
+      case 9:
+      case 10:
+      case 11:
+        behave_otherwise(lines);
         break;
       default:
         count_otherwise(lines);
@@ -87,6 +94,19 @@ class Mutant {
     const std::string copied = lines[line];
     const std::size_t low = line > 12 ? line - 12 : 0;
     lines.insert(at(lines, std::min(low + chance(25), lines.size())), copied);
+  }
+
+  /// Two to nine lines are left out, copied or moved to a place nearby.
+  void stretch(Lines& lines, std::size_t line) {
+    const auto begin = at(lines, line);
+    const auto end = at(lines, std::min(line + 2 + chance(8), lines.size()));
+    const Lines taken(begin, end);
+    const std::size_t what = chance(3);
+    if (what != 0) lines.erase(begin, end);
+    if (what == 2) return;
+    const std::size_t low = line > 20 ? line - 20 : 0;
+    const auto to = at(lines, std::min(low + chance(40), lines.size()));
+    lines.insert(to, taken.begin(), taken.end());
   }
 
   void wrap(Lines& lines, std::size_t line) {
@@ -124,6 +144,44 @@ class Mutant {
       if (words >> keyword >> name && keyword == "CONDITION") names.push_back(name);
     }
     return names.empty() ? "forever" : names[chance(names.size())];
+  }
+
+  /// One line of the environment says something else, or there is one more.
+  void behave_otherwise(Lines& lines) {
+    std::vector<std::size_t> places;
+    bool inside = false;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (inside) places.push_back(i);
+      const Lines words = words_of(lines[i]);
+      inside = inside || (!words.empty() && words.front() == "ENVIRONMENT");
+    }
+    if (places.empty()) return;
+    static const Lines more = {"COST SEND 1 ms",
+                               "COST RECEIVE 0 TO 1 ms",
+                               "COST TEST 1 ms",
+                               "COST SET 0.5 ms",
+                               "LATENCY BETWEEN PROCESSORS 2 ms",
+                               "LATENCY WITHIN PROCESSOR 1 ms",
+                               "COST READ 0.25 ms",
+                               "LATENCY BETWEEN PROCESSORS 0 TO 3 ms"};
+    if (chance(8) == 0) {
+      lines.insert(at(lines, places.front()), more[chance(more.size())]);
+      return;
+    }
+    std::string& line = lines[places[chance(places.size())]];
+    const Lines words = words_of(line);
+    if (words.empty()) return;
+    if (words.front() == "PROCESSOR") {
+      line = "PROCESSOR " + words.back() + " NONPREEMPTIVE";
+      if (words.size() == 3) line = "PROCESSOR " + words[1];
+    } else if (const auto every = line.find("EVERY"); every != std::string::npos && chance(2) == 0) {
+      line.replace(every, 5, "SPORADIC");
+    } else if (words.front() == "DEVICE") {
+      static const Lines ends = {" JITTER 1 ms", " JITTER 3 ms", " PHASE 0 ms", " PHASE 2 ms"};
+      line += ends[chance(ends.size())];
+    } else if (const auto colon = line.find(" : "); colon != std::string::npos) {
+      line.insert(colon + 3, chance(2) == 0 ? "0 TO " : "1 ms TO ");
+    }
   }
 
   static Lines words_of(const std::string& line) {
