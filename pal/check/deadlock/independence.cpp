@@ -186,6 +186,8 @@ void Independence::add_channels(const State& state, std::size_t thread, bool wit
       add(Use::put, c);
       add_withdrawers(state, c, thread, result);
       if (automata_.answer_of[c]) add(Use::take, automata_.answer_of[c]->index());
+      // It answers a request that was taken, and none that is taken later.
+      if (request) add(Use::take, request->index());
       // Putting an answer and then withdrawing it leaves what withdrawing the request first and then
       // discarding leaves.
       if (request && full) add_withdrawers(state, request->index(), thread, result);
@@ -199,6 +201,7 @@ void Independence::add_channels(const State& state, std::size_t thread, bool wit
       if (!full) add(Use::put, c);
       if (withdrawers) add_withdrawers(state, c, thread, result);
       if (full && observed_[c]) add(Use::complete, 0);
+      if (automata_.answer_of[c]) add(Use::put, automata_.answer_of[c]->index());
       if (!request) continue;
       add(Use::put, request->index());
       add_withdrawers(state, request->index(), thread, result);
