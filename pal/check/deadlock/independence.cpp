@@ -110,11 +110,7 @@ std::size_t Independence::step_of(const State& state, std::size_t thread) const 
 bool Independence::concerns_all(const State& state, std::size_t thread,
                                 const std::vector<Move>& moves) const {
   for (const auto& move : moves) {
-    if (move.ended) return true;
-    for (std::size_t other = 0; other < automata_.threads.size(); ++other) {
-      if (other == thread || above_[thread].test(other)) continue;
-      if (moves_.active(state, other) && state[other] != move.state[other]) return true;
-    }
+    if (move.ended || move.cancels) return true;
   }
   if (!moves_.finishing(state, thread)) return false;
   // It withdraws what it asked for when it stops.
@@ -131,6 +127,7 @@ bool Independence::undone_by_cancelling(const State& state, std::size_t thread,
   const auto& step = moves_.at(state, thread);
   if (moves_.finishing(state, thread) || step.gives_up) return false;
   for (const auto& move : moves) {
+    if (move.cancels) return false;
     for (std::size_t other = 0; other < automata_.threads.size(); ++other) {
       if (other != thread && state[other] != move.state[other]) return false;
     }

@@ -56,6 +56,7 @@ struct Move {
   /// One of several moves of a thread of which one is real; the state before says not which: its count is
   /// blurred, or a condition is unknown.
   bool guessed = false;
+  bool cancels = false;   // blocks are stopped, or are to finish what they have begun
   std::size_t forks = 0;  // gone through at this instant
 };
 

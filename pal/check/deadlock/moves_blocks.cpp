@@ -76,7 +76,7 @@ void Moves::after_blocks(Move move, std::size_t parent, std::vector<Move>& resul
     if (join.next.empty()) return result.push_back(std::move(move));
     return arrive(std::move(move), parent, join.next.front(), result);
   }
-  if (going_on && (cancelled || !some_can_end)) return cancel(std::move(move), parent, result);
+  if (cancelled || (going_on && !some_can_end)) return cancel(std::move(move), parent, result);
   result.push_back(std::move(move));
 }
 
@@ -111,6 +111,7 @@ void Moves::cancel(Move move, std::size_t parent, std::vector<Move>& result) con
   for (const auto block : blocks) {
     if (!active(move.state, block) || finishing(move.state, block)) continue;
     const auto& step = at(move.state, block);
+    move.cancels = true;
     Move begun = move;
     begun.state[block] |= finishing_flag;
     if (step.kind == Step::Kind::join) return cancel(std::move(begun), block, result);
