@@ -32,18 +32,7 @@ class Loads {
 
   LoadBound of(int processor) {
     LoadBound bound = idle();
-    for (std::size_t r = 0; r < recurrences_.size(); ++r) {
-      LoadBound there = in(r, processor);
-      there.states += bound.states;
-      if (!there.proved) return {};
-      // Of two recurrences with the same load one may be shown by a run and the other not.
-      const bool more = greater(there.most, bound.most);
-      if (more || (!greater(bound.most, there.most) && there.exact && there.most.work > 0)) {
-        bound = std::move(there);
-      } else {
-        bound.states = there.states;
-      }
-    }
+    for (std::size_t r = 0; r < recurrences_.size(); ++r) bound = either(std::move(bound), in(r, processor));
     return bound;
   }
 
@@ -53,6 +42,39 @@ class Loads {
     bound.most = {0, 1};
     bound.proved = bound.exact = true;
     return bound;
+  }
+
+  /// Whether the run that is known attains what is proved.
+  static LoadBound compared(LoadBound bound) {
+    bound.exact = !greater(bound.most, bound.shown);
+    if (bound.exact) bound.most = bound.shown;
+    bound.proved = bound.proved || bound.exact;
+    return bound;
+  }
+
+  static void show(LoadBound& bound, LoadBound& other) {
+    const bool more = greater(other.shown, bound.shown);
+    if (!more && (bound.witness || greater(bound.shown, other.shown))) return;
+    bound.shown = other.shown;
+    bound.witness = std::move(other.witness);
+  }
+
+  /// Of runs that go on in one recurrence or the other.
+  static LoadBound either(LoadBound bound, LoadBound other) {
+    show(bound, other);
+    if (greater(other.most, bound.most)) bound.most = other.most;
+    bound.proved = bound.proved && other.proved;
+    bound.states += other.states;
+    return compared(std::move(bound));
+  }
+
+  /// Two of the same runs.
+  static LoadBound both(LoadBound bound, LoadBound other) {
+    show(bound, other);
+    if (greater(bound.most, other.most)) bound.most = other.most;
+    bound.proved = bound.proved || other.proved;
+    bound.states += other.states;
+    return compared(std::move(bound));
   }
 
   /// In one recurrence: a small grid, shares of the time with a run that is looked for, then a grid of any
@@ -65,12 +87,9 @@ class Loads {
     Limits brief = limits_;
     brief.classes = std::min(limits_.classes, brief_grid);
     LoadBound bound = by_grid(explored, r, processor, brief);
-    if (bound.exact) return bound;
-    by_shares(r, processor, bound);
+    if (!bound.exact) bound = by_shares(r, processor, std::move(bound));
     if (bound.exact || explored.complete) return bound;
-    LoadBound further = by_grid(explored, r, processor, limits_);
-    return further.proved && !(bound.proved && greater(further.most, bound.most)) ? std::move(further)
-                                                                                  : std::move(bound);
+    return both(std::move(bound), by_grid(explored, r, processor, limits_));
   }
 
   LoadBound by_grid(Explored& explored, std::size_t r, int processor, const Limits& limits) {
@@ -93,31 +112,27 @@ class Loads {
       edges.push_back({edge.from, edge.to, busy ? edge.time : 0, edge.time});
     }
     const auto ratio = greatest_cycle_ratio(static_cast<int>(grid.nodes().size()), edges);
-    bound = idle();
     bound.states = grid.nodes().size();
-    if (!ratio || ratio->work == 0) return bound;
-    bound.most = {ratio->work, ratio->time};
-    if (!grid.sporadic())
+    bound.proved = true;
+    bound.most = ratio ? Fraction{ratio->work, ratio->time} : Fraction{0, 1};
+    if (bound.most.work > 0 && !grid.sporadic())
       bound.witness = unending_run(machine_, graph_, recurrences_[r], explored.slice, grid, ratio->edges);
-    bound.exact = bound.witness.has_value();
-    return bound;
+    if (bound.witness) bound.shown = bound.most;
+    return compared(std::move(bound));
   }
 
-  void by_shares(std::size_t r, int processor, LoadBound& bound) const {
+  LoadBound by_shares(std::size_t r, int processor, LoadBound bound) const {
     const auto most = share_bound(work_graph(machine_, graph_, recurrences_[r], processor), {}, limits_.stop);
-    if (most && (!bound.proved || greater(bound.most, *most))) bound.most = *most;
+    if (most && greater(bound.most, *most)) bound.most = *most;
     bound.proved = bound.proved || most;
-    if (!bound.proved) return;
-    if (bound.most.work == 0) {
-      bound.exact = true;
-      return;
+    if (bound.most.work == 0) return compared(std::move(bound));
+    const auto attained = [&bound](const Fraction& load) { return !greater(bound.most, load); };
+    auto run = search_unending(machine_, graph_, recurrences_[r], processor, attained, limits_.stop);
+    if (run) {
+      bound.shown = run->load;
+      bound.witness = std::move(run->witness);
     }
-    auto run = search_unending(
-        machine_, graph_, recurrences_[r], processor,
-        [&bound](const Fraction& load) { return !greater(bound.most, load); }, limits_.stop);
-    if (!run || greater(bound.most, run->load)) return;
-    bound.exact = true;
-    bound.witness = std::move(run->witness);
+    return compared(std::move(bound));
   }
 
   const Machine& machine_;

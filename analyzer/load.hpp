@@ -14,10 +14,13 @@
 namespace pal::analyzer {
 
 struct LoadBound {
-  Fraction most{1, 1};             // no unending run keeps the processor busier
+  /// No unending run keeps the processor busier. If a run attains it, work and time are those of a turn of
+  /// that run; else it is a fraction, and no more.
+  Fraction most{1, 1};
   bool proved = false;             // otherwise `most` is only what is always true
-  bool exact = false;              // a run attains it
-  std::optional<Witness> witness;  // that run: up to the repetition, and once through it
+  Fraction shown{0, 1};            // a run keeps the processor so busy
+  std::optional<Witness> witness;  // that run, unless it has no load: its beginning and its first turns
+  bool exact = false;              // it attains `most`
   std::size_t states = 0;
 };
 

@@ -65,19 +65,25 @@ class SlackSearch {
     if (!loads_.empty()) {
       // Loads are asked last: never beyond what the others allow.
       const Known load = narrow(growth, known.holds, loads_);
-      if (load.holds < known.holds) known = load;
+      if (load.fails >= 0) {
+        known.fails = load.fails;
+        known.failing = load.failing;
+      }
+      if (load.holds < known.holds) known.open = load.open;
+      known.holds = load.holds;
     }
     slack.holds = Duration(known.holds);
     slack.unlimited = known.holds == most;
     if (known.fails >= 0) slack.fails = Duration(known.fails);
-    slack.requirement = known.requirement;
+    slack.requirement = known.fails >= 0 ? known.failing : known.open;
   }
 
  private:
   struct Known {
     Nanoseconds holds = 0;
     Nanoseconds fails = -1;  // -1: nothing is known to fail
-    int requirement = -1;
+    int failing = -1;        // requirement
+    int open = -1;           // the last requirement that could not be decided
   };
 
   Ruling ask(const Growth& growth, Nanoseconds extra, const std::vector<std::size_t>& requirements) {
@@ -101,12 +107,14 @@ class SlackSearch {
       }
       open = extra;
       above = ruling.excess;
-      if (ruling.state == Is::fails) {
-        known.fails = extra;
-        sharpen(growth, requirements, known);
-        open = known.fails;
+      if (ruling.state != Is::fails) {
+        known.open = ruling.requirement;
+        return;
       }
-      known.requirement = ruling.requirement;
+      known.fails = extra;
+      known.failing = ruling.requirement;
+      sharpen(growth, requirements, known);
+      open = known.fails;
     };
     if (most < growth.most()) heard(most, asker(most));  // others allow no more: is it enough?
     while (known.holds < most && open > most && !judge_.stopped()) {
@@ -128,7 +136,13 @@ class SlackSearch {
     Nanoseconds low = open;
     while (known.fails - low > 1 && !judge_.stopped()) {
       const Nanoseconds middle = low + (known.fails - low) / 2;
-      (asker(middle).state == Is::fails ? known.fails : low) = middle;
+      const Ruling ruling = asker(middle);
+      if (ruling.state == Is::fails) {
+        known.fails = middle;
+        known.failing = ruling.requirement;
+      } else {
+        low = middle;
+      }
     }
     return known;
   }
@@ -146,8 +160,10 @@ class SlackSearch {
     while (known.fails - low > 1) {
       const Nanoseconds middle = low + (known.fails - low) / 2;
       const auto problem = judge_.problem(growth.by(middle));
-      if (problem && judge_.refuted(*problem, requirements) >= 0) {
+      const int refuted = problem ? judge_.refuted(*problem, requirements) : -1;
+      if (refuted >= 0) {
         known.fails = middle;
+        known.failing = refuted;
       } else {
         low = middle;
       }

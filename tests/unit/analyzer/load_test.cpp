@@ -67,3 +67,27 @@ TEST_CASE("a load is exact whatever the times have in common") {
   CHECK(verdict.bound->count() == 416'665'132);  // 4,999,982 ns in 12,000,001 ns, rounded up
   REQUIRE(verdict.witness);
 }
+
+TEST_CASE("what a load is in is a turn of its run, however it was proved") {
+  const auto skill = test::sound_skill(
+      small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 50 %", worker,
+                  "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 12000001 ns\nTIME "
+                  "work : 1 TO 3999999 ns\nCOST SET 999983 ns\nPLACE SM1 ON P0 PRIORITY 1\n"));
+  Options options;
+  options.max_states = 5'000;
+  const Verdict verdict = analyze(*skill->problem, options).verdicts.front();
+  CHECK(verdict.exact);
+  CHECK(verdict.explanation.find("busy for at most 4.999982 ms in every 12.000001 ms") != std::string::npos);
+  CHECK(attained(verdict) == verdict.bound);
+}
+
+TEST_CASE("times that are long and have nothing in common take no longer") {
+  const auto skill = test::sound_skill(
+      small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 50 %", worker,
+                  "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 999999999999999 ns\nTIME "
+                  "work : 1 TO 399999999999997 ns\nPLACE SM1 ON P0 PRIORITY 1\n"));
+  const Verdict verdict = analyze(*skill->problem).verdicts.front();
+  CHECK(verdict.state == Verdict::State::holds);
+  CHECK(verdict.exact);
+  CHECK(verdict.bound == Duration(400'000'000));
+}
