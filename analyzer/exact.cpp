@@ -216,8 +216,8 @@ class Analyzer {
       others += (i == 0 ? "" : ", ") + processor_name(requirement.processors[i]) + " " + percent(bounds[i]);
     }
     const auto first = bounds.begin();
-    const auto worst = std::max_element(
-        first, bounds.end(), [](const auto& a, const auto& b) { return greater(b.most, a.most); });
+    const auto worst = std::max_element(first, bounds.end(),
+                                        [](const auto& a, const auto& b) { return greater(b.most, a.most); });
     const auto shown = std::max_element(
         first, bounds.end(), [](const auto& a, const auto& b) { return greater(b.shown, a.shown); });
     const auto processor_of = [&](auto bound) {
@@ -228,13 +228,13 @@ class Analyzer {
     verdict.exact = worst->exact;
     verdict.addends = load_account(problem_, processor_of(worst), *worst);
     verdict.witness = worst->exact ? worst->witness : shown->witness;
-    verdict.state = *verdict.bound <= verdict.limit                               ? Is::holds
+    verdict.state = *verdict.bound <= verdict.limit                             ? Is::holds
                     : greater(shown->shown, {requirement.limit, 1'000'000'000}) ? Is::fails
-                                                                                  : Is::undecided;
+                                                                                : Is::undecided;
     verdict.explanation = load_text(*worst, processor_name(processor_of(worst))) + " (" + others + ")";
     if (!worst->exact && shown->witness)
-      verdict.explanation += "; a run keeps " + processor_name(processor_of(shown)) + " busy for " +
-                             turn_text(shown->shown);
+      verdict.explanation +=
+          "; a run keeps " + processor_name(processor_of(shown)) + " busy for " + turn_text(shown->shown);
   }
 
   const std::string& processor_name(int processor) const {
@@ -260,9 +260,7 @@ class Analyzer {
   }
 
   static std::string percent(const LoadBound& bound) {
-    return percent_text(bound.most) + (bound.exact    ? ""
-                                       : bound.proved ? " at most"
-                                                      : " not proved");
+    return percent_text(bound.most) + (bound.exact ? "" : bound.proved ? " at most" : " not proved");
   }
 
   const Problem& problem_;

@@ -36,9 +36,8 @@ std::optional<Nanoseconds> least_round(const Problem& problem, const std::vector
     open.pop();
     const Step& step = problem.steps[static_cast<std::size_t>(at)];
     const bool waits = step.kind == Step::Kind::wait;
-    const bool again = waits && std::any_of(step.channels.begin(), step.channels.end(), [&events](int c) {
-                         return events[static_cast<std::size_t>(c)];
-                       });
+    const bool again = waits && std::any_of(step.channels.begin(), step.channels.end(),
+                                            [&events](int c) { return events[static_cast<std::size_t>(c)]; });
     if (again) return work;
     if (done[static_cast<std::size_t>(at)]) continue;
     done[static_cast<std::size_t>(at)] = true;

@@ -36,7 +36,7 @@ struct Placements {
 };
 
 struct PlacementOptions {
-  bool priorities = false;       // also every order of the threads of a processor by priority, equals included
+  bool priorities = false;  // also every order of the threads of a processor by priority, equals included
   bool first_is_enough = false;  // stop at the first that meets everything
   std::size_t most = 20'000;     // to try, of one number of processors
 };

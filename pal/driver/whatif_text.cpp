@@ -106,8 +106,7 @@ std::string placement_lines(const WhatIfAnswer& answer, const analyzer::Placemen
     if (on.broken[r] > 0)
       out += fmt::format("    a run breaks '{}' in {}\n", answer.requirements[r], on.broken[r]);
   }
-  for (const auto& placed : on.meet)
-    out += "    meets      " + seats_text(answer, placed) + "\n";
+  for (const auto& placed : on.meet) out += "    meets      " + seats_text(answer, placed) + "\n";
   for (const auto& placed : on.undecided) {
     out += "    undecided  " + seats_text(answer, placed) + "\n";
   }

@@ -51,8 +51,7 @@ FiledWitness filed(const analyzer::Problem& problem, const analyzer::Verdict& ve
 pan::Environment placed(const pan::Environment& environment, const FiledWitness& witness) {
   if (witness.placement.empty()) return environment;
   std::vector<analyzer::Seat> seats;
-  for (const auto& seat : witness.placement)
-    seats.push_back({seat.thread, seat.processor, seat.priority});
+  for (const auto& seat : witness.placement) seats.push_back({seat.thread, seat.processor, seat.priority});
   return analyzer::placed(environment, seats);
 }
 

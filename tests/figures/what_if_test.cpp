@@ -120,6 +120,57 @@ END ENVIRONMENT
   CHECK(seen == 2);
 }
 
+// Of what fails at different growths, runs of the one and of the other are known when the second figure is
+// looked at; the one that fails with less is named.
+TEST_CASE("a slack names what fails with a nanosecond more, not what fails with much more") {
+  const auto skill = test::sound_skill(R"(MESSAGE tick : SIGNAL
+MESSAGE value : SIGNAL
+CONDITION half FROM value "half of a round is done"
+CONDITION whole FROM value "a round is done"
+SKILL s
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT late  : INTERVAL OF SPC( whole ) IN SM1 AT MOST 13 ms
+  REQUIREMENT early : INTERVAL OF SPC( half ) IN SM1 AT MOST 12 ms
+END SKILL
+Machine Controller: MC1
+Skill Module: SM1
+  ACTIVITY first
+  ACTIVITY again
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    WTM( tick from MC1 )
+    first
+    again
+    SPC( half )
+    again
+    SPC( whole )
+  UNTIL( forever )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  DEVICE MC1 EVENT tick EVERY 10 ms
+  PLACE SM1 ON P0 PRIORITY 1
+  TIME first OF SM1 : 1 ms
+  TIME again OF SM1 : 1 ms
+END ENVIRONMENT
+)");
+  const auto all =
+      slacks(skill->specification.skills.front(), skill->specification.environments.front(), few_states());
+  REQUIRE(all.size() > 2);
+  CHECK(all[0].figure == "first OF SM1");
+  CHECK(all[0].exact());
+  CHECK(all[0].holds == Duration(2'000'000));
+  CHECK(all[0].requirement == 1);
+  CHECK(all[1].figure == "again OF SM1");
+  CHECK(all[1].exact());
+  CHECK(all[1].holds == Duration(1'500'000));
+  CHECK(all[1].requirement == 0);
+}
+
 TEST_CASE("an interrupted search says only what was proved") {
   const auto skill = figure("rate_monotonic.pal");
   Options options = few_states();

@@ -82,12 +82,47 @@ TEST_CASE("what a load is in is a turn of its run, however it was proved") {
 }
 
 TEST_CASE("times that are long and have nothing in common take no longer") {
-  const auto skill = test::sound_skill(
-      small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 50 %", worker,
-                  "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 999999999999999 ns\nTIME "
-                  "work : 1 TO 399999999999997 ns\nPLACE SM1 ON P0 PRIORITY 1\n"));
+  const auto skill =
+      test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 50 %", worker,
+                                    "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 999999999999999 ns\nTIME "
+                                    "work : 1 TO 399999999999997 ns\nPLACE SM1 ON P0 PRIORITY 1\n"));
   const Verdict verdict = analyze(*skill->problem).verdicts.front();
   CHECK(verdict.state == Verdict::State::holds);
   CHECK(verdict.exact);
   CHECK(verdict.bound == Duration(400'000'000));
+}
+
+// Shares count as if the loop gave up for ever and took all ticks.
+TEST_CASE("a run above the limit refutes a load of which no run is known to attain the bound") {
+  const auto skill = test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 28 %",
+                                                   R"(
+Skill Module: SM1
+  ACTIVITY work
+  ACTIVITY other
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    WTM( tick from MC1 ) WITHIN 10000001 ns
+      work
+    ELSE
+      other
+    END WTM
+  UNTIL( forever )
+END
+)",
+                                                   "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 28000003 ns\n"
+                                                   "TIME work : 4999999 ns\nTIME other : 2000003 ns\n"
+                                                   "PLACE SM1 ON P0 PRIORITY 1\n"));
+  Options options;
+  options.max_states = 5'000;
+  const Verdict verdict = analyze(*skill->problem, options).verdicts.front();
+  INFO(verdict.explanation);
+  CHECK(verdict.state == Verdict::State::fails);
+  CHECK_FALSE(verdict.exact);
+  REQUIRE(verdict.bound);
+  REQUIRE(attained(verdict));
+  CHECK(*attained(verdict) > Duration(280'000'000));
+  CHECK(*attained(verdict) < *verdict.bound);
+  CHECK(verdict.witness);
+  CHECK(verdict.addends.empty());
 }
