@@ -111,7 +111,9 @@ class Loads {
       const bool busy = state.running[static_cast<std::size_t>(processor)] >= 0;
       edges.push_back({edge.from, edge.to, busy ? edge.time : 0, edge.time});
     }
-    const auto ratio = greatest_cycle_ratio(static_cast<int>(grid.nodes().size()), edges);
+    const auto nodes = static_cast<int>(grid.nodes().size());
+    if (!can_add_up(nodes, edges)) return bound;
+    const auto ratio = greatest_cycle_ratio(nodes, edges);
     bound.states = grid.nodes().size();
     bound.proved = true;
     bound.most = ratio ? Fraction{ratio->work, ratio->time} : Fraction{0, 1};

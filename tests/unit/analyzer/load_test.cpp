@@ -126,3 +126,52 @@ END
   CHECK(verdict.witness);
   CHECK(verdict.addends.empty());
 }
+
+// It works without a pause while LS1 takes its time, and rests while LS1 takes it again. Round a loop of the
+// work everything comes back but what LS1 has done.
+TEST_CASE("a stretch in which something goes on that does not come back is no turn") {
+  const auto skill = test::sound_skill(R"(MESSAGE value : SIGNAL
+SKILL s
+  LOGICAL SENSOR LS1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT load : LOAD OF P0 AT MOST 60 %
+END SKILL
+Logical Sensor: LS1
+  ACTIVITY think
+BEGIN
+  REPEAT
+    think
+    TXM( value to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    WTM( value from LS1 ) WITHIN 0 ms
+      WTM( value from LS1 )
+    ELSE
+      work
+    END WTM
+  UNTIL( forever )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PROCESSOR P1
+  PLACE SM1 ON P0 PRIORITY 1
+  PLACE LS1 ON P1 PRIORITY 1
+  TIME think OF LS1 : 999999937 TO 1009999937 ns
+  TIME work OF SM1 : 10000019 ns
+END ENVIRONMENT
+)");
+  Options options;
+  options.max_states = 2'000;
+  const Verdict verdict = analyze(*skill->problem, options).verdicts.front();
+  INFO(verdict.explanation);
+  CHECK(verdict.state != Verdict::State::fails);
+  REQUIRE(attained(verdict));
+  CHECK(*attained(verdict) < Duration(600'000'000));
+}
