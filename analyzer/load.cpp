@@ -44,8 +44,13 @@ class Loads {
     return bound;
   }
 
-  /// Whether the run that is known attains what is proved.
+  /// Whether the run that is known attains what is proved. If it exceeded it the proof would be wrong, and
+  /// count for nothing.
   static LoadBound compared(LoadBound bound) {
+    if (greater(bound.shown, bound.most)) {
+      bound.most = {1, 1};
+      bound.proved = false;
+    }
     bound.exact = !greater(bound.most, bound.shown);
     if (bound.exact) bound.most = bound.shown;
     bound.proved = bound.proved || bound.exact;

@@ -193,6 +193,81 @@ TEST_CASE("what could not be decided is neither what holds nor what fails") {
   }
 }
 
+TEST_CASE("an event that nobody ever answers leaves no slack") {
+  const auto skill = test::sound_skill(R"(MESSAGE tick : SIGNAL
+MESSAGE value : SIGNAL
+CONDITION wanted FROM value "it is wanted"
+SKILL s
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT soon : RESPONSE FROM tick OF MC1 TO answer IN SM1 AT MOST 5 ms
+END SKILL
+Machine Controller: MC1
+Skill Module: SM1
+  ACTIVITY answer
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    WTM( tick from MC1 )
+    SPC( wanted = FALSE )
+    CASE
+      ( wanted ):
+        answer
+      ( NOT( wanted ) ):
+        Do Nothing
+    END CASE
+  UNTIL( forever )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  DEVICE MC1 EVENT tick EVERY 10 ms
+  PLACE SM1 ON P0 PRIORITY 1
+  TIME answer OF SM1 : 1 ms
+END ENVIRONMENT
+)");
+  for (const Slack& slack :
+       slacks(skill->specification.skills.front(), skill->specification.environments.front(), few_states())) {
+    CHECK_FALSE(slack.holds);
+    CHECK(slack.requirement == 0);
+  }
+}
+
+TEST_CASE("where no time passes any more there is no slack") {
+  const auto skill = test::sound_skill(R"(MESSAGE tick : SIGNAL
+SKILL s
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT brief : BUSY PERIOD OF EACH PROCESSOR AT MOST 5 ms
+END SKILL
+Machine Controller: MC1
+Skill Module: SM1
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    WTM( tick from MC1 ) WITHIN 0 ms
+      work
+    ELSE
+      Do Nothing
+    END WTM
+  UNTIL( forever )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  DEVICE MC1 EVENT tick EVERY 10 ms
+  PLACE SM1 ON P0 PRIORITY 1
+  TIME work OF SM1 : 1 ms
+END ENVIRONMENT
+)");
+  for (const Slack& slack :
+       slacks(skill->specification.skills.front(), skill->specification.environments.front(), few_states()))
+    CHECK_FALSE(slack.holds);
+}
+
 TEST_CASE("an interrupted search says only what was proved") {
   const auto skill = figure("rate_monotonic.pal");
   Options options = few_states();

@@ -127,6 +127,40 @@ END
   CHECK(verdict.addends.empty());
 }
 
+namespace {
+
+/// The load of P0, where a loop of SM1 has `round` in it, by shares of the time: work may end at any
+/// nanosecond, which makes too many points for a grid.
+Verdict by_shares(const std::string& round, const std::string& device) {
+  const auto skill = test::sound_skill(
+      small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 100 %",
+                  "\nSkill Module: SM1\n  ACTIVITY work\nBEGIN\n  WTM( Coordinator )\n  REPEAT\n" + round +
+                      "\n  UNTIL( forever )\nEND\n",
+                  "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\nTIME work : 1 TO 1000003 ns\n" + device));
+  Options options;
+  options.max_states = 5'000;
+  return analyze(*skill->problem, options).verdicts.front();
+}
+
+}  // namespace
+
+TEST_CASE("a limit of a wait counts for what passed of it") {
+  const Verdict verdict =
+      by_shares("WTM( tick from MC1 ) WITHIN 10000001 ns\n  work\nELSE\n  Do Nothing\nEND WTM",
+                "DEVICE MC1 EVENT tick EVERY 2000003 ns\n");
+  INFO(verdict.explanation);
+  CHECK(verdict.exact);
+  CHECK(verdict.bound == Duration(500'000'750));  // 1,000,003 in 2,000,003, rounded up
+}
+
+TEST_CASE("an answer counts for the least that it may take") {
+  const Verdict verdict = by_shares("TXM( request value to LS1 )\nWTM( value from LS1 )\nwork",
+                                    "DEVICE LS1 ON REQUEST 999997 TO 9999991 ns\n");
+  INFO(verdict.explanation);
+  CHECK(verdict.exact);
+  CHECK(verdict.bound == Duration(500'001'500));  // 1,000,003 in 2,000,000
+}
+
 // It works without a pause while LS1 takes its time, and rests while LS1 takes it again. Round a loop of the
 // work everything comes back but what LS1 has done.
 TEST_CASE("a stretch in which something goes on that does not come back is no turn") {
