@@ -224,7 +224,7 @@ class Analyzer {
       return requirement.processors[static_cast<std::size_t>(bound - first)];
     };
     verdict.bound = Duration(per_second(worst->most));
-    verdict.attained_load = Duration(per_second(shown->shown));
+    if (shown->witness) verdict.attained_load = Duration(per_second(shown->shown));
     verdict.exact = worst->exact;
     verdict.addends = load_account(problem_, processor_of(worst), *worst);
     verdict.witness = worst->exact ? worst->witness : shown->witness;

@@ -17,6 +17,10 @@ namespace {
 /// Grids that are larger are not tried before shares of the time.
 constexpr std::size_t brief_grid = 20'000;
 
+/// Points of a grid that is asked for a decision only, for each class that the skill has.
+constexpr std::size_t points_a_class = 4;
+constexpr std::size_t least_points = 1'000;
+
 /// A slice's runs, shared by the processors that are in it.
 struct Explored {
   Slice slice;
@@ -36,7 +40,27 @@ class Loads {
     return bound;
   }
 
+  const std::vector<Recurrence>& everywhere() const { return recurrences_; }
+
+  /// In one recurrence, by a grid of a size in proportion to what the skill has.
+  LoadBound on_grid(std::size_t r, int processor) {
+    Explored* explored = explored_of(r, processor);
+    if (explored == nullptr) return idle();
+    Limits brief = limits_;
+    brief.classes = std::min(limits_.classes, points_a_class * graph_.classes().size() + least_points);
+    return by_grid(*explored, r, processor, brief);
+  }
+
  private:
+  /// Null: nothing runs there again and again.
+  Explored* explored_of(std::size_t r, int processor) {
+    Slice slice = slice_of(machine_, graph_, recurrences_[r], processor);
+    if (std::find(slice.threads.begin(), slice.threads.end(), true) == slice.threads.end()) return nullptr;
+    Explored& explored = explored_[{r, slice.threads}];
+    explored.slice = std::move(slice);
+    return &explored;
+  }
+
   static LoadBound idle() {
     LoadBound bound;
     bound.most = {0, 1};
@@ -85,16 +109,14 @@ class Loads {
   /// In one recurrence: a small grid, shares of the time with a run that is looked for, then a grid of any
   /// size.
   LoadBound in(std::size_t r, int processor) {
-    Slice slice = slice_of(machine_, graph_, recurrences_[r], processor);
-    if (std::find(slice.threads.begin(), slice.threads.end(), true) == slice.threads.end()) return idle();
-    Explored& explored = explored_[{r, slice.threads}];
-    explored.slice = std::move(slice);
+    Explored* explored = explored_of(r, processor);
+    if (explored == nullptr) return idle();
     Limits brief = limits_;
     brief.classes = std::min(limits_.classes, brief_grid);
-    LoadBound bound = by_grid(explored, r, processor, brief);
+    LoadBound bound = by_grid(*explored, r, processor, brief);
     if (!bound.exact) bound = by_shares(r, processor, std::move(bound));
-    if (bound.exact || explored.complete) return bound;
-    return both(std::move(bound), by_grid(explored, r, processor, limits_));
+    if (bound.exact || explored->complete) return bound;
+    return both(std::move(bound), by_grid(*explored, r, processor, limits_));
   }
 
   LoadBound by_grid(Explored& explored, std::size_t r, int processor, const Limits& limits) {
@@ -161,24 +183,38 @@ std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& grap
 
 LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph, const std::vector<int>& processors,
                           const Fraction& limit, const Limits& limits) {
-  const std::vector<Recurrence> everywhere = recurrences(graph);
+  Loads loads(machine, graph, limits);
+  const std::vector<Recurrence>& everywhere = loads.everywhere();
+  const auto above = [&limit](const Fraction& load) { return greater(load, limit); };
   std::vector<std::pair<std::size_t, int>> open;
   LoadDecision decision;
   decision.load = {0, 1};
+  const auto proved = [&decision](const Fraction& most) {
+    if (greater(most, decision.load)) decision.load = most;
+  };
   for (std::size_t r = 0; r < everywhere.size(); ++r) {
     for (int processor : processors) {
       const WorkGraph work = work_graph(machine, graph, everywhere[r], processor);
-      const auto most = share_bound(work, limit, limits.stop);
-      if (!most) open.emplace_back(r, processor);
-      if (most && greater(*most, decision.load)) decision.load = *most;
+      if (const auto most = share_bound(work, limit, limits.stop)) {
+        proved(*most);
+      } else {
+        open.emplace_back(r, processor);
+      }
     }
   }
-  if (open.empty()) decision.state = VerdictState::holds;
-  const auto above = [&limit](const Fraction& load) { return greater(load, limit); };
   for (const auto& [r, processor] : open) {
     auto run = search_unending(machine, graph, everywhere[r], processor, above, limits.stop);
     if (run && above(run->load)) return {VerdictState::fails, run->load, std::move(run->witness)};
   }
+  bool all = true;
+  for (const auto& [r, processor] : open) {
+    LoadBound bound = loads.on_grid(r, processor);
+    if (bound.witness && above(bound.shown))
+      return {VerdictState::fails, bound.shown, std::move(bound.witness)};
+    all = all && bound.proved && !above(bound.most);
+    if (bound.proved) proved(bound.most);
+  }
+  if (all) decision.state = VerdictState::holds;
   return decision;
 }
 

@@ -29,8 +29,9 @@ struct LoadBound {
 std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph,
                                    const std::vector<int>& processors, const Limits& limits);
 
-/// Whether each of `processors` keeps a limit, without a grid: cheaper than bounds, and sometimes undecided
-/// where these would not be. `graph` as for load_bounds().
+/// Whether each of `processors` keeps a limit: by shares of the time, runs, and a grid that is not much
+/// larger than `graph`; cheaper than bounds, and sometimes undecided where these would not be. `graph` as for
+/// load_bounds().
 struct LoadDecision {
   VerdictState state = VerdictState::undecided;
   Fraction load;                   // holds: no run exceeds it; fails: a run attains it

@@ -104,7 +104,23 @@ TEST_CASE("slack of rate monotonic drivers is what the time demand leaves, to th
     CHECK(with(*skill, name, *slack.fails) == Verdict::State::fails);
   }
   CHECK(of("SEND").unlimited);  // nobody sends
-  CHECK(of("").exact());
+  // All together: 5 ms is the longest; the others grow in proportion, rounded up.
+  const Slack together = of("");
+  CHECK(together.exact());
+  for (const Duration extra : {*together.holds, *together.fails}) {
+    pan::Environment environment = skill->specification.environments.front();
+    for (pan::ActivityTime& each : environment.activities) {
+      const std::int64_t worst = each.time.worst.count();
+      each.time.worst += Duration((worst * extra.count() + 4'999'999) / 5'000'000);
+    }
+    Diagnostics diagnostics;
+    const auto problem = make_problem(skill->specification.skills.front(), environment, diagnostics);
+    REQUIRE(problem);
+    const auto verdicts = analyze(*problem, few_states()).verdicts;
+    const bool hold = std::all_of(verdicts.begin(), verdicts.end(),
+                                  [](const auto& each) { return each.state == Verdict::State::holds; });
+    CHECK(hold == (extra == *together.holds));
+  }
 }
 
 TEST_CASE("slack is nothing where a requirement does not hold as things are") {
