@@ -11,6 +11,11 @@ using Is = Verdict::State;
 /// The model allows no longer time (problem.cpp).
 constexpr Nanoseconds longest_time = 1'000'000'000'000'000;
 
+/// By how much the steps get longer in which a growth is looked for that does not hold. Where a run fails it
+/// leads back at once. A load has none that does, and a skill more classes the longer it may take.
+constexpr Nanoseconds longer_steps = 100;
+constexpr Nanoseconds longer_steps_of_loads = 4;
+
 /// How an environment looks when some worst times have grown.
 class Growth {
  public:
@@ -61,10 +66,10 @@ class SlackSearch {
 
   void find(const Growth& growth, Slack& slack) {
     Nanoseconds most = growth.most();
-    Known known = narrow(growth, most, timed_);
+    Known known = narrow(growth, most, timed_, longer_steps);
     if (!loads_.empty()) {
       // Loads are asked last: never beyond what the others allow.
-      const Known load = narrow(growth, known.holds, loads_);
+      const Known load = narrow(growth, known.holds, loads_, longer_steps_of_loads);
       if (load.fails >= 0) {
         known.fails = load.fails;
         known.failing = load.failing;
@@ -92,7 +97,8 @@ class SlackSearch {
   }
 
   /// Greatest growth up to `most` that is known to hold, and the least beyond it that is known to fail.
-  Known narrow(const Growth& growth, Nanoseconds most, const std::vector<std::size_t>& requirements) {
+  Known narrow(const Growth& growth, Nanoseconds most, const std::vector<std::size_t>& requirements,
+               Nanoseconds longer) {
     const auto asker = [&](Nanoseconds extra) { return ask(growth, extra, requirements); };
     Known known;
     Nanoseconds open = most + 1;  // nothing from here on is asked
@@ -120,7 +126,7 @@ class SlackSearch {
     while (known.holds < most && open > most && !judge_.stopped()) {
       const Nanoseconds extra = most - known.holds <= step ? most : known.holds + step;
       heard(extra, asker(extra));
-      step *= 100;  // a run that fails leads back at once
+      step *= longer;
     }
     bool next_to_failure = true;
     for (int n = 1; open - known.holds > 1 && !judge_.stopped(); ++n) {
