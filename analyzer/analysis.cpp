@@ -35,6 +35,7 @@ void complete(Verdict& verdict, Verdict bound) {
   if (nearer) return;
   bound.witness = std::move(verdict.witness);
   bound.reasons = std::move(verdict.reasons);
+  bound.attained_load = verdict.attained_load;
   bound.explanation += " The exact analysis: " + verdict.explanation;
   bound.statistics += verdict.statistics;
   bound.gave_up = verdict.gave_up;

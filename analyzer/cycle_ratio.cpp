@@ -75,6 +75,12 @@ std::vector<int> PositiveCycle::in_parents() const {
   return {};
 }
 
+bool can_add_up(int nodes, const std::vector<WeightedEdge>& edges) {
+  std::int64_t longest = 0;
+  for (const WeightedEdge& edge : edges) longest = std::max(longest, edge.time);
+  return static_cast<Gain>(longest) * nodes < static_cast<Gain>(1) << 61;
+}
+
 std::optional<CycleRatio> greatest_cycle_ratio(int nodes, const std::vector<WeightedEdge>& edges) {
   std::vector<std::pair<int, int>> ends;
   ends.reserve(edges.size());

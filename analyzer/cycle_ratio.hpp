@@ -22,6 +22,11 @@ struct CycleRatio {
   std::vector<int> edges;  // the cycle, as indices, in order
 };
 
+/// Whether the times of every cycle, and products of two such sums, can be added up: less than 2^61
+/// nanoseconds (73 years) where each edge takes as long as the longest. Else greatest_cycle_ratio() must not
+/// be asked.
+bool can_add_up(int nodes, const std::vector<WeightedEdge>& edges);
+
 /// Greatest sum(work) / sum(time) over all cycles that take time; nothing if there is no such cycle. Exact:
 /// E. L. Lawler, Combinatorial optimization, 1976: a cycle is better than a ratio iff it is positive for
 /// weights work - ratio · time; every better cycle found gives the next ratio.

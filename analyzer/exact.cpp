@@ -209,44 +209,58 @@ class Analyzer {
       verdict.explanation = "The exploration ended before all runs had been seen.";
       return;
     }
-    LoadBound worst;
-    int busiest = -1;
+    const std::vector<LoadBound> bounds = load_bounds(machine, graph, requirement.processors, limits());
     std::string others;
-    std::vector<LoadBound> bounds = load_bounds(machine, graph, requirement.processors, limits());
     for (std::size_t i = 0; i < bounds.size(); ++i) {
-      LoadBound& bound = bounds[i];
-      const int processor = requirement.processors[i];
-      verdict.statistics.classes += bound.states;
-      const bool more = busiest < 0 || greater(bound.most, worst.most);
-      if (!others.empty()) others += ", ";
-      others += problem_.processors[static_cast<std::size_t>(processor)].name + " " + percent(bound);
-      if (more) {
-        worst = std::move(bound);
-        busiest = processor;
-      }
+      verdict.statistics.classes += bounds[i].states;
+      others += (i == 0 ? "" : ", ") + processor_name(requirement.processors[i]) + " " + percent(bounds[i]);
     }
-    const Nanoseconds bound = per_second(worst.most);
-    verdict.bound = Duration(bound);
-    verdict.exact = worst.exact;
-    verdict.addends = load_account(problem_, busiest, worst);
-    verdict.witness = std::move(worst.witness);
-    verdict.state = bound <= requirement.limit ? Is::holds : worst.exact ? Is::fails : Is::undecided;
-    const std::string& name = problem_.processors[static_cast<std::size_t>(busiest)].name;
-    verdict.explanation = "processor " + name + " is busy for at most " + milliseconds(worst.most.work) +
-                          " in every " + milliseconds(worst.most.time) + " in the long run (" + others + ")";
-    if (!worst.proved)
-      verdict.explanation = "no bound below full load was proved for processor " + name + " (" + others + ")";
+    const auto first = bounds.begin();
+    const auto worst = std::max_element(first, bounds.end(),
+                                        [](const auto& a, const auto& b) { return greater(b.most, a.most); });
+    const auto shown = std::max_element(
+        first, bounds.end(), [](const auto& a, const auto& b) { return greater(b.shown, a.shown); });
+    const auto processor_of = [&](auto bound) {
+      return requirement.processors[static_cast<std::size_t>(bound - first)];
+    };
+    verdict.bound = Duration(per_second(worst->most));
+    if (shown->witness) verdict.attained_load = Duration(per_second(shown->shown));
+    verdict.exact = worst->exact;
+    verdict.addends = load_account(problem_, processor_of(worst), *worst);
+    verdict.witness = worst->exact ? worst->witness : shown->witness;
+    verdict.state = *verdict.bound <= verdict.limit                             ? Is::holds
+                    : greater(shown->shown, {requirement.limit, 1'000'000'000}) ? Is::fails
+                                                                                : Is::undecided;
+    verdict.explanation = load_text(*worst, processor_name(processor_of(worst))) + " (" + others + ")";
+    if (!worst->exact && shown->witness)
+      verdict.explanation +=
+          "; a run keeps " + processor_name(processor_of(shown)) + " busy for " + turn_text(shown->shown);
+  }
+
+  const std::string& processor_name(int processor) const {
+    return problem_.processors[static_cast<std::size_t>(processor)].name;
+  }
+
+  static std::string turn_text(const Fraction& load) {
+    return milliseconds(load.work) + " in every " + milliseconds(load.time) + " in the long run";
+  }
+
+  static std::string load_text(const LoadBound& bound, const std::string& processor) {
+    if (!bound.proved) return "no bound below full load was proved for processor " + processor;
+    return "processor " + processor + " is busy for at most " +
+           (bound.exact ? turn_text(bound.most) : percent_text(bound.most) + " of the time in the long run");
+  }
+
+  /// Rounded up.
+  static std::string percent_text(const Fraction& load) {
+    const Nanoseconds hundredths = (per_second(load) + 99'999) / 100'000;
+    std::string digits = std::to_string(hundredths % 100);
+    if (digits.size() < 2) digits = "0" + digits;
+    return std::to_string(hundredths / 100) + "." + digits + " %";
   }
 
   static std::string percent(const LoadBound& bound) {
-    const Nanoseconds parts = per_second(bound.most);  // of 10^9
-    const Nanoseconds hundredths = (parts + 99'999) / 100'000;
-    std::string digits = std::to_string(hundredths % 100);
-    if (digits.size() < 2) digits = "0" + digits;
-    return std::to_string(hundredths / 100) + "." + digits + " %" +
-           (bound.exact    ? ""
-            : bound.proved ? " at most"
-                           : " not proved");
+    return percent_text(bound.most) + (bound.exact ? "" : bound.proved ? " at most" : " not proved");
   }
 
   const Problem& problem_;

@@ -157,7 +157,7 @@ void Grid::points(int place, const Dbm& zone, const std::vector<std::size_t>& va
   }
   // When an event may come is what is counted down to, not when it comes.
   if (may_wait(timers[left.size()])) high = low;
-  for (Nanoseconds value = low; value <= high; value += unit_) {
+  for (Nanoseconds value = low; value <= high && nodes_.size() <= most; value += unit_) {
     left.push_back(value);
     points(place, zone, variables, left, origin, most);
     left.pop_back();
@@ -230,6 +230,7 @@ const std::vector<Grid::Move>& Grid::moves(int place) {
 }
 
 bool Grid::explore(const Limits& limits) {
+  most_ = limits.classes;
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     if (nodes_.size() > limits.classes || edges_.size() > 8 * limits.classes) return false;
     if (n % 4096 == 0 && limits.stop && limits.stop()) return false;
@@ -299,7 +300,8 @@ void Grid::arrive(int from, const Move& move, Nanoseconds time, std::vector<Nano
     edges_.push_back({from, to, time, move.timer});
     return;
   }
-  for (Nanoseconds value = ranges[next].best; value <= ranges[next].worst; value += unit_) {
+  for (Nanoseconds value = ranges[next].best; value <= ranges[next].worst && nodes_.size() <= most_;
+       value += unit_) {
     left.push_back(value);
     arrive(from, move, time, left, next + 1, ranges);
     left.pop_back();

@@ -81,6 +81,7 @@ class Grid {
   Machine sliced_;
   const Slice& slice_;
   Nanoseconds unit_ = 0;
+  std::size_t most_ = 0;  // nodes; with more it is given up
   std::vector<GridNode> nodes_;
   std::vector<GridPlace> places_;
   std::vector<std::vector<Move>> moves_;

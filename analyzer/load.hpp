@@ -14,10 +14,13 @@
 namespace pal::analyzer {
 
 struct LoadBound {
-  Fraction most{1, 1};             // no unending run keeps the processor busier
+  /// No unending run keeps the processor busier. If a run attains it, work and time are those of a turn of
+  /// that run; else it is a fraction, and no more.
+  Fraction most{1, 1};
   bool proved = false;             // otherwise `most` is only what is always true
-  bool exact = false;              // a run attains it
-  std::optional<Witness> witness;  // that run: up to the repetition, and once through it
+  Fraction shown{0, 1};            // a run keeps the processor so busy
+  std::optional<Witness> witness;  // that run, unless it has no load: its beginning and its first turns
+  bool exact = false;              // it attains `most`
   std::size_t states = 0;
 };
 
@@ -26,8 +29,9 @@ struct LoadBound {
 std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph,
                                    const std::vector<int>& processors, const Limits& limits);
 
-/// Whether each of `processors` keeps a limit, without a grid: cheaper than bounds, and sometimes undecided
-/// where these would not be. `graph` as for load_bounds().
+/// Whether each of `processors` keeps a limit: by shares of the time, runs, and a grid that is not much
+/// larger than `graph`; cheaper than bounds, and sometimes undecided where these would not be. `graph` as for
+/// load_bounds().
 struct LoadDecision {
   VerdictState state = VerdictState::undecided;
   Fraction load;                   // holds: no run exceeds it; fails: a run attains it

@@ -3,6 +3,7 @@
 #include <z3++.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <numeric>
 
@@ -17,6 +18,9 @@ constexpr std::size_t most_cycles = 2000;
 constexpr std::int64_t most_parts = 1'000'000'000'000'000;
 /// What rounding may add.
 constexpr std::int64_t least_part = 1'000'000'000'000;
+/// Times round a cycle, in nanoseconds: less than 2^68, so that their products with shares, of which none has
+/// more than 2^50 parts, add up in 128 bits.
+constexpr Gain longest_round = static_cast<Gain>(1) << 68;
 
 /// Work and what passes round a cycle.
 struct Round {
@@ -79,8 +83,9 @@ class Program {
 
  private:
   z3::expr number(Gain value) {
-    // Sums of times of a cycle: far within 64 bits.
-    return context_.real_val(std::to_string(static_cast<std::int64_t>(value)).c_str());
+    constexpr std::int64_t whole = 1'000'000'000'000'000'000;
+    return context_.real_val(static_cast<std::int64_t>(value / whole)) * context_.real_val(whole) +
+           context_.real_val(static_cast<std::int64_t>(value % whole));
   }
 
   /// All with one denominator. If that would be too great each is rounded up a little, and the bound more.
@@ -124,6 +129,16 @@ bool keep_the_bound(const WorkGraph& graph, const Shares& shares) {
   }
   return std::all_of(shares.each.begin(), shares.each.end(),
                      [&shares](std::int64_t s) { return s >= 0 && s <= shares.whole; });
+}
+
+bool can_add_up(const WorkGraph& graph) {
+  Gain longest = 0;
+  for (const WorkEdge& edge : graph.edges) {
+    Gain times = edge.work;
+    for (const Passing& passing : edge.passing) times += std::abs(passing.time);
+    longest = std::max(longest, times);
+  }
+  return longest * graph.nodes < longest_round;
 }
 
 std::vector<Gain> gains(const WorkGraph& graph, const Shares& shares) {
@@ -174,6 +189,7 @@ std::optional<Fraction> share_bound(const WorkGraph& graph, const std::optional<
   const bool works =
       std::any_of(graph.edges.begin(), graph.edges.end(), [](const WorkEdge& edge) { return edge.work > 0; });
   if (!works) return Fraction{0, 1};
+  if (!can_add_up(graph)) return std::nullopt;
   try {
     return search(graph, limit, stop);
   } catch (const z3::exception&) {

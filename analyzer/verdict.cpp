@@ -13,8 +13,8 @@ Statistics& Statistics::operator+=(const Statistics& other) {
 }
 
 std::optional<Duration> attained(const Verdict& verdict) {
-  if (verdict.measure == Requirement::Measure::load || !verdict.witness || verdict.witness->failed)
-    return std::nullopt;
+  if (verdict.measure == Requirement::Measure::load) return verdict.attained_load;
+  if (!verdict.witness || verdict.witness->failed) return std::nullopt;
   return Duration(verdict.witness->measured.value);
 }
 

@@ -63,6 +63,8 @@ struct Verdict {
   std::optional<Duration> bound;
   /// A run that was replayed attains the bound (load: comes as near to it as one likes).
   bool exact = false;
+  /// Load: what an unending run was shown to have, in nanoseconds of work in a second, rounded up.
+  std::optional<Duration> attained_load;
   /// The exact analysis met one of its limits before it had seen all runs.
   bool gave_up = false;
   /// The run in which the requirement comes nearest to failing, or fails first.
@@ -79,7 +81,7 @@ struct Verdict {
 };
 
 /// The greatest value (the least, of a requirement that says at least) that a run was shown to attain, if the
-/// verdict knows one. Load: nothing.
+/// verdict knows one. Load: nanoseconds of work in a second, rounded up.
 std::optional<Duration> attained(const Verdict& verdict);
 
 /// "holds", "fails", "undecided", "never".

@@ -6,6 +6,12 @@
 // them count in a run is at most R of its time. So if, round each cycle, the work is at most what the timers
 // that start there count, the work is at most R of the time of any unending run: R bounds the load.
 //
+// What is counted at a start must have passed when the timer ends. Of a timer that fires that is its best
+// time; one that is stopped takes back the most that it may have had left. An action of the processor may end
+// early: it is counted with its worst time w as work and as what passes. If it takes a, then of a - share a,
+// its part of the sum, w - share w is counted; since no share is above 1 that is not too little. Time in
+// which an action is interrupted counts for nobody.
+//
 // This is linear in the shares, so the least R that they prove is found by linear programming
 // (share_bound.hpp). Nothing in it depends on what the times have in common.
 #pragma once

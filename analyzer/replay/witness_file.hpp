@@ -30,7 +30,7 @@ struct FiledWitness {
   std::string skill;
   std::string environment;
   std::string identity;              // of the skill and the environment that it is a run of
-  std::vector<FiledSeat> placement;  // all threads, on the first processors; empty: as the environment says
+  std::vector<FiledSeat> placement;  // all threads; empty: as the environment says
   std::string requirement;
   std::string measure;  // "age", "response", …
   bool failed = false;  // shows an event without a response, and no value

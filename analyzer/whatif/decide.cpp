@@ -103,7 +103,6 @@ Decision by_analysis(const Problem& problem, std::size_t requirement, const Opti
           {}};
 }
 
-/// A grid is given up when it takes many times as many states as there are classes.
 Decision load_decision(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
   const Watch nothing;
   const Machine machine(problem, nothing);
@@ -112,12 +111,9 @@ Decision load_decision(const Problem& problem, std::size_t index, const Options&
   if (!graph.explore(limits)) return {};
   const Requirement& requirement = problem.requirements[index];
   const Fraction limit{requirement.limit, 1'000'000'000};
-  LoadDecision decision = decide_loads(machine, graph, requirement.processors, limit, limits);
-  if (decision.state != Is::undecided)
-    return {decision.state, std::nullopt, per_second(decision.load) - requirement.limit};
-  Options brief = options;
-  brief.max_states = std::min(options.max_states, 4 * graph.classes().size() + 1'000);
-  return by_analysis(problem, index, brief);
+  const LoadDecision decision = decide_loads(machine, graph, requirement.processors, limit, limits);
+  if (decision.state == Is::undecided) return {};
+  return {decision.state, std::nullopt, per_second(decision.load) - requirement.limit};
 }
 
 /// Bounds of the compositional analysis cost next to nothing, and often suffice.

@@ -35,6 +35,7 @@ class Judge {
   /// Whether a known run refutes it without exploration: the requirement, or -1.
   int refuted(const Problem& problem, const std::vector<std::size_t>& requirements);
 
+  const pan::Network& network() const { return network_; }
   bool stopped() const { return options_.stop && options_.stop(); }
   const Options& options() const { return options_; }
 

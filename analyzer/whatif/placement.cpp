@@ -18,17 +18,38 @@ void add_processor(pan::Environment& environment) {
   environment.processors.push_back(more);
 }
 
-void fit_processors(pan::Environment& environment, int processors) {
-  while (static_cast<int>(environment.processors.size()) < processors) add_processor(environment);
-  environment.processors.resize(static_cast<std::size_t>(processors));
-}
-
 void sit(pan::Environment& environment, const std::vector<Seat>& seats) {
   environment.placements.clear();
   for (const Seat& seat : seats) {
+    while (environment.processors.size() <= static_cast<std::size_t>(seat.processor))
+      add_processor(environment);
     const auto& processor = environment.processors[static_cast<std::size_t>(seat.processor)];
     environment.placements.push_back({seat.thread, processor.name, seat.priority, {}});
   }
+}
+
+/// The processor that a requirement names; empty: none.
+std::string named(const pan::Requirement& requirement) {
+  if (const auto* load = std::get_if<pan::Load>(&requirement.measure)) return load->processor;
+  if (const auto* busy = std::get_if<pan::BusyPeriod>(&requirement.measure)) return busy->processor;
+  return "";
+}
+
+/// By processor: the first that is like it.
+std::vector<std::size_t> likenesses(const pan::Network& network, const pan::Environment& environment) {
+  const std::vector<pan::Processor>& all = environment.processors;
+  const auto is_named = [&](const pan::Processor& processor) {
+    return std::any_of(network.requirements.begin(), network.requirements.end(),
+                       [&](const auto& requirement) { return named(requirement) == processor.name; });
+  };
+  std::vector<std::size_t> like(all.size());
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    const auto alike = [&](std::size_t first) {
+      return all[first].preemptive == all[p].preemptive && !is_named(all[first]) && !is_named(all[p]);
+    };
+    while (like[p] < p && !alike(like[p])) ++like[p];
+  }
+  return like;
 }
 
 class PlacementSearch {
@@ -37,7 +58,9 @@ class PlacementSearch {
                   const PlacementOptions& options)
       : environment_(environment), judge_(judge), options_(options) {
     found_.processors = processors;
-    fit_processors(environment_, processors);
+    while (static_cast<int>(environment_.processors.size()) < processors) add_processor(environment_);
+    like_ = likenesses(judge.network(), environment_);
+    used_.resize(environment_.processors.size());
   }
 
   Placements run(const Problem& as_it_is) {
@@ -45,14 +68,7 @@ class PlacementSearch {
     found_.broken.assign(as_it_is.requirements.size(), 0);
     requirements_.resize(as_it_is.requirements.size());
     std::iota(requirements_.begin(), requirements_.end(), std::size_t{0});
-    for (const pan::Processor& processor : environment_.processors) {
-      if (processor.preemptive != environment_.processors.front().preemptive) found_.interchangeable = false;
-    }
-    for (const Requirement& requirement : as_it_is.requirements) {
-      if (!requirement.processors.empty() && requirement.processors.size() < as_it_is.processors.size())
-        found_.interchangeable = false;
-    }
-    if (static_cast<int>(seats_.size()) >= found_.processors) seat(0, 0);
+    if (static_cast<int>(seats_.size()) >= found_.processors) seat(0, found_.processors);
     return std::move(found_);
   }
 
@@ -64,46 +80,62 @@ class PlacementSearch {
     return true;
   }
 
-  /// Seats the threads from `next` on; `used` processors have somebody. Of processors that are all alike the
-  /// first free one stands for every free one, so that each partition of the threads comes once.
-  void seat(std::size_t next, int used) {
-    if (next == seats_.size()) {
-      if (everybody_works()) options_.priorities ? order(0) : attempt();
-      return;
+  /// Of free processors that are alike the first stands for all.
+  bool stands_for_another(std::size_t processor) const {
+    for (std::size_t p = like_[processor]; p < processor; ++p) {
+      if (like_[p] == like_[processor] && used_[p] == 0) return true;
     }
-    const int last = found_.interchangeable ? std::min(used, found_.processors - 1) : found_.processors - 1;
-    for (int processor = 0; processor <= last; ++processor) {
-      const int now = found_.interchangeable ? std::max(used, processor + 1) : used;
-      const auto left = static_cast<int>(seats_.size() - next) - 1;
-      if (found_.interchangeable && now + left < found_.processors) continue;
-      seats_[next].processor = processor;
-      seat(next + 1, now);
+    return false;
+  }
+
+  /// Seats the threads from `next` on; `free` more processors have to get somebody.
+  void seat(std::size_t next, int free) {
+    if (next == seats_.size()) return options_.priorities ? order(0) : attempt();
+    const auto left = static_cast<int>(seats_.size() - next) - 1;
+    for (std::size_t processor = 0; processor < used_.size(); ++processor) {
+      const int still = used_[processor] == 0 ? free - 1 : free;
+      if (still < 0 || still > left || (used_[processor] == 0 && stands_for_another(processor))) continue;
+      seats_[next].processor = static_cast<int>(processor);
+      ++used_[processor];
+      seat(next + 1, still);
+      --used_[processor];
       if (enough()) return;
     }
   }
 
-  bool everybody_works() const {
-    for (int processor = 0; processor < found_.processors; ++processor) {
-      const auto here = [&](const Seat& seat) { return seat.processor == processor; };
-      if (std::none_of(seats_.begin(), seats_.end(), here)) return false;
-    }
-    return true;
-  }
-
-  /// All orders of the threads of `processor` and of those behind it.
-  void order(int processor) {
-    if (processor == found_.processors) return attempt();
+  /// All orders of the threads of `processor` and of those behind it, first those without equals.
+  void order(std::size_t processor) {
+    if (processor == used_.size()) return attempt();
     std::vector<std::size_t> here;
     for (std::size_t s = 0; s < seats_.size(); ++s) {
-      if (seats_[s].processor == processor) here.push_back(s);
+      if (seats_[s].processor == static_cast<int>(processor)) here.push_back(s);
     }
-    std::vector<std::size_t> sequence = here;
+    if (here.empty()) return order(processor + 1);
+    for (std::size_t ties = 0; ties < here.size(); ++ties) {
+      std::vector<bool> tied(here.size() - 1);  // with the next
+      std::fill(tied.end() - static_cast<std::ptrdiff_t>(ties), tied.end(), true);
+      do {
+        if (!orders_tied(processor, here, tied)) return;
+      } while (std::next_permutation(tied.begin(), tied.end()));
+    }
+  }
+
+  /// False: enough was tried.
+  bool orders_tied(std::size_t processor, std::vector<std::size_t> sequence, const std::vector<bool>& tied) {
     do {
-      for (std::size_t place = 0; place < sequence.size(); ++place)
-        seats_[sequence[place]].priority = static_cast<int>(sequence.size() - place);
+      bool once = true;  // equals in one order stand for all
+      int priority = 1;
+      for (std::size_t place = sequence.size(); place-- > 0;) {
+        const bool tie = place + 1 < sequence.size() && tied[place];
+        once = once && (!tie || sequence[place] < sequence[place + 1]);
+        if (place + 1 < sequence.size() && !tie) ++priority;
+        seats_[sequence[place]].priority = priority;
+      }
+      if (!once) continue;
       order(processor + 1);
-      if (enough()) return;
+      if (enough()) return false;
     } while (std::next_permutation(sequence.begin(), sequence.end()));
+    return true;
   }
 
   void attempt() {
@@ -122,6 +154,8 @@ class PlacementSearch {
   pan::Environment environment_;
   Judge& judge_;
   const PlacementOptions& options_;
+  std::vector<std::size_t> like_;  // by processor
+  std::vector<int> used_;          // by processor: threads
   std::vector<std::size_t> requirements_;
   std::vector<Seat> seats_;
   Placements found_;
@@ -129,8 +163,7 @@ class PlacementSearch {
 
 }  // namespace
 
-pan::Environment placed(pan::Environment environment, int processors, const std::vector<Seat>& seats) {
-  fit_processors(environment, processors);
+pan::Environment placed(pan::Environment environment, const std::vector<Seat>& seats) {
   sit(environment, seats);
   return environment;
 }

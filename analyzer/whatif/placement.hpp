@@ -22,7 +22,9 @@ struct Placed {
   Ruling ruling;
 };
 
-/// Every placement on exactly `processors` processors, each with something to do.
+/// Every placement on exactly `processors` processors, each with something to do. Of several that are alike
+/// it does not matter which has what: such placements come once. Alike are those of one kind that no
+/// requirement names.
 struct Placements {
   int processors = 0;
   std::size_t tried = 0;
@@ -31,21 +33,19 @@ struct Placements {
   std::vector<Placed> undecided;
   std::vector<std::size_t> broken;  // by requirement: how many placements it was shown to fail in
   bool complete = true;             // all were tried
-  bool interchangeable =
-      true;  // processors are all alike: what differs in their names alone is one placement
 };
 
 struct PlacementOptions {
-  bool priorities = false;       // also every order of the threads of a processor by priority
+  bool priorities = false;  // also every order of the threads of a processor by priority, equals included
   bool first_is_enough = false;  // stop at the first that meets everything
   std::size_t most = 20'000;     // to try, of one number of processors
 };
 
-/// `environment` with its first `processors` processors (more like its last, if it has fewer) and each thread
-/// where `seats` says.
-pan::Environment placed(pan::Environment environment, int processors, const std::vector<Seat>& seats);
+/// `environment` with each thread where `seats` says; if it has too few processors, with more like its last.
+pan::Environment placed(pan::Environment environment, const std::vector<Seat>& seats);
 
-/// On exactly `processors`: those of the environment, in their order; where it has fewer, more like its last.
+/// On exactly `processors` of those of the environment, whichever they are; where it has fewer, on these and
+/// more like its last.
 Placements placements_on(int processors, const pan::Environment& environment, Judge& judge,
                          const PlacementOptions& options);
 

@@ -11,6 +11,11 @@ using Is = Verdict::State;
 /// The model allows no longer time (problem.cpp).
 constexpr Nanoseconds longest_time = 1'000'000'000'000'000;
 
+/// By how much the steps get longer in which a growth is looked for that does not hold. Where a run fails it
+/// leads back at once. A load has none that does, and a skill more classes the longer it may take.
+constexpr Nanoseconds longer_steps = 100;
+constexpr Nanoseconds longer_steps_of_loads = 4;
+
 /// How an environment looks when some worst times have grown.
 class Growth {
  public:
@@ -61,23 +66,29 @@ class SlackSearch {
 
   void find(const Growth& growth, Slack& slack) {
     Nanoseconds most = growth.most();
-    Known known = narrow(growth, most, timed_);
+    Known known = narrow(growth, most, timed_, longer_steps);
     if (!loads_.empty()) {
       // Loads are asked last: never beyond what the others allow.
-      const Known load = narrow(growth, known.holds, loads_);
-      if (load.holds < known.holds) known = load;
+      const Known load = narrow(growth, known.holds, loads_, longer_steps_of_loads);
+      if (load.fails >= 0) {
+        known.fails = load.fails;
+        known.failing = load.failing;
+      }
+      if (load.holds < known.holds) known.open = load.open;
+      known.holds = load.holds;
     }
     slack.holds = Duration(known.holds);
     slack.unlimited = known.holds == most;
     if (known.fails >= 0) slack.fails = Duration(known.fails);
-    slack.requirement = known.requirement;
+    slack.requirement = known.fails >= 0 ? known.failing : known.open;
   }
 
  private:
   struct Known {
     Nanoseconds holds = 0;
     Nanoseconds fails = -1;  // -1: nothing is known to fail
-    int requirement = -1;
+    int failing = -1;        // requirement
+    int open = -1;           // the last requirement that could not be decided
   };
 
   Ruling ask(const Growth& growth, Nanoseconds extra, const std::vector<std::size_t>& requirements) {
@@ -86,7 +97,8 @@ class SlackSearch {
   }
 
   /// Greatest growth up to `most` that is known to hold, and the least beyond it that is known to fail.
-  Known narrow(const Growth& growth, Nanoseconds most, const std::vector<std::size_t>& requirements) {
+  Known narrow(const Growth& growth, Nanoseconds most, const std::vector<std::size_t>& requirements,
+               Nanoseconds longer) {
     const auto asker = [&](Nanoseconds extra) { return ask(growth, extra, requirements); };
     Known known;
     Nanoseconds open = most + 1;  // nothing from here on is asked
@@ -101,18 +113,20 @@ class SlackSearch {
       }
       open = extra;
       above = ruling.excess;
-      if (ruling.state == Is::fails) {
-        known.fails = extra;
-        sharpen(growth, requirements, known);
-        open = known.fails;
+      if (ruling.state != Is::fails) {
+        known.open = ruling.requirement;
+        return;
       }
-      known.requirement = ruling.requirement;
+      known.fails = extra;
+      known.failing = ruling.requirement;
+      sharpen(growth, requirements, known);
+      open = known.fails;
     };
     if (most < growth.most()) heard(most, asker(most));  // others allow no more: is it enough?
     while (known.holds < most && open > most && !judge_.stopped()) {
       const Nanoseconds extra = most - known.holds <= step ? most : known.holds + step;
       heard(extra, asker(extra));
-      step *= 100;  // a run that fails leads back at once
+      step *= longer;
     }
     bool next_to_failure = true;
     for (int n = 1; open - known.holds > 1 && !judge_.stopped(); ++n) {
@@ -128,7 +142,13 @@ class SlackSearch {
     Nanoseconds low = open;
     while (known.fails - low > 1 && !judge_.stopped()) {
       const Nanoseconds middle = low + (known.fails - low) / 2;
-      (asker(middle).state == Is::fails ? known.fails : low) = middle;
+      const Ruling ruling = asker(middle);
+      if (ruling.state == Is::fails) {
+        known.fails = middle;
+        known.failing = ruling.requirement;
+      } else {
+        low = middle;
+      }
     }
     return known;
   }
@@ -146,8 +166,10 @@ class SlackSearch {
     while (known.fails - low > 1) {
       const Nanoseconds middle = low + (known.fails - low) / 2;
       const auto problem = judge_.problem(growth.by(middle));
-      if (problem && judge_.refuted(*problem, requirements) >= 0) {
+      const int refuted = problem ? judge_.refuted(*problem, requirements) : -1;
+      if (refuted >= 0) {
         known.fails = middle;
+        known.failing = refuted;
       } else {
         low = middle;
       }

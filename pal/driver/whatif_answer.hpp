@@ -29,7 +29,7 @@ std::string text(const WhatIfAnswer& answer);
 /// {"what_if": [{skill, environment, slack, changed, placements}]} (docs/what-if.md).
 std::string json(const std::vector<WhatIfAnswer>& answers);
 
-/// Whether all that was asked for is proved and every requirement met: slack known to the nanosecond, all
+/// Whether all that was asked for is met: everything holds as it is, if slack was asked for; all
 /// hold after the change, a placement found.
 bool good(const WhatIfAnswer& answer);
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "pal/driver/whatif_answer.hpp"
 #include "pal/support/duration_text.hpp"
@@ -81,16 +82,16 @@ std::string change_table(const WhatIfAnswer& answer) {
   return out;
 }
 
-std::string seats_text(const WhatIfAnswer& answer, const analyzer::Placed& placed, int processors) {
+std::string seats_text(const WhatIfAnswer& answer, const analyzer::Placed& placed) {
+  std::map<int, std::string> by;  // processor
+  for (const analyzer::Seat& seat : placed.seats)
+    by[seat.processor] += " " + seat.thread + "(" + std::to_string(seat.priority) + ")";
   std::string out;
-  for (int processor = 0; processor < processors; ++processor) {
+  for (const auto& [processor, threads] : by) {
     const auto index = static_cast<std::size_t>(processor);
-    out += (processor == 0 ? "" : "; ") +
+    out += (out.empty() ? "" : "; ") +
            (index < answer.processors.size() ? answer.processors[index] : "P" + std::to_string(processor)) +
-           ":";
-    for (const analyzer::Seat& seat : placed.seats) {
-      if (seat.processor == processor) out += " " + seat.thread + "(" + std::to_string(seat.priority) + ")";
-    }
+           ":" + threads;
   }
   return out;
 }
@@ -105,10 +106,9 @@ std::string placement_lines(const WhatIfAnswer& answer, const analyzer::Placemen
     if (on.broken[r] > 0)
       out += fmt::format("    a run breaks '{}' in {}\n", answer.requirements[r], on.broken[r]);
   }
-  for (const auto& placed : on.meet)
-    out += "    meets      " + seats_text(answer, placed, on.processors) + "\n";
+  for (const auto& placed : on.meet) out += "    meets      " + seats_text(answer, placed) + "\n";
   for (const auto& placed : on.undecided) {
-    out += "    undecided  " + seats_text(answer, placed, on.processors) + "\n";
+    out += "    undecided  " + seats_text(answer, placed) + "\n";
   }
   return out;
 }

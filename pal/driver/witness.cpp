@@ -51,12 +51,8 @@ FiledWitness filed(const analyzer::Problem& problem, const analyzer::Verdict& ve
 pan::Environment placed(const pan::Environment& environment, const FiledWitness& witness) {
   if (witness.placement.empty()) return environment;
   std::vector<analyzer::Seat> seats;
-  int processors = 1;
-  for (const auto& seat : witness.placement) {
-    seats.push_back({seat.thread, seat.processor, seat.priority});
-    processors = std::max(processors, seat.processor + 1);
-  }
-  return analyzer::placed(environment, processors, seats);
+  for (const auto& seat : witness.placement) seats.push_back({seat.thread, seat.processor, seat.priority});
+  return analyzer::placed(environment, seats);
 }
 
 /// Why the run does not show what the witness claims of `requirement`; empty: it does.
@@ -117,14 +113,15 @@ std::vector<FiledWitness> witnesses_of(const std::vector<analyzer::Placements>& 
   std::vector<FiledWitness> made;
   for (const analyzer::Placements& on : placements) {
     for (const analyzer::Placed& refuted : on.refuted) {
-      const pan::Environment there = analyzer::placed(environment, on.processors, refuted.seats);
+      const pan::Environment there = analyzer::placed(environment, refuted.seats);
       Diagnostics known;
       auto problem = analyzer::make_problem(network, there, known);
       if (!problem) continue;
       problem->requirements = {problem->requirements[static_cast<std::size_t>(refuted.ruling.requirement)]};
       const analyzer::Analysis analysis = analyzer::analyze(*problem, options);
-      if (!analysis.verdicts.front().witness) continue;
-      made.push_back(filed(*problem, analysis.verdicts.front()));
+      const analyzer::Verdict& verdict = analysis.verdicts.front();
+      if (verdict.state != analyzer::VerdictState::fails || !verdict.witness) continue;
+      made.push_back(filed(*problem, verdict));
       made.back().identity = identity_of(network, there);
       for (const analyzer::Seat& seat : refuted.seats)
         made.back().placement.push_back({seat.thread, seat.processor, seat.priority});

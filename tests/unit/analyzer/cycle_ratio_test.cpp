@@ -44,6 +44,16 @@ TEST_CASE("cycles that take no time do not count") {
   CHECK_FALSE(greatest_cycle_ratio(2, {{0, 1, 1, 1}}));
 }
 
+TEST_CASE("cycles whose times do not fit into 64 bits are told") {
+  const std::int64_t longest = 1'000'000'000'000'000;
+  CHECK(can_add_up(2'000, {{0, 1, 1, longest}, {1, 0, 1, 1}}));
+  CHECK_FALSE(can_add_up(3'000, {{0, 1, 1, 1}, {1, 0, 1, longest}}));
+  const auto found = greatest_cycle_ratio(2, {{0, 1, longest, longest}, {1, 0, 0, longest}});
+  REQUIRE(found);
+  CHECK(found->work == longest);
+  CHECK(found->time == 2 * longest);
+}
+
 TEST_CASE("the greatest ratio is what trying every cycle gives") {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     INFO("seed " << seed);

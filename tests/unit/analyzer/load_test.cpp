@@ -67,3 +67,145 @@ TEST_CASE("a load is exact whatever the times have in common") {
   CHECK(verdict.bound->count() == 416'665'132);  // 4,999,982 ns in 12,000,001 ns, rounded up
   REQUIRE(verdict.witness);
 }
+
+TEST_CASE("what a load is in is a turn of its run, however it was proved") {
+  const auto skill = test::sound_skill(
+      small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 50 %", worker,
+                  "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 12000001 ns\nTIME "
+                  "work : 1 TO 3999999 ns\nCOST SET 999983 ns\nPLACE SM1 ON P0 PRIORITY 1\n"));
+  Options options;
+  options.max_states = 5'000;
+  const Verdict verdict = analyze(*skill->problem, options).verdicts.front();
+  CHECK(verdict.exact);
+  CHECK(verdict.explanation.find("busy for at most 4.999982 ms in every 12.000001 ms") != std::string::npos);
+  CHECK(attained(verdict) == verdict.bound);
+}
+
+TEST_CASE("times that are long and have nothing in common take no longer") {
+  const auto skill =
+      test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 50 %", worker,
+                                    "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 999999999999999 ns\nTIME "
+                                    "work : 1 TO 399999999999997 ns\nPLACE SM1 ON P0 PRIORITY 1\n"));
+  const Verdict verdict = analyze(*skill->problem).verdicts.front();
+  CHECK(verdict.state == Verdict::State::holds);
+  CHECK(verdict.exact);
+  CHECK(verdict.bound == Duration(400'000'000));
+}
+
+// Shares count as if the loop gave up for ever and took all ticks.
+TEST_CASE("a run above the limit refutes a load of which no run is known to attain the bound") {
+  const auto skill = test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 28 %",
+                                                   R"(
+Skill Module: SM1
+  ACTIVITY work
+  ACTIVITY other
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    WTM( tick from MC1 ) WITHIN 10000001 ns
+      work
+    ELSE
+      other
+    END WTM
+  UNTIL( forever )
+END
+)",
+                                                   "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 28000003 ns\n"
+                                                   "TIME work : 4999999 ns\nTIME other : 2000003 ns\n"
+                                                   "PLACE SM1 ON P0 PRIORITY 1\n"));
+  Options options;
+  options.max_states = 5'000;
+  const Verdict verdict = analyze(*skill->problem, options).verdicts.front();
+  INFO(verdict.explanation);
+  CHECK(verdict.state == Verdict::State::fails);
+  CHECK_FALSE(verdict.exact);
+  REQUIRE(verdict.bound);
+  REQUIRE(attained(verdict));
+  CHECK(*attained(verdict) > Duration(280'000'000));
+  CHECK(*attained(verdict) < *verdict.bound);
+  CHECK(verdict.witness);
+  CHECK(verdict.addends.empty());
+}
+
+namespace {
+
+/// The load of P0, where a loop of SM1 has `round` in it, by shares of the time: work may end at any
+/// nanosecond, which makes too many points for a grid.
+Verdict by_shares(const std::string& round, const std::string& device) {
+  const auto skill = test::sound_skill(
+      small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 100 %",
+                  "\nSkill Module: SM1\n  ACTIVITY work\nBEGIN\n  WTM( Coordinator )\n  REPEAT\n" + round +
+                      "\n  UNTIL( forever )\nEND\n",
+                  "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\nTIME work : 1 TO 1000003 ns\n" + device));
+  Options options;
+  options.max_states = 5'000;
+  return analyze(*skill->problem, options).verdicts.front();
+}
+
+}  // namespace
+
+TEST_CASE("a limit of a wait counts for what passed of it") {
+  const Verdict verdict =
+      by_shares("WTM( tick from MC1 ) WITHIN 10000001 ns\n  work\nELSE\n  Do Nothing\nEND WTM",
+                "DEVICE MC1 EVENT tick EVERY 2000003 ns\n");
+  INFO(verdict.explanation);
+  CHECK(verdict.exact);
+  CHECK(verdict.bound == Duration(500'000'750));  // 1,000,003 in 2,000,003, rounded up
+}
+
+TEST_CASE("an answer counts for the least that it may take") {
+  const Verdict verdict = by_shares("TXM( request value to LS1 )\nWTM( value from LS1 )\nwork",
+                                    "DEVICE LS1 ON REQUEST 999997 TO 9999991 ns\n");
+  INFO(verdict.explanation);
+  CHECK(verdict.exact);
+  CHECK(verdict.bound == Duration(500'001'500));  // 1,000,003 in 2,000,000
+}
+
+// It works without a pause while LS1 takes its time, and rests while LS1 takes it again. Round a loop of the
+// work everything comes back but what LS1 has done.
+TEST_CASE("a stretch in which something goes on that does not come back is no turn") {
+  const auto skill = test::sound_skill(R"(MESSAGE value : SIGNAL
+SKILL s
+  LOGICAL SENSOR LS1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT load : LOAD OF P0 AT MOST 60 %
+END SKILL
+Logical Sensor: LS1
+  ACTIVITY think
+BEGIN
+  REPEAT
+    think
+    TXM( value to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    WTM( value from LS1 ) WITHIN 0 ms
+      WTM( value from LS1 )
+    ELSE
+      work
+    END WTM
+  UNTIL( forever )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PROCESSOR P1
+  PLACE SM1 ON P0 PRIORITY 1
+  PLACE LS1 ON P1 PRIORITY 1
+  TIME think OF LS1 : 999999937 TO 1009999937 ns
+  TIME work OF SM1 : 10000019 ns
+END ENVIRONMENT
+)");
+  Options options;
+  options.max_states = 2'000;
+  const Verdict verdict = analyze(*skill->problem, options).verdicts.front();
+  INFO(verdict.explanation);
+  CHECK(verdict.state != Verdict::State::fails);
+  REQUIRE(attained(verdict));
+  CHECK(*attained(verdict) < Duration(600'000'000));
+}

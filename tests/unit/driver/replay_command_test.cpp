@@ -96,7 +96,7 @@ TEST_CASE("that no placement on one processor does is proved by a run for each")
                         "--witness", file.path()})
             .status == ExitStatus::not_met);
   Json runs = file.read();
-  CHECK(runs.at("witnesses").size() == 6);
+  CHECK(runs.at("witnesses").size() == 13);
   const Answer confirmed = pal::test::pal({"replay", file.path(), places});
   CHECK(confirmed.status == ExitStatus::all_hold);
   CHECK(confirmed.out.find("refused") == std::string::npos);
