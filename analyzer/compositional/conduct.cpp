@@ -26,6 +26,7 @@ class Observer {
     for (std::size_t n = 0; n < nodes; ++n) rounds(static_cast<int>(n));
     for (std::size_t n = 0; n < nodes; ++n) order(static_cast<int>(n));
     for (std::size_t t = 0; t < problem_.threads.size(); ++t) returns(static_cast<int>(t));
+    for (std::size_t n = 0; n < nodes; ++n) made_.drains.push_back(drains(static_cast<int>(n)));
     protocol();
     for (ThreadConduct& thread : made_.threads) servers(thread);
     return std::move(made_);
@@ -158,6 +159,24 @@ class Observer {
       return problem_.threads[static_cast<std::size_t>(block)].can_end && thread(block).home < 0 &&
              ends_straight(problem_, block);
     });
+  }
+
+  /// Conduct::drains: the one thread that takes the message never waits for anything else than its home.
+  bool drains(int n) {
+    const ThreadConduct& of = thread(forest_.thread_of(n));
+    if (node(n).release != Release::message || node(n).device >= 0 || of.waits_within) return false;
+    if (made_.round[static_cast<std::size_t>(n)] != n || !made_.previous[static_cast<std::size_t>(n)].empty())
+      return false;
+    const int channel = step_at(node(n).sends.front()).channels.front();
+    if (latency(problem_, channel, forest_.thread_of(node(n).cause), forest_.thread_of(n)).worst > 0)
+      return false;
+    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+      const Step& step = problem_.steps[s];
+      const bool takes = step.kind == Kind::wait && forest_.segments.owner(static_cast<int>(s)) >= 0 &&
+                         std::find(step.channels.begin(), step.channels.end(), channel) != step.channels.end();
+      if (takes && static_cast<int>(s) != of.home) return false;
+    }
+    return true;
   }
 
   void protocol() {

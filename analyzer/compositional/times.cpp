@@ -5,6 +5,7 @@
 #include "analyzer/compositional/demand.hpp"
 #include "analyzer/compositional/pace.hpp"
 #include "analyzer/compositional/release.hpp"
+#include "analyzer/compositional/since_event.hpp"
 #include "analyzer/compositional/slots.hpp"
 
 namespace pal::analyzer::compositional {
@@ -31,6 +32,7 @@ std::vector<NodeTimes> unhindered(const Ground& ground, const std::vector<bool>&
                          may_match_nothing(step);
       if (asked) mine.effects[s] = 0;
     }
+    mine.worked = mine.effects;
   }
   return nodes;
 }
@@ -58,6 +60,7 @@ class Solver : private Ground {
       if (times_.interrupted) return std::move(times_);
     } while (finds_trouble(slots));
     find_pace(*this, times_);
+    times_.since_event = since_events(*this, times_, demand_);
     times_.demand = std::make_shared<const Demand>(demand_);
     return std::move(times_);
   }
@@ -86,15 +89,16 @@ class Solver : private Ground {
     };
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
       if (mine.effects[s] == NodeTimes::unknown) continue;
+      mine.worked[s] = std::max(mine.worked[s], done(of.steps[s].worst));
       mine.effects[s] = std::max(
-          {mine.effects[s], done(of.steps[s].worst), held_until(*this, nodes_, n, of.steps[s].step)});
+          {mine.effects[s], mine.worked[s], held_until(*this, nodes_, n, of.steps[s].step)});
     }
     for (std::size_t w = 0; w < of.waits.size(); ++w) {
       mine.arrivals[w] = std::max(mine.arrivals[w], done(of.waits[w].worst));
     }
     mine.finish = std::max(mine.finish, done(of.worst));
     return mine.latest != before.latest || mine.finish != before.finish || mine.effects != before.effects ||
-           mine.arrivals != before.arrivals;
+           mine.worked != before.worked || mine.arrivals != before.arrivals;
   }
 
   /// Nodes whose work a change of node's release can delay stand on its processor.
@@ -129,6 +133,7 @@ class Solver : private Ground {
       NodeTimes& mine = times(static_cast<int>(n));
       mine.latest = mine.finish = never;
       for (Nanoseconds& each : mine.effects) each = each == NodeTimes::unknown ? each : never;
+      mine.worked = mine.effects;
       mine.arrivals.assign(mine.arrivals.size(), never);
     }
   }
@@ -177,9 +182,9 @@ Times times_of(const Problem& problem, const Forest& forest, const Conduct& cond
   return Solver({problem, forest, conduct}, at, stop).run();
 }
 
-Nanoseconds latest_effect(const Forest& forest, const Times& times, int node, int step) {
+Nanoseconds latest_effect(const Forest& forest, const std::vector<NodeTimes>& nodes, int node, int step) {
   const std::size_t place = place_of(forest.segment_of(forest.nodes[static_cast<std::size_t>(node)]), step);
-  const auto& effects = times.nodes[static_cast<std::size_t>(node)].effects;
+  const auto& effects = nodes[static_cast<std::size_t>(node)].effects;
   return place < effects.size() && effects[place] != NodeTimes::unknown ? effects[place] : never;
 }
 
