@@ -79,6 +79,9 @@ class Writer {
       }
       case Term::Kind::earliest:
         return say(each.amount, actor(term.node), "at the earliest, until " + place(term), statement(term));
+      case Term::Kind::release:
+        if (each.amount == nominal_.times(term.node).latest) return release(nominal_, term.node);
+        return say(each.amount, actor(term.node), "begins at the latest", statement_of(term.node));
       case Term::Kind::gap:
         return round(term.source, view_.times.longest_gap[static_cast<std::size_t>(term.source)],
                      each.amount);
@@ -186,8 +189,9 @@ class Writer {
       actions(node, part, step);
       for (std::size_t a = before; a < out_.size(); ++a) sum += out_[a].amount;
     }
-    // The send waits for its slot.
-    say(done - sum, actor(node), step < 0 ? "is held" : "is held at " + text(step),
+    // A send waits for its slot.
+    const bool sends = step >= 0 && ground_.step_at(step).kind == Step::Kind::send;
+    say(done - sum, actor(node), sends ? "is held at " + text(step) : "is held in its last send",
         step < 0 ? -1 : ground_.step_at(step).statement);
   }
 

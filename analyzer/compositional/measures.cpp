@@ -26,6 +26,10 @@ Sum finish(const View& view, int node) {
   return {view.times.nodes[static_cast<std::size_t>(node)].finish, {Kind::latest, node, -1, -1, ""}};
 }
 
+Sum release(const View& view, int node) {
+  return {view.times.nodes[static_cast<std::size_t>(node)].latest, {Kind::release, node, -1, -1, ""}};
+}
+
 Sum gap(const View& view, int source) {
   return {view.times.longest_gap[static_cast<std::size_t>(source)].at, {Kind::gap, -1, -1, source, ""}};
 }

@@ -41,6 +41,8 @@ struct View {
 Sum latest(const View& view, int node, int step);
 Sum earliest(const View& view, int node, int step);
 Sum finish(const View& view, int node);
+/// The release of a node at the latest.
+Sum release(const View& view, int node);
 /// The effect of a step in a node, and the node's end, at the latest after the event that brings it about.
 Sum since_event(const View& view, int node, int step);
 Sum finish_since_event(const View& view, int node);

@@ -49,8 +49,10 @@ class SinceEvents : private Ground {
       const Nanoseconds held = held_until(*this, times_.nodes, n, of.steps[s].step);
       mine.effects[s] = std::min(mine.effects[s], std::max(mine.worked[s], held));
     }
-    for (std::size_t w = 0; w < of.waits.size(); ++w)
-      mine.arrivals[w] = std::min(mine.arrivals[w], done(of.waits[w].worst));
+    for (std::size_t w = 0; w < of.waits.size(); ++w) {
+      const Nanoseconds sent = sent_before(*this, mine, n, of.waits[w].step);
+      mine.arrivals[w] = std::min(mine.arrivals[w], std::max(done(of.waits[w].worst), sent));
+    }
     mine.finish = std::min(mine.finish, done(of.worst));
     return mine.latest != before.latest || mine.finish != before.finish || mine.effects != before.effects ||
            mine.worked != before.worked || mine.arrivals != before.arrivals;

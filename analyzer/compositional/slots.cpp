@@ -30,9 +30,23 @@ bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, in
   if (of.period == never) return true;
   Nanoseconds last = 0;
   for (int other : ground.conduct_of(thread).nodes) {
-    if (ground.round_of(other) == node) last = std::max(last, nodes[static_cast<std::size_t>(other)].finish);
+    if (ground.round_of(other) != node) continue;
+    const NodeTimes& times = nodes[static_cast<std::size_t>(other)];
+    last = std::max(last, times.finish);
+    for (const Segment::Arrival& wait : ground.segment(other).waits)
+      last = std::max(last, sent_before(ground, times, other, wait.step));
   }
   return last < plus(of.period, nodes[static_cast<std::size_t>(node)].earliest);
+}
+
+Nanoseconds sent_before(const Ground& ground, const NodeTimes& times, int node, int wait) {
+  const Segment& of = ground.segment(node);
+  Nanoseconds latest = 0;
+  for (std::size_t s = 0; s < of.steps.size(); ++s) {
+    const Step& step = ground.step_at(of.steps[s].step);
+    if (step.kind == Kind::send && step.next.front() == wait) latest = std::max(latest, times.effects[s]);
+  }
+  return latest;
 }
 
 Nanoseconds held_until(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, int send) {

@@ -12,6 +12,9 @@ bool take_in_time(const Ground& ground, const std::vector<NodeTimes>& nodes, int
 /// Whether the round that `node` begins is over before the next one is asked for.
 bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, int node);
 
+/// Latest end of a send by which the node comes straight to `wait`; 0: there is none.
+Nanoseconds sent_before(const Ground& ground, const NodeTimes& times, int node, int wait);
+
 /// Until when a send may have to wait for its slot: the message before it is taken a period earlier than its
 /// own.
 Nanoseconds held_until(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, int send);

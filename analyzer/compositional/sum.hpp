@@ -15,6 +15,7 @@ struct Term {
     latest,       // effect of `step` in `node` at the latest; of its last step: `step` is -1
     since_event,  // the same, counted from the event itself
     earliest,     // and at the earliest
+    release,      // of `node` at the latest
     gap,          // from one occurrence of `source` to the next, at the latest
     first,        // from time 0 to its first
     said,         // `what`

@@ -94,11 +94,23 @@ class Solver : private Ground {
           {mine.effects[s], mine.worked[s], held_until(*this, nodes_, n, of.steps[s].step)});
     }
     for (std::size_t w = 0; w < of.waits.size(); ++w) {
-      mine.arrivals[w] = std::max(mine.arrivals[w], done(of.waits[w].worst));
+      mine.arrivals[w] = std::max({mine.arrivals[w], done(of.waits[w].worst),
+                                   sent_before(*this, mine, n, of.waits[w].step)});
     }
     mine.finish = std::max(mine.finish, done(of.worst));
     return mine.latest != before.latest || mine.finish != before.finish || mine.effects != before.effects ||
            mine.worked != before.worked || mine.arrivals != before.arrivals;
+  }
+
+  /// Whether one of its sends may have to wait for longer than is known: its taker may be on any processor.
+  bool held_longer(int n) const {
+    const Segment& of = segment(n);
+    const NodeTimes& mine = nodes_[static_cast<std::size_t>(n)];
+    for (std::size_t s = 0; s < of.steps.size(); ++s) {
+      if (mine.effects[s] == NodeTimes::unknown) continue;
+      if (held_until(*this, nodes_, n, of.steps[s].step) > mine.effects[s]) return true;
+    }
+    return false;
   }
 
   /// Nodes whose work a change of node's release can delay stand on its processor.
@@ -119,7 +131,7 @@ class Solver : private Ground {
         const auto processor = static_cast<std::size_t>(
             problem.threads[static_cast<std::size_t>(forest.thread_of(n))].processor);
         const Nanoseconds latest = std::max(times(n).latest, latest_release(n));
-        if (!now[processor] && latest == times(n).latest) continue;
+        if (!now[processor] && latest == times(n).latest && !held_longer(n)) continue;
         if (update(n)) {
           changed = true;
           dirty[processor] = true;
