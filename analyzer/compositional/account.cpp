@@ -182,16 +182,14 @@ class Writer {
     const Clock& clock = done == done_of(nominal_.times(node)) ? nominal_ : asked;
     const Nanoseconds released = clock.times(node).latest;
     release(clock, node);
-    const std::size_t before = out_.size();
-    Nanoseconds sum = released;
-    if (!ground_.segment(node).steps.empty() && ends_by_window(clock, node, part, done)) {
+    if (done == released) return;
+    if (ends_by_window(clock, node, part, done)) {
       window(clock, node, part);
-      actions(node, part, step);
-      for (std::size_t a = before; a < out_.size(); ++a) sum += out_[a].amount;
+      return actions(node, part, step);
     }
     // A send waits for its slot.
     const bool sends = step >= 0 && ground_.step_at(step).kind == Step::Kind::send;
-    say(done - sum, actor(node), sends ? "is held at " + text(step) : "is held in its last send",
+    say(done - released, actor(node), sends ? "is held at " + text(step) : "is held in its last send",
         step < 0 ? -1 : ground_.step_at(step).statement);
   }
 
