@@ -265,8 +265,8 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
       if (whole >= never) return {never};
       // The job is released when it is due or later, and not before the window begins.
       const Nanoseconds released = due + (job - 1) * of.period;
-      const Nanoseconds finish = since == Since::release ? done - std::max<Nanoseconds>(0, released)
-                                                         : done - released + self.offset;
+      const Nanoseconds finish =
+          since == Since::release ? done - std::max<Nanoseconds>(0, released) : done - released + self.offset;
       if (finish > latest.finish) latest = {finish, preemptive ? done : done - part, scenario, job};
       if (whole < due + job * of.period) break;
     }
@@ -299,8 +299,7 @@ Account BusyWindows::account(int transaction, int task, Nanoseconds part, Nanose
               &account.others);
   account.others.push_back({transaction, task, earlier, earlier * self.cost});
   const Nanoseconds released = due + (worst.job - 1) * of.period;
-  account.done_before =
-      since == Since::release ? std::max<Nanoseconds>(0, released) : released + self.jitter;
+  account.done_before = since == Since::release ? std::max<Nanoseconds>(0, released) : released + self.jitter;
   return account;
 }
 

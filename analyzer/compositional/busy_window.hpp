@@ -49,8 +49,8 @@ enum class Since {
   release,     // of the job
 };
 
-/// What the finish of a job is made of: `latest` release (if it counts from the occurrence), its own work, and
-/// these.
+/// What the finish of a job is made of: `latest` release (if it counts from the occurrence), its own work,
+/// and these.
 struct Account {
   struct Share {
     int transaction = -1;
@@ -85,8 +85,8 @@ class BusyWindows {
   /// task is released in one.
   static Nanoseconds releases(const Transaction& of, const Task& task, Nanoseconds length);
 
-  /// How long after the occurrence, or the release, the first `part` of the task's cost is done at the latest,
-  /// if `blocking` is the longest that work of lower priority keeps the processor. `never`: no bound.
+  /// How long after the occurrence, or the release, the first `part` of the task's cost is done at the
+  /// latest, if `blocking` is the longest that work of lower priority keeps the processor. `never`: no bound.
   ///
   /// Work of the same priority counts as if it went first. What is released at the very instant at which the
   /// work ends comes before that end: PAL leaves the order at one instant open.

@@ -172,8 +172,9 @@ class Observer {
       return false;
     for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
       const Step& step = problem_.steps[s];
-      const bool takes = step.kind == Kind::wait && forest_.segments.owner(static_cast<int>(s)) >= 0 &&
-                         std::find(step.channels.begin(), step.channels.end(), channel) != step.channels.end();
+      const bool takes =
+          step.kind == Kind::wait && forest_.segments.owner(static_cast<int>(s)) >= 0 &&
+          std::find(step.channels.begin(), step.channels.end(), channel) != step.channels.end();
       if (takes && static_cast<int>(s) != of.home) return false;
     }
     return true;

@@ -27,8 +27,7 @@ class Demand {
   Nanoseconds blocking(int node) const;
   /// How long after the source's nominal instant, or the node's release, the first `part` of the node's work
   /// is done at the latest.
-  Nanoseconds finish(int node, Nanoseconds part, Nanoseconds blocking,
-                     Since since = Since::occurrence) const;
+  Nanoseconds finish(int node, Nanoseconds part, Nanoseconds blocking, Since since = Since::occurrence) const;
   /// What goes into finish() besides the latest release and the work itself.
   Account account(int node, Nanoseconds part, Since since = Since::occurrence) const;
   /// The thread of lower priority that blocks the node longest.

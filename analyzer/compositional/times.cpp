@@ -90,12 +90,12 @@ class Solver : private Ground {
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
       if (mine.effects[s] == NodeTimes::unknown) continue;
       mine.worked[s] = std::max(mine.worked[s], done(of.steps[s].worst));
-      mine.effects[s] = std::max(
-          {mine.effects[s], mine.worked[s], held_until(*this, nodes_, n, of.steps[s].step)});
+      mine.effects[s] =
+          std::max({mine.effects[s], mine.worked[s], held_until(*this, nodes_, n, of.steps[s].step)});
     }
     for (std::size_t w = 0; w < of.waits.size(); ++w) {
-      mine.arrivals[w] = std::max({mine.arrivals[w], done(of.waits[w].worst),
-                                   sent_before(*this, mine, n, of.waits[w].step)});
+      mine.arrivals[w] = std::max(
+          {mine.arrivals[w], done(of.waits[w].worst), sent_before(*this, mine, n, of.waits[w].step)});
     }
     mine.finish = std::max(mine.finish, done(of.worst));
     return mine.latest != before.latest || mine.finish != before.finish || mine.effects != before.effects ||

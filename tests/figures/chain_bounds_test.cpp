@@ -25,8 +25,8 @@ SKILL chain
   COMPLETION 1 ERROR  "any other error"
 )";
 
-/// A sensor sends every 10 ms, its force is there 2 ms later, and a robot asks for a motion every 25 ms. Nobody
-/// shares a processor.
+/// A sensor sends every 10 ms, its force is there 2 ms later, and a robot asks for a motion every 25 ms.
+/// Nobody shares a processor.
 const std::string sensor_and_robot = std::string(declarations) + R"(
   REQUIREMENT value  : AGE OF pc-force AT TXM( motion to MC1 ) IN SM1 AT MOST 1 s
   REQUIREMENT sample : AGE OF raw FROM sensor AT TXM( motion to MC1 ) IN SM1 AT MOST 1 s
@@ -127,8 +127,8 @@ ENVIRONMENT cell
 END ENVIRONMENT
 )";
 
-/// A method asks for a force every 5 ms and sends motions, which a controller obeys at once, but for 20 ms every
-/// 100 in which a driver has its processor.
+/// A method asks for a force every 5 ms and sends motions, which a controller obeys at once, but for 20 ms
+/// every 100 in which a driver has its processor.
 const std::string held_in_its_last_send = R"(
 MESSAGE force : REAL N
 MESSAGE motion : dz : REAL mm
@@ -187,7 +187,8 @@ ENVIRONMENT cell
 END ENVIRONMENT
 )";
 
-/// Two clocks with jitter, each for a chain of two modules on two processors, the one always before the other.
+/// Two clocks with jitter, each for a chain of two modules on two processors, the one always before the
+/// other.
 const std::string late_events = R"(
 MESSAGE tick : SIGNAL
 MESSAGE tock : SIGNAL
@@ -270,8 +271,8 @@ ENVIRONMENT cell
 END ENVIRONMENT
 )";
 
-/// A clock of 10 ms with jitter, a courier without work, and a module that is kept from its processor for 14 ms
-/// every 50: the courier's next send finds the slot full.
+/// A clock of 10 ms with jitter, a courier without work, and a module that is kept from its processor for 14
+/// ms every 50: the courier's next send finds the slot full.
 const std::string full_slot = R"(
 MESSAGE tick : SIGNAL
 MESSAGE tock : SIGNAL
@@ -355,8 +356,9 @@ void compare(const std::string& text, const std::vector<std::pair<double, double
 }  // namespace
 
 TEST_CASE("a value goes from a sensor by messages and a condition to a robot") {
-  // Compositional, exact. The first set comes at 12 ms, until when the value is as old as the skill; after that
-  // sets are 10 apart, and samples 2 old when they are set. A reaction waits for the next request, 25 later.
+  // Compositional, exact. The first set comes at 12 ms, until when the value is as old as the skill; after
+  // that sets are 10 apart, and samples 2 old when they are set. A reaction waits for the next request, 25
+  // later.
   compare(sensor_and_robot, {{12, 12}, {12, 12}, {37, 37}, {37, 37}, {25, 25}, {25, 25}, {2, 2}});
 }
 

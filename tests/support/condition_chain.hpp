@@ -7,10 +7,11 @@
 
 namespace pal::test {
 
-/// The text of a skill with its environment: two or three modules, each with a clock of its own, of which each
-/// sets a condition that the next one reads, by RPC or in a test, before or after its work, some after they
-/// have asked a device. They share few processors, with few priorities. Of one in three the phases are given
-/// and the end, so that there are few runs. All times are whole milliseconds. The same seed gives the same text.
+/// The text of a skill with its environment: two or three modules, each with a clock of its own, of which
+/// each sets a condition that the next one reads, by RPC or in a test, before or after its work, some after
+/// they have asked a device. They share few processors, with few priorities. Of one in three the phases are
+/// given and the end, so that there are few runs. All times are whole milliseconds. The same seed gives the
+/// same text.
 class ConditionChain {
  public:
   explicit ConditionChain(std::uint64_t seed) : engine_(seed) {}
@@ -27,7 +28,8 @@ class ConditionChain {
       environment += "  PROCESSOR P" + number(p) + (chance(5) == 0 ? " NONPREEMPTIVE\n" : "\n");
     for (int s = 0; s < stages; ++s) {
       const std::string me = number(s);
-      messages += "MESSAGE tick-" + me + " : SIGNAL\nMESSAGE v-" + me + " : REAL N\nDEVICE clock-" + me + "\n";
+      messages +=
+          "MESSAGE tick-" + me + " : SIGNAL\nMESSAGE v-" + me + " : REAL N\nDEVICE clock-" + me + "\n";
       if (s + 1 < stages) messages += "CONDITION c-" + me + "\n";
       drivers += "SD-" + me + ", ";
       modules += stage(s, s + 1 == stages);
@@ -53,8 +55,9 @@ class ConditionChain {
   COMPLETION 0 NORMAL "done"
   COMPLETION 1 ERROR "any other error"
   REQUIREMENT sample : AGE OF )" +
-           sample + at + "  REQUIREMENT world : REACTION OF " + sample + at + "  REQUIREMENT value : AGE OF " +
-           condition + at + "  REQUIREMENT change : REACTION OF " + condition + at + "END SKILL\n" + modules +
+           sample + at + "  REQUIREMENT world : REACTION OF " + sample + at +
+           "  REQUIREMENT value : AGE OF " + condition + at + "  REQUIREMENT change : REACTION OF " +
+           condition + at + "END SKILL\n" + modules +
            R"(Sensor Driver: SD-stop
 BEGIN
   WTM( stop from button )
@@ -71,7 +74,8 @@ BEGIN
   WTM( stop from LS-stop )
   TXM( Completion Protocol 0 )
 END
-)" + environment + "  DEVICE button EVENT stop " + (phases ? "EVERY 100 ms PHASE 99 ms" : "SPORADIC 1 s") +
+)" + environment +
+           "  DEVICE button EVENT stop " + (phases ? "EVERY 100 ms PHASE 99 ms" : "SPORADIC 1 s") +
            R"(
   PLACE SD-stop ON idle PRIORITY 3
   PLACE LS-stop ON idle PRIORITY 2
@@ -101,8 +105,8 @@ END ENVIRONMENT
     const std::string me = number(s);
     const std::string before = s == 0 ? "" : "c-" + number(s - 1);
     asks_ = chance(4) == 0;
-    const std::string ask = asks_ ? "    TXM( request v-" + me + " from sensor-" + me + " )\n    WTM( v-" + me +
-                                        " from sensor-" + me + " )\n"
+    const std::string ask = asks_ ? "    TXM( request v-" + me + " from sensor-" + me + " )\n    WTM( v-" +
+                                        me + " from sensor-" + me + " )\n"
                                   : "";
     const std::string work = "    work\n";
     const std::string effect = last ? "    done\n" : "    SPC( c-" + me + " )\n";

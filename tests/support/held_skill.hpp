@@ -7,8 +7,8 @@
 
 namespace pal::test {
 
-/// The text of a skill with its environment: a method takes a force, which its sensor sends by itself or when it
-/// is asked, and ends each round with a motion; the controller that takes the motions shares its processor
+/// The text of a skill with its environment: a method takes a force, which its sensor sends by itself or when
+/// it is asked, and ends each round with a motion; the controller that takes the motions shares its processor
 /// with a driver that now and then has much to do. All times are whole milliseconds. The same seed gives the
 /// same text.
 class HeldSkill {
@@ -33,7 +33,8 @@ SKILL held
   COMPLETION 0 NORMAL "done"
   COMPLETION 1 ERROR  "any other error"
   REQUIREMENT taken : INTERVAL OF WTM( force from LS1 ) IN SM1)" +
-                      limit + "  REQUIREMENT sent : INTERVAL OF TXM( motion to MC1 ) IN SM1 BETWEEN 1 ms AND 1 s\n" +
+                      limit +
+                      "  REQUIREMENT sent : INTERVAL OF TXM( motion to MC1 ) IN SM1 BETWEEN 1 ms AND 1 s\n" +
                       "  REQUIREMENT obeyed : INTERVAL OF obey IN MC1" + limit +
                       "  REQUIREMENT sample : AGE OF force FROM LS1 AT obey IN MC1" + limit +
                       "  REQUIREMENT world : REACTION OF force FROM LS1 AT obey IN MC1" + limit +
@@ -59,9 +60,10 @@ SKILL held
 
   std::string modules(bool asked) {
     const std::string ask = asked ? "    TXM( request force from LS1 )\n" : "";
-    std::string out = "Sensor Driver: SD1\n  ACTIVITY work\nBEGIN\n  REPEAT\n    WTM( tick from clock )\n    work\n"
-                      "  UNTIL( forever )\nEND\nLogical Sensor: LS1\nMachine Controller: MC1\n  ACTIVITY obey\n"
-                      "BEGIN\n  REPEAT\n    WTM( motion from SM1 )\n    obey\n";
+    std::string out =
+        "Sensor Driver: SD1\n  ACTIVITY work\nBEGIN\n  REPEAT\n    WTM( tick from clock )\n    work\n"
+        "  UNTIL( forever )\nEND\nLogical Sensor: LS1\nMachine Controller: MC1\n  ACTIVITY obey\n"
+        "BEGIN\n  REPEAT\n    WTM( motion from SM1 )\n    obey\n";
     out += maybe(3, "    TXM( correction to robot )\n");
     out += "  UNTIL( forever )\nEND\nSkill Module: SM1\n  ACTIVITY think\nBEGIN\n  WTM( Coordinator )\n";
     out += maybe(4, "  think\n");
