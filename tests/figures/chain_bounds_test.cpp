@@ -337,6 +337,68 @@ ENVIRONMENT cell
 END ENVIRONMENT
 )";
 
+/// A module works for 2 to 3 ms every 10 and sets a condition, another works for 4 every 20 and reads it.
+std::string setter_and_reader(const std::string& kind, const std::string& place) {
+  return R"(
+MESSAGE tick : SIGNAL
+MESSAGE tock : SIGNAL
+MESSAGE stop : SIGNAL
+DEVICE clock
+DEVICE other
+CONDITION c
+SKILL gives-way
+  SENSOR DRIVER      SD1, SD2
+  LOGICAL SENSOR     LS1
+  MACHINE CONTROLLER NONE
+  MODEL DATA         NONE
+  SKILL METHOD       SM1
+  COMPLETION 0 NORMAL "done"
+  COMPLETION 1 ERROR  "any other error"
+  REQUIREMENT value  : AGE OF c AT RPC( c ) IN SD2 AT MOST 1 s
+  REQUIREMENT sample : AGE OF tick FROM clock AT RPC( c ) IN SD2 AT MOST 1 s
+END SKILL
+Sensor Driver: SD1
+  ACTIVITY work
+BEGIN
+  REPEAT
+    WTM( tick from clock )
+    work
+    SPC( c )
+  UNTIL( forever )
+END
+Sensor Driver: SD2
+  ACTIVITY work
+BEGIN
+  REPEAT
+    WTM( tock from other )
+    work
+    RPC( c )
+  UNTIL( forever )
+END
+Logical Sensor: LS1
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  WTM( stop from LS1 )
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P1)" +
+         kind + R"(
+  PROCESSOR idle
+  DEVICE clock EVENT tick EVERY 10 ms
+  DEVICE other EVENT tock EVERY 20 ms
+  DEVICE LS1 EVENT stop SPORADIC 1 ms
+  PLACE SD1 ON P1 PRIORITY 2
+  PLACE SD2 ON )" +
+         place + R"(
+  PLACE SM1 ON idle PRIORITY 1
+  TIME work OF SD1 : 2 TO 3 ms
+  TIME work OF SD2 : 4 ms
+END ENVIRONMENT
+)";
+}
+
 double milliseconds(const Verdict& verdict) {
   return verdict.bound ? static_cast<double>(verdict.bound->count()) / 1e6 : -1;
 }
@@ -383,4 +445,14 @@ TEST_CASE("who waits for a slot does not keep its taker waiting") {
 
 TEST_CASE("a response does not count what its event comes late") {
   compare(late_events, {{3, 3}, {6, 6}, {8, 8}, {15, 15}});
+}
+
+TEST_CASE("a reader that gives way to the setter reads nothing old while the setter is at work") {
+  // Below the setter the reader does not get between its release and its set: 10 from one release to the
+  // next, or to the first. With its priority, or where nobody is preempted, it may have been at work before.
+  // Elsewhere it reads until the value is set again.
+  compare(setter_and_reader("", "P1 PRIORITY 1"), {{10, 10}, {13, 10}});
+  compare(setter_and_reader("", "P1 PRIORITY 2"), {{17, 14}, {20, 14}});
+  compare(setter_and_reader(" NONPREEMPTIVE", "P1 PRIORITY 1"), {{17, 14}, {20, 14}});
+  compare(setter_and_reader("", "idle PRIORITY 1"), {{13, 13}, {13, 13}});
 }

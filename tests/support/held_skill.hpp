@@ -8,24 +8,30 @@
 namespace pal::test {
 
 /// The text of a skill with its environment: a method takes a force, which its sensor sends by itself or when
-/// it is asked, and ends each round with a motion; the controller that takes the motions shares its processor
-/// with a driver that now and then has much to do. All times are whole milliseconds. The same seed gives the
-/// same text.
+/// it is asked, by way of another module or none, and ends each round with a motion; the controller that
+/// takes the motions shares its processor with a driver that now and then has much to do. All times are whole
+/// milliseconds. The same seed gives the same text.
 class HeldSkill {
  public:
   explicit HeldSkill(std::uint64_t seed) : engine_(seed) {}
 
   std::string text() {
     const bool asked = chance(2) == 0;
+    const bool relayed = chance(2) == 0;
+    sensor_ = relayed ? "SD2" : "LS1";
+    sensed_ = relayed ? "raw" : "force";
     const std::string limit = " AT MOST 1 s\n";
-    std::string out = R"(MESSAGE force : REAL N
+    std::string out =
+        R"(MESSAGE force : REAL N
+MESSAGE raw : REAL N
 MESSAGE motion : dz : REAL mm
 MESSAGE correction : dz : REAL mm
 MESSAGE tick : SIGNAL
 DEVICE clock
 DEVICE robot
 SKILL held
-  SENSOR DRIVER      SD1
+  SENSOR DRIVER      SD1)" +
+        std::string(relayed ? ", SD2" : "") + R"(
   LOGICAL SENSOR     LS1
   MACHINE CONTROLLER MC1
   MODEL DATA         NONE
@@ -33,18 +39,17 @@ SKILL held
   COMPLETION 0 NORMAL "done"
   COMPLETION 1 ERROR  "any other error"
   REQUIREMENT taken : INTERVAL OF WTM( force from LS1 ) IN SM1)" +
-                      limit +
-                      "  REQUIREMENT sent : INTERVAL OF TXM( motion to MC1 ) IN SM1 BETWEEN 1 ms AND 1 s\n" +
-                      "  REQUIREMENT obeyed : INTERVAL OF obey IN MC1" + limit +
-                      "  REQUIREMENT sample : AGE OF force FROM LS1 AT obey IN MC1" + limit +
-                      "  REQUIREMENT world : REACTION OF force FROM LS1 AT obey IN MC1" + limit +
-                      "  REQUIREMENT busy : BUSY PERIOD OF EACH PROCESSOR" + limit;
+        limit + "  REQUIREMENT sent : INTERVAL OF TXM( motion to MC1 ) IN SM1 BETWEEN 1 ms AND 1 s\n" +
+        "  REQUIREMENT obeyed : INTERVAL OF obey IN MC1" + limit + "  REQUIREMENT sample : AGE OF " +
+        sensed_ + " FROM " + sensor_ + " AT obey IN MC1" + limit + "  REQUIREMENT world : REACTION OF " +
+        sensed_ + " FROM " + sensor_ + " AT obey IN MC1" + limit +
+        "  REQUIREMENT busy : BUSY PERIOD OF EACH PROCESSOR" + limit;
     if (!asked) {
-      out += "  REQUIREMENT put : RESPONSE FROM force OF LS1 TO TXM( motion to MC1 )" + limit +
-             "  REQUIREMENT done : RESPONSE FROM force OF LS1 TO obey IN MC1" + limit +
-             "  REQUIREMENT lost : LOSS OF LS1 NONE\n";
+      out += "  REQUIREMENT put : RESPONSE FROM " + sensed_ + " OF " + sensor_ + " TO TXM( motion to MC1 )" +
+             limit + "  REQUIREMENT done : RESPONSE FROM " + sensed_ + " OF " + sensor_ + " TO obey IN MC1" +
+             limit + "  REQUIREMENT lost : LOSS OF " + sensor_ + " NONE\n";
     }
-    return out + "END SKILL\n" + modules(asked) + environment(asked);
+    return out + "END SKILL\n" + modules(asked, relayed) + environment(asked);
   }
 
  private:
@@ -58,11 +63,18 @@ SKILL held
   }
   std::string maybe(int n, const std::string& line) { return chance(n) == 0 ? line : ""; }
 
-  std::string modules(bool asked) {
-    const std::string ask = asked ? "    TXM( request force from LS1 )\n" : "";
+  std::string modules(bool asked, bool relayed) {
+    const std::string request = asked ? "    TXM( request " + sensed_ + " from " + sensor_ + " )\n" : "";
+    const std::string relay = request + "  REPEAT\n    WTM( raw from SD2 )\n" + request +
+                              "    TXM( force to SM1 )\n  UNTIL( forever )\nEND\n";
+    const std::string sensor =
+        "Logical Sensor: LS1\n" + (relayed ? "BEGIN\n" + relay + "Sensor Driver: SD2\n" : std::string());
+    const std::string ask = relayed ? "" : request;
     std::string out =
         "Sensor Driver: SD1\n  ACTIVITY work\nBEGIN\n  REPEAT\n    WTM( tick from clock )\n    work\n"
-        "  UNTIL( forever )\nEND\nLogical Sensor: LS1\nMachine Controller: MC1\n  ACTIVITY obey\n"
+        "  UNTIL( forever )\nEND\n" +
+        sensor +
+        "Machine Controller: MC1\n  ACTIVITY obey\n"
         "BEGIN\n  REPEAT\n    WTM( motion from SM1 )\n    obey\n";
     out += maybe(3, "    TXM( correction to robot )\n");
     out += "  UNTIL( forever )\nEND\nSkill Module: SM1\n  ACTIVITY think\nBEGIN\n  WTM( Coordinator )\n";
@@ -79,9 +91,9 @@ SKILL held
     out += "  PROCESSOR P2" + maybe(4, " NONPREEMPTIVE") + "\n";
     const int period = between(4, 9);
     if (asked) {
-      out += "  DEVICE LS1 ON REQUEST " + interval(period - 1, period + 1) + "\n";
+      out += "  DEVICE " + sensor_ + " ON REQUEST " + interval(period - 1, period + 1) + "\n";
     } else {
-      out += "  DEVICE LS1 EVENT force EVERY " + number(period) + " ms";
+      out += "  DEVICE " + sensor_ + " EVENT " + sensed_ + " EVERY " + number(period) + " ms";
       out += maybe(2, " JITTER " + number(between(1, 3)) + " ms") + "\n";
     }
     out += "  DEVICE clock EVENT tick EVERY " + number(between(30, 60)) + " ms";
@@ -89,6 +101,7 @@ SKILL held
     out += maybe(5, "  LATENCY BETWEEN PROCESSORS " + interval(0, 1) + "\n");
     out += maybe(5, "  COST RECEIVE " + interval(0, 1) + "\n");
     out += "  PLACE SM1 ON P" + number(chance(4) == 0 ? 2 : 1) + " PRIORITY " + number(between(1, 3)) + "\n";
+    if (sensor_ == "SD2") out += "  PLACE LS1 ON P1 PRIORITY " + number(between(1, 3)) + "\n";
     out += "  PLACE MC1 ON P2 PRIORITY " + number(between(1, 2)) + "\n";
     out += "  PLACE SD1 ON P" + number(chance(6) == 0 ? 1 : 2) + " PRIORITY " + number(between(2, 3)) + "\n";
     out += "  TIME think : " + interval(0, 1) + "\n  TIME obey : " + interval(0, 2) + "\n";
@@ -96,6 +109,8 @@ SKILL held
   }
 
   std::mt19937_64 engine_;
+  std::string sensor_;  // the device
+  std::string sensed_;
 };
 
 }  // namespace pal::test
