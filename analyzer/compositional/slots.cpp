@@ -30,11 +30,7 @@ bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, in
   if (of.period == never) return true;
   Nanoseconds last = 0;
   for (int other : ground.conduct_of(thread).nodes) {
-    if (ground.round_of(other) != node) continue;
-    const NodeTimes& times = nodes[static_cast<std::size_t>(other)];
-    last = std::max(last, times.finish);
-    for (const Segment::Arrival& wait : ground.segment(other).waits)
-      last = std::max(last, sent_before(ground, times, other, wait.step));
+    if (ground.round_of(other) == node) last = std::max(last, nodes[static_cast<std::size_t>(other)].finish);
   }
   return last < plus(of.period, nodes[static_cast<std::size_t>(node)].earliest);
 }

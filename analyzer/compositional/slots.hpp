@@ -9,7 +9,8 @@ namespace pal::analyzer::compositional {
 /// Whether the node's message is taken before the next one is put, if it is put at `put` at the earliest.
 bool take_in_time(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, Nanoseconds put);
 
-/// Whether the round that `node` begins is over before the next one is asked for.
+/// Whether the work of the round that `node` begins is over before the next one is asked for. The thread may
+/// still wait for the slot of its last send.
 bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, int node);
 
 /// Latest end of a send by which the node comes straight to `wait`; 0: there is none.
