@@ -18,7 +18,10 @@ class Writer {
   explicit Writer(const View& view)
       : view_(view),
         ground_{view.problem, view.forest, view.conduct},
-        releases_(ground_, view.times.nodes, *view.times.demand) {}
+        nominal_{view.times.nodes, {ground_, view.times.nodes, *view.times.demand}, Since::occurrence},
+        since_event_{view.times.since_event,
+                     {ground_, view.times.since_event, view.times.nodes, *view.times.demand},
+                     Since::release} {}
 
   std::vector<Addend> run(const Sum& bound) {
     for (const Sum::Addend& each : bound.addends()) add(each);
@@ -27,7 +30,14 @@ class Writer {
   }
 
  private:
-  const NodeTimes& times(int node) const { return view_.times.nodes[static_cast<std::size_t>(node)]; }
+  /// What instants count from: the nominal instants of their sources, or the events themselves.
+  struct Clock {
+    const std::vector<NodeTimes>& nodes;
+    Releases releases;
+    Since since;  // what the ends of segments count from
+
+    const NodeTimes& times(int node) const { return nodes[static_cast<std::size_t>(node)]; }
+  };
 
   void say(Nanoseconds amount, const std::string& actor, std::string what, int statement = -1) {
     if (amount == 0) return;
@@ -62,10 +72,16 @@ class Writer {
     const Term& term = each.term;
     switch (term.kind) {
       case Term::Kind::latest:
-        if (each.amount == instant(term)) return until(term.node, term.step);
+      case Term::Kind::since_event: {
+        const Clock& clock = term.kind == Term::Kind::latest ? nominal_ : since_event_;
+        if (each.amount == instant(clock, term)) return until(clock, term.node, term.step);
         return say(each.amount, actor(term.node), "at the latest, until " + place(term), statement(term));
+      }
       case Term::Kind::earliest:
         return say(each.amount, actor(term.node), "at the earliest, until " + place(term), statement(term));
+      case Term::Kind::release:
+        if (each.amount == nominal_.times(term.node).latest) return release(nominal_, term.node);
+        return say(each.amount, actor(term.node), "begins at the latest", statement_of(term.node));
       case Term::Kind::gap:
         return round(term.source, view_.times.longest_gap[static_cast<std::size_t>(term.source)],
                      each.amount);
@@ -86,7 +102,7 @@ class Writer {
       return say(next.after, name, "comes again");
     }
     if (amount != next.at || next.node < 0) return say(amount, name, "comes to the next round");
-    wait_for(next, name, feed_device(of, next));
+    wait_for(nominal_, next, name, feed_device(of, next));
   }
 
   static int feed_device(const Source& of, const Due& next) {
@@ -98,22 +114,23 @@ class Writer {
   }
 
   /// For an arrival, or for what was sent.
-  void wait_for(const Due& due, const std::string& name, int device) {
+  void wait_for(const Clock& clock, const Due& due, const std::string& name, int device) {
     const int statement = ground_.step_at(due.step).statement;
     if (due.by == By::arrival) {
-      until_arrival(due.node, due.step);
+      until_arrival(clock, due.node, due.step);
       return say(due.after, name, "waits at " + text(due.step), statement);
     }
-    until(due.node, due.step);
+    if (due.by == By::put) return until_put(clock, due.node, due.step);
+    until(clock, due.node, due.step);
     if (device < 0)
       return say(due.after, actor(due.node), "waits until " + text(due.step) + " has arrived", statement);
     say(due.after, view_.problem.devices[static_cast<std::size_t>(device)].name, "answers " + text(due.step),
         statement);
   }
 
-  Nanoseconds instant(const Term& term) const {
-    return term.step < 0 ? times(term.node).finish
-                         : latest_effect(view_.forest, view_.times, term.node, term.step);
+  Nanoseconds instant(const Clock& clock, const Term& term) const {
+    return term.step < 0 ? clock.times(term.node).finish
+                         : latest_effect(view_.forest, clock.nodes, term.node, term.step);
   }
   std::string place(const Term& term) const {
     return term.step < 0 ? "the end of the segment" : text(term.step) + " has its effect";
@@ -129,43 +146,62 @@ class Writer {
   }
 
   /// To the latest effect of a step of a node, or to the end of its segment.
-  void until(int node, int step) {
+  void until(const Clock& clock, int node, int step) {
     const Segment& of = ground_.segment(node);
-    if (step < 0) return work(node, of.worst, times(node).finish, -1);
+    if (step < 0) {
+      return work(clock, node, of.worst, -1, [](const NodeTimes& times) { return times.finish; });
+    }
     const std::size_t at = place_of(of, step);
-    work(node, of.steps[at].worst, times(node).effects[at], step);
+    work(clock, node, of.steps[at].worst, step, [at](const NodeTimes& times) { return times.effects[at]; });
+  }
+
+  /// To where a step puts, or waits for its slot.
+  void until_put(const Clock& clock, int node, int step) {
+    const Segment& of = ground_.segment(node);
+    const std::size_t at = place_of(of, step);
+    work(clock, node, of.steps[at].worst, step, [at](const NodeTimes& times) { return times.worked[at]; });
   }
 
   /// To the latest arrival at a wait or CONCURRENT.
-  void until_arrival(int node, int step) {
+  void until_arrival(const Clock& clock, int node, int step) {
     const Segment& of = ground_.segment(node);
     for (std::size_t w = 0; w < of.waits.size(); ++w) {
-      if (of.waits[w].step == step) return work(node, of.waits[w].worst, times(node).arrivals[w], step);
+      if (of.waits[w].step != step) continue;
+      return work(clock, node, of.waits[w].worst, step,
+                  [w](const NodeTimes& times) { return times.arrivals[w]; });
     }
-    work(node, of.worst, times(node).finish, -1);
+    work(clock, node, of.worst, -1, [](const NodeTimes& times) { return times.finish; });
   }
 
-  /// To when `part` of the node's work is done, at `done`; it ends with `step`.
-  void work(int node, Nanoseconds part, Nanoseconds done, int step) {
+  /// To when `part` of the node's work is done, at the instant `done_of` its times; it ends with `step`.
+  template <class DoneOf>
+  void work(const Clock& asked, int node, Nanoseconds part, int step, const DoneOf& done_of) {
     if (out_.size() > most_addends) return;
-    const Nanoseconds released = times(node).latest;
-    release(node);
-    const std::size_t before = out_.size();
-    Nanoseconds sum = released;
-    const bool runs = !ground_.segment(node).steps.empty();
-    if (runs && view_.times.demand->finish(node, part, view_.times.demand->blocking(node)) == done) {
-      window(node, part);
-      actions(node, part, step);
-      for (std::size_t a = before; a < out_.size(); ++a) sum += out_[a].amount;
+    const Nanoseconds done = done_of(asked.times(node));
+    // What is no later after the event than after its nominal instant is followed from there.
+    const Clock& clock = done == done_of(nominal_.times(node)) ? nominal_ : asked;
+    const Nanoseconds released = clock.times(node).latest;
+    release(clock, node);
+    if (done == released) return;
+    if (ends_by_window(clock, node, part, done)) {
+      window(clock, node, part);
+      return actions(node, part, step);
     }
-    // The send waits for its slot.
-    say(done - sum, actor(node), step < 0 ? "is held" : "is held at " + text(step),
+    // A send waits for its slot.
+    const bool sends = step >= 0 && ground_.step_at(step).kind == Step::Kind::send;
+    say(done - released, actor(node), sends ? "is held at " + text(step) : "is held in its last send",
         step < 0 ? -1 : ground_.step_at(step).statement);
   }
 
+  bool ends_by_window(const Clock& clock, int node, Nanoseconds part, Nanoseconds done) const {
+    const Demand& demand = *view_.times.demand;
+    const Nanoseconds end = demand.finish(node, part, demand.blocking(node), clock.since);
+    return done == (clock.since == Since::release ? plus(clock.times(node).latest, end) : end);
+  }
+
   /// What keeps the node from its processor.
-  void window(int node, Nanoseconds part) {
-    const Account account = view_.times.demand->account(node, part);
+  void window(const Clock& clock, int node, Nanoseconds part) {
+    const Account account = view_.times.demand->account(node, part, clock.since);
     if (out_.size() + account.others.size() > most_addends) return out_.resize(most_addends + 1);
     const std::string& name = actor(node);
     if (account.blocking > 0) {
@@ -221,9 +257,10 @@ class Writer {
   }
 
   /// To the latest release of a node.
-  void release(int node) {
-    const Nanoseconds at = times(node).latest;
-    const Due latest = releases_.latest(node, view_.times.trouble, view_.times.blocked);
+  void release(const Clock& asked, int node) {
+    const Nanoseconds at = asked.times(node).latest;
+    const Clock& clock = at == nominal_.times(node).latest ? nominal_ : asked;
+    const Due latest = clock.releases.latest(node, view_.times.trouble, view_.times.blocked);
     const Node& of = ground_.node(node);
     const std::string& name = actor(node);
     if (latest.at != at || deep_ > 200) return say(at, name, "begins so late", statement_of(node));
@@ -243,7 +280,8 @@ class Writer {
         break;
       case By::arrival:
       case By::message:
-        wait_for(latest, name, of.device);
+      case By::put:
+        wait_for(clock, latest, name, of.device);
         break;
     }
     --deep_;
@@ -251,7 +289,8 @@ class Writer {
 
   const View& view_;
   Ground ground_;
-  Releases releases_;
+  Clock nominal_;
+  Clock since_event_;
   std::vector<Addend> out_;
   int deep_ = 0;
 };

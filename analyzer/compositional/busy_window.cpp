@@ -140,7 +140,7 @@ Nanoseconds BusyWindows::of_siblings(int transaction, int task, Shares* shares) 
 }
 
 BusyWindows::Critical BusyWindows::critical_once(int transaction, int task, Nanoseconds part,
-                                                 Nanoseconds blocking) const {
+                                                 Nanoseconds blocking, Since since) const {
   const Task& self =
       transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)];
   const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
@@ -149,7 +149,10 @@ BusyWindows::Critical BusyWindows::critical_once(int transaction, int task, Nano
   Nanoseconds window = fixed;
   for (int round = 0; round < most_rounds; ++round) {
     const Nanoseconds next = fixed + of_others(groups, transaction, &self, self.priority, window);
-    if (next == window) return {self.offset + self.jitter + window + (preemptive ? 0 : part), window, -1, 1};
+    if (next == window) {
+      const Nanoseconds released = since == Since::release ? 0 : self.offset + self.jitter;
+      return {released + window + (preemptive ? 0 : part), window, -1, 1};
+    }
     if (next > longest_window) break;
     window = next;
   }
@@ -197,8 +200,8 @@ Nanoseconds BusyWindows::window(int processor, int priority, Nanoseconds cost) c
   return never;
 }
 
-BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanoseconds part,
-                                            Nanoseconds blocking) const {
+BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+                                            Since since) const {
   const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
   const Task& self = of.tasks[static_cast<std::size_t>(task)];
   if (blocking >= never || self.jitter >= never) return {never};
@@ -216,7 +219,7 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
     }
   }
   if (demand >= 1) return {never};
-  if (of.period == never) return critical_once(transaction, task, part, blocking);
+  if (of.period == never) return critical_once(transaction, task, part, blocking, since);
 
   const Group& own = *group_of(transaction, self.processor);
   Critical latest{-1};
@@ -260,7 +263,10 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
         window = 0;
       }
       if (whole >= never) return {never};
-      const Nanoseconds finish = done - due - (job - 1) * of.period + self.offset;
+      // The job is released when it is due or later, and not before the window begins.
+      const Nanoseconds released = due + (job - 1) * of.period;
+      const Nanoseconds finish =
+          since == Since::release ? done - std::max<Nanoseconds>(0, released) : done - released + self.offset;
       if (finish > latest.finish) latest = {finish, preemptive ? done : done - part, scenario, job};
       if (whole < due + job * of.period) break;
     }
@@ -268,15 +274,17 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
   return latest;
 }
 
-Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const {
-  return critical(transaction, task, part, blocking).finish;
+Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+                                Since since) const {
+  return critical(transaction, task, part, blocking, since).finish;
 }
 
-Account BusyWindows::account(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const {
+Account BusyWindows::account(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+                             Since since) const {
   const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
   const Task& self = of.tasks[static_cast<std::size_t>(task)];
   const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
-  const Critical worst = critical(transaction, task, part, blocking);
+  const Critical worst = critical(transaction, task, part, blocking, since);
   Account account;
   account.blocking = blocking;
   of_others(groups, transaction, &self, self.priority, worst.length, &account.others);
@@ -290,7 +298,8 @@ Account BusyWindows::account(int transaction, int task, Nanoseconds part, Nanose
   of_scenario(*group_of(transaction, self.processor), worst.scenario, asked, self.priority, worst.length,
               &account.others);
   account.others.push_back({transaction, task, earlier, earlier * self.cost});
-  account.done_before = due + (worst.job - 1) * of.period + self.jitter;
+  const Nanoseconds released = due + (worst.job - 1) * of.period;
+  account.done_before = since == Since::release ? std::max<Nanoseconds>(0, released) : released + self.jitter;
   return account;
 }
 

@@ -43,7 +43,14 @@ struct Transaction {
   std::vector<Task> tasks;
 };
 
-/// What the finish of a job is made of: `latest` release, its own work, and these.
+/// What the finish of a job counts from.
+enum class Since {
+  occurrence,  // of its transaction
+  release,     // of the job
+};
+
+/// What the finish of a job is made of: `latest` release (if it counts from the occurrence), its own work,
+/// and these.
 struct Account {
   struct Share {
     int transaction = -1;
@@ -53,7 +60,8 @@ struct Account {
   };
   std::vector<Share> others;    // work that goes first, the task's own earlier jobs included
   Nanoseconds blocking = 0;     // by lower priority
-  Nanoseconds done_before = 0;  // of all that, so much is over when the job is released at its latest
+  Nanoseconds done_before = 0;  // of all that, so much is over when the job is released, at its latest or
+                                // (if it counts from the release) at its earliest
 };
 
 class BusyWindows {
@@ -77,15 +85,18 @@ class BusyWindows {
   /// task is released in one.
   static Nanoseconds releases(const Transaction& of, const Task& task, Nanoseconds length);
 
-  /// How long after the occurrence the first `part` of the task's cost is done at the latest, if `blocking`
-  /// is the longest that work of lower priority keeps the processor. `never`: no bound.
+  /// How long after the occurrence, or the release, the first `part` of the task's cost is done at the
+  /// latest, if `blocking` is the longest that work of lower priority keeps the processor. `never`: no bound.
   ///
   /// Work of the same priority counts as if it went first. What is released at the very instant at which the
   /// work ends comes before that end: PAL leaves the order at one instant open.
-  Nanoseconds finish(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const;
+  Nanoseconds finish(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+                     Since since = Since::occurrence) const;
 
-  /// Adds up to finish(), with the latest release and `part`; for a finish that is bounded.
-  Account account(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const;
+  /// Adds up to finish(), with `part` and, since the occurrence, the latest release; for a finish that is
+  /// bounded.
+  Account account(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+                  Since since = Since::occurrence) const;
 
   /// How long `cost` takes at most for somebody of `priority` who has the processor: what is of higher
   /// priority has nothing left to do when that begins.
@@ -131,8 +142,9 @@ class BusyWindows {
   Nanoseconds of_others(const std::vector<Group>& groups, int own, const Task* asker, int priority,
                         Nanoseconds length, Shares* shares = nullptr) const;
   Nanoseconds of_siblings(int transaction, int task, Shares* shares) const;
-  Critical critical(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const;
-  Critical critical_once(int transaction, int task, Nanoseconds part, Nanoseconds blocking) const;
+  Critical critical(int transaction, int task, Nanoseconds part, Nanoseconds blocking, Since since) const;
+  Critical critical_once(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+                         Since since) const;
   const Group* group_of(int transaction, int processor) const;
   Nanoseconds window(int processor, int priority, Nanoseconds cost) const;
 

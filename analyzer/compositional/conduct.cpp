@@ -26,6 +26,8 @@ class Observer {
     for (std::size_t n = 0; n < nodes; ++n) rounds(static_cast<int>(n));
     for (std::size_t n = 0; n < nodes; ++n) order(static_cast<int>(n));
     for (std::size_t t = 0; t < problem_.threads.size(); ++t) returns(static_cast<int>(t));
+    find_waits();
+    for (std::size_t n = 0; n < nodes; ++n) made_.drains.push_back(drains(static_cast<int>(n)));
     protocol();
     for (ThreadConduct& thread : made_.threads) servers(thread);
     return std::move(made_);
@@ -160,6 +162,29 @@ class Observer {
     });
   }
 
+  void find_waits() {
+    waits_.resize(problem_.channels.size());
+    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+      const Step& step = problem_.steps[s];
+      if (step.kind != Kind::wait || forest_.segments.owner(static_cast<int>(s)) < 0) continue;
+      for (int channel : step.channels)
+        waits_[static_cast<std::size_t>(channel)].push_back(static_cast<int>(s));
+    }
+  }
+
+  /// Conduct::drains: the one thread that takes the message never waits for anything else than its home.
+  bool drains(int n) {
+    const ThreadConduct& of = thread(forest_.thread_of(n));
+    if (node(n).release != Release::message || node(n).device >= 0 || of.waits_within) return false;
+    if (made_.round[static_cast<std::size_t>(n)] != n || !made_.previous[static_cast<std::size_t>(n)].empty())
+      return false;
+    const int channel = step_at(node(n).sends.front()).channels.front();
+    if (latency(problem_, channel, forest_.thread_of(node(n).cause), forest_.thread_of(n)).worst > 0)
+      return false;
+    const std::vector<int>& waits = waits_[static_cast<std::size_t>(channel)];
+    return std::all_of(waits.begin(), waits.end(), [&of](int wait) { return wait == of.home; });
+  }
+
   void protocol() {
     made_.never_full.assign(problem_.channels.size(), false);
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
@@ -218,6 +243,7 @@ class Observer {
   const Forest& forest_;
   Conduct made_;
   std::map<std::pair<int, int>, std::vector<int>> arrivals_;  // by round and wait
+  std::vector<std::vector<int>> waits_;                       // by channel, that take from it
   std::set<std::pair<int, int>> waited_for_;                  // round and wait
 };
 

@@ -28,6 +28,10 @@ struct Conduct {
   std::vector<int> round;
   /// By node: the nodes of its thread after which it comes; none for those that begin rounds or threads.
   std::vector<std::vector<int>> previous;
+  /// By node: the message that begins its round is there when it is put, and while the slot is full the
+  /// node's thread has something to do, but for its own waits for slots. So who waits for the slot does not
+  /// keep the thread waiting.
+  std::vector<bool> drains;
   std::vector<bool> sequential;  // by channel: requests that are sent and answered one at a time
   std::vector<bool>
       never_full;  // by channel: the protocol of request and answer keeps its slot free for a put

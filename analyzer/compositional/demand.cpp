@@ -173,13 +173,14 @@ Nanoseconds Demand::blocking(int node) const {
   return thread < 0 ? 0 : burst_[static_cast<std::size_t>(thread)];
 }
 
-Nanoseconds Demand::finish(int node, Nanoseconds part, Nanoseconds blocking) const {
-  return windows_.finish(ground_.node(node).source, task_[static_cast<std::size_t>(node)], part, blocking);
+Nanoseconds Demand::finish(int node, Nanoseconds part, Nanoseconds blocking, Since since) const {
+  return windows_.finish(ground_.node(node).source, task_[static_cast<std::size_t>(node)], part, blocking,
+                         since);
 }
 
-Account Demand::account(int node, Nanoseconds part) const {
+Account Demand::account(int node, Nanoseconds part, Since since) const {
   return windows_.account(ground_.node(node).source, task_[static_cast<std::size_t>(node)], part,
-                          blocking(node));
+                          blocking(node), since);
 }
 
 Nanoseconds stops_within(const Problem& problem, const BusyWindows& windows, int block) {

@@ -25,10 +25,11 @@ class Demand {
   void find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& home_again);
   /// The longest that threads of lower priority keep the node's processor, if it is not preemptive.
   Nanoseconds blocking(int node) const;
-  /// How long after the source's nominal instant the first `part` of the node's work is done at the latest.
-  Nanoseconds finish(int node, Nanoseconds part, Nanoseconds blocking) const;
+  /// How long after the source's nominal instant, or the node's release, the first `part` of the node's work
+  /// is done at the latest.
+  Nanoseconds finish(int node, Nanoseconds part, Nanoseconds blocking, Since since = Since::occurrence) const;
   /// What goes into finish() besides the latest release and the work itself.
-  Account account(int node, Nanoseconds part) const;
+  Account account(int node, Nanoseconds part, Since since = Since::occurrence) const;
   /// The thread of lower priority that blocks the node longest.
   int blocking_thread(int node) const;
   int node_of(int transaction, int task) const {

@@ -5,7 +5,17 @@ namespace pal::analyzer::compositional {
 using Kind = Term::Kind;
 
 Sum latest(const View& view, int node, int step) {
-  return {latest_effect(view.forest, view.times, node, step), {Kind::latest, node, step, -1, ""}};
+  return {latest_effect(view.forest, view.times.nodes, node, step), {Kind::latest, node, step, -1, ""}};
+}
+
+Sum since_event(const View& view, int node, int step) {
+  return {latest_effect(view.forest, view.times.since_event, node, step),
+          {Kind::since_event, node, step, -1, ""}};
+}
+
+Sum finish_since_event(const View& view, int node) {
+  return {view.times.since_event[static_cast<std::size_t>(node)].finish,
+          {Kind::since_event, node, -1, -1, ""}};
 }
 
 Sum earliest(const View& view, int node, int step) {
@@ -14,6 +24,10 @@ Sum earliest(const View& view, int node, int step) {
 
 Sum finish(const View& view, int node) {
   return {view.times.nodes[static_cast<std::size_t>(node)].finish, {Kind::latest, node, -1, -1, ""}};
+}
+
+Sum release(const View& view, int node) {
+  return {view.times.nodes[static_cast<std::size_t>(node)].latest, {Kind::release, node, -1, -1, ""}};
 }
 
 Sum gap(const View& view, int source) {

@@ -41,6 +41,11 @@ struct View {
 Sum latest(const View& view, int node, int step);
 Sum earliest(const View& view, int node, int step);
 Sum finish(const View& view, int node);
+/// The release of a node at the latest.
+Sum release(const View& view, int node);
+/// The effect of a step in a node, and the node's end, at the latest after the event that brings it about.
+Sum since_event(const View& view, int node, int step);
+Sum finish_since_event(const View& view, int node);
 /// From one occurrence of a source to the next, and from time 0 to the first, at the latest.
 Sum gap(const View& view, int source);
 Sum first(const View& view, int source);

@@ -60,7 +60,8 @@ class Loop {
     const int channel = ground_.step_at(feed.sends.front()).channels.front();
     Due due{-1, Due::By::message, feed.node};
     for (int send : feed.sends)
-      raise(due, {latest_effect(ground_.forest, times_, feed.node, send), Due::By::message, feed.node, send});
+      raise(due, {latest_effect(ground_.forest, times_.nodes, feed.node, send), Due::By::message, feed.node,
+                  send});
     due.after =
         feed.device >= 0
             ? plus(ground_.device_time(feed.device).worst, ground_.answer_queue(feed.device, channel))

@@ -51,10 +51,12 @@ Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
   }
   every_round_ = !round.home && !round.lost;
   latest_ = round.latest;
+  released_ = round.released;
 }
 
 void Passes::merge(Way& into, const Way& other) const {
   into.latest = greater(into.latest, other.latest);
+  into.released = greater(into.released, other.released);
   into.home = into.home || other.home;
   into.lost = into.lost || other.lost || !other.latest.bounded();
 }
@@ -68,7 +70,7 @@ Way Passes::begun(int node) {
   const Step& step = view_.problem.steps[static_cast<std::size_t>(begins.step)];
   if (begins.kind == Beginning::Kind::joined) return from(node, step.next.front());
   if (at_[static_cast<std::size_t>(begins.step)]) {
-    return {compositional::latest(view_, node, begins.step), false, false};
+    return {compositional::latest(view_, node, begins.step), release(view_, node), false, false};
   }
   const bool gives_up = begins.kind == Beginning::Kind::give_up;
   return from(node, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
@@ -94,24 +96,29 @@ Way Passes::after(Pass pass) {
     const bool gives_up = begins.kind == Beginning::Kind::give_up;
     return from(pass.node, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
   }
-  if (step.next.empty()) way.latest = finish(view_, pass.node);
+  if (step.next.empty()) way = {finish(view_, pass.node), release(view_, pass.node), false, false};
   for (int next : step.next) merge(way, from(pass.node, next));
   return way;
 }
 
 Way Passes::from(int node, int at) {
-  const auto [place, fresh] = known_.emplace(std::pair{node, at}, Way{Sum(), false, true});
+  const auto [place, fresh] = known_.emplace(std::pair{node, at}, Way{Sum(), Sum(), false, true});
   if (!fresh) return place->second;
   const Step& step = view_.problem.steps[static_cast<std::size_t>(at)];
   Way way;
   if (!reachable_[static_cast<std::size_t>(at)]) {
-    way = {begins_again_ ? Sum() : finish(view_, node), begins_again_, false};
+    if (begins_again_) {
+      way.home = true;
+    } else {
+      way = {finish(view_, node), release(view_, node), false, false};
+    }
   } else if (step.kind == Kind::wait || step.kind == Kind::fork) {
     way = beyond_wait(node, at);
   } else if (at_[static_cast<std::size_t>(at)]) {
-    way.latest = compositional::latest(view_, node, at);
+    way = {compositional::latest(view_, node, at), release(view_, node), false, false};
   } else {
-    if (may_match_nothing(step)) way.latest = finish(view_, node);  // the skill ends
+    // The skill may end.
+    if (may_match_nothing(step)) way = {finish(view_, node), release(view_, node), false, false};
     for (int next : step.next) merge(way, from(node, next));
   }
   way.lost = way.lost || !way.latest.bounded();
@@ -122,7 +129,7 @@ Way Passes::from(int node, int at) {
 /// What the thread does when its wait, or its blocks, are over.
 Way Passes::beyond_wait(int node, int wait) {
   const ThreadConduct& of = view_.conduct.threads[static_cast<std::size_t>(thread_)];
-  if (wait == of.home) return {Sum(), true, false};
+  if (wait == of.home) return {Sum(), Sum(), true, false};
   Way way;
   bool any = false;
   for (int other : of.nodes) {

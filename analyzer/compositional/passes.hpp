@@ -14,6 +14,7 @@ struct Pass {
 /// The ways on from a place: until one of the statements has had its effect, or none can come any more.
 struct Way {
   Sum latest;         // from the nominal instant of the source, of those ways that get there
+  Sum released;       // the same, of the release of the segment in which they get there
   bool home = false;  // some way comes home first
   bool lost = false;  // nothing is known of some way
 };
@@ -34,6 +35,9 @@ class Passes {
   bool every_round() const { return every_round_; }
   /// With every_round: latest pass of a round, from the nominal instant of its source.
   const Sum& latest() const { return latest_; }
+  /// With every_round: latest release of the segment in which a round passes one. From then on the thread has
+  /// something to do until it does.
+  const Sum& released() const { return released_; }
   /// Greatest distance of nominal instants of rounds, and of the first from time 0; unbounded: not known.
   const Sum& gap() const { return gap_; }
   const Sum& first() const { return first_; }
@@ -54,6 +58,7 @@ class Passes {
   std::map<std::pair<int, int>, Way> known_;
   bool every_round_ = false;
   Sum latest_;
+  Sum released_;
   Sum gap_ = Sum::unbounded();
   Sum first_ = Sum::unbounded();
 };

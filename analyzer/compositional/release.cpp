@@ -52,20 +52,23 @@ Due Releases::latest(int n, const std::vector<std::string>& trouble, const std::
 /// The device is closed until its one taker is at home.
 Due Releases::of_event(int n) const {
   const int thread = forest.thread_of(n);
-  const Due late{source(n).jitter, By::source, -1, -1, source(n).jitter};
-  const Due home{source(n).at_one_wait ? 0 : first_at_home(*this, nodes_, thread), By::home};
+  const Nanoseconds jitter = &nodes_ == &nominal_ ? source(n).jitter : 0;
+  const Due late{jitter, By::source, -1, -1, jitter};
+  const Due home{source(n).at_one_wait ? 0 : first_at_home(*this, nominal_, thread), By::home};
   return later(later(late, {held_back(thread), By::held}), home);
 }
 
 Due Releases::of_message(int n) const {
   const Node& of = node(n);
   const int thread = forest.thread_of(n);
-  Due sent{-1, By::message, of.cause};
+  const bool drains = conduct.drains[static_cast<std::size_t>(n)];
+  Due sent{-1, drains ? By::put : By::message, of.cause};
+  const NodeTimes& cause = nodes_[static_cast<std::size_t>(of.cause)];
   for (int send : of.sends) {
-    const Nanoseconds effect =
-        nodes_[static_cast<std::size_t>(of.cause)].effects[place_of(segment(of.cause), send)];
-    if (effect > sent.at) {
-      sent.at = effect;
+    const std::size_t place = place_of(segment(of.cause), send);
+    const Nanoseconds at = drains ? cause.worked[place] : cause.effects[place];
+    if (at > sent.at) {
+      sent.at = at;
       sent.step = send;
     }
   }
@@ -75,7 +78,7 @@ Due Releases::of_message(int n) const {
   const auto& previous = conduct.previous[static_cast<std::size_t>(n)];
   if (previous.empty()) {
     if (round_of(n) != n) return {never};
-    const Due home{first_at_home(*this, nodes_, thread), By::home};
+    const Due home{first_at_home(*this, nominal_, thread), By::home};
     return later(later(sent, home), {held_back(thread), By::held});
   }
   Due latest = sent;
@@ -111,7 +114,7 @@ Nanoseconds Releases::held_back(int thread) const {
   Nanoseconds latest = 0;
   for (int n : conduct_of(thread).nodes) {
     for (const Segment::Passed& passed : segment(n).steps) {
-      const Nanoseconds until = held_until(*this, nodes_, n, passed.step);
+      const Nanoseconds until = held_until(*this, nominal_, n, passed.step);
       latest = std::max(latest, until >= never ? never : until - source(n).period);
     }
   }

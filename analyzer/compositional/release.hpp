@@ -11,7 +11,12 @@ namespace pal::analyzer::compositional {
 class Releases : private Ground {
  public:
   Releases(const Ground& ground, const std::vector<NodeTimes>& nodes, const Demand& demand)
-      : Ground(ground), nodes_(nodes), demand_(demand) {}
+      : Ground(ground), nodes_(nodes), nominal_(nodes), demand_(demand) {}
+  /// `since_event`: times that count from the events themselves, where those of `nominal` count from their
+  /// nominal instants.
+  Releases(const Ground& ground, const std::vector<NodeTimes>& since_event,
+           const std::vector<NodeTimes>& nominal, const Demand& demand)
+      : Ground(ground), nodes_(since_event), nominal_(nominal), demand_(demand) {}
 
   /// `trouble` and `blocked` as in Times.
   Due latest(int node, const std::vector<std::string>& trouble, const std::vector<bool>& blocked) const;
@@ -25,6 +30,7 @@ class Releases : private Ground {
   Nanoseconds arrival(int node, int step) const;
 
   const std::vector<NodeTimes>& nodes_;
+  const std::vector<NodeTimes>& nominal_;  // what has to do with other rounds counts from nominal instants
   const Demand& demand_;
 };
 

@@ -111,7 +111,7 @@ class Pursuit {
       return step_value(n, problem_.threads[static_cast<std::size_t>(begins.thread)].entry);
     const Step& step = step_at(begins.step);
     if (begins.kind == Beginning::Kind::joined) return step_value(n, step.next.front());
-    if (requirement_.at[static_cast<std::size_t>(begins.step)]) return latest(view_, n, begins.step);
+    if (requirement_.at[static_cast<std::size_t>(begins.step)]) return since_event(view_, n, begins.step);
     const bool gives_up = begins.kind == Beginning::Kind::give_up;
     return step_value(n, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
   }
@@ -125,11 +125,11 @@ class Pursuit {
       value = wait_value(n, at);
     } else if (step.kind == Kind::fork) {
       const bool reached = requirement_.at[static_cast<std::size_t>(at)];
-      value = reached ? finish(view_, n) : fork_value(n, at);
+      value = reached ? finish_since_event(view_, n) : fork_value(n, at);
     } else if (requirement_.at[static_cast<std::size_t>(at)] || step.kind == Kind::complete) {
-      value = latest(view_, n, at);
+      value = since_event(view_, n, at);
     } else if (step.kind != Kind::end) {
-      value = may_match_nothing(step) ? latest(view_, n, at) : no_way();
+      value = may_match_nothing(step) ? since_event(view_, n, at) : no_way();
       for (int next : step.next) value = greater(value, step_value(n, next));
       if (step.kind == Kind::send) value = less(value, sent_value(n, at));
     }

@@ -35,6 +35,16 @@ bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, in
   return last < plus(of.period, nodes[static_cast<std::size_t>(node)].earliest);
 }
 
+Nanoseconds sent_before(const Ground& ground, const NodeTimes& times, int node, int wait) {
+  const Segment& of = ground.segment(node);
+  Nanoseconds latest = 0;
+  for (std::size_t s = 0; s < of.steps.size(); ++s) {
+    const Step& step = ground.step_at(of.steps[s].step);
+    if (step.kind == Kind::send && step.next.front() == wait) latest = std::max(latest, times.effects[s]);
+  }
+  return latest;
+}
+
 Nanoseconds held_until(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, int send) {
   const Nanoseconds period = ground.source(node).period;
   if (ground.step_at(send).kind != Kind::send || period == never) return 0;

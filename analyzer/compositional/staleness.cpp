@@ -60,10 +60,11 @@ class Staleness {
     Sum soonest = Sum::unbounded();
     for (const Pass& pass : passes.in_rounds())
       soonest = less(soonest, earliest(view_, pass.node, pass.step));
-    const Sum next = passes.gap() + passes.latest();
+    const Sum& set_again = replaced(view_, passes, setter, reader_);
+    const Sum next = passes.gap() + set_again;
     if (!next.bounded())
       return {Sum::unbounded(), "nothing says how long " + name + " may wait between two rounds"};
-    return {greater(next - soonest, until_first(setter, passes.first() + passes.latest())),
+    return {greater(next - soonest, until_first(setter, passes.first() + set_again)),
             "nothing bounds when " + name + " sets first"};
   }
 
@@ -126,6 +127,15 @@ bool outlasts(const View& view, int thread, int reader) {
   // Blocks that end are over before their siblings are cancelled.
   if (lasting.parent < 0 || lasting.parent != reads.parent || lasting.can_end || !reads.can_end) return false;
   return !conduct(lasting.parent).may_be_cancelled;
+}
+
+const Sum& replaced(const View& view, const Passes& sets, int setter, int reader) {
+  const Thread& sets_it = view.problem.threads[static_cast<std::size_t>(setter)];
+  const Thread& reads_it = view.problem.threads[static_cast<std::size_t>(reader)];
+  const bool gives_way = sets_it.processor == reads_it.processor &&
+                         view.problem.processors[static_cast<std::size_t>(sets_it.processor)].preemptive &&
+                         reads_it.priority < sets_it.priority;
+  return gives_way ? sets.released() : sets.latest();
 }
 
 Bound value_age(const View& view, int condition, int reader) {

@@ -12,11 +12,13 @@ namespace pal::analyzer::compositional {
 /// One of the numbers that are added up.
 struct Term {
   enum class Kind {
-    latest,    // effect of `step` in `node` at the latest; of its last step: `step` is -1
-    earliest,  // and at the earliest
-    gap,       // from one occurrence of `source` to the next, at the latest
-    first,     // from time 0 to its first
-    said,      // `what`
+    latest,       // effect of `step` in `node` at the latest; of its last step: `step` is -1
+    since_event,  // the same, counted from the event itself
+    earliest,     // and at the earliest
+    release,      // of `node` at the latest
+    gap,          // from one occurrence of `source` to the next, at the latest
+    first,        // from time 0 to its first
+    said,         // `what`
   };
   Kind kind = Kind::said;
   int node = -1;  // said: whose thread does it, if anybody's

@@ -5,6 +5,7 @@
 #include "analyzer/compositional/demand.hpp"
 #include "analyzer/compositional/pace.hpp"
 #include "analyzer/compositional/release.hpp"
+#include "analyzer/compositional/since_event.hpp"
 #include "analyzer/compositional/slots.hpp"
 
 namespace pal::analyzer::compositional {
@@ -31,6 +32,7 @@ std::vector<NodeTimes> unhindered(const Ground& ground, const std::vector<bool>&
                          may_match_nothing(step);
       if (asked) mine.effects[s] = 0;
     }
+    mine.worked = mine.effects;
   }
   return nodes;
 }
@@ -58,6 +60,7 @@ class Solver : private Ground {
       if (times_.interrupted) return std::move(times_);
     } while (finds_trouble(slots));
     find_pace(*this, times_);
+    times_.since_event = since_events(*this, times_, demand_);
     times_.demand = std::make_shared<const Demand>(demand_);
     return std::move(times_);
   }
@@ -86,15 +89,28 @@ class Solver : private Ground {
     };
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
       if (mine.effects[s] == NodeTimes::unknown) continue;
-      mine.effects[s] = std::max(
-          {mine.effects[s], done(of.steps[s].worst), held_until(*this, nodes_, n, of.steps[s].step)});
+      mine.worked[s] = std::max(mine.worked[s], done(of.steps[s].worst));
+      mine.effects[s] =
+          std::max({mine.effects[s], mine.worked[s], held_until(*this, nodes_, n, of.steps[s].step)});
     }
     for (std::size_t w = 0; w < of.waits.size(); ++w) {
-      mine.arrivals[w] = std::max(mine.arrivals[w], done(of.waits[w].worst));
+      mine.arrivals[w] = std::max(
+          {mine.arrivals[w], done(of.waits[w].worst), sent_before(*this, mine, n, of.waits[w].step)});
     }
     mine.finish = std::max(mine.finish, done(of.worst));
     return mine.latest != before.latest || mine.finish != before.finish || mine.effects != before.effects ||
-           mine.arrivals != before.arrivals;
+           mine.worked != before.worked || mine.arrivals != before.arrivals;
+  }
+
+  /// Whether one of its sends may have to wait for longer than is known: its taker may be on any processor.
+  bool held_longer(int n) const {
+    const Segment& of = segment(n);
+    const NodeTimes& mine = nodes_[static_cast<std::size_t>(n)];
+    for (std::size_t s = 0; s < of.steps.size(); ++s) {
+      if (mine.effects[s] == NodeTimes::unknown) continue;
+      if (held_until(*this, nodes_, n, of.steps[s].step) > mine.effects[s]) return true;
+    }
+    return false;
   }
 
   /// Nodes whose work a change of node's release can delay stand on its processor.
@@ -115,7 +131,7 @@ class Solver : private Ground {
         const auto processor = static_cast<std::size_t>(
             problem.threads[static_cast<std::size_t>(forest.thread_of(n))].processor);
         const Nanoseconds latest = std::max(times(n).latest, latest_release(n));
-        if (!now[processor] && latest == times(n).latest) continue;
+        if (!now[processor] && latest == times(n).latest && !held_longer(n)) continue;
         if (update(n)) {
           changed = true;
           dirty[processor] = true;
@@ -129,6 +145,7 @@ class Solver : private Ground {
       NodeTimes& mine = times(static_cast<int>(n));
       mine.latest = mine.finish = never;
       for (Nanoseconds& each : mine.effects) each = each == NodeTimes::unknown ? each : never;
+      mine.worked = mine.effects;
       mine.arrivals.assign(mine.arrivals.size(), never);
     }
   }
@@ -177,9 +194,9 @@ Times times_of(const Problem& problem, const Forest& forest, const Conduct& cond
   return Solver({problem, forest, conduct}, at, stop).run();
 }
 
-Nanoseconds latest_effect(const Forest& forest, const Times& times, int node, int step) {
+Nanoseconds latest_effect(const Forest& forest, const std::vector<NodeTimes>& nodes, int node, int step) {
   const std::size_t place = place_of(forest.segment_of(forest.nodes[static_cast<std::size_t>(node)]), step);
-  const auto& effects = times.nodes[static_cast<std::size_t>(node)].effects;
+  const auto& effects = nodes[static_cast<std::size_t>(node)].effects;
   return place < effects.size() && effects[place] != NodeTimes::unknown ? effects[place] : never;
 }
 

@@ -18,6 +18,7 @@ struct NodeTimes {
   Nanoseconds finish = 0;    // of the whole segment
   std::vector<Nanoseconds>
       effects;  // latest effect of each of the segment's steps that anything depends on, else `unknown`
+  std::vector<Nanoseconds> worked;    // the same, but for a send's wait for its slot
   std::vector<Nanoseconds> arrivals;  // latest arrival at each of the segment's waits
   static constexpr Nanoseconds unknown = -1;
 };
@@ -31,6 +32,7 @@ struct Due {
     arrival,  // `node` arrives at the wait or CONCURRENT `step`
     blocks,   // the blocks that `node` has started at `step` are over
     message,  // `node` has sent by `step`
+    put,      // `node` has come to where `step` puts, or waits for its slot
   };
   Nanoseconds at = 0;  // `never`: no bound
   By by = By::source;
@@ -43,6 +45,9 @@ class Demand;
 
 struct Times {
   std::vector<NodeTimes> nodes;
+  /// The same counted from the event itself, which may come after its nominal instant; of what no event
+  /// brings about they are those of `nodes`.
+  std::vector<NodeTimes> since_event;
   /// By thread, why nothing bounds when it goes on; empty if something does.
   std::vector<std::string> trouble;
   std::vector<bool> blocked;  // by thread: it may have to wait in a send
@@ -63,7 +68,7 @@ Times times_of(const Problem& problem, const Forest& forest, const Conduct& cond
 std::size_t place_of(const Segment& segment, int step);
 
 /// Latest effect of `step` in a node; `never` if there is no bound, or it is not one of its steps.
-Nanoseconds latest_effect(const Forest& forest, const Times& times, int node, int step);
+Nanoseconds latest_effect(const Forest& forest, const std::vector<NodeTimes>& nodes, int node, int step);
 /// And its earliest.
 Nanoseconds earliest_effect(const Forest& forest, const Times& times, int node, int step);
 

@@ -9,6 +9,8 @@
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/simulate.hpp"
 #include "tests/support/chain_system.hpp"
+#include "tests/support/condition_chain.hpp"
+#include "tests/support/held_skill.hpp"
 #include "tests/support/holistic.hpp"
 #include "tests/support/mutant.hpp"
 #include "tests/support/random_skill.hpp"
@@ -229,6 +231,42 @@ TEST_CASE("simulated, exact and compositional come in this order for chains by c
     compare(problem, seed, everything ? 150 : 400, tally);
   }
   say(tally);
+}
+
+TEST_CASE("simulated, exact and compositional come in this order for chains by conditions") {
+  Tally tally;
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 400);
+  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
+    const std::string text = test::ConditionChain(seed).text();
+    const auto skill = test::sound_skill(text);
+    INFO("seed " << seed << "\n" << text);
+    compare(*skill->problem, seed, 300, tally);
+  }
+  say(tally);
+  if (rounds < 400) return;
+  for (const auto& [measure, of] : tally.of) {
+    INFO(measure);
+    CHECK(of.simulated >= 250);
+  }
+}
+
+TEST_CASE("simulated, exact and compositional come in this order where sends wait for their slots") {
+  Tally tally;
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 400);
+  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
+    const std::string text = test::HeldSkill(seed).text();
+    const auto skill = test::sound_skill(text);
+    INFO("seed " << seed << "\n" << text);
+    compare(*skill->problem, seed, 1'000, tally);
+  }
+  say(tally);
+  if (rounds < 400) return;
+  for (const auto& [measure, of] : tally.of) {
+    INFO(measure);
+    CHECK(of.simulated + of.exact >= 150);
+  }
 }
 
 TEST_CASE("simulated, exact and compositional come in this order for skills with mistakes in them") {

@@ -106,7 +106,8 @@ inline ChainSystem small_chains(std::uint64_t seed) {
   for (int chains = 1 + below(3); chains > 0; --chains) {
     ChainSystem::Chain chain;
     chain.period = (4 + below(12)) * millisecond;
-    chain.jitter = below(3) == 0 ? millisecond : 0;
+    const auto late = 1 + static_cast<analyzer::Nanoseconds>(seed % 3);
+    chain.jitter = below(3) == 0 ? late * millisecond : 0;
     for (int stages = 1 + below(3); stages > 0; --stages) {
       const analyzer::Nanoseconds best = below(3) * millisecond;
       chain.stages.push_back({below(processors), 1 + below(3), best, best + below(2) * millisecond});
