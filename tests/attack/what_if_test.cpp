@@ -148,9 +148,10 @@ TEST_CASE("with a slack no run breaks anything, and with a nanosecond more some 
 
 TEST_CASE("what meets everything in some places no run breaks there, and what is refuted some run breaks") {
   const std::uint64_t first = setting("PAL_SEED", 1);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 100);
   std::size_t meet = 0;
   std::size_t refuted = 0;
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 100); ++seed) {
+  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
     const Tight skill(seed);
     const auto problem = skill.problem(skill.environment);
     if (skill.network.requirements.empty() || !problem || problem->threads.size() > 4) continue;
@@ -176,5 +177,5 @@ TEST_CASE("what meets everything in some places no run breaks there, and what is
   std::cout << meet << " placements that meet everything, " << refuted
             << " that are refuted, compared with all runs\n";
   CHECK(meet > 0);
-  CHECK(refuted > 0);
+  if (rounds >= 100) CHECK(refuted > 0);  // one skill in ten or so has one
 }
