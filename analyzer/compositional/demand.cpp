@@ -46,8 +46,7 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes)
                      nodes[i].earliest,
                      0,
                      {},
-                     {},
-                     ground.forest.thread_of(n)});
+                     {}});
   }
   for (std::size_t n = 0; n < nodes.size(); ++n) precede(ground, static_cast<int>(n), transactions);
   for (Transaction& transaction : transactions) windows_.add(std::move(transaction));
