@@ -28,8 +28,10 @@ Nanoseconds first_cap(const Problem& problem, Nanoseconds limit) {
       sum += frames->period.count() + frames->collecting.count();
     }
   }
+  const Nanoseconds latency = std::max(problem.within_processor.worst, problem.between_processors.worst);
   for (const Step& step : problem.steps) {
-    sum = std::min(sum + step.cost.worst + step.within.value_or(0), most_cap);
+    const Nanoseconds way = step.kind == Step::Kind::send ? latency : 0;
+    sum = std::min(sum + step.cost.worst + step.within.value_or(0) + way, most_cap);
   }
   return std::min(4 * sum, most_cap);
 }
@@ -92,7 +94,8 @@ class Analyzer {
       const bool beyond = !bounded && (graph.over_cap() || graph.never_answered());
       // A greater cap may find a bound; of what fails already it is asked only where there is likely to be
       // one.
-      const bool broken = breaks(requirement, graph.peak().value) || graph.growing();
+      const bool measured = graph.peak().value >= 0;
+      const bool broken = (measured && breaks(requirement, graph.peak().value)) || graph.growing();
       const bool decided =
           graph.failure() || graph.stuck() >= 0 || (broken && watch.kind != Watch::Kind::age);
       if (complete && beyond && !decided && attempt < 2) continue;

@@ -5,6 +5,9 @@ namespace {
 
 using trace::Kind;
 
+/// So many pieces of a long story are told from its beginning, and as many up to its end.
+constexpr std::ptrdiff_t told_at_each_end = 20;
+
 std::string place(const Reason& reason) {
   return reason.line == 0 ? "" : " (line " + std::to_string(reason.line) + ")";
 }
@@ -12,7 +15,7 @@ std::string place(const Reason& reason) {
 std::string list(const std::vector<Reason>& reasons) {
   std::string text;
   Nanoseconds sum = 0;
-  for (const Reason& reason : reasons) {
+  for (const Reason& reason : abridged(reasons)) {
     if (!text.empty()) text += "; + ";
     text += milliseconds(reason.to - reason.from) + ": " + (reason.actor.empty() ? "" : reason.actor + " ") +
             reason.what + place(reason);
@@ -29,6 +32,21 @@ std::string statement_at(const Problem& problem, const Measurement& measured) {
 }
 
 }  // namespace
+
+std::vector<Reason> abridged(const std::vector<Reason>& reasons) {
+  const auto size = static_cast<std::ptrdiff_t>(reasons.size());
+  if (size <= 2 * told_at_each_end + 1) return reasons;
+  const auto first = reasons.begin() + told_at_each_end;
+  const auto last = reasons.end() - told_at_each_end;
+  std::vector<Reason> told(reasons.begin(), first);
+  Reason& between = told.emplace_back();
+  between.from = first->from;
+  for (auto each = first; each != last; ++each) between.to += each->to - each->from;
+  between.to += between.from;
+  between.what = std::to_string(last - first) + " more, one after the other";
+  told.insert(told.end(), last, reasons.end());
+  return told;
+}
 
 std::string milliseconds(Nanoseconds time) {
   std::string text = std::to_string(time / 1'000'000);

@@ -130,7 +130,7 @@ bool Grid::start(const ZoneGraph& graph, const Recurrence& recurrence, const Lim
     points(place, entry.zone, variables, left, c, limits.classes);
     if (nodes_.size() > limits.classes) return false;
   }
-  return true;
+  return !nodes_.empty();
 }
 
 /// All multiples of the unit in the zone, its bounds moved out to the next multiple.

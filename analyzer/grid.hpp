@@ -38,7 +38,8 @@ class Grid {
   /// Follows `slice` only; whatever else `machine` has stands still.
   Grid(const Machine& machine, const Slice& slice);
 
-  /// From every point of the classes at which the recurrence is entered.
+  /// From every point of the classes at which the recurrence is entered. False: a limit was met, or there is
+  /// none from which what goes on can be followed.
   bool start(const ZoneGraph& graph, const Recurrence& recurrence, const Limits& limits);
   /// False: a limit was met.
   bool explore(const Limits& limits);

@@ -103,10 +103,14 @@ std::vector<Recurrence> recurrences(const ZoneGraph& graph) {
     }
   }
   for (std::size_t c = 0; c < graph.classes().size(); ++c) {
+    if (graph.classes()[c].parent >= 0) continue;
+    entered[static_cast<std::size_t>(graph.current(static_cast<int>(c)))] = true;
+  }
+  for (std::size_t c = 0; c < graph.classes().size(); ++c) {
     if (graph.classes()[c].replaced_by >= 0) continue;
     Recurrence& of = all[static_cast<std::size_t>(components.of(static_cast<int>(c)))];
     of.classes.push_back(static_cast<int>(c));
-    if (entered[c] || graph.classes()[c].parent < 0) of.entries.push_back(static_cast<int>(c));
+    if (entered[c]) of.entries.push_back(static_cast<int>(c));
   }
   std::vector<Recurrence> found;
   for (std::size_t r = 0; r < all.size(); ++r) {

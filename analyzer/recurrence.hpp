@@ -11,7 +11,7 @@ namespace pal::analyzer {
 /// A strongly connected part of a zone graph, with at least one edge.
 struct Recurrence {
   std::vector<int> classes;
-  std::vector<int> entries;  // classes that are reached from outside
+  std::vector<int> entries;  // classes that are reached from outside, or that the skill begins in
   std::vector<int> fired;    // timers that fire inside
   std::vector<int> edges;    // of the graph, inside
 };

@@ -92,6 +92,8 @@ class ZoneGraph {
   const std::vector<Place>& places() const { return places_; }
   /// Only if they were to be kept. Their ends are classes that were not replaced.
   const std::vector<Edge>& edges() const { return edges_; }
+  /// The class that includes this one now; itself, if it was not replaced.
+  int current(int index) const;
   const Findings& findings() const { return findings_; }
   const Peak& peak() const { return findings_.peak; }
   bool over_cap() const { return findings_.over_cap; }
@@ -143,7 +145,6 @@ class ZoneGraph {
   void compare(const Landing& landing);
   void enter();
   const ZoneClass& zone_class(int id) const;
-  int current(int index) const;
 
   const Machine& machine_;
   Nanoseconds cap_;

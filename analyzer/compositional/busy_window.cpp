@@ -127,8 +127,6 @@ Nanoseconds BusyWindows::of_siblings(int transaction, int task, Shares* shares) 
   Nanoseconds work = 0;
   for (std::size_t t = 0; t < of.tasks.size(); ++t) {
     const Task& other = of.tasks[t];
-    // Of its own thread the others are over, or come later.
-    if (self.thread >= 0 && other.thread == self.thread) continue;
     if (!counts(&self, transaction, static_cast<int>(t))) continue;
     if (static_cast<int>(t) == task || other.processor != self.processor || other.priority < self.priority)
       continue;

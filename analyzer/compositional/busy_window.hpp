@@ -34,7 +34,6 @@ struct Task {
   std::vector<int> followers;
   /// Transactions and tasks whose work does not count in its windows; ascending.
   std::vector<std::pair<int, int>> without;
-  int thread = -1;  // tasks of one thread are done one after the other, each when the one before is; -1: none
 };
 
 /// Occurrences are at least `period` apart; `never`: there is one.

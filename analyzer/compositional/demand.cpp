@@ -14,6 +14,13 @@ std::vector<bool> preemptive(const Problem& problem) {
   return all;
 }
 
+/// Whether `other` comes of what `node` does.
+bool brings_about(const Ground& ground, int node, int other) {
+  int at = ground.node(other).cause;
+  while (at >= 0 && at != node) at = ground.node(at).cause;
+  return at == node;
+}
+
 }  // namespace
 
 Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes)
@@ -39,8 +46,7 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes)
                      nodes[i].earliest,
                      0,
                      {},
-                     {},
-                     ground.forest.thread_of(n)});
+                     {}});
   }
   for (std::size_t n = 0; n < nodes.size(); ++n) precede(ground, static_cast<int>(n), transactions);
   for (Transaction& transaction : transactions) windows_.add(std::move(transaction));
@@ -70,15 +76,25 @@ void Demand::precede(const Ground& ground, int node, std::vector<Transaction>& t
 /// released, if nothing that counts has its priority or a lower one (down to the node's): while it had the
 /// processor nothing that counts was waiting, so a window that begins when it ends has all that can delay the
 /// node.
+///
+/// A thread's own segments are one after the other. Those of the node's round are over when it is released.
+/// Another round may still be at work then, also in what occurs once: its thread was sent something else
+/// before, or serves a request that was withdrawn.
 void Demand::exclude(int node, bool home_again) {
   const Thread& mine = ground_.thread_of(node);
   const auto n = static_cast<std::size_t>(node);
   const int thread = ground_.forest.thread_of(node);
+  const auto once_with = [&](int other) {
+    return ground_.source(node).period == never && ground_.forest.thread_of(other) == thread &&
+           ground_.node(other).source == ground_.node(node).source;
+  };
   const auto comes_later = [&](int other) {
-    return std::binary_search(order_.later[n].begin(), order_.later[n].end(), other);
+    return (once_with(other) && brings_about(ground_, node, other)) ||
+           std::binary_search(order_.later[n].begin(), order_.later[n].end(), other);
   };
   const auto is_apart = [&](int other) {
     return (home_again && ground_.forest.thread_of(other) == thread) ||
+           (once_with(other) && ground_.round_of(other) == ground_.round_of(node)) ||
            std::binary_search(order_.apart[n].begin(), order_.apart[n].end(), other);
   };
   const auto& here = nodes_on_[static_cast<std::size_t>(mine.processor)];

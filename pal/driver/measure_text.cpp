@@ -99,4 +99,23 @@ std::string figure_text(Measure measure, Duration value) {
          (hundredths % 100 == 0 ? "" : (fraction.size() < 2 ? ".0" : ".") + fraction) + " %";
 }
 
+std::optional<Duration> worth_telling(const analyzer::Verdict& verdict) {
+  const auto shown = attained(verdict);
+  return shown && (verdict.at_least || shown->count() > 0) ? shown : std::nullopt;
+}
+
+std::string bound_text(const analyzer::Verdict& verdict) {
+  using State = analyzer::VerdictState;
+  if (verdict.state == State::never) return "never";
+  if (!verdict.bound) {
+    const auto shown = worth_telling(verdict);
+    if (shown) return (verdict.at_least ? "<= " : ">= ") + figure_text(verdict.measure, *shown);
+    return verdict.state == State::undecided ? "no bound" : "unbounded";
+  }
+  return (verdict.exact      ? ""
+          : verdict.at_least ? ">= "
+                             : "<= ") +
+         figure_text(verdict.measure, *verdict.bound);
+}
+
 }  // namespace pal::driver

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "analyzer/problem.hpp"
+#include "analyzer/verdict.hpp"
 #include "pal/support/time.hpp"
 
 namespace pal::driver {
@@ -19,5 +21,13 @@ std::string short_measure_text(const analyzer::Problem& problem, std::size_t req
 /// A length of time, of a load its percentage, of a loss its number: "7.35 ms", "41.2 %", "none". A bound's
 /// percentage is rounded up.
 std::string figure_text(analyzer::Requirement::Measure measure, Duration value);
+
+/// The bound of a verdict, or what is known in place of one: "7.35 ms", "<= 9 ms" (a bound that no run is
+/// known to attain; of a least value ">="), ">= 5 ms" (no bound, and a run that attains this), "no bound",
+/// "unbounded", "never".
+std::string bound_text(const analyzer::Verdict& verdict);
+
+/// What a run attains where there is no bound; nothing of a run that attains nothing: any run does.
+std::optional<Duration> worth_telling(const analyzer::Verdict& verdict);
 
 }  // namespace pal::driver

@@ -28,19 +28,6 @@ std::string margin_text(const analyzer::Verdict& verdict) {
                                                                                  : " too much");
 }
 
-std::string bound_text(const analyzer::Verdict& verdict) {
-  if (verdict.state == State::never) return "never";
-  if (!verdict.bound) {
-    const auto least = attained(verdict);
-    if (least) return (verdict.at_least ? "<= " : ">= ") + figure_text(verdict.measure, *least);
-    return verdict.state == State::undecided ? "no bound" : "unbounded";
-  }
-  return (verdict.exact      ? ""
-          : verdict.at_least ? ">= "
-                             : "<= ") +
-         figure_text(verdict.measure, *verdict.bound);
-}
-
 /// Nothing for the exact analysis, which is the usual one.
 std::string method_text(const analyzer::Verdict& verdict) {
   return verdict.method == analyzer::Method::exact ? "" : "  (compositional)";

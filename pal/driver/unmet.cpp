@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <string>
 
+#include "analyzer/explain.hpp"
+#include "pal/driver/measure_text.hpp"
 #include "pal/driver/proof.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/duration_text.hpp"
@@ -21,8 +23,8 @@ SourceSpan place_of(const analyzer::Problem& problem, const analyzer::Reason& re
 
 std::string figure_of(const analyzer::Verdict& verdict) {
   if (!verdict.bound) {
-    const auto least = attained(verdict);
-    if (least) return (verdict.at_least ? "at most " : "at least ") + figure_text(verdict.measure, *least);
+    const auto shown = worth_telling(verdict);
+    if (shown) return (verdict.at_least ? "at most " : "at least ") + figure_text(verdict.measure, *shown);
     return verdict.state == State::undecided ? "without a bound that was found" : "without bound";
   }
   const auto shown = attained(verdict);
@@ -108,9 +110,10 @@ void report(const Proof& proof, std::size_t index, Session& session) {
   if (!fails && shown && !verdict.reasons.empty())
     finding.notes.push_back(
         {verdict.where, "the worst run that was found has " + figure_text(verdict.measure, *shown)});
-  for (const analyzer::Reason& reason : verdict.reasons) {
-    finding.notes.push_back({place_of(proof.problem, reason), to_text(Duration(reason.to - reason.from)) +
-                                                                  ": " + reason.actor + " " + reason.what});
+  for (const analyzer::Reason& reason : analyzer::abridged(verdict.reasons)) {
+    const std::string who = reason.actor.empty() ? "" : reason.actor + " ";
+    finding.notes.push_back(
+        {place_of(proof.problem, reason), to_text(Duration(reason.to - reason.from)) + ": " + who + reason.what});
   }
 }
 

@@ -57,14 +57,6 @@ std::string slack_table(const WhatIfAnswer& answer) {
   return out;
 }
 
-std::string bound_text(const analyzer::Verdict& verdict) {
-  if (!verdict.bound) {
-    const auto least = attained(verdict);
-    return least ? ">= " + figure_text(verdict.measure, *least) : "no bound";
-  }
-  return (verdict.exact ? "" : "<= ") + figure_text(verdict.measure, *verdict.bound);
-}
-
 std::string change_table(const WhatIfAnswer& answer) {
   if (answer.before_and_after.size() != 2) return "";
   std::size_t width = 11;

@@ -36,6 +36,40 @@ TEST_CASE("the load of a sporadic worker is at most its work in its least separa
   CHECK(verdict.bound->count() == 416'666'667);  // 5 ms in 12 ms, rounded up
 }
 
+TEST_CASE("a load counts from the beginning on if the skill comes back to it") {
+  // Each event may come when the work of the one before ends: always busy. What the skill comes back to
+  // includes where it began, as the other block may be anywhere in its nap then.
+  const auto skill = test::sound_skill(small_skill("REQUIREMENT load : LOAD OF P1 AT MOST 99 %", R"(
+Skill Module: SM1
+  ACTIVITY work
+  ACTIVITY nap
+BEGIN
+  WTM( Coordinator )
+  CONCURRENT
+  BEGIN
+    REPEAT
+      WTM( tick from MC1 )
+      work
+    UNTIL( forever )
+  END
+  BEGIN
+    REPEAT
+      nap
+    UNTIL( forever )
+  END
+  END CONCURRENT
+END
+)",
+                                                   "PROCESSOR P0\nPROCESSOR P1\nDEVICE MC1 EVENT tick "
+                                                   "SPORADIC 5 ms\nTIME work : 5 ms\nTIME nap : 29 ms\n"
+                                                   "PLACE SM1 ON P1 PRIORITY 1\nPLACE SM1.2 ON P0 PRIORITY "
+                                                   "1\n"));
+  const Verdict verdict = analyze(*skill->problem).verdicts.front();
+  CHECK(verdict.state != Verdict::State::holds);
+  REQUIRE(verdict.bound);
+  CHECK(verdict.bound->count() == 1'000'000'000);
+}
+
 TEST_CASE("a skill that always ends has no load") {
   const auto skill =
       test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 0 %", R"(
