@@ -112,10 +112,12 @@ bool Independence::concerns_all(const State& state, std::size_t thread,
   for (const auto& move : moves) {
     if (move.ended || move.cancels) return true;
   }
-  if (!moves_.finishing(state, thread)) return false;
-  // It withdraws what it asked for when it stops.
-  for (std::size_t c = 0; c < automata_.request_of.size(); ++c) {
-    if (moves_.open(state, pan::ChannelId(c), thread) > 0) return true;
+  // When it stops it withdraws what it asked for, and so do those above that stop with it.
+  for (std::size_t t = 0; t < automata_.threads.size(); ++t) {
+    if ((t != thread && !above_[thread].test(t)) || !moves_.finishing(state, t)) continue;
+    for (std::size_t c = 0; c < automata_.request_of.size(); ++c) {
+      if (moves_.open(state, pan::ChannelId(c), t) > 0) return true;
+    }
   }
   return false;
 }
