@@ -146,7 +146,7 @@ class Mutant {
     return names.empty() ? "forever" : names[chance(names.size())];
   }
 
-  /// One line of the environment says something else, or there is one more.
+  /// One line of the environment says something else, or there is one more. Times are whole milliseconds.
   void behave_otherwise(Lines& lines) {
     std::vector<std::size_t> places;
     bool inside = false;
@@ -159,10 +159,10 @@ class Mutant {
     static const Lines more = {"COST SEND 1 ms",
                                "COST RECEIVE 0 TO 1 ms",
                                "COST TEST 1 ms",
-                               "COST SET 0.5 ms",
+                               "COST SET 1 ms",
                                "LATENCY BETWEEN PROCESSORS 2 ms",
                                "LATENCY WITHIN PROCESSOR 1 ms",
-                               "COST READ 0.25 ms",
+                               "COST READ 0 TO 1 ms",
                                "LATENCY BETWEEN PROCESSORS 0 TO 3 ms"};
     if (chance(8) == 0) {
       lines.insert(at(lines, places.front()), more[chance(more.size())]);
