@@ -27,7 +27,8 @@ class Dice final : public Choices {
   std::vector<std::uint8_t> picks_;
 };
 
-/// A sporadic event may wait for ever; here for up to 17 s longer than it must, all orders of magnitude alike.
+/// A sporadic event may wait for ever; here for up to 17 s longer than it must, all orders of magnitude
+/// alike.
 Nanoseconds sporadic(const Range& range, SimulationOptions::Times times, Dice& dice) {
   if (times == SimulationOptions::Times::best) return range.best;
   return range.best + static_cast<Nanoseconds>(dice.below(std::uint64_t{1} << dice.below(35)));

@@ -23,8 +23,8 @@ class Workers {
   Workers& operator=(const Workers&) = delete;
 
   /// Calls part(0) … part(count - 1), in any order and at the same time, and returns when all have returned.
-  /// Throws what one of them threw. `grain`: so many neighbours are given out at once. Whoever has no processor
-  /// is not waited for, unless it has begun some of them.
+  /// Throws what one of them threw. `grain`: so many neighbours are given out at once. Whoever has no
+  /// processor is not waited for, unless it has begun some of them.
   void each(std::size_t count, std::size_t grain, const std::function<void(std::size_t)>& part);
 
  private:

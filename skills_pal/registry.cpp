@@ -8,9 +8,9 @@ namespace pal::skills {
 
 namespace {
 
-constexpr std::array skills{
-    RegisteredSkill{"touch", touch_skill, "touch/touch.pal", "workcell.pal"},
-    RegisteredSkill{"touch-read-first", touch_read_first_skill, "touch/touch_read_first.pal", "workcell.pal"}};
+constexpr std::array skills{RegisteredSkill{"touch", touch_skill, "touch/touch.pal", "workcell.pal"},
+                            RegisteredSkill{"touch-read-first", touch_read_first_skill,
+                                            "touch/touch_read_first.pal", "workcell.pal"}};
 
 }  // namespace
 

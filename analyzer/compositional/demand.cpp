@@ -40,13 +40,8 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes)
     auto& tasks = transactions[static_cast<std::size_t>(ground.node(n).source)].tasks;
     task_[i] = static_cast<int>(tasks.size());
     nodes_of_[static_cast<std::size_t>(ground.node(n).source)].push_back(n);
-    tasks.push_back({thread.processor,
-                     thread.priority,
-                     ground.segment(n).worst,
-                     nodes[i].earliest,
-                     0,
-                     {},
-                     {}});
+    tasks.push_back(
+        {thread.processor, thread.priority, ground.segment(n).worst, nodes[i].earliest, 0, {}, {}});
   }
   for (std::size_t n = 0; n < nodes.size(); ++n) precede(ground, static_cast<int>(n), transactions);
   for (Transaction& transaction : transactions) windows_.add(std::move(transaction));

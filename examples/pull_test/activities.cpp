@@ -9,10 +9,11 @@ using namespace pal::skills::pull_test;
 
 namespace {
 
-constexpr double beat = 0.010;         // s between two steps of the axis
+constexpr double beat = 0.010;  // s between two steps of the axis
 constexpr double counts_per_newton = 40;
 
-/// Where the gripper was told to be: shared by the method and its contingency, which never run at the same time.
+/// Where the gripper was told to be: shared by the method and its contingency, which never run at the same
+/// time.
 struct Way {
   double step = 0;  // mm
   double gone = 0;  // mm
@@ -42,7 +43,9 @@ class Method final : public PullerActivities {
 
 class Scale final : public TensionActivities {
  public:
-  Pull scale(const Reading& reading) override { return {static_cast<double>(reading.value) / counts_per_newton}; }
+  Pull scale(const Reading& reading) override {
+    return {static_cast<double>(reading.value) / counts_per_newton};
+  }
 };
 
 class Rest final : public AxisActivities {

@@ -83,8 +83,8 @@ bool test(const char* what, Plug plug, int expected) {
   NoWorld world;
   Device* devices[] = {&gauge, &axis};
   const Outcome outcome = Dispatcher(devices, world).run(*skill);
-  std::cout << what << ": completion " << outcome.code << ", " << outcome.reason << " (gripper at " << plug.gripper
-            << " mm)\n";
+  std::cout << what << ": completion " << outcome.code << ", " << outcome.reason << " (gripper at "
+            << plug.gripper << " mm)\n";
   return outcome.code == expected;
 }
 

@@ -56,9 +56,11 @@ std::string described(const pan::Network& network, const pan::Party& party) {
 std::string partners(Layer layer) {
   switch (layer) {
     case Layer::skill:
-      return "go by way of a neighbour: skill and contingency modules talk with logical sensors and machine controllers";
+      return "go by way of a neighbour: skill and contingency modules talk with logical sensors and machine "
+             "controllers";
     case Layer::logical_sensor:
-      return "go by way of a neighbour: logical sensors talk with sensor drivers below and skill modules above";
+      return "go by way of a neighbour: logical sensors talk with sensor drivers below and skill modules "
+             "above";
     case Layer::machine_controller:
       return "go by way of a neighbour: machine controllers talk with skill modules and with devices";
     case Layer::sensor_driver:

@@ -112,8 +112,8 @@ void report(const Proof& proof, std::size_t index, Session& session) {
         {verdict.where, "the worst run that was found has " + figure_text(verdict.measure, *shown)});
   for (const analyzer::Reason& reason : analyzer::abridged(verdict.reasons)) {
     const std::string who = reason.actor.empty() ? "" : reason.actor + " ";
-    finding.notes.push_back(
-        {place_of(proof.problem, reason), to_text(Duration(reason.to - reason.from)) + ": " + who + reason.what});
+    finding.notes.push_back({place_of(proof.problem, reason),
+                             to_text(Duration(reason.to - reason.from)) + ": " + who + reason.what});
   }
 }
 

@@ -50,8 +50,8 @@ struct DeviceTiming {
   SourceSpan where;
 };
 
-/// Where a thread runs. `thread` is a module ("SM1") or one of its blocks ("SM1.2"); a block that is not placed runs
-/// where its module does. The greater priority goes first; among equals first come, first served.
+/// Where a thread runs. `thread` is a module ("SM1") or one of its blocks ("SM1.2"); a block that is not
+/// placed runs where its module does. The greater priority goes first; among equals first come, first served.
 struct Placement {
   std::string thread;
   std::string processor;
@@ -66,8 +66,8 @@ struct ActivityTime {
   SourceSpan where;
 };
 
-/// Processor time of the statements that are not activities. A test is a CASE, an UNTIL with conditions, or a WTM
-/// that gives up.
+/// Processor time of the statements that are not activities. A test is a CASE, an UNTIL with conditions, or a
+/// WTM that gives up.
 struct Costs {
   Interval send, receive, set, read, test;
 };
@@ -77,8 +77,8 @@ struct Latency {
   Interval within_processor, between_processors;
 };
 
-/// What the environment has for skills to use (thesis, section 2.3.3: SEC = {SD, LS, RM, GS}), by name. A list that is
-/// not given says nothing; one that is given is all there is.
+/// What the environment has for skills to use (thesis, section 2.3.3: SEC = {SD, LS, RM, GS}), by name. A
+/// list that is not given says nothing; one that is given is all there is.
 struct Resources {
   using List = std::optional<std::vector<std::string>>;
   List sensor_drivers;

@@ -1,10 +1,9 @@
 // The body of one module as a graph: a Process Activity Network (thesis, figures 3.4 and 3.5).
 //
-// The graph is structured: every node that splits the flow names its mate, the node where the flow comes together
-// again, so that the program text can be recovered from it.
+// The graph is structured: every node that splits the flow names its mate, the node where the flow comes
+// together again, so that the program text can be recovered from it.
 #pragma once
 
-#include <cstddef>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -21,9 +20,9 @@ namespace pal::pan {
 struct Guard {
   enum class Kind { equals, all_of, any_of, negation };
   Kind kind = Kind::equals;
-  ConditionId condition{};    // equals
-  bool value = true;          // equals
-  std::vector<Guard> terms;   // all_of, any_of: two or more; negation: one
+  ConditionId condition{};   // equals
+  bool value = true;         // equals
+  std::vector<Guard> terms;  // all_of, any_of: two or more; negation: one
 
   friend bool operator==(const Guard&, const Guard&) = default;
 };
@@ -38,7 +37,8 @@ struct End {};
 struct WaitForStart {};
 /// WTM: takes a message from the first of `channels` that has one. With one channel and no `within`: out is
 /// the next statement and there is no mate. Otherwise out[i] is the branch of channels[i], followed by the
-/// ELSE branch if `within` is given; mate is the Merge. `within` counts from reaching the statement; 0 only looks.
+/// ELSE branch if `within` is given; mate is the Merge. `within` counts from reaching the statement; 0 only
+/// looks.
 struct Wait {
   std::vector<ChannelId> channels;
   std::optional<Duration> within;
@@ -92,8 +92,8 @@ struct Fork {
 /// END CONCURRENT. out: next; mate: Fork. The flow gets here when every block that can end has ended.
 struct Join {};
 
-using Content = std::variant<Start, End, WaitForStart, Wait, Send, Complete, Set, Read, Perform, Execute, Nothing,
-                             Choose, Merge, Loop, Until, Fork, Join>;
+using Content = std::variant<Start, End, WaitForStart, Wait, Send, Complete, Set, Read, Perform, Execute,
+                             Nothing, Choose, Merge, Loop, Until, Fork, Join>;
 
 struct Node {
   Content content;

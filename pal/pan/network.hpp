@@ -48,12 +48,13 @@ struct Channel {
   SourceSpan where;    // the first statement that uses it
 };
 
-/// A process condition: a boolean that one module sets and the skill's modules read. FALSE when the skill starts.
+/// A process condition: a boolean that one module sets and the skill's modules read. FALSE when the skill
+/// starts.
 struct Condition {
   std::string name;
   std::string description;
-  ModuleId writer{};               // invalid: never set
-  std::vector<MessageId> from;     // the messages that SPC without a value computes it from
+  ModuleId writer{};            // invalid: never set
+  std::vector<MessageId> from;  // the messages that SPC without a value computes it from
   SourceSpan where;
 };
 
@@ -69,13 +70,15 @@ struct Activity {
 struct Module {
   std::string name;
   ModuleKind kind;
-  Graph body;                      // empty: the environment describes it as a device
-  ModuleId executed_by{};          // valid: runs only by Execute, inside that module
-  std::vector<std::string> threads;  // "SM1", then its CONCURRENT blocks "SM1.1", "SM1.2", … in the order of the text
+  Graph body;              // empty: the environment describes it as a device
+  ModuleId executed_by{};  // valid: runs only by Execute, inside that module
+  std::vector<std::string>
+      threads;  // "SM1", then its CONCURRENT blocks "SM1.1", "SM1.2", … in the order of the text
   SourceSpan where;
   std::vector<std::string> descriptions;  // texts of its template
   std::vector<std::string> methods;       // of a logical sensor: how it gets what it returns
-  // Of a logical sensor: the drivers and messages that its template names, as its body has them; nothing if it does not say.
+  // Of a logical sensor: the drivers and messages that its template names, as its body has them; nothing if
+  // it does not say.
   std::optional<std::vector<std::string>> drivers;
   std::optional<std::vector<std::string>> returns;
 };
@@ -116,7 +119,8 @@ struct Contingency {
   SourceSpan where;
 };
 
-/// The generic skill template (thesis, section 2.3.2); lists that the network holds elsewhere are not repeated.
+/// The generic skill template (thesis, section 2.3.2); lists that the network holds elsewhere are not
+/// repeated.
 struct Template {
   std::string name;
   std::vector<std::string> descriptions;

@@ -12,8 +12,8 @@ namespace pal {
 
 /// How much of the findings text shows.
 struct TextLimit {
-  std::size_t most = 0;  // findings, errors before warnings; 0: all
-  FindingCounts not_kept;       // found besides, as Diagnostics::not_kept() says
+  std::size_t most = 0;    // findings, errors before warnings; 0: all
+  FindingCounts not_kept;  // found besides, as Diagnostics::not_kept() says
 };
 
 /// Writes each finding with its code, its place as file:line:column, the line it stands on with carets below

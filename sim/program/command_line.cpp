@@ -33,7 +33,8 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
   app.add_option("--time", command.times, "which times of their intervals things take")
       ->check(CLI::IsMember({"worst", "best", "random"}))
       ->capture_default_str();
-  app.add_option("--output", command.output, "a folder for the trace, the log, the figures, the charts and the picture");
+  app.add_option("--output", command.output,
+                 "a folder for the trace, the log, the figures, the charts and the picture");
   app.add_flag("!--no-picture", command.picture, "draw no picture of the arm");
   app.add_flag("!--no-proof", command.proof, "do not hold the run against what was proved of the skill");
   const auto* sweep = app.add_option("--sweep", command.sweep,

@@ -27,8 +27,8 @@ struct RunCommand {
   bool picture = true;
   bool proof = true;
   std::vector<std::string> skill_folders;  // of the skills' PAL
-  int sweep = 0;        // runs; 0: one run
-  std::string against;  // second skill of a sweep
+  int sweep = 0;                           // runs; 0: one run
+  std::string against;                     // second skill of a sweep
 };
 
 /// "workcell list": skills with their parameters and completions, scenes.

@@ -90,10 +90,11 @@ std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skil
   std::ostringstream trace, chrome;
   trace::write_json(result.outcome.trace, trace);
   trace::write_chrome(result.outcome.trace, chrome);
-  std::vector<OutputFile> files{{in_folder(folder, "trace.json"), trace.str()},
-                                {in_folder(folder, "trace.chrome.json"), chrome.str()},
-                                {in_folder(folder, "log.csv"), log_csv(result.log)},
-                                {in_folder(folder, "run.json"), json_text(run_json(skill, session, result, promises))}};
+  std::vector<OutputFile> files{
+      {in_folder(folder, "trace.json"), trace.str()},
+      {in_folder(folder, "trace.chrome.json"), chrome.str()},
+      {in_folder(folder, "log.csv"), log_csv(result.log)},
+      {in_folder(folder, "run.json"), json_text(run_json(skill, session, result, promises))}};
   for (const Promise& promise : promises)
     files.push_back({folder + "/atc." + promise.requirement + ".svg", promise.chart});
   if (result.picture.image)

@@ -13,10 +13,11 @@
 namespace pal::workcell {
 
 /// trace.json, trace.chrome.json (for Perfetto), log.csv (the tool's way and the contact force, each
-/// millisecond), run.json (what was asked and what came of it), atc.REQUIREMENT.svg for each promise and, with a picture,
-/// arm.png; all in `folder`.
-std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skill& skill, const Session& session,
-                                  const SessionResult& result, const std::vector<Promise>& promises);
+/// millisecond), run.json (what was asked and what came of it), atc.REQUIREMENT.svg for each promise and,
+/// with a picture, arm.png; all in `folder`.
+std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skill& skill,
+                                  const Session& session, const SessionResult& result,
+                                  const std::vector<Promise>& promises);
 
 /// sweep.csv, a line a run, and sweep.json, the figures over all of them.
 std::vector<OutputFile> sweep_files(const std::string& folder, const std::vector<std::string>& skills,

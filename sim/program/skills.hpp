@@ -13,7 +13,7 @@ namespace pal::workcell {
 struct KnownSkill {
   std::string name;
   std::function<std::unique_ptr<runtime::Skill>()> make;
-  std::string pal_file{};          // in the folders of skills; empty: nothing is proved of it
+  std::string pal_file{};  // in the folders of skills; empty: nothing is proved of it
   std::string environment_file{};
 };
 

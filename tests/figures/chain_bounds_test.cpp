@@ -533,8 +533,8 @@ TEST_CASE("a thread that answers first and works then is at work when it is sent
 }
 
 TEST_CASE("a server goes on with a request that was withdrawn") {
-  // The client gives up at 2, asks again at 3 after its test, and is served from 4 to 8. The bound counts both
-  // ways on which it may ask for the second time.
+  // The client gives up at 2, asks again at 3 after its test, and is served from 4 to 8. The bound counts
+  // both ways on which it may ask for the second time.
   compare(once(R"(
     WTM( request motion from SM1 )
     work

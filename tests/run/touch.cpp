@@ -4,8 +4,8 @@
 
 #include "runtime/dispatcher.hpp"
 #include "skills_pal/registry.hpp"
-#include "tests/run/support/bench.hpp"
 #include "tests/run/support/allocation_count.hpp"
+#include "tests/run/support/bench.hpp"
 #include "tests/run/support/touch_cell.hpp"
 
 using namespace pal;

@@ -14,13 +14,23 @@ void* operator new(std::size_t size) {
   if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
 
 namespace pal::test {
 
-void count_allocations(bool on) { counting = on; }
-std::size_t counted_allocations() { return allocations; }
-void reset_allocations() { allocations = 0; }
+void count_allocations(bool on) {
+  counting = on;
+}
+std::size_t counted_allocations() {
+  return allocations;
+}
+void reset_allocations() {
+  allocations = 0;
+}
 
 }  // namespace pal::test
