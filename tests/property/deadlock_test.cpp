@@ -197,6 +197,55 @@ TEST_CASE("a request is taken and answered in two orders") {
   CHECK(seen.total == seen.compared);
 }
 
+// LS1 answers every first of two requests. The blocks may ask and be answered while the other one works; then
+// the next request is not answered.
+TEST_CASE("what a block works before it cancels others gives them time") {
+  for (const std::string work : {"look", "SPC( unread )"}) {
+    const auto skill = skill_of(R"(CONDITION unread
+MESSAGE value : SIGNAL
+SKILL s
+  LOGICAL SENSOR LS1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+END SKILL
+Logical Sensor: LS1
+BEGIN
+  REPEAT
+    WTM( request value from SM1 )
+    TXM( value to SM1 )
+    WTM( request value from SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY look
+BEGIN
+  WTM( Coordinator )
+  CONCURRENT
+  BEGIN
+    REPEAT
+      TXM( request value from LS1 )
+      WTM( value from LS1 )
+    UNTIL( forever )
+  END
+  BEGIN
+)" + work + R"(
+  END
+  END CONCURRENT
+  TXM( request value from LS1 )
+  WTM( value from LS1 )
+  TXM( Completion Protocol 0 )
+END
+)");
+    INFO(work);
+    REQUIRE(skill);
+    Seen seen;
+    compare(*skill, seen);
+    CHECK(seen.compared == 2);
+    CHECK(seen.total == 2);
+  }
+}
+
 // The sensor answers in some runs and in others never, whereas the robot goes on in all of them.
 TEST_CASE("a wait whose end depends on a value is found by a search without values") {
   const std::string text = R"(CONDITION gate

@@ -98,11 +98,11 @@ void Talk::settle(State state, int thread, std::vector<State>& result) const {
       continue;
     }
     if (std::holds_alternative<pan::Fork>(n.content)) return fork(std::move(state), thread, result);
-    const bool silent =
-        std::holds_alternative<pan::Start>(n.content) ||
-        std::holds_alternative<pan::WaitForStart>(n.content) ||
-        std::holds_alternative<pan::Perform>(n.content) || std::holds_alternative<pan::Nothing>(n.content) ||
-        std::holds_alternative<pan::Merge>(n.content) || std::holds_alternative<pan::Loop>(n.content);
+    const bool silent = std::holds_alternative<pan::Start>(n.content) ||
+                        std::holds_alternative<pan::WaitForStart>(n.content) ||
+                        std::holds_alternative<pan::Nothing>(n.content) ||
+                        std::holds_alternative<pan::Merge>(n.content) ||
+                        std::holds_alternative<pan::Loop>(n.content);
     if (!silent) break;
     here.at.back().node = n.out.front().index();
   }

@@ -188,6 +188,8 @@ std::vector<Step> Talk::steps(const State& state, int thread) const {
     step.to.threads[at(thread)].latched.clear();
     const bool out = holds(state, thread, *until->guard);
     done(std::move(step), out ? n.out.front().index() : n.mate.index(), result);
+  } else if (std::holds_alternative<pan::Perform>(n.content)) {
+    done(fresh(), n.out.front().index(), result);
   } else if (!std::holds_alternative<pan::End>(n.content) && !std::holds_alternative<pan::Join>(n.content)) {
     result.push_back(fresh());  // goes round for ever
   }

@@ -140,14 +140,31 @@ class Compiler {
   /// The first step from `id` on that is one.
   std::size_t step_at(Body& body, pan::NodeId id) {
     const auto& nodes = network_.modules[body.module.index()].body.nodes;
+    std::optional<pan::NodeId> work;  // the last that takes time
     for (std::size_t passed = 0; passed <= 2 * nodes.size(); ++passed) {
       const auto& here = node(body, id);
-      if (std::holds_alternative<pan::End>(here.content)) return body.after();
-      if (!passed_over(here.content)) return made(body, id);
+      if (std::holds_alternative<pan::End>(here.content))
+        return work ? worked(body, *work, body.after()) : body.after();
+      if (!passed_over(here.content)) {
+        const bool may_end = std::holds_alternative<pan::Fork>(here.content) ||
+                             std::holds_alternative<pan::Execute>(here.content);
+        return work && may_end ? worked(body, *work, made(body, id)) : made(body, id);
+      }
+      if (std::holds_alternative<pan::Perform>(here.content)) work = id;
       const bool forever = std::holds_alternative<pan::Until>(here.content);
       id = forever ? here.mate : here.out.front();
     }
     return new_step(Step::Kind::spin, body.module, id, body.thread);
+  }
+
+  /// Work of a block before `next`, where the block may end.
+  std::size_t worked(Body& body, pan::NodeId id, std::size_t next) {
+    if (!result_.threads[body.thread].parent) return next;
+    const auto [found, fresh] = body.done.emplace(id, result_.steps.size());
+    if (!fresh) return found->second;
+    const auto index = new_step(Step::Kind::work, body.module, id, body.thread);
+    result_.steps[index].next = {next};
+    return index;
   }
 
   std::size_t made(Body& body, pan::NodeId id) {
@@ -260,6 +277,16 @@ class Compiler {
 
 Automata automata(const pan::Network& network, const pan::Flow& flow) {
   return Compiler(network, flow).compile();
+}
+
+bool end_may_cancel(const Automata& automata, std::size_t thread) {
+  for (auto at = thread; automata.threads[at].parent;) {
+    at = *automata.threads[at].parent;
+    for (const auto block : automata.threads[at].children) {
+      if (!automata.threads[block].can_end) return true;
+    }
+  }
+  return false;
 }
 
 Automata without_conditions(Automata automata) {

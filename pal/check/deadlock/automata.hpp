@@ -1,6 +1,7 @@
 // The modules of a skill as automata that talk: what is left of their bodies when only messages and
-// conditions count. Activities, Do Nothing and everything that only joins flow are passed over; a module that
-// is executed stands once for each place that executes it, its blocks once for each thread that does.
+// conditions count. Activities, Do Nothing and everything that only joins flow are passed over, unless a
+// block then ends and may cancel others, which go on for so long; a module that is executed stands once for
+// each place that executes it, its blocks once for each thread that does.
 #pragma once
 
 #include <cstddef>
@@ -28,6 +29,7 @@ struct Step {
     fork,      // next[i]: first step of block i, then the join; passed likewise
     join,      // next[0]: when the blocks have ended or stopped; none: they never do
     end,       // of a block, or of a module
+    work,      // says nothing and takes time, before the end of a block that may cancel others; next[0]
     spin,      // goes round for ever and says nothing
   };
   Kind kind = Kind::end;
@@ -72,6 +74,10 @@ struct Automata {
   /// Conditions whose values are not followed: a test may find either. They have no bit.
   std::vector<bool> unknown;  // by condition
 };
+
+/// Whether others may be cancelled at the instant at which the thread, a block, ends: its siblings, or those
+/// of a block that ends with it.
+bool end_may_cancel(const Automata& automata, std::size_t thread);
 
 /// Automata with more steps are too large to explore, and not whole.
 constexpr std::size_t most_steps = 0x7ff0;

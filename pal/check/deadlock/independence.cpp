@@ -142,7 +142,8 @@ bool Independence::undone_by_cancelling(const State& state, std::size_t thread,
       const auto& request = automata_.request_of[channel.index()];
       if (!request || automata_.from_device[channel.index()] || !moves_.answers(state, channel, thread))
         return false;
-    } else if (move.deed.kind != Deed::Kind::latches && move.deed.kind != Deed::Kind::finds) {
+    } else if (move.deed.kind != Deed::Kind::latches && move.deed.kind != Deed::Kind::finds &&
+               move.deed.kind != Deed::Kind::works) {
       return false;
     }
   }

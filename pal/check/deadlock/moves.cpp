@@ -145,6 +145,12 @@ void Moves::steps_of(const State& state, std::size_t thread, std::vector<Move>& 
       result.push_back(std::move(move));
       return;
     }
+    case Step::Kind::work:
+      return go({{Deed::Kind::works, thread, static_cast<std::size_t>(&step - automata_.steps.data())},
+                 state,
+                 false,
+                 false},
+                step.next.front(), result);
     case Step::Kind::spin:
     case Step::Kind::enter:
     case Step::Kind::fork:

@@ -32,6 +32,7 @@ struct Deed {
     faults,
     completes,
     stops,
+    works,
     spins
   };
   Kind kind = Kind::spins;

@@ -36,8 +36,14 @@ class Simplifier {
       changed = false;
       for (std::size_t i = 0; i < automata_.steps.size(); ++i) {
         if (passed_[i] || !makes_no_difference(i)) continue;
-        passed_[i] = true;
         changed = true;
+        if (delays_an_end(i)) {
+          automata_.steps[i].kind = Step::Kind::work;
+          automata_.steps[i].guards.clear();
+          automata_.steps[i].next.resize(1);
+        } else {
+          passed_[i] = true;
+        }
       }
       if (changed) bypass();
     }
@@ -75,7 +81,7 @@ class Simplifier {
     for (const auto condition : found) read_[condition.index()] = true;
   }
 
-  bool makes_no_difference(std::size_t index) const {
+  bool makes_no_difference(std::size_t index) {
     const auto& step = automata_.steps[index];
     switch (step.kind) {
       case Step::Kind::set:
@@ -85,9 +91,19 @@ class Simplifier {
         return never_faults_[index] && !pending_[index] &&
                std::all_of(step.next.begin(), step.next.end(),
                            [&](auto next) { return next == step.next.front(); });
+      case Step::Kind::work:
+        return !delays_an_end(index);
       default:
         return false;
     }
+  }
+
+  /// After it a block may end at once, and cancel others.
+  bool delays_an_end(std::size_t index) {
+    const auto& step = automata_.steps[index];
+    if (!end_may_cancel(automata_, step.thread)) return false;
+    const auto kind = automata_.steps[target(step.next.front())].kind;
+    return kind == Step::Kind::end || kind == Step::Kind::fork || kind == Step::Kind::enter;
   }
 
   /// The first step from here that is not passed over; going round for ever without one is a step of its own.

@@ -58,6 +58,8 @@ class Teller {
         return "completes the skill";
       case Deed::Kind::stops:
         return "stops: it is cancelled";
+      case Deed::Kind::works:
+        return "goes on";
       case Deed::Kind::spins:
         return "goes round";
     }
@@ -108,7 +110,7 @@ Story story_of(const std::vector<Deed>& run, const Teller& teller, const Automat
     story.modules.push_back(thread.module);
   }
   for (const auto& deed : run) {
-    if (deed.kind == Deed::Kind::spins) continue;
+    if (deed.kind == Deed::Kind::spins || deed.kind == Deed::Kind::works) continue;
     Line line{automata.threads[deed.thread].name,
               teller.text(deed),
               teller.where(automata.steps[deed.step]),
