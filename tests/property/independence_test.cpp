@@ -144,21 +144,32 @@ std::optional<pan::Network> skill_of(const std::string& text) {
   return std::move(specification.skills.front());
 }
 
+/// How many moves were compared on four walks.
+std::size_t walk(const std::string& text, std::uint64_t seed) {
+  const auto skill = skill_of(text);
+  if (!skill) return 0;
+  INFO("seed " << seed << "\n" << text);
+  const auto automata = deadlock::automata(*skill, pan::Flow(*skill));
+  std::size_t compared = 0;
+  for (std::uint64_t i = 0; i < 4; ++i) compared += Walk(automata, 10 * seed + i).run();
+  return compared;
+}
+
 }  // namespace
 
 TEST_CASE("what a set of threads does after others it can do before them") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   std::size_t compared = 0;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 100); ++seed) {
-    for (const auto& text :
-         {test::RandomTalk(seed).text(), test::RandomNest(seed).text(), test::RandomPolling(seed).text()}) {
-      const auto skill = skill_of(text);
-      if (!skill) continue;
-      INFO("seed " << seed << "\n" << text);
-      const auto automata = deadlock::automata(*skill, pan::Flow(*skill));
-      for (std::uint64_t walk = 0; walk < 4; ++walk) compared += Walk(automata, 10 * seed + walk).run();
-    }
+    compared += walk(test::RandomTalk(seed).text(), seed);
+    compared += walk(test::RandomNest(seed).text(), seed);
+    compared += walk(test::RandomPolling(seed).text(), seed);
   }
   std::cout << compared << " moves compared\n";
   CHECK(compared > 0);
+}
+
+// The last block that stops takes its parent with it, whose request another thread may be about to take.
+TEST_CASE("what a parent has asked for is withdrawn with its last block") {
+  CHECK(walk(test::RandomTalk(1233).text(), 1233) > 0);
 }
