@@ -9,6 +9,7 @@
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/simulate.hpp"
 #include "tests/support/chain_system.hpp"
+#include "tests/support/command_skill.hpp"
 #include "tests/support/condition_chain.hpp"
 #include "tests/support/held_skill.hpp"
 #include "tests/support/holistic.hpp"
@@ -267,6 +268,19 @@ TEST_CASE("simulated, exact and compositional come in this order where sends wai
     INFO(measure);
     CHECK(of.simulated + of.exact >= 150);
   }
+}
+
+TEST_CASE("simulated, exact and compositional come in this order for commands to a thread at work") {
+  Tally tally;
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 200); ++seed) {
+    const std::string text = test::CommandSkill(seed).text();
+    const auto skill = test::skill_from_text(text);
+    if (!skill->problem) continue;
+    INFO("seed " << seed << "\n" << text);
+    compare(*skill->problem, seed, 2'000, tally);
+  }
+  say(tally);
 }
 
 TEST_CASE("simulated, exact and compositional come in this order for skills with mistakes in them") {
