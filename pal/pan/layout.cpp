@@ -35,7 +35,9 @@ std::string svg(const std::string& dot) {
   } restore{before};
   agreseterrors();
 
-  const std::unique_ptr<GVC_t, CloseContext> context(gvContext());
+  // One for all drawings: Graphviz's measuring of texts keeps a pointer to the last font's name, which is the
+  // context's.
+  static const std::unique_ptr<GVC_t, CloseContext> context(gvContext());
   if (!context) fail("Graphviz cannot start");
   const std::unique_ptr<Agraph_t, CloseGraph> graph(agmemread(dot.c_str()));
   if (!graph) fail("the graph is not DOT");
