@@ -1,11 +1,9 @@
 // Bounds of cause-effect chains, by numbers that can be reckoned by hand.
 #include <catch2/catch.hpp>
 
-#include "analyzer/compositional/compositional.hpp"
-#include "tests/support/skill.hpp"
+#include "tests/figures/bounds_by_hand.hpp"
 
-using namespace pal;
-using namespace pal::analyzer;
+using pal::test::compare;
 
 namespace {
 
@@ -127,66 +125,6 @@ ENVIRONMENT cell
 END ENVIRONMENT
 )";
 
-/// A method asks for a force every 5 ms and sends motions, which a controller obeys at once, but for 20 ms
-/// every 100 in which a driver has its processor.
-const std::string held_in_its_last_send = R"(
-MESSAGE force : REAL N
-MESSAGE motion : dz : REAL mm
-MESSAGE tick : SIGNAL
-DEVICE clock
-SKILL held
-  SENSOR DRIVER      SD1
-  LOGICAL SENSOR     LS1
-  MACHINE CONTROLLER MC1
-  MODEL DATA         NONE
-  SKILL METHOD       SM1
-  COMPLETION 0 NORMAL "done"
-  COMPLETION 1 ERROR  "any other error"
-  REQUIREMENT taken  : INTERVAL OF WTM( force from LS1 ) IN SM1 AT MOST 1 s
-  REQUIREMENT sent   : INTERVAL OF TXM( motion to MC1 ) IN SM1 AT MOST 1 s
-  REQUIREMENT obeyed : INTERVAL OF obey IN MC1 AT MOST 1 s
-  REQUIREMENT sample : AGE OF force FROM LS1 AT obey IN MC1 AT MOST 1 s
-END SKILL
-Sensor Driver: SD1
-  ACTIVITY work
-BEGIN
-  REPEAT
-    WTM( tick from clock )
-    work
-  UNTIL( forever )
-END
-Logical Sensor: LS1
-Machine Controller: MC1
-  ACTIVITY obey
-BEGIN
-  REPEAT
-    WTM( motion from SM1 )
-    obey
-  UNTIL( forever )
-END
-Skill Module: SM1
-BEGIN
-  WTM( Coordinator )
-  TXM( request force from LS1 )
-  REPEAT
-    WTM( force from LS1 )
-    TXM( request force from LS1 )
-    TXM( motion to MC1 )
-  UNTIL( forever )
-END
-ENVIRONMENT cell
-  PROCESSOR P1
-  PROCESSOR P2
-  DEVICE LS1 ON REQUEST 5 ms
-  DEVICE clock EVENT tick EVERY 100 ms
-  PLACE SM1 ON P1 PRIORITY 1
-  PLACE MC1 ON P2 PRIORITY 1
-  PLACE SD1 ON P2 PRIORITY 2
-  TIME obey : 1 ms
-  TIME work : 20 ms
-END ENVIRONMENT
-)";
-
 /// Two clocks with jitter, each for a chain of two modules on two processors, the one always before the
 /// other.
 const std::string late_events = R"(
@@ -271,72 +209,6 @@ ENVIRONMENT cell
 END ENVIRONMENT
 )";
 
-/// A clock of 10 ms with jitter, a courier without work, and a module that is kept from its processor for 14
-/// ms every 50: the courier's next send finds the slot full.
-const std::string full_slot = R"(
-MESSAGE tick : SIGNAL
-MESSAGE tock : SIGNAL
-MESSAGE first : SIGNAL
-MESSAGE stop : SIGNAL
-DEVICE clock
-DEVICE other
-SKILL full
-  SENSOR DRIVER      SD1, SD2
-  LOGICAL SENSOR     LS1, LS3
-  MACHINE CONTROLLER NONE
-  MODEL DATA         NONE
-  SKILL METHOD       SM1
-  COMPLETION 0 NORMAL "done"
-  COMPLETION 1 ERROR  "any other error"
-  REQUIREMENT sent : RESPONSE FROM tick OF clock TO TXM( first to LS1 ) IN SD1 AT MOST 1 s
-  REQUIREMENT done : RESPONSE FROM tick OF clock TO work IN LS1 AT MOST 1 s
-END SKILL
-Sensor Driver: SD1
-BEGIN
-  REPEAT
-    WTM( tick from clock )
-    TXM( first to LS1 )
-  UNTIL( forever )
-END
-Logical Sensor: LS1
-  ACTIVITY work
-BEGIN
-  REPEAT
-    WTM( first from SD1 )
-    work
-  UNTIL( forever )
-END
-Sensor Driver: SD2
-  ACTIVITY work
-BEGIN
-  REPEAT
-    WTM( tock from other )
-    work
-  UNTIL( forever )
-END
-Logical Sensor: LS3
-Skill Module: SM1
-BEGIN
-  WTM( Coordinator )
-  WTM( stop from LS3 )
-  TXM( Completion Protocol 0 )
-END
-ENVIRONMENT cell
-  PROCESSOR P1
-  PROCESSOR P2
-  PROCESSOR idle
-  DEVICE clock EVENT tick EVERY 10 ms JITTER 2 ms
-  DEVICE other EVENT tock EVERY 50 ms
-  DEVICE LS3 EVENT stop SPORADIC 1 ms
-  PLACE SD1 ON P1 PRIORITY 2
-  PLACE SD2 ON P2 PRIORITY 2
-  PLACE LS1 ON P2 PRIORITY 1
-  PLACE SM1 ON idle PRIORITY 1
-  TIME work OF SD2 : 14 ms
-  TIME work OF LS1 : 1 ms
-END ENVIRONMENT
-)";
-
 /// A module works for 2 to 3 ms every 10 and sets a condition, another works for 4 every 20 and reads it.
 std::string setter_and_reader(const std::string& kind, const std::string& place) {
   return R"(
@@ -399,65 +271,6 @@ END ENVIRONMENT
 )";
 }
 
-double milliseconds(const Verdict& verdict) {
-  return verdict.bound ? static_cast<double>(verdict.bound->count()) / 1e6 : -1;
-}
-
-void compare(const std::string& text, const std::vector<std::pair<double, double>>& expected) {
-  const auto skill = test::sound_skill(text);
-  const Analysis compositional = analyze_compositionally(*skill->problem);
-  const Analysis exact = analyze(*skill->problem);
-  REQUIRE(compositional.verdicts.size() == expected.size());
-  for (std::size_t r = 0; r < expected.size(); ++r) {
-    INFO(compositional.verdicts[r].requirement << ": " << compositional.verdicts[r].explanation);
-    CHECK(milliseconds(compositional.verdicts[r]) == expected[r].first);
-    CHECK(milliseconds(exact.verdicts[r]) == expected[r].second);
-  }
-}
-
-/// SM1 talks to MC1, whose work takes 4 ms, once; how long until it completes is asked.
-std::string once(const std::string& server, const std::string& client) {
-  return R"(
-MESSAGE early  : SIGNAL
-MESSAGE late   : SIGNAL
-MESSAGE taken  : SIGNAL
-MESSAGE done   : SIGNAL
-MESSAGE motion : SIGNAL
-SKILL once
-  MACHINE CONTROLLER MC1
-  SKILL METHOD SM1
-  COMPLETION 0 NORMAL
-  COMPLETION 1 ERROR
-  REQUIREMENT span : DURATION TO COMPLETION 0 AT MOST 1 s
-END SKILL
-Machine Controller: MC1
-  ACTIVITY work
-BEGIN
-  REPEAT
-)" + server +
-         R"(
-  UNTIL( forever )
-END
-Skill Module: SM1
-  ACTIVITY pause
-BEGIN
-  WTM( Coordinator )
-)" + client +
-         R"(
-  TXM( Completion Protocol 0 )
-END
-ENVIRONMENT cell
-  PROCESSOR P0
-  PROCESSOR P1
-  PLACE SM1 ON P0 PRIORITY 1
-  PLACE MC1 ON P1 PRIORITY 1
-  TIME work  : 4 ms
-  TIME pause : 1 ms
-  COST TEST 1 ms
-END ENVIRONMENT
-)";
-}
-
 }  // namespace
 
 TEST_CASE("a value goes from a sensor by messages and a condition to a robot") {
@@ -474,18 +287,6 @@ TEST_CASE("blocks in each round of a module") {
   compare(blocks_in_a_round, {{2, 1}, {6, 6}, {6, 6}, {25, 25}, {0, 0}});
 }
 
-TEST_CASE("a wait for a slot holds up the round that follows") {
-  // The controller begins to obey 20 late and takes the motion then. The method is held with the next one, 5
-  // later, and is home 15 after that round began.
-  compare(held_in_its_last_send, {{15, 15}, {30, 20}, {35, 25}, {36, 26}});
-}
-
-TEST_CASE("who waits for a slot does not keep its taker waiting") {
-  // An event comes 2 late and its message is taken 14 later. The next event is punctual, and its message held
-  // for 6. No message is done later than 14 and 1 after its event.
-  compare(full_slot, {{6, 6}, {15, 15}});
-}
-
 TEST_CASE("a response does not count what its event comes late") {
   compare(late_events, {{3, 3}, {6, 6}, {8, 8}, {15, 15}});
 }
@@ -498,57 +299,4 @@ TEST_CASE("a reader that gives way to the setter reads nothing old while the set
   compare(setter_and_reader("", "P1 PRIORITY 2"), {{17, 14}, {20, 14}});
   compare(setter_and_reader(" NONPREEMPTIVE", "P1 PRIORITY 1"), {{17, 14}, {20, 14}});
   compare(setter_and_reader("", "idle PRIORITY 1"), {{13, 13}, {13, 13}});
-}
-
-TEST_CASE("what a thread is sent next may come while it is still at work") {
-  // 4 ms for the first, then 4 for the second, which came at 1. The bound does not know that the first was
-  // begun before.
-  compare(once(R"(
-    WTM FIRST
-      ( early from SM1 ):
-        work
-      ( late from SM1 ):
-        work
-        TXM( done to SM1 )
-    END WTM
-)",
-               "TXM( early to MC1 )\npause\nTXM( late to MC1 )\nWTM( done from MC1 )\n"),
-          {{9, 8}});
-}
-
-TEST_CASE("a thread that answers first and works then is at work when it is sent more") {
-  compare(once(R"(
-    WTM FIRST
-      ( early from SM1 ):
-        TXM( taken to SM1 )
-        work
-      ( late from SM1 ):
-        work
-        TXM( done to SM1 )
-    END WTM
-)",
-               "TXM( early to MC1 )\nWTM( taken from MC1 )\npause\nTXM( late to MC1 )\n"
-               "WTM( done from MC1 )\n"),
-          {{9, 8}});
-}
-
-TEST_CASE("a server goes on with a request that was withdrawn") {
-  // The client gives up at 2, asks again at 3 after its test, and is served from 4 to 8. The bound counts
-  // both ways on which it may ask for the second time.
-  compare(once(R"(
-    WTM( request motion from SM1 )
-    work
-    TXM( motion to SM1 )
-)",
-               R"(
-  TXM( request motion from MC1 )
-  WTM( motion from MC1 ) WITHIN 2 ms
-    pause
-  ELSE
-    Do Nothing
-  END WTM
-  TXM( request motion from MC1 )
-  WTM( motion from MC1 )
-)"),
-          {{15, 8}});
 }
