@@ -5,16 +5,16 @@
 #include <random>
 #include <set>
 
-#include "pal/check/check.hpp"
 #include "pal/check/deadlock/independence.hpp"
-#include "pal/check/load.hpp"
 #include "tests/support/random_talk.hpp"
 #include "tests/support/setting.hpp"
+#include "tests/support/talking_skill.hpp"
 
 using namespace pal;
 using namespace pal::frontend;
 using namespace pal::frontend::deadlock;
 using pal::test::setting;
+using pal::test::talking_skill;
 
 namespace {
 
@@ -134,19 +134,9 @@ class Walk {
   std::size_t compared_ = 0;
 };
 
-std::optional<pan::Network> skill_of(const std::string& text) {
-  MemoryFileSystem files;
-  files.add("talk.pal", text);
-  SourceManager sources;
-  Diagnostics diagnostics;
-  auto specification = check(load(files, sources, {"talk.pal"}, diagnostics), diagnostics);
-  if (specification.skills.size() != 1) return std::nullopt;
-  return std::move(specification.skills.front());
-}
-
 /// How many moves were compared on four walks.
 std::size_t walk(const std::string& text, std::uint64_t seed) {
-  const auto skill = skill_of(text);
+  const auto skill = talking_skill(text);
   if (!skill) return 0;
   INFO("seed " << seed << "\n" << text);
   const auto automata = deadlock::automata(*skill, pan::Flow(*skill));
