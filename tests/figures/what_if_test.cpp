@@ -191,6 +191,26 @@ TEST_CASE("a slack names what fails with a nanosecond more, not what fails with 
   CHECK(all[1].requirement == 0);
 }
 
+// 1000 ns and 10 ns grow by x and a hundredth of it. A whole nanosecond is more than a hundredth of nine:
+// with the 10 ns that early leaves, x is 9.
+TEST_CASE("figures that grow together are rounded up, each for itself") {
+  std::string text = two_intervals;
+  for (const auto& [old, better] : {std::pair<std::string, std::string>{"13 ms", "20 ms"},
+                                    {"12 ms", "10000010 ns"},
+                                    {"first OF SM1 : 1 ms", "first OF SM1 : 1000 ns"},
+                                    {"again OF SM1 : 1 ms", "again OF SM1 : 10 ns"}}) {
+    text.replace(text.find(old), old.size(), better);
+  }
+  const auto skill = test::sound_skill(text);
+  const Slack together =
+      slacks(skill->specification.skills.front(), skill->specification.environments.front(), few_states())
+          .back();
+  CHECK(together.figure.empty());
+  CHECK(together.exact());
+  CHECK(together.holds == Duration(9));
+  CHECK(together.requirement == 1);
+}
+
 TEST_CASE("what could not be decided is neither what holds nor what fails") {
   const auto skill = test::sound_skill(two_intervals);
   for (const std::size_t states : {1, 5, 10, 20, 40, 80}) {
