@@ -95,13 +95,10 @@ trace::Trace empty_trace(const Problem& problem) {
   for (const Statement& statement : problem.statements) {
     trace.statements.push_back({statement.module, statement.text, statement.file, statement.line});
   }
-  for (const Channel& channel : problem.channels) {
-    const auto party = [&](int device, int module) {
-      return device >= 0 ? problem.devices[static_cast<std::size_t>(device)].name
-                         : problem.module_names[static_cast<std::size_t>(module)];
-    };
-    trace.channels.push_back({party(channel.sender_device, channel.sender_module), channel.message,
-                              party(channel.receiver_device, channel.receiver_module)});
+  for (std::size_t c = 0; c < problem.channels.size(); ++c) {
+    const int channel = static_cast<int>(c);
+    trace.channels.push_back(
+        {sender_name(problem, channel), problem.channels[c].message, receiver_name(problem, channel)});
   }
   trace.conditions = problem.conditions;
   return trace;

@@ -65,8 +65,12 @@ std::string known_name(const Problem& problem, const Requirement& requirement) {
 }
 
 std::string event_name(const Problem& problem, const Requirement& requirement) {
-  return problem.channels[static_cast<std::size_t>(requirement.event)].message + " of " +
-         problem.devices[static_cast<std::size_t>(requirement.device)].name;
+  const int channel = requirement.events.front();
+  return problem.channels[static_cast<std::size_t>(channel)].message + " of " + sender_name(problem, channel);
+}
+
+bool is_event(const Requirement& requirement, int channel) {
+  return std::find(requirement.events.begin(), requirement.events.end(), channel) != requirement.events.end();
 }
 
 /// The statements of a requirement: "TXM( motion to MC1 )".
@@ -83,7 +87,7 @@ std::string failure_text(const Problem& problem, const Requirement& requirement,
   const trace::Event& last = witness.trace.events.back();
   const std::string when = milliseconds(last.time_ns);
   for (const trace::Event& each : witness.trace.events) {
-    if (each.kind == Kind::overrun && each.time_ns == last.time_ns && each.subject == requirement.event) {
+    if (each.kind == Kind::overrun && each.time_ns == last.time_ns && is_event(requirement, each.subject)) {
       return event + " at " + when + " finds the one before still in its channel, and is lost";
     }
   }

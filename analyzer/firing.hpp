@@ -102,9 +102,11 @@ class Firing {
   void has_taken(int thread, std::uint8_t carries);
   std::uint8_t sent_along(int thread) const;
   std::uint8_t sampled(int request);
-  std::uint8_t new_event(int channel);
+  std::uint8_t occurred(int channel);
+  bool awaits_response(int channel) const;
+  std::uint8_t new_event();
   void has_completed(int thread, int code);
-  void answered(std::uint8_t event);
+  void forget_event(std::uint8_t event);
   void measure_from(std::uint8_t observer, int step);
   void start_tracking();
   void track_busy(bool was_busy);

@@ -17,7 +17,7 @@ bool Firing::put(int channel, int thread, int device, std::uint8_t carries) {
 void Firing::place(int channel, int thread, int device, std::uint8_t carries) {
   SlotState& to = slot(channel);
   fill(channel, thread < 0 ? -1 : thread_of(thread).processor);
-  to.carries = carries;
+  to.carries = awaits_response(channel) ? new_event() : carries;
   if (device >= 0) {
     emit_device(Kind::put, device, channel);
   } else {
@@ -170,6 +170,7 @@ void Firing::drop(int channel) {
   }
   if (record_) outcome_.events.push_back({0, Kind::drop, -1, -1, channel, 0});
   lost_after_all(channel);
+  if (awaits_response(channel) && of.carries != tag::none) forget_event(of.carries);
   clear(channel);
 }
 
@@ -280,6 +281,7 @@ void Firing::device_service(int device) {
     } else if (!put(answer, -1, device, carries)) {
       discard(answer);
       emit_device(Kind::overrun, device, answer);
+      if (awaits_response(answer)) state_.failed = true;
     }
   });
   if (std::holds_alternative<pan::RequestDevice>(of.behaviour)) take_pending(device);
@@ -291,11 +293,11 @@ void Firing::event_occurs(int device) {
   if (slot(channel).fill != SlotState::Fill::empty) {
     emit_device(Kind::overrun, device, channel);
     occurrence(device, true);
-    if (watch_.kind == Watch::Kind::response && watch_.event == channel) state_.failed = true;
+    if (awaits_response(channel)) state_.failed = true;
     return;
   }
   occurrence(device, false);
-  put(channel, -1, device, new_event(channel));
+  put(channel, -1, device, occurred(channel));
 }
 
 }  // namespace pal::analyzer

@@ -45,7 +45,7 @@ void Firing::measure(int thread) {
       outcome_.measured_steps.push_back(step);
       outcome_.measured.push_back(pending_origin_[carries]);
       if (carries != 0) state_.failed = true;  // an older one is still unanswered
-      answered(carries);
+      forget_event(carries);
       return;
     case Watch::Kind::interval:
       if (state_.reference != tag::none) measure_from(state_.reference, step);
@@ -120,15 +120,24 @@ std::uint8_t Firing::sampled(int request) {
   return now;
 }
 
-/// What the message of an event carries.
-std::uint8_t Firing::new_event(int channel) {
+/// What the message of a device's event carries, if no response to it is awaited.
+std::uint8_t Firing::occurred(int channel) {
   if (watch_.kind == Watch::Kind::loss && counts_losses(channel_of(channel).sender_device)) return 0;
   if (watch_.kind == Watch::Kind::sample && watch_.samples[static_cast<std::size_t>(channel)]) {
     const auto now = static_cast<std::uint8_t>(old_observers_);
     if (watch_.reaction && state_.reference == tag::none) state_.reference = now;
     return now;
   }
-  if (watch_.kind != Watch::Kind::response || watch_.event != channel) return tag::none;
+  return tag::none;
+}
+
+/// Whether messages of the channel are what is to be responded to.
+bool Firing::awaits_response(int channel) const {
+  return watch_.kind == Watch::Kind::response && watch_.events[static_cast<std::size_t>(channel)];
+}
+
+/// What such a message carries.
+std::uint8_t Firing::new_event() {
   if (state_.pending.size() >= most_pending) {
     outcome_.too_many = true;
     return tag::none;
@@ -138,7 +147,8 @@ std::uint8_t Firing::new_event(int channel) {
   return static_cast<std::uint8_t>(state_.pending.size() - 1);
 }
 
-void Firing::answered(std::uint8_t event) {
+/// It is answered, or withdrawn: nobody waits for its response any more.
+void Firing::forget_event(std::uint8_t event) {
   state_.pending.erase(state_.pending.begin() + event);
   pending_origin_.erase(pending_origin_.begin() + event);
   const auto move = [event](std::uint8_t& carries) {

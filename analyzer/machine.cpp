@@ -3,15 +3,6 @@
 #include "analyzer/firing.hpp"
 
 namespace pal::analyzer {
-namespace {
-
-const std::string& party(const Problem& problem, int device, int module) {
-  return device >= 0 ? problem.devices[static_cast<std::size_t>(device)].name
-                     : problem.module_names[static_cast<std::size_t>(module)];
-}
-
-}  // namespace
-
 int AllChoices::pick(int n) {
   if (at_ == taken_.size()) {
     taken_.push_back(0);
@@ -60,9 +51,9 @@ std::string Machine::timer_name(int timer) const {
   if (timer < flight_timer(0)) return problem_.threads[static_cast<std::size_t>(timer)].name;
   if (timer < next_timer(0)) {
     const int flight = timer - flight_timer(0);
-    const Channel& channel = problem_.channels[static_cast<std::size_t>(flight / 2)];
-    return channel.message + " from " + party(problem_, channel.sender_device, channel.sender_module) +
-           " to " + party(problem_, channel.receiver_device, channel.receiver_module) +
+    const int channel = flight / 2;
+    return problem_.channels[static_cast<std::size_t>(channel)].message + " from " +
+           sender_name(problem_, channel) + " to " + receiver_name(problem_, channel) +
            (flight % 2 == 0 ? "" : " between processors");
   }
   const int device = (timer - next_timer(0)) / 2;

@@ -21,7 +21,9 @@ Origins::Origins(const Problem& problem, const Requirement& requirement, const t
 
 bool Origins::is_source(int channel) const {
   const std::vector<int>& samples = requirement_.samples;
-  return channel == requirement_.event || std::find(samples.begin(), samples.end(), channel) != samples.end();
+  const std::vector<int>& events = requirement_.events;
+  return std::find(events.begin(), events.end(), channel) != events.end() ||
+         std::find(samples.begin(), samples.end(), channel) != samples.end();
 }
 
 Origin Origins::birth(std::size_t event) {
@@ -59,15 +61,14 @@ void Origins::follow(std::size_t index) {
     }
     case Kind::put: {
       puts_[message] = index;
-      if (!device) {
-        messages_[message] = known(event.actor);
-        return;
-      }
       const int request = problem_.channels[static_cast<std::size_t>(event.subject)].answers;
-      const bool born_now = is_source(event.subject) && request < 0;
-      messages_[message] = born_now       ? birth(index)
-                           : request >= 0 ? requests_[static_cast<std::size_t>(request)]
-                                          : Origin{};
+      // A sample that answers a request is born when the device takes that.
+      const bool served = device && request >= 0;
+      const bool born_now = is_source(event.subject) && !(served && requirement_.events.empty());
+      messages_[message] = born_now  ? birth(index)
+                           : !device ? known(event.actor)
+                           : served  ? requests_[static_cast<std::size_t>(request)]
+                                     : Origin{};
       return;
     }
     case Kind::take: {
@@ -82,7 +83,7 @@ void Origins::follow(std::size_t index) {
       const int answer = problem_.channels[static_cast<std::size_t>(event.subject)].answer;
       Origin& request = requests_[static_cast<std::size_t>(event.subject)];
       const bool sample = answer >= 0 && !requirement_.samples.empty() && is_source(answer);
-      request = sample ? birth(index) : requirement_.event >= 0 ? carried : Origin{};
+      request = sample ? birth(index) : !requirement_.events.empty() ? carried : Origin{};
       return;
     }
     case Kind::set: {

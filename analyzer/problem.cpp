@@ -18,7 +18,22 @@ constexpr int most_channels = 40'000;
 constexpr int most_explored_threads = 100;
 constexpr int most_explored_channels = 120;
 
+const std::string& party(const Problem& problem, int device, int module) {
+  return device >= 0 ? problem.devices[static_cast<std::size_t>(device)].name
+                     : problem.module_names[static_cast<std::size_t>(module)];
+}
+
 }  // namespace
+
+const std::string& sender_name(const Problem& problem, int channel) {
+  const Channel& of = problem.channels[static_cast<std::size_t>(channel)];
+  return party(problem, of.sender_device, of.sender_module);
+}
+
+const std::string& receiver_name(const Problem& problem, int channel) {
+  const Channel& of = problem.channels[static_cast<std::size_t>(channel)];
+  return party(problem, of.receiver_device, of.receiver_module);
+}
 
 std::optional<Problem> ProblemBuilder::build() {
   const std::size_t before = diagnostics_.errors();

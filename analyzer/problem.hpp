@@ -95,8 +95,8 @@ struct Requirement {
   Measure measure = Measure::age;
   int condition = -1;           // age, reaction: of a condition
   std::vector<int> samples;     // age, reaction: of a device: its channels
-  int event = -1;               // response: channel
-  int device = -1;              // response, loss, and of samples: the device
+  std::vector<int> events;      // response: channels, of one message from one party
+  int device = -1;              // loss, and of samples: the device; response: the device, if one sends
   std::vector<bool> at;         // age, response, reaction, interval: by step
   std::vector<int> processors;  // load, busy
   int in = 1;                   // loss: at most `limit` of so many in a row
@@ -122,6 +122,10 @@ struct Problem {
   std::vector<std::string> module_names;
   int error_code = 2;  // of the error completion
 };
+
+/// Name of the device or module that sends on the channel, or to which it leads.
+const std::string& sender_name(const Problem& problem, int channel);
+const std::string& receiver_name(const Problem& problem, int channel);
 
 /// Builds the model of `network` in `environment`. Reports everything in the environment that is missing,
 /// unknown or impossible (PAL072x) and requirements that cannot be meant (PAL081x); no model if there was

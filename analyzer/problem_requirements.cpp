@@ -47,17 +47,11 @@ void ProblemBuilder::require(Requirement made) {
 void ProblemBuilder::measure(const Response& response, const pan::Requirement& requirement,
                              Requirement made) {
   made.measure = Requirement::Measure::response;
-  made.event = static_cast<int>(response.event.index());
-  made.at = steps_at(response.at, requirement);
-  made.device = problem_.channels[response.event.index()].sender_device;
-  const bool event =
-      made.device >= 0 && problem_.devices[static_cast<std::size_t>(made.device)].event == made.event;
-  if (!event) {
-    diagnostics_.report(Code::PAL0812, requirement.where,
-                        problem_.channels[response.event.index()].message +
-                            " is no event of a device in environment " + environment_.name,
-                        "describe its sender as DEVICE … EVENT in the environment");
+  for (const ChannelId channel : response.of) {
+    made.events.push_back(static_cast<int>(channel.index()));
+    made.device = problem_.channels[channel.index()].sender_device;
   }
+  made.at = steps_at(response.at, requirement);
   require(std::move(made));
 }
 
@@ -163,7 +157,7 @@ void ProblemBuilder::demanded_answer(int d) {
   Requirement made;
   made.name = device.name + ".answer";
   made.measure = Requirement::Measure::response;
-  made.event = device.event;
+  made.events = {device.event};
   made.device = d;
   made.where = where;
   made.at.assign(problem_.steps.size(), false);

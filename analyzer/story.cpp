@@ -179,6 +179,11 @@ struct Story {
     }
   }
 
+  bool is_event(int channel) const {
+    const auto& events = requirement.events;
+    return std::find(events.begin(), events.end(), channel) != events.end();
+  }
+
   /// The way back from a thread at an instant to the event: through the message that last came from another
   /// thread.
   void response(int thread, std::size_t event, const Measurement& measured, std::vector<Reason>& out,
@@ -200,7 +205,7 @@ struct Story {
       }
       if (from == trace.events.size()) continue;
       const trace::Event& putting = trace.events[from];
-      if (putting.subject == requirement.event && putting.time_ns == measured.born) {
+      if (is_event(putting.subject) && putting.time_ns == measured.born) {
         tell(thread, measured.born, to, out);
         return;
       }

@@ -150,7 +150,8 @@ Watch watch_of(const Problem& problem, const Requirement& requirement, int proce
       return {};
     case Measure::response:
       watch.kind = Watch::Kind::response;
-      watch.event = requirement.event;
+      watch.events.assign(problem.channels.size(), false);
+      for (const int channel : requirement.events) watch.events[static_cast<std::size_t>(channel)] = true;
       break;
     case Measure::age:
     case Measure::reaction:

@@ -18,7 +18,7 @@ struct Watch {
   Kind kind = Kind::nothing;
   bool reaction = false;      // age, sample: what is measured is the reaction
   int condition = -1;         // age
-  int event = -1;             // response: channel
+  std::vector<bool> events;   // response: by channel
   std::vector<bool> samples;  // sample: by channel
   int device = -1;            // loss
   int in = 1;                 // loss: so many in a row

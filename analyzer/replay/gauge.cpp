@@ -34,6 +34,11 @@ bool Gauge::is_sample(int channel) const {
                              requirement_->samples.end();
 }
 
+bool Gauge::is_event(int channel) const {
+  return is(Measure::response) && std::find(requirement_->events.begin(), requirement_->events.end(),
+                                            channel) != requirement_->events.end();
+}
+
 int Gauge::birth() {
   births_.push_back(now_);
   answered_.push_back(false);
@@ -133,7 +138,7 @@ void Gauge::puts(int index, int to, bool along) {
   const int carried = along && (is(Measure::response) || of_samples()) ? thread(index) : none;
   const bool answered =
       is(Measure::response) && carried != none && answered_[static_cast<std::size_t>(carried)];
-  channel(to) = answered ? none : carried;
+  channel(to) = is_event(to) ? birth() : answered ? none : carried;
 }
 
 void Gauge::takes(int index, int from) {
@@ -161,7 +166,7 @@ void Gauge::serves(int request, bool first) {
 }
 
 void Gauge::event(int device, int of, bool lost) {
-  const bool responds = is(Measure::response) && requirement_->event == of;
+  const bool responds = is_event(of);
   if (lost) {
     failed_ = failed_ || responds;
     occurrence(device, true);
@@ -173,8 +178,13 @@ void Gauge::event(int device, int of, bool lost) {
   occurrence(device, false);
 }
 
-void Gauge::answers(int of) {
-  channel(of) = serving_[static_cast<std::size_t>(problem_.channels[static_cast<std::size_t>(of)].answers)];
+void Gauge::answers(int of, bool lost) {
+  if (lost) {
+    failed_ = failed_ || is_event(of);
+    return;
+  }
+  const auto request = static_cast<std::size_t>(problem_.channels[static_cast<std::size_t>(of)].answers);
+  channel(of) = is_event(of) ? birth() : serving_[request];
   occurrence_[static_cast<std::size_t>(of)] = static_cast<int>(lost_.size());
 }
 
@@ -192,8 +202,9 @@ void Gauge::occurrence(int device, bool lost) {
   show_losses();
 }
 
-/// A message that was put is taken out of its slot unused.
+/// A message that was put is taken out of its slot unused. One that awaited a response does so no more.
 void Gauge::withdrawn(int of) {
+  if (is_event(of) && channel(of) != none) answered_[static_cast<std::size_t>(channel(of))] = true;
   const int index = occurrence_[static_cast<std::size_t>(of)];
   if (!is(Measure::loss) ||
       requirement_->device != problem_.channels[static_cast<std::size_t>(of)].sender_device)

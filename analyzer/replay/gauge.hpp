@@ -38,7 +38,7 @@ class Gauge {
   // Devices. `first`: of several requests that one frame serves.
   void serves(int request, bool first);
   void event(int device, int channel, bool lost);
-  void answers(int channel);
+  void answers(int channel, bool lost);
   void served(int device, bool lost);
   void frame_for_nobody(int device);
 
@@ -56,6 +56,7 @@ class Gauge {
   bool of_condition(int condition) const;
   bool of_samples() const;
   bool is_sample(int channel) const;
+  bool is_event(int channel) const;
   int birth();
   int& thread(int index) { return threads_[static_cast<std::size_t>(index)]; }
   int& channel(int index) { return channels_[static_cast<std::size_t>(index)]; }

@@ -49,9 +49,10 @@ void Referee::device_event(const Event& event, int device) {
       demand(wanted(event.subject), "a message that nobody wants is put");
       if (event.kind == Kind::overrun) {
         answered_in_vain(event.subject);
+        gauge_.answers(event.subject, true);
       } else {
         of.any_put = true;
-        gauge_.answers(event.subject);
+        gauge_.answers(event.subject, false);
         fill(event.subject, -1);
       }
       delivered(device, event.subject);

@@ -90,11 +90,7 @@ class RequirementBuilder {
     const auto message = names_.message(sample.message);
     const auto sender = names_.party(sample.from);
     if (!message || !sender) return std::nullopt;
-    std::vector<pan::ChannelId> channels;
-    for (std::size_t c = 0; c < network_.channels.size(); ++c) {
-      const pan::Channel& channel = network_.channels[c];
-      if (channel.sender == *sender && channel.message == *message) channels.push_back(pan::ChannelId(c));
-    }
+    std::vector<pan::ChannelId> channels = channels_of(*message, *sender);
     const std::string from = quoted(sample.from.name.text);
     if (!is_device(*sender)) {
       diagnostics_.report(Code::PAL0819, sample.from.name.where,
@@ -117,20 +113,26 @@ class RequirementBuilder {
     const auto sender = names_.party(response.of);
     auto at = statements(response.to);
     if (!message || !sender) return std::nullopt;
-    const auto found =
-        std::find_if(network_.channels.begin(), network_.channels.end(), [&](const pan::Channel& channel) {
-          return channel.sender == *sender && channel.message == *message;
-        });
-    if (found == network_.channels.end()) {
+    std::vector<pan::ChannelId> of = channels_of(*message, *sender);
+    if (of.empty()) {
       diagnostics_.report(Code::PAL0803, response.event.where,
                           "nobody waits for " + quoted(network_.messages[message->index()].name) + " from " +
                               quoted(response.of.name.text),
-                          "name an event that a module of the skill waits for");
+                          "name a message that somebody waits for");
       return std::nullopt;
     }
     if (at.empty()) return std::nullopt;
-    return pan::Response{pan::ChannelId(static_cast<std::size_t>(found - network_.channels.begin())),
-                         std::move(at)};
+    return pan::Response{std::move(of), std::move(at)};
+  }
+
+  /// On which the party sends this message.
+  std::vector<pan::ChannelId> channels_of(pan::MessageId message, const pan::Party& sender) const {
+    std::vector<pan::ChannelId> channels;
+    for (std::size_t c = 0; c < network_.channels.size(); ++c) {
+      const pan::Channel& channel = network_.channels[c];
+      if (channel.sender == sender && channel.message == message) channels.push_back(pan::ChannelId(c));
+    }
+    return channels;
   }
 
   /// All statements that the pattern means; reports if there are none.

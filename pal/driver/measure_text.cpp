@@ -28,6 +28,10 @@ std::string known_text(const analyzer::Problem& problem, const analyzer::Require
          problem.devices[static_cast<std::size_t>(requirement.device)].name;
 }
 
+std::string event_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
+  return problem.channels[static_cast<std::size_t>(requirement.events.front())].message;
+}
+
 std::string processor_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
   if (requirement.processors.size() != 1) return "each processor";
   return problem.processors[static_cast<std::size_t>(requirement.processors.front())].name;
@@ -44,8 +48,8 @@ std::string measure_text(const analyzer::Problem& problem, std::size_t index) {
       return "reaction of " + known_text(problem, requirement) + " at " +
              statements_text(problem, requirement);
     case Measure::response:
-      return "response from " + problem.channels[static_cast<std::size_t>(requirement.event)].message +
-             " of " + problem.devices[static_cast<std::size_t>(requirement.device)].name + " to " +
+      return "response from " + event_text(problem, requirement) + " of " +
+             analyzer::sender_name(problem, requirement.events.front()) + " to " +
              statements_text(problem, requirement);
     case Measure::interval:
       return std::string(requirement.at_least ? "least" : "greatest") + " interval of " +
@@ -76,7 +80,7 @@ std::string short_measure_text(const analyzer::Problem& problem, std::size_t ind
     case Measure::reaction:
       return "reaction to " + known;
     case Measure::response:
-      return "response to " + problem.channels[static_cast<std::size_t>(requirement.event)].message;
+      return "response to " + event_text(problem, requirement);
     case Measure::interval:
       return "interval";
     case Measure::duration:

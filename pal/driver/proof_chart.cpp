@@ -94,8 +94,9 @@ std::optional<trace::Occurrence> longest_in(const trace::Trace& run, const Proof
   if (requirement.measure == Measure::age && requirement.samples.empty()) {
     all = trace::ages(run, proof.problem.conditions[static_cast<std::size_t>(requirement.condition)], at);
   } else if (requirement.measure == Measure::response) {
-    all = trace::responses(run, proof.problem.devices[static_cast<std::size_t>(requirement.device)].name,
-                           proof.problem.channels[static_cast<std::size_t>(requirement.event)].message, at)
+    const int channel = requirement.events.front();
+    all = trace::responses(run, analyzer::sender_name(proof.problem, channel),
+                           proof.problem.channels[static_cast<std::size_t>(channel)].message, at)
               .answered;
   }
   const trace::Occurrence* found = trace::longest(all);

@@ -130,15 +130,19 @@ std::string step_list(const Network& network, const std::vector<StatementRef>& s
   return result;
 }
 
+std::string channels_text(const std::vector<ChannelId>& channels) {
+  std::string text;
+  for (const ChannelId channel : channels) {
+    text += (text.empty() ? "channel " : ", ") + std::to_string(channel.index());
+  }
+  return text;
+}
+
 std::string known_text(const Network& network, const Known& known) {
   if (const auto* condition = std::get_if<ConditionId>(&known)) {
     return network.conditions[condition->index()].name;
   }
-  std::string text;
-  for (const ChannelId channel : std::get<std::vector<ChannelId>>(known)) {
-    text += (text.empty() ? "channel " : ", ") + std::to_string(channel.index());
-  }
-  return text;
+  return channels_text(std::get<std::vector<ChannelId>>(known));
 }
 
 std::string named_or_each(const std::string& processor) {
@@ -149,8 +153,7 @@ struct MeasureDump {
   const Network& network;
 
   std::string operator()(const Response& response) const {
-    return "response from channel " + std::to_string(response.event.index()) + " to" +
-           step_list(network, response.at);
+    return "response from " + channels_text(response.of) + " to" + step_list(network, response.at);
   }
   std::string operator()(const Age& age) const {
     return "age of " + known_text(network, age.of) + " at" + step_list(network, age.at);

@@ -19,9 +19,10 @@ struct StatementRef {
   NodeId node;
 };
 
-/// From a device's event to the effect of the next of `at` that it causes.
+/// From a device's event, or a message, to the effect of the next of `at` that it causes. `of`: the channels
+/// on which the party sends that message.
 struct Response {
-  ChannelId event;
+  std::vector<ChannelId> of;
   std::vector<StatementRef> at;
 };
 /// What an age or a reaction is of: a condition, or what a device measures: the channels on which it

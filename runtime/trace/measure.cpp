@@ -1,7 +1,6 @@
 #include "runtime/trace/measure.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "runtime/trace/inheritance.hpp"
@@ -30,36 +29,48 @@ void inherit(Inheritance& inheritance, const Event& event, std::vector<Value>& o
     of_actor[static_cast<std::size_t>(event.actor)] = of_actor[static_cast<std::size_t>(parent)];
 }
 
-/// The events of one device that wait for their answer, and who carries which.
+/// The messages of one party that await a response, and who carries which.
 class Causes {
  public:
-  Causes(const Trace& trace, const std::string& device, const std::string& message)
-      : carried_(trace.actors.size()) {
+  Causes(const Trace& trace, const std::string& sender, const std::string& message)
+      : on_message_(trace.channels.size()), served_(trace.channels.size()), carried_(trace.actors.size()) {
     for (const Channel& channel : trace.channels) {
-      from_device_.push_back(channel.sender == device && channel.message == message);
+      awaited_.push_back(channel.sender == sender && channel.message == message);
+      request_.push_back(request_of(trace, channel));
     }
+    for (const Actor& actor : trace.actors) device_.push_back(actor.device);
   }
 
   std::vector<std::optional<std::size_t>>& carried() { return carried_; }
   bool is_source(const Event& event) const {
-    return event.subject >= 0 && from_device_[static_cast<std::size_t>(event.subject)];
+    return event.subject >= 0 && awaited_[static_cast<std::size_t>(event.subject)];
   }
 
   void put(const Event& event) {
     if (is_source(event)) {
       births_.push_back(event.time_ns);
       answered_.push_back(false);
-      on_message_[event.value] = births_.size() - 1;
-    } else if (event.actor >= 0) {
-      on_message_[event.value] = carried_[static_cast<std::size_t>(event.actor)];
+      on(event) = births_.size() - 1;
+    } else if (is_device(event.actor)) {
+      const auto request = request_[static_cast<std::size_t>(event.subject)];
+      on(event) = request ? served_[*request] : std::nullopt;
+    } else {
+      on(event) = carried_[static_cast<std::size_t>(event.actor)];
     }
   }
 
+  /// One that is withdrawn before anybody took it awaits nothing.
+  void drop(const Event& event) {
+    const bool withdrawn = event.actor < 0;
+    if (withdrawn && is_source(event) && on(event)) answered_[*on(event)] = true;
+  }
+
   void take(const Event& event) {
-    const auto found = on_message_.find(event.value);
     // An event that was answered is carried no further: the thread keeps the one that it has.
-    if (found != on_message_.end() && found->second && !answered_[*found->second] && event.actor >= 0) {
-      carried_[static_cast<std::size_t>(event.actor)] = found->second;
+    if (is_device(event.actor)) {
+      served_[static_cast<std::size_t>(event.subject)] = on(event);
+    } else if (on(event) && !answered_[*on(event)]) {
+      carried_[static_cast<std::size_t>(event.actor)] = on(event);
     }
   }
 
@@ -78,11 +89,30 @@ class Causes {
   int passed_over() const { return passed_over_; }
 
  private:
-  std::vector<bool> from_device_;                                  // by channel
-  std::vector<std::int64_t> births_;                               // by event
-  std::vector<bool> answered_;                                     // by event
-  std::map<std::int32_t, std::optional<std::size_t>> on_message_;  // by serial number
-  std::vector<std::optional<std::size_t>> carried_;                // by actor
+  /// The answer of a device carries what its request carried; nothing else that it sends carries anything on.
+  static std::optional<std::size_t> request_of(const Trace& trace, const Channel& answer) {
+    for (std::size_t c = 0; c < trace.channels.size(); ++c) {
+      const Channel& channel = trace.channels[c];
+      const bool back = channel.sender == answer.receiver && channel.receiver == answer.sender;
+      if (back && channel.message == "request " + answer.message) return c;
+    }
+    return std::nullopt;
+  }
+
+  bool is_device(std::int32_t actor) const { return device_[static_cast<std::size_t>(actor)]; }
+
+  std::optional<std::size_t>& on(const Event& event) {
+    return on_message_[static_cast<std::size_t>(event.subject)];
+  }
+
+  std::vector<bool> awaited_;                           // by channel
+  std::vector<std::optional<std::size_t>> request_;     // by channel
+  std::vector<bool> device_;                            // by actor
+  std::vector<std::int64_t> births_;                    // by event
+  std::vector<bool> answered_;                          // by event
+  std::vector<std::optional<std::size_t>> on_message_;  // by channel: of the last message in its slot
+  std::vector<std::optional<std::size_t>> served_;      // by channel: of the request that its device serves
+  std::vector<std::optional<std::size_t>> carried_;     // by actor
   int passed_over_ = 0;
 };
 
@@ -110,16 +140,17 @@ std::vector<Occurrence> ages(const Trace& trace, const std::string& condition,
   return result;
 }
 
-Responses responses(const Trace& trace, const std::string& device, const std::string& message,
+Responses responses(const Trace& trace, const std::string& sender, const std::string& message,
                     const std::vector<StatementName>& at) {
   const std::vector<bool> marks = marked(trace, at);
   Inheritance inheritance(trace);
-  Causes causes(trace, device, message);
+  Causes causes(trace, sender, message);
   Responses result;
   for (const Event& event : trace.events) {
     inherit(inheritance, event, causes.carried());
     if (event.kind == Kind::put) causes.put(event);
     if (event.kind == Kind::take) causes.take(event);
+    if (event.kind == Kind::drop) causes.drop(event);
     if (event.kind == Kind::overrun && causes.is_source(event)) ++result.missed;
     if (!has_effect_at(event, marks)) continue;
     if (const auto birth = causes.answer(event.actor)) {

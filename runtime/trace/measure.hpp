@@ -40,8 +40,9 @@ struct Responses {
   int missed = 0;                    // events lost by overrun, or passed over: a later one was answered first
 };
 
-/// Responses to the events that `device` puts as `message`, at the effects of the statements of `at`.
-Responses responses(const Trace& trace, const std::string& device, const std::string& message,
+/// Responses to what `sender`, a device or a module, puts as `message`, at the effects of the statements of
+/// `at`. What is withdrawn before anybody took it awaits none.
+Responses responses(const Trace& trace, const std::string& sender, const std::string& message,
                     const std::vector<StatementName>& at);
 
 /// The longest; the first of several. Null if there is none.

@@ -126,9 +126,9 @@ std::pair<std::int64_t, bool> measured(const trace::Trace& run, const Problem& p
   if (requirement.measure == Requirement::Measure::age) {
     found = trace::ages(run, problem.conditions[static_cast<std::size_t>(requirement.condition)], at);
   } else {
-    const auto responses =
-        trace::responses(run, problem.devices[static_cast<std::size_t>(requirement.device)].name,
-                         problem.channels[static_cast<std::size_t>(requirement.event)].message, at);
+    const int channel = requirement.events.front();
+    const auto responses = trace::responses(run, sender_name(problem, channel),
+                                            problem.channels[static_cast<std::size_t>(channel)].message, at);
     found = responses.answered;
     failed = responses.missed > 0;
   }

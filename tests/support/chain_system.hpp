@@ -160,7 +160,7 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
     Requirement requirement;
     requirement.name = "chain-" + number;
     requirement.measure = Requirement::Measure::response;
-    requirement.event = made.devices.back().event;
+    requirement.events = {made.devices.back().event};
     requirement.device = device_index;
     requirement.limit = 1'000'000'000'000;
     int last_work = -1;
@@ -238,8 +238,8 @@ inline void require_more(analyzer::Problem& problem) {
     analyzer::Requirement& least = add(Measure::interval, "least");
     least.at_least = true;
     least.limit = 1;
-    add(Measure::age, "age").samples = {response.event};
-    add(Measure::reaction, "reaction").samples = {response.event};
+    add(Measure::age, "age").samples = response.events;
+    add(Measure::reaction, "reaction").samples = response.events;
     add(Measure::loss, "loss").limit = 0;
   }
   analyzer::Requirement busy;

@@ -98,6 +98,15 @@ class RandomCell {
       all.push_back("INTERVAL OF WTM( raw from SD1 ) IN LS1" + most);
       all.push_back("LOSS OF " + sensor + " NONE");
       all.push_back("LOSS OF " + sensor + " AT MOST 1 IN 2");
+      all.push_back("RESPONSE FROM force OF LS1 TO TXM( motion to MC1 )" + most);
+      all.push_back("RESPONSE FROM force OF LS1 TO SPC( c ) IN SM1" + most);
+      all.push_back("RESPONSE FROM request force OF SM1 TO TXM( force to SM1 )" + most);
+      all.push_back("RESPONSE FROM raw OF SD1 TO TXM( force to SM1 )" + most);
+    }
+    all.push_back("RESPONSE FROM motion request OF MC1 TO TXM( motion to MC1 )" + most);
+    if (controller_) {
+      all.push_back("RESPONSE FROM motion OF SM1 TO TXM( correction to robot )" + most);
+      all.push_back("RESPONSE FROM motion request OF MC1 TO obey IN MC1" + most);
     }
     std::string out;
     int number = 0;

@@ -108,10 +108,17 @@ SKILL random
         "DURATION TO COMPLETION 0" + most,
         "DURATION TO COMPLETION 1" + most,
         "BUSY PERIOD OF EACH PROCESSOR" + most,
+        "RESPONSE FROM force OF LS1 TO TXM( motion to MC1 )" + most,
+        "RESPONSE FROM request force OF SM1 TO TXM( force to SM1 )" + most,
+        "RESPONSE FROM request raw OF LS1 TO SPC( pc-force ) IN SM1" + most,
+        "RESPONSE FROM raw OF SD1 TO extract IN LS1" + most,
+        "RESPONSE FROM motion request OF MC1 TO TXM( motion to MC1 )" + most,
+        "RESPONSE FROM motion OF SM1 TO TXM( correction to robot )" + most,
     };
     std::string out;
     int number = 0;
     for (const std::string& each : all) {
+      if (robot == "MC1" && each.find("correction") != std::string::npos) continue;
       if (required_() % 4 == 0) out += "  REQUIREMENT more-" + std::to_string(++number) + " : " + each + "\n";
     }
     return out;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "tests/support/executed_blocks.hpp"
 
@@ -106,9 +107,26 @@ DEVICE robot "asks for corrections"
       out += "  REQUIREMENT block-3 : INTERVAL OF SPC( pc-force ) IN SM1 AT LEAST 9 ms\n";
     }
     if (shape_ == Shape::loops) out += "  REQUIREMENT after : AGE OF pc-force AT think IN SM1" + most + "\n";
+    for (const std::string& each : messages_answered(at + most, most))
+      out += "  REQUIREMENT m-" + std::to_string(++number) + " : " + each + "\n";
     for (const std::string& each : all)
       out += "  REQUIREMENT r-" + std::to_string(++number) + " : " + each + "\n";
     return out;
+  }
+
+  /// Responses to what modules, and devices that are asked, send.
+  std::vector<std::string> messages_answered(const std::string& at, const std::string& most) const {
+    std::vector<std::string> all = {"RESPONSE FROM force OF LS1 TO " + at,
+                                    "RESPONSE FROM raw OF SD1 TO TXM( force to SM1 )" + most};
+    if (sensor_ != Sensor::sends) {
+      all.push_back("RESPONSE FROM request force OF SM1 TO TXM( force to SM1 )" + most);
+      all.push_back("RESPONSE FROM request force OF SM1 TO SPC( pc-force ) IN SM1" + most);
+    }
+    if (robot_module_ && !straight()) {
+      all.push_back("RESPONSE FROM motion request OF MC1 TO TXM( motion to MC1 )" + most);
+      all.push_back("RESPONSE FROM motion OF SM1 TO TXM( correction to robot )" + most);
+    }
+    return all;
   }
 
   std::string driver() const {

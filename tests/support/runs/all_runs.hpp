@@ -139,6 +139,7 @@ class AllRuns {
   void grow(int time);
   void measure(int thread);
   void respond(Thread& of);
+  void forget(int event);
   void has_read(int thread, int condition);
   void has_set(int thread, int condition);
   void has_taken(int thread, int carried);

@@ -35,7 +35,6 @@ void AllRuns::occurs(int process) {
   const bool lost = s_.slots[ix(channel)].full;
   const int carries = lost ? -1 : has_occurred(channel);
   occurrence(process, lost);
-  if (lost && channel == wanted_.event) s_.failed = true;
   put(channel, -1, process, carries);
   if (!lost) s_.slots[ix(channel)].later = counts(process) ? 0 : -1;
   if (!lost) offer(channel);

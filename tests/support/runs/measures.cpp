@@ -76,14 +76,17 @@ void AllRuns::measure(int thread) {
 /// The event that the thread carries is answered; none that came before may be left.
 void AllRuns::respond(Thread& of) {
   if (of.carries < 0) return;
-  const int answered = of.carries;
-  record(s_.births[ix(answered)]);
-  if (answered > 0) s_.failed = true;
-  s_.births.erase(s_.births.begin() + answered);
-  const auto renumber = [answered](int& carries) {
-    if (carries == answered) {
+  record(s_.births[ix(of.carries)]);
+  if (of.carries > 0) s_.failed = true;
+  forget(of.carries);
+}
+
+void AllRuns::forget(int event) {
+  s_.births.erase(s_.births.begin() + event);
+  const auto renumber = [event](int& carries) {
+    if (carries == event) {
       carries = -1;
-    } else if (carries > answered) {
+    } else if (carries > event) {
       --carries;
     }
   };
@@ -125,7 +128,7 @@ int AllRuns::sample() {
 /// What the message of an event carries.
 int AllRuns::has_occurred(int channel) {
   if (wanted_.samples.count(channel) != 0) return sample();
-  return channel == wanted_.event ? birth() : -1;
+  return -1;
 }
 
 /// What the answer to a request that a device takes now will carry. A frame is one sample for all.

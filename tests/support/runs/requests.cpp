@@ -57,6 +57,8 @@ void AllRuns::withdraw(int request, std::optional<int> owner, std::vector<int>& 
   std::vector<Asked> after;
   const auto remove = [&](int channel) {
     say("dropped " + network_.messages[network_.channels[ix(channel)].message.index()].name);
+    if (wanted_.events.count(channel) != 0 && s_.slots[ix(channel)].carries >= 0)
+      forget(s_.slots[ix(channel)].carries);
     const int claimed = s_.slots[ix(channel)].claimed;
     if (claimed >= 0) s_.threads[ix(claimed)].withdrawn = true;
     has_withdrawn(channel);

@@ -43,7 +43,7 @@ class Wishes {
 
   void operator()(const Response& response) {
     made_.kind = Wanted::Kind::response;
-    made_.event = response.event.value;
+    for (const ChannelId channel : response.of) made_.events.insert(channel.value);
     made_.at = places(response.at);
     all_.push_back(made_);
   }
@@ -104,7 +104,7 @@ class Wishes {
     for (std::size_t c = 0; c < network_.channels.size(); ++c) {
       if (party_name(network_, network_.channels[c].sender) == timing.device &&
           network_.messages[network_.channels[c].message.index()].name == event->message)
-        answer.event = static_cast<int>(c);
+        answer.events.insert(static_cast<int>(c));
     }
     for (std::size_t m = 0; m < network_.modules.size(); ++m) {
       const Graph& body = network_.modules[m].body;

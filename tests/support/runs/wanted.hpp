@@ -31,7 +31,7 @@ struct Wanted {
   std::set<std::pair<int, int>> at;  // module, node
   int condition = -1;                // age, reaction
   std::set<int> samples;             // sample_age, sample_reaction: channels
-  int event = -1;                    // response: channel
+  std::set<int> events;              // response: channels
   std::string device;                // loss
   int in = 1;                        // loss
   int code = 0;                      // duration
