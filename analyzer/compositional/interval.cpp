@@ -74,27 +74,30 @@ Sum least_by_source(const View& view, const std::vector<Pass>& all) {
 }
 
 /// What the shortest way through the program takes.
-Sum by_the_way(const View& view, const Requirement& requirement, int thread) {
-  return {least_way(view.problem, thread, requirement.at, view.conduct.sequential),
+Sum by_the_way(const View& view, const std::vector<bool>& at, int thread) {
+  return {least_way(view.problem, thread, at, view.conduct.sequential),
           {Term::Kind::said, -1, -1, -1, "what lies on the shortest way from one to the next"}};
 }
 
 Bound least_interval(const View& view, const Requirement& requirement) {
-  const Bound none{Sum::unbounded(), "nothing keeps two passes apart"};
-  const std::set<int> threads = owners(view, requirement.at);
-  if (threads.size() != 1) return none;
-  const int thread = *threads.begin();
-  std::vector<Pass> all;
-  for (std::size_t s = 0; s < requirement.at.size(); ++s) {
-    if (!requirement.at[s] || view.forest.segments.owner(static_cast<int>(s)) < 0) continue;
-    for (int n : nodes_with(view, static_cast<int>(s))) all.push_back({n, static_cast<int>(s)});
-  }
-  const Sum least = greater(least_by_source(view, all), by_the_way(view, requirement, thread));
+  const Sum least = least_distance(view, requirement.at);
   if (!least.bounded()) return {Sum::unbounded(), "it comes once at most"};
-  return least.value() > 0 ? Bound{least, ""} : none;
+  if (least.value() == 0) return {Sum::unbounded(), "nothing keeps two passes apart"};
+  return {least, ""};
 }
 
 }  // namespace
+
+Sum least_distance(const View& view, const std::vector<bool>& at) {
+  const std::set<int> threads = owners(view, at);
+  if (threads.size() != 1) return {};
+  std::vector<Pass> all;
+  for (std::size_t s = 0; s < at.size(); ++s) {
+    if (!at[s] || view.forest.segments.owner(static_cast<int>(s)) < 0) continue;
+    for (int n : nodes_with(view, static_cast<int>(s))) all.push_back({n, static_cast<int>(s)});
+  }
+  return greater(least_by_source(view, all), by_the_way(view, at, *threads.begin()));
+}
 
 Bound interval_bound(const View& view, const Requirement& requirement) {
   return requirement.at_least ? least_interval(view, requirement) : greatest_interval(view, requirement);

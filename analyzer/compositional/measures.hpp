@@ -60,6 +60,9 @@ Bound age_bound(const View& view, const Requirement& requirement);
 /// By what the threads surely know; of a condition age_bound may know a nearer one.
 Bound known_age_bound(const View& view, const Requirement& requirement);
 Bound reaction_bound(const View& view, const Requirement& requirement);
+/// Between two effects of statements, at the least: 0 if nothing keeps them apart, unbounded if there is one
+/// at most.
+Sum least_distance(const View& view, const std::vector<bool>& at);
 /// Of a least interval: no run falls below the value.
 Bound interval_bound(const View& view, const Requirement& requirement);
 Bound duration_bound(const View& view, const Requirement& requirement);

@@ -1,6 +1,7 @@
 // Responses to messages of modules and of devices that are asked, added up by hand.
 #include <catch2/catch.hpp>
 
+#include "analyzer/compositional/compositional.hpp"
 #include "analyzer/exact.hpp"
 #include "tests/support/confirm.hpp"
 #include "tests/support/skill.hpp"
@@ -101,6 +102,10 @@ TEST_CASE("a response to a message counts from its sending, whoever sends it") {
   check_exact(*skill->problem, analysis, 1, 2000us);   // 1 + 0.25 + 0.25 + 0.5
   check_exact(*skill->problem, analysis, 2, 2250us);   // 0.25 + 2
   check_exact(*skill->problem, analysis, 3, 8250us);   // 6 + 0.25 + 2
+  // MC1 asks 0.75 ms after the tick, the only one that can be late; it asks again when it has its answer.
+  const Analysis bounds = analyze_compositionally(*skill->problem, {});
+  REQUIRE(bounds.verdicts[0].bound);
+  CHECK(*bounds.verdicts[0].bound == 10500us);
 }
 
 // SM1 decides for 40 ms, so every second request finds it at work; 3 ms later it is withdrawn.

@@ -221,8 +221,8 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
 }
 
 /// Requires everything else of the chains, too: how far apart and how near the works of the last stage are,
-/// how old the event is there and until it reacts to one, that none is lost; and of the processors how long
-/// they are busy.
+/// how old the event is there and until it reacts to one, that none is lost, how long what the first stage
+/// sends is under way; and of the processors how long they are busy.
 inline void require_more(analyzer::Problem& problem) {
   using Measure = analyzer::Requirement::Measure;
   const std::vector<analyzer::Requirement> responses = problem.requirements;
@@ -231,6 +231,7 @@ inline void require_more(analyzer::Problem& problem) {
       analyzer::Requirement made = response;
       made.measure = measure;
       made.name = response.name + "." + name;
+      made.events.clear();
       problem.requirements.push_back(made);
       return problem.requirements.back();
     };
@@ -241,6 +242,13 @@ inline void require_more(analyzer::Problem& problem) {
     add(Measure::age, "age").samples = response.events;
     add(Measure::reaction, "reaction").samples = response.events;
     add(Measure::loss, "loss").limit = 0;
+    // What the first stage sends on, and all that follows.
+    const int second = response.events.front() + 1;
+    if (second >= static_cast<int>(problem.channels.size())) continue;
+    if (problem.channels[static_cast<std::size_t>(second)].sender_module < 0) continue;
+    analyzer::Requirement& rest = add(Measure::response, "rest");
+    rest.events = {second};
+    rest.device = -1;
   }
   analyzer::Requirement busy;
   busy.name = "busy";

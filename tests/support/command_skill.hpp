@@ -37,6 +37,8 @@ SKILL commands
   REQUIREMENT works : INTERVAL OF work IN MC1 BETWEEN 1 ms AND 1 s
   REQUIREMENT busy : BUSY PERIOD OF EACH PROCESSOR AT MOST 1 s
   REQUIREMENT driven : RESPONSE FROM tick OF clock TO work IN SD1 AT MOST 1 s
+  REQUIREMENT late : RESPONSE FROM late OF SM1 TO TXM( done to SM1 ) AT MOST 1 s
+  REQUIREMENT asked : RESPONSE FROM request motion OF SM1 TO TXM( motion to SM1 ) AT MOST 1 s
 END SKILL
 )") + modules() +
            environment();

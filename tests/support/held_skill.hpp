@@ -43,7 +43,11 @@ SKILL held
         "  REQUIREMENT obeyed : INTERVAL OF obey IN MC1" + limit + "  REQUIREMENT sample : AGE OF " +
         sensed_ + " FROM " + sensor_ + " AT obey IN MC1" + limit + "  REQUIREMENT world : REACTION OF " +
         sensed_ + " FROM " + sensor_ + " AT obey IN MC1" + limit +
-        "  REQUIREMENT busy : BUSY PERIOD OF EACH PROCESSOR" + limit;
+        "  REQUIREMENT busy : BUSY PERIOD OF EACH PROCESSOR" + limit +
+        "  REQUIREMENT follows : RESPONSE FROM motion OF SM1 TO obey IN MC1" + limit;
+    if (relayed)
+      out += "  REQUIREMENT decided : RESPONSE FROM force OF LS1 TO TXM( motion to MC1 )" + limit +
+             "  REQUIREMENT through : RESPONSE FROM force OF LS1 TO obey IN MC1" + limit;
     if (!asked) {
       out += "  REQUIREMENT put : RESPONSE FROM " + sensed_ + " OF " + sensor_ + " TO TXM( motion to MC1 )" +
              limit + "  REQUIREMENT done : RESPONSE FROM " + sensed_ + " OF " + sensor_ + " TO obey IN MC1" +
