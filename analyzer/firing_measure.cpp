@@ -154,6 +154,7 @@ void Firing::answered(std::uint8_t event) {
     move(of.carries);
     move(of.serving_carries);
   }
+  for (Due& due : due_) move(due.carries);
 }
 
 }  // namespace pal::analyzer

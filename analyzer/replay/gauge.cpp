@@ -10,6 +10,7 @@ Gauge::Gauge(const Problem& problem, const Requirement* requirement)
       threads_(problem.threads.size(), none),
       channels_(problem.channels.size(), none),
       serving_(problem.channels.size(), none),
+      due_(problem.channels.size(), none),
       conditions_(problem.conditions.size(), none),
       busy_since_(problem.processors.size()),
       paused_(problem.processors.size(), -1),
@@ -160,6 +161,10 @@ void Gauge::serves(int request, bool first) {
   if (reference_ == none) reference_ = carried;
 }
 
+void Gauge::is_due(int request) {
+  due_[static_cast<std::size_t>(request)] = serving_[static_cast<std::size_t>(request)];
+}
+
 void Gauge::event(int device, int of, bool lost) {
   const bool responds = is(Measure::response) && requirement_->event == of;
   if (lost) {
@@ -174,7 +179,7 @@ void Gauge::event(int device, int of, bool lost) {
 }
 
 void Gauge::answers(int of) {
-  channel(of) = serving_[static_cast<std::size_t>(problem_.channels[static_cast<std::size_t>(of)].answers)];
+  channel(of) = due_[static_cast<std::size_t>(problem_.channels[static_cast<std::size_t>(of)].answers)];
   occurrence_[static_cast<std::size_t>(of)] = static_cast<int>(lost_.size());
 }
 

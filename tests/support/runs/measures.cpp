@@ -91,6 +91,7 @@ void AllRuns::respond(Thread& of) {
   for (Slot& each : s_.slots) {
     renumber(each.carries);
     renumber(each.serving_carries);
+    renumber(each.due_carries);
   }
 }
 
