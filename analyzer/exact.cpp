@@ -109,19 +109,23 @@ class Analyzer {
     Statistics statistics;
     bool first = true;
     bool bounded = true;
+    Duration most(0);
     for (const int processor : requirement.processors) {
       Verdict each = blank(requirement);
       timed(requirement, watch_of(problem_, requirement, processor), each);
       statistics += each.statistics;
       bounded = bounded && each.bound;
+      if (each.bound) most = std::max(most, *each.bound);
       each.explanation = "processor " + problem_.processors[static_cast<std::size_t>(processor)].name + ": " +
                          each.explanation;
       if (first || worse(each, verdict)) verdict = std::move(each);
       first = false;
     }
     verdict.statistics = statistics;
-    if (!bounded) verdict.bound.reset();
-    if (!bounded) verdict.exact = false;
+    // The worst verdict need not be that of the greatest bound.
+    const bool greatest = bounded && *verdict.bound == most;
+    if (!greatest) verdict.exact = false;
+    if (!greatest) verdict.bound = bounded ? std::optional(most) : std::nullopt;
   }
 
   static bool worse(const Verdict& a, const Verdict& b) {

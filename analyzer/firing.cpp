@@ -58,6 +58,7 @@ void Firing::fire(int timer) {
       device_service(device);
     }
   }
+  all_due();
   if (!state_.ended) dispatch();
   track_busy(was_busy);
   settle();
@@ -151,16 +152,16 @@ void Firing::effect_wait(int thread) {
   go_on_and_admit(thread, step.next[branch], {channel});
 }
 
-/// The thread goes on, and the channels are there for senders that are blocked: in either order, where it
-/// matters.
+/// The thread goes on, and the channels are there for senders that are blocked.
 void Firing::go_on_and_admit(int thread, int next, std::vector<int> channels) {
   std::erase_if(channels, [this](int channel) { return !somebody_sends(channel); });
-  const Step::Kind after = problem_.steps[static_cast<std::size_t>(next)].kind;
-  const bool matters = after == Step::Kind::wait || after == Step::Kind::fork || after == Step::Kind::end;
-  const bool first = !channels.empty() && matters && !state_of(thread).cancelled && choices_.pick(2) == 1;
-  if (first) finish(thread, next);
-  in_any_order(std::move(channels), [this](int channel) { admit(channel); });
-  if (!first) finish(thread, next);
+  if (state_of(thread).cancelled) {
+    in_any_order(std::move(channels), [this](int channel) { admit(channel); });
+    finish(thread, next);
+    return;
+  }
+  for (int channel : channels) admit_later(channel);
+  go_on_later(thread, next);
 }
 
 void Firing::effect_send(int thread) {
@@ -192,15 +193,13 @@ void Firing::sent(int thread, bool put_it) {
   const int channel = step.channels.front();
   if (put_it) place(channel, thread, -1, carries);
   measure(thread);
-  // Who is to receive it and who has sent it may come to their queues in either order.
-  const Step::Kind after = problem_.steps[static_cast<std::size_t>(step.next.front())].kind;
-  const bool queues =
-      state_of(thread).status != Status::running || after == Step::Kind::fork || after == Step::Kind::end;
-  const bool first =
-      put_it && queues && !state_of(thread).cancelled && somebody_waits(channel) && choices_.pick(2) == 1;
-  if (first) finish(thread, step.next.front());
+  if (state_of(thread).cancelled) {
+    if (put_it) announce(channel);
+    finish(thread, step.next.front());
+    return;
+  }
   if (put_it) announce(channel);
-  if (!first) finish(thread, step.next.front());
+  go_on_later(thread, step.next.front());
 }
 
 void Firing::effect_set(int thread) {

@@ -1,6 +1,7 @@
 // One event of the machine, from the timer that fires to the threads that run afterwards.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -20,6 +21,32 @@ class Firing {
  private:
   using Kind = trace::Kind;
 
+  /// What is still to happen at this instant, as a consequence of what has: in any order (firing_due.cpp).
+  struct Due {
+    enum class What {
+      go_on,   // a thread whose statement is over, to step `next`
+      queue,   // a thread for which a message has come, to its processor
+      admit,   // a sender that is blocked, to a channel that is free
+      parent,  // a thread whose blocks are over, behind its CONCURRENT
+      answer,  // a device's, to a request
+      serve,   // a device that is idle, its next request
+    };
+    What what = What::go_on;
+    int who = -1;  // thread, channel or device
+    int next = -1;
+    std::uint8_t carries = tag::none;  // answer
+  };
+  void all_due();
+  void happen(const Due& due);
+  void go_on_later(int thread, int next);
+  void queue_later(int thread);
+  void admit_later(int channel);
+  void forget(int thread);
+  bool orderless(const Due& due) const;
+  bool keeps_processor(const Due& due) const;
+  std::optional<std::pair<int, int>> only_queue(const Due& due) const;
+  std::vector<std::size_t> rivals_of_due() const;
+
   // Threads and processors (firing_threads.cpp).
   void first_queues(int thread, std::set<std::pair<int, int>>& queues) const;
   std::vector<std::size_t> rivals_of_first(const std::vector<int>& modules) const;
@@ -29,7 +56,8 @@ class Firing {
   void need_processor(int thread);
   void leave_processor(int thread);
   void end(int thread);
-  void child_ended(int parent);
+  void child_ended(int parent, bool stopped);
+  void go_on_behind_blocks(int parent);
   void cancel(int thread);
   void stop(int thread);
   void dispatch();
@@ -62,10 +90,10 @@ class Firing {
   }
 
   // Messages and devices (firing_mail.cpp).
-  bool put(int channel, int thread, int device, std::uint8_t carries);
   void place(int channel, int thread, int device, std::uint8_t carries);
   void announce(int channel);
   bool available(int channel, int thread) const;
+  int claimed_by(int channel);
   void message_available(int channel);
   void fill(int channel, int processor);
   void take(int channel, int thread, int device);
@@ -93,6 +121,7 @@ class Firing {
   void take_pending(int device);
   void device_next(int device);
   void device_service(int device);
+  void answer(int request, std::uint8_t carries);
   void event_occurs(int device);
 
   // Measuring (firing_measure.cpp).
@@ -114,7 +143,7 @@ class Firing {
 
   // Losses (firing_losses.cpp).
   bool counts_losses(int device) const;
-  bool arrives(int device, std::uint32_t served) const;
+  bool arrives(int device, const DeviceState::Served& served) const;
   void occurrence(int device, bool lost);
   void lost_after_all(int channel);
   void count_losses();
@@ -154,6 +183,7 @@ class Firing {
   int old_observers_;
   std::vector<int> pending_origin_;
   std::vector<int> queued_;  // threads that became ready
+  std::vector<Due> due_;
 };
 
 }  // namespace pal::analyzer

@@ -20,10 +20,10 @@ bool Firing::counts_losses(int device) const {
 }
 
 /// Whether one of the answers that are due finds its slot free, and somebody who wants it.
-bool Firing::arrives(int device, std::uint32_t served) const {
+bool Firing::arrives(int device, const DeviceState::Served& served) const {
   const std::vector<int>& requests = problem_.devices[static_cast<std::size_t>(device)].requests;
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    if ((served >> i & 1U) == 0) continue;
+    if (!served[i]) continue;
     const int answer = channel_of(requests[i]).answer;
     const bool free = state_.slots[static_cast<std::size_t>(answer)].fill == SlotState::Fill::empty;
     if (free && !discards(answer)) return true;

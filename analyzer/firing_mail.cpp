@@ -1,17 +1,10 @@
 // Messages and the devices at the other end of them.
 #include <algorithm>
+#include <utility>
 
 #include "analyzer/firing.hpp"
 
 namespace pal::analyzer {
-
-/// False: the slot of the channel was full (only for devices).
-bool Firing::put(int channel, int thread, int device, std::uint8_t carries) {
-  if (slot(channel).fill != SlotState::Fill::empty) return false;
-  place(channel, thread, device, carries);
-  announce(channel);
-  return true;
-}
 
 /// The message is in its slot; announce() is still to be called.
 void Firing::place(int channel, int thread, int device, std::uint8_t carries) {
@@ -31,7 +24,8 @@ void Firing::announce(int channel) {
   if (channel_of(channel).receiver_device >= 0) {
     arrives_at_device(channel);
   } else {
-    message_available(channel);
+    const int thread = claimed_by(channel);
+    if (thread >= 0) queue_later(thread);
   }
 }
 
@@ -39,7 +33,7 @@ void Firing::announce(int channel) {
 void Firing::fill(int channel, int processor) {
   SlotState& to = slot(channel);
   to.fill = SlotState::Fill::full;
-  to.from = static_cast<std::int8_t>(processor);
+  to.from = processor;
   to.near = to.far = SlotState::Way::there;
   if (processor < 0 || channel_of(channel).receiver_device >= 0) return;
   bool near = false;
@@ -61,8 +55,8 @@ bool Firing::available(int channel, int thread) const {
   return (of.from == thread_of(thread).processor ? of.near : of.far) == SlotState::Way::there;
 }
 
-/// Gives the message to one of the threads that wait for it, if any.
-void Firing::message_available(int channel) {
+/// Gives the message to one of the threads that wait for it, if any, which has to come to its queue yet.
+int Firing::claimed_by(int channel) {
   std::vector<std::pair<int, int>> waiting;
   for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
     if (state_.threads[t].status != Status::waiting || !available(channel, static_cast<int>(t))) continue;
@@ -71,14 +65,24 @@ void Firing::message_available(int channel) {
       if (step.channels[i] == channel) waiting.emplace_back(static_cast<int>(t), static_cast<int>(i));
     }
   }
-  if (waiting.empty()) return;
+  if (waiting.empty()) return -1;
   const std::size_t chosen =
       waiting.size() == 1 ? 0 : static_cast<std::size_t>(choices_.pick(static_cast<int>(waiting.size())));
   const auto [thread, branch] = waiting[chosen];
   if (step_of(thread).within) stop_timer(machine_.thread_timer(thread));
   slot(channel).fill = SlotState::Fill::claimed;
   state_of(thread).choice = static_cast<std::int8_t>(branch);
-  need_processor(thread);
+  state_of(thread).status = Status::ready;
+  state_of(thread).begun = false;
+  return thread;
+}
+
+/// Gives the message to one of the threads that wait for it, if any.
+void Firing::message_available(int channel) {
+  const int thread = claimed_by(channel);
+  if (thread < 0) return;
+  enqueue(thread, false);
+  queued_.push_back(thread);
 }
 
 /// The message leaves its slot; empty() is still to be called.
@@ -96,7 +100,7 @@ void Firing::take(int channel, int thread, int device) {
 /// Frees the slot, for a sender that is blocked perhaps.
 void Firing::empty(int channel) {
   clear(channel);
-  admit(channel);
+  admit_later(channel);
 }
 
 /// The slot is free; admit() is still to be called.
@@ -120,10 +124,10 @@ bool Firing::somebody_sends(int channel) const {
   return false;
 }
 
-/// Whether a thread will take the message of the channel as soon as it is announced.
+/// Whether a thread waits for a message of the channel.
 bool Firing::somebody_waits(int channel) const {
   for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
-    if (state_.threads[t].status != Status::waiting || !available(channel, static_cast<int>(t))) continue;
+    if (state_.threads[t].status != Status::waiting) continue;
     const std::vector<int>& channels = step_of(static_cast<int>(t)).channels;
     if (std::find(channels.begin(), channels.end(), channel) != channels.end()) return true;
   }
@@ -149,7 +153,7 @@ void Firing::admit(int channel) {
     discard(channel);
     emit(Kind::drop, sender, channel);
     sent(sender, false);
-    admit(channel);
+    admit_later(channel);
     return;
   }
   sent(sender, true);
@@ -193,7 +197,7 @@ void Firing::arrives_at_device(int channel) {
     empty(channel);
     return;
   }
-  const bool idle = state_.devices[static_cast<std::size_t>(device)].serving == 0;
+  const bool idle = state_.devices[static_cast<std::size_t>(device)].serving.none();
   if (idle && std::holds_alternative<pan::RequestDevice>(
                   problem_.devices[static_cast<std::size_t>(device)].behaviour)) {
     take_pending(device);
@@ -218,7 +222,7 @@ void Firing::take_pending(int device) {
   }
   if (request != nullptr) emit_device(Kind::busy, device);
   for (std::size_t i : pending) {
-    state_.devices[static_cast<std::size_t>(device)].serving |= std::uint32_t{1} << i;
+    state_.devices[static_cast<std::size_t>(device)].serving.set(i);
     slot(of.requests[i]).serving_carries = sampled(of.requests[i]);
     take(of.requests[i], -1, device);
   }
@@ -229,12 +233,7 @@ void Firing::take_pending(int device) {
     const Nanoseconds collecting = std::get<pan::FrameDevice>(of.behaviour).collecting.count();
     start_timer(machine_.service_timer(device), {collecting, collecting});
   }
-  std::vector<int> freed;
-  for (std::size_t i : pending) {
-    clear(of.requests[i]);
-    if (somebody_sends(of.requests[i])) freed.push_back(of.requests[i]);
-  }
-  in_any_order(std::move(freed), [this](int channel) { admit(channel); });
+  for (std::size_t i : pending) empty(of.requests[i]);
 }
 
 void Firing::device_next(int device) {
@@ -263,28 +262,35 @@ void Firing::device_service(int device) {
     event_occurs(device);
     return;
   }
-  const std::uint32_t served = state.serving;
-  state.serving = 0;
+  const DeviceState::Served served = state.serving;
+  state.serving.reset();
   emit_device(Kind::idle, device);
   if (counts_losses(device)) occurrence(device, !arrives(device, served));
-  std::vector<int> requests;
   for (std::size_t i = 0; i < of.requests.size(); ++i) {
-    if ((served >> i & 1U) != 0) requests.push_back(of.requests[i]);
+    if (!served[i]) continue;
+    const int request = of.requests[i];
+    const std::uint8_t carries =
+        counts_losses(device) ? std::uint8_t{0} : std::exchange(slot(request).serving_carries, tag::none);
+    due_.push_back({Due::What::answer, request, -1, carries});
   }
-  in_any_order(std::move(requests), [&](int request) {
-    const std::uint8_t carries = counts_losses(device) ? std::uint8_t{0} : slot(request).serving_carries;
-    slot(request).serving_carries = tag::none;
-    const int answer = channel_of(request).answer;
-    if (discards(answer)) {
-      discard(answer);
-      emit_device(Kind::drop, device, answer);
-    } else if (!put(answer, -1, device, carries)) {
-      discard(answer);
-      emit_device(Kind::overrun, device, answer);
-      if (awaits_response(answer)) state_.failed = true;
-    }
-  });
-  if (std::holds_alternative<pan::RequestDevice>(of.behaviour)) take_pending(device);
+  if (std::holds_alternative<pan::RequestDevice>(of.behaviour)) due_.push_back({Due::What::serve, device});
+}
+
+/// The answer to a request is there, or lost, or not wanted any more.
+void Firing::answer(int request, std::uint8_t carries) {
+  const int channel = channel_of(request).answer;
+  const int device = channel_of(request).receiver_device;
+  if (discards(channel)) {
+    discard(channel);
+    emit_device(Kind::drop, device, channel);
+  } else if (slot(channel).fill != SlotState::Fill::empty) {
+    discard(channel);
+    emit_device(Kind::overrun, device, channel);
+    if (awaits_response(channel)) state_.failed = true;
+  } else {
+    place(channel, -1, device, carries);
+    message_available(channel);
+  }
 }
 
 void Firing::event_occurs(int device) {
@@ -297,7 +303,8 @@ void Firing::event_occurs(int device) {
     return;
   }
   occurrence(device, false);
-  put(channel, -1, device, occurred(channel));
+  place(channel, -1, device, occurred(channel));
+  message_available(channel);
 }
 
 }  // namespace pal::analyzer

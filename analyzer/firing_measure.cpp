@@ -164,6 +164,7 @@ void Firing::forget_event(std::uint8_t event) {
     move(of.carries);
     move(of.serving_carries);
   }
+  for (Due& due : due_) move(due.carries);
 }
 
 }  // namespace pal::analyzer

@@ -95,7 +95,8 @@ std::vector<int> Firing::abandon(int thread) {
     const int channel = step.channels[static_cast<std::size_t>(state.choice)];
     if (slot(channel).fill == SlotState::Fill::claimed) {
       slot(channel).fill = SlotState::Fill::full;
-      message_available(channel);
+      const int other = claimed_by(channel);
+      if (other >= 0) queue_later(other);
     }
   }
   std::vector<int> freed;

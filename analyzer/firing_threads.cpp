@@ -31,6 +31,7 @@ void Firing::begin() {
     modules.erase(modules.begin() + static_cast<std::ptrdiff_t>(chosen));
     state_of(thread).status = Status::ready;
     reach(thread, thread_of(thread).entry);
+    all_due();
   }
   dispatch();
   track_busy(false);
@@ -167,11 +168,13 @@ void Firing::end(int thread) {
   ThreadState off;
   state_of(thread) = off;
   if (thread_of(thread).parent >= 0) hand_over(thread, thread_of(thread).parent);
-  if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent);
+  if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent, false);
 }
 
-/// A block has ended or stopped. When all that can end have, the others are cancelled.
-void Firing::child_ended(int parent) {
+/// A block has ended, or was stopped. When all that can end have, the others are cancelled. When all are over
+/// the parent goes on: at once, or, if others may go on because the last one was stopped, before or after
+/// them.
+void Firing::child_ended(int parent, bool stopped) {
   ThreadState& state = state_of(parent);
   if (state.status != Status::joining) return;
   std::vector<int> blocks = step_of(parent).threads;
@@ -196,19 +199,26 @@ void Firing::child_ended(int parent) {
     }
     return;
   }
-  state.status = Status::ready;
   if (state.cancelled) {
+    state.status = Status::ready;
     stop(parent);
+  } else if (stopped) {
+    due_.push_back({Due::What::parent, parent});
   } else {
-    reach(parent, step_of(parent).next.front());
+    go_on_behind_blocks(parent);
   }
+}
+
+void Firing::go_on_behind_blocks(int parent) {
+  state_of(parent).status = Status::ready;
+  reach(parent, step_of(parent).next.front());
 }
 
 /// A thread that is cancelled stops, or will when it has finished its statement.
 void Firing::cancel(int thread) {
   const ThreadState& state = state_of(thread);
   if (state.status == Status::joining) {
-    child_ended(thread);
+    child_ended(thread, true);
     return;
   }
   const bool busy = state.begun && (state.status == Status::running || state.status == Status::ready);
@@ -222,15 +232,11 @@ void Firing::stop(int thread) {
   if (limited) stop_timer(machine_.thread_timer(thread));
   leave_processor(thread);
   state_of(thread).status = Status::off;
-  std::vector<int> freed = abandon(thread);
+  forget(thread);
+  const std::vector<int> freed = abandon(thread);
   state_of(thread) = {};
-  std::erase_if(freed, [this](int channel) { return !somebody_sends(channel); });
-  // Its parent may go on before or after those whose slot is free now.
-  const int parent = thread_of(thread).parent;
-  const bool first = parent >= 0 && !freed.empty() && choices_.pick(2) == 1;
-  if (first) child_ended(parent);
-  in_any_order(std::move(freed), [this](int channel) { admit(channel); });
-  if (!first && parent >= 0) child_ended(parent);
+  for (int channel : freed) admit_later(channel);
+  if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent, true);
 }
 
 void Firing::dispatch() {

@@ -77,7 +77,7 @@ bool Machine::fire(const State& state, int timer, Choices& choices, bool record,
   if (timer >= next_timer(0)) {
     const int device = (timer - next_timer(0)) / 2;
     const DeviceState& of = state.devices[static_cast<std::size_t>(device)];
-    if (timer == next_timer(device) && of.serving != 0 &&
+    if (timer == next_timer(device) && of.serving.any() &&
         std::holds_alternative<pan::FrameDevice>(
             problem_.devices[static_cast<std::size_t>(device)].behaviour)) {
       return false;

@@ -5,6 +5,10 @@
 namespace pal::analyzer {
 namespace {
 
+/// So many orders of what happens at one instant are tried: n things that may come in any order have n!.
+constexpr std::size_t most_beginnings = 50'000;
+constexpr std::size_t most_outcomes = 10'000;  // of one timer
+
 /// What those can have left that got back a time that is not fixed.
 void find_left(const Machine& machine, const State& state, Move& move) {
   const auto priority = [&](int timer) {
@@ -84,7 +88,8 @@ std::vector<Move> first_moves(const Machine& machine) {
     made.choices = choices.taken();
     follow_timers(machine, {}, made);
     moves.push_back(std::move(made));
-  } while (choices.next());
+    if (moves.size() == most_beginnings) moves.back().outcome.too_many = true;
+  } while (moves.size() < most_beginnings && choices.next());
   return moves;
 }
 
@@ -93,6 +98,7 @@ std::vector<Move> moves_from(const Machine& machine, const Place& place) {
   for (std::size_t k = 0; k < place.timers.size(); ++k) {
     if (place.frozen[k]) continue;
     AllChoices choices;
+    const std::size_t most = moves.size() + most_outcomes;
     do {
       Move made;
       if (!machine.fire(place.state, place.timers[k], choices, false, made.outcome)) break;
@@ -100,7 +106,8 @@ std::vector<Move> moves_from(const Machine& machine, const Place& place) {
       made.choices = choices.taken();
       follow_timers(machine, place, made);
       moves.push_back(std::move(made));
-    } while (choices.next());
+      if (moves.size() == most) moves.back().outcome.too_many = true;
+    } while (moves.size() < most && choices.next());
   }
   return moves;
 }

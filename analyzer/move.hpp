@@ -58,9 +58,10 @@ struct Place {
   bool moves_known = false;
 };
 
-/// All ways to begin.
+/// All ways to begin. If they are too many the last one says so (Outcome::too_many).
 std::vector<Move> first_moves(const Machine& machine);
-/// All firings that are possible at `place`, apart from times.
+/// All firings that are possible at `place`, apart from times. If those of a timer are too many the last one
+/// says so.
 std::vector<Move> moves_from(const Machine& machine, const Place& place);
 
 /// The part of `zone` in which the timer of `variable` is the first to fire. False: there is none.

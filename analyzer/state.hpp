@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -68,9 +69,9 @@ struct SlotState {
   enum class Fill : std::uint8_t { empty, full, claimed };
   enum class Way : std::uint8_t { none, flying, there };
   Fill fill = Fill::empty;
-  Way near = Way::none;   // to threads on the sender's processor
-  Way far = Way::none;    // to those on others
-  std::int8_t from = -1;  // the sender's processor; -1: a device, or nobody
+  Way near = Way::none;  // to threads on the sender's processor
+  Way far = Way::none;   // to those on others
+  int from = -1;         // the sender's processor; -1: a device, or nobody
   std::uint8_t carries = tag::none;
   Asked asked;                               // requests
   bool answers = false;                      // answers: what is in the slot answers a request
@@ -80,9 +81,12 @@ struct SlotState {
 };
 
 struct DeviceState {
+  static constexpr std::size_t most_requests = 128;  // more than fits_exploration() has channels
+  using Served = std::bitset<most_requests>;         // by index into Device::requests
+
   bool open = false;
-  bool late = false;          // event: due, but not there yet
-  std::uint32_t serving = 0;  // by index into Device::requests
+  bool late = false;  // event: due, but not there yet
+  Served serving;
 
   friend bool operator==(const DeviceState&, const DeviceState&) = default;
 };
@@ -133,8 +137,8 @@ struct StateHash {
       for (std::size_t i = 0; i < s.asked.count; ++i) mix(static_cast<std::uint64_t>(s.asked.by[i] + 2));
     }
     for (const DeviceState& d : state.devices) {
-      mix(static_cast<std::uint64_t>(d.serving) << 2U | static_cast<std::uint64_t>(d.open ? 2 : 0) |
-          static_cast<std::uint64_t>(d.late ? 1 : 0));
+      mix(std::hash<DeviceState::Served>()(d.serving));
+      mix(static_cast<std::uint64_t>(d.open ? 2 : 0) | static_cast<std::uint64_t>(d.late ? 1 : 0));
     }
     mix(state.conditions);
     mix(static_cast<std::uint64_t>(state.condition_carries) << 16U |

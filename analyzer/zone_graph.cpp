@@ -9,6 +9,9 @@ namespace {
 /// much is expanded that a successor would have replaced.
 constexpr std::size_t batch_size = 2048;
 
+/// Places whose firings are found between one question whether to stop and the next: one may have thousands.
+constexpr std::size_t tried_at_a_time = 128;
+
 /// So many classes are found sooner by one thread than by several that have to wait for one another.
 constexpr std::size_t worth_sharing = 8192;
 
@@ -111,10 +114,7 @@ bool ZoneGraph::explore(const Limits& limits) {
       if (!place.moves_known) untried.push_back(of.state);
       place.moves_known = true;
     }
-    in_parts(limits, untried.size(), 4, [&](std::size_t i) {
-      Place& place = places_[static_cast<std::size_t>(untried[i])];
-      if (!place.state.ended) place.moves = moves_from(machine_, place);
-    });
+    if (!try_all(untried, limits)) return false;
     in_parts(limits, batch.size(), 8, [&](std::size_t i) { expand(batch[i], expansions_[i]); });
     merge(batch.size(), limits);
   }
@@ -123,6 +123,18 @@ bool ZoneGraph::explore(const Limits& limits) {
     edge.to = current(edge.to);
   }
   return !findings_.outgrown;
+}
+
+/// Finds where the places lead to. False: it was told to stop.
+bool ZoneGraph::try_all(const std::vector<int>& untried, const Limits& limits) {
+  for (std::size_t from = 0; from < untried.size(); from += tried_at_a_time) {
+    if (from > 0 && limits.stop && limits.stop()) return false;
+    in_parts(limits, std::min(tried_at_a_time, untried.size() - from), 4, [&](std::size_t i) {
+      Place& place = places_[static_cast<std::size_t>(untried[from + i])];
+      if (!place.state.ended) place.moves = moves_from(machine_, place);
+    });
+  }
+  return true;
 }
 
 void ZoneGraph::expand(int index, Expansion& expansion) {

@@ -36,13 +36,20 @@ bool within(int index, std::size_t size) {
   return index >= -1 && index < static_cast<int>(size);
 }
 
+/// Whether an event of this kind is always one of a certain message or condition.
+bool needs_subject(trace::Kind kind) {
+  using Kind = trace::Kind;
+  return kind == Kind::set || kind == Kind::read || kind == Kind::put || kind == Kind::take ||
+         kind == Kind::drop || kind == Kind::overrun;
+}
+
 bool sound(const trace::Trace& run) {
   for (const trace::Event& event : run.events) {
     const bool conditions = event.kind == trace::Kind::set || event.kind == trace::Kind::read;
     const bool names = within(event.actor, run.actors.size()) &&
                        within(event.statement, run.statements.size()) &&
                        within(event.subject, conditions ? run.conditions.size() : run.channels.size());
-    if (!names || (conditions && event.subject < 0)) return false;
+    if (!names || (needs_subject(event.kind) && event.subject < 0)) return false;
   }
   return true;
 }

@@ -10,6 +10,7 @@ Gauge::Gauge(const Problem& problem, const Requirement* requirement)
       threads_(problem.threads.size(), none),
       channels_(problem.channels.size(), none),
       serving_(problem.channels.size(), none),
+      due_(problem.channels.size(), none),
       conditions_(problem.conditions.size(), none),
       busy_since_(problem.processors.size()),
       paused_(problem.processors.size(), -1),
@@ -165,6 +166,10 @@ void Gauge::serves(int request, bool first) {
   if (reference_ == none) reference_ = carried;
 }
 
+void Gauge::is_due(int request) {
+  due_[static_cast<std::size_t>(request)] = serving_[static_cast<std::size_t>(request)];
+}
+
 void Gauge::event(int device, int of, bool lost) {
   const bool responds = is_event(of);
   if (lost) {
@@ -184,7 +189,7 @@ void Gauge::answers(int of, bool lost) {
     return;
   }
   const auto request = static_cast<std::size_t>(problem_.channels[static_cast<std::size_t>(of)].answers);
-  channel(of) = is_event(of) ? birth() : serving_[request];
+  channel(of) = is_event(of) ? birth() : due_[request];
   occurrence_[static_cast<std::size_t>(of)] = static_cast<int>(lost_.size());
 }
 

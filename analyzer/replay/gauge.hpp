@@ -37,6 +37,8 @@ class Gauge {
 
   // Devices. `first`: of several requests that one frame serves.
   void serves(int request, bool first);
+  /// What it has served is to be answered now; it may begin to serve the next before.
+  void is_due(int request);
   void event(int device, int channel, bool lost);
   void answers(int channel, bool lost);
   void served(int device, bool lost);
@@ -73,7 +75,8 @@ class Gauge {
   std::vector<bool> answered_;   // events
   std::vector<int> threads_;     // the birth that each carries
   std::vector<int> channels_;    // and each message
-  std::vector<int> serving_;     // and the answer to each request
+  std::vector<int> serving_;     // and the answer to each request that is being served
+  std::vector<int> due_;         // … to each that has been
   std::vector<int> conditions_;  // and each condition
   int reference_ = none;         // reactions: the latest birth that a statement has reflected
   std::optional<Nanoseconds> last_pass_;

@@ -194,7 +194,8 @@ class Referee {
   std::size_t at_ = 0;  // the event in question
   Nanoseconds now_ = 0;
   bool beginning_ = true;
-  bool withdrawing_ = false;  // who goes on by a withdrawal may come before or after who goes on now
+  bool withdrawing_ = false;     // who goes on by a withdrawal may come before or after who goes on now
+  Nanoseconds dropped_at_ = -1;  // when a message was withdrawn last
   bool completed_ = false;
   bool ended_ = false;
   std::vector<Party> threads_;

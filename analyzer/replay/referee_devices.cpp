@@ -154,6 +154,7 @@ void Referee::idle(int device) {
   of.any_put = false;
   of.answers = std::move(of.served);
   of.served.clear();
+  for (int request : of.answers) gauge_.is_due(request);
 }
 
 void Referee::check_device(int device, Nanoseconds next) const {

@@ -132,6 +132,7 @@ void Referee::drop(const Event& event) {
     slot(request).given_up = true;
     demand(slot(channel).to_be_dropped, "a message that answers no open request is withdrawn");
   }
+  dropped_at_ = now_;
   // Whoever goes on at this instant after waiting for it had it already.
   for (std::size_t t = 0; t < threads_.size() && !slot(channel).claimed; ++t) {
     const int thread = static_cast<int>(t);

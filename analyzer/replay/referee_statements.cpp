@@ -284,8 +284,9 @@ void Referee::cancelled(const Event& event) {
   abandon(thread);
   of = {};
   gauge_.ends(thread);
-  withdrawing_ =
+  const bool withdraws =
       std::any_of(slots_.begin(), slots_.end(), [](const Slot& each) { return each.to_be_dropped; });
+  withdrawing_ = withdraws || dropped_at_ == now_;
   if (thread_of(thread).parent >= 0) block_over(thread_of(thread).parent);
   withdrawing_ = false;
 }

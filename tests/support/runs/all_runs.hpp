@@ -81,7 +81,8 @@ class AllRuns {
   void begin();
   bool step();
   void pass(int time);
-  void either(bool matters, const std::function<void()>& first, const std::function<void()>& second);
+  void later(std::function<void()> what);
+  void all_due();
   void any_order(std::vector<int> of, const std::function<void(int)>& each);
 
   // Threads and processors (threads.cpp).
@@ -91,7 +92,7 @@ class AllRuns {
   void release(int thread);
   void finished(int thread);
   void begin_blocks(int thread);
-  void block_over(int parent);
+  void block_over(int parent, bool stopped);
   void cancel(int thread);
   void stop(int thread);
   void dispatch();
@@ -99,6 +100,7 @@ class AllRuns {
   // Statements (statements.cpp).
   void effect(int thread);
   void proceed(int thread, std::size_t out);
+  void admits(int thread, std::vector<int> channels);
   bool look(int thread, int condition);
   bool holds(const pan::Guard& guard, std::uint32_t values) const;
   static void mentioned(const pan::Guard& guard, std::uint32_t& all);
@@ -106,13 +108,15 @@ class AllRuns {
   // Messages (messages.cpp) and requests (requests.cpp).
   bool available(int channel, int thread) const;
   void put(int channel, int thread, int process, int carries);
+  int claim(int channel);
   void offer(int channel);
-  bool offered(int channel) const;
   void clear(int channel);
   void emptied(int channel);
   bool somebody_sends(int channel) const;
   void take(int channel, int thread);
   void send_done(int thread);
+  void goes_on(int thread, std::size_t out);
+  void comes_to_its_queue(int thread);
   bool answered(int request) const;
   std::optional<std::size_t> answered_next(int answer) const;
   bool discards(int answer) const;
@@ -128,6 +132,7 @@ class AllRuns {
   void next_request(int process);
   void frame(int process);
   void answer(int process);
+  void answers(int process, int request);
   void event(int process);
   void occurs(int process);
 
@@ -171,11 +176,13 @@ class AllRuns {
   std::map<int, int> runners_;  // of a block: the thread that runs the body of its module
   mutable std::map<std::pair<int, int>, Ahead> ahead_;
   State s_;
+  std::vector<std::function<void()>> due_;  // at this instant yet, in any order
   Decisions* decisions_ = nullptr;
   std::int64_t greatest_ = -1;
   std::int64_t least_ = -1;
   std::int64_t now_ = 0;
   int passed_ = 0;  // until what happened last
+  int turns_ = 0;
   bool new_sample_ = false;
   bool telling_ = false;
 };

@@ -46,7 +46,6 @@ void AllRuns::take_request(int process, int channel) {
   if (!serves) {
     take(channel, -1);
     clear(channel);
-    emptied(channel);
     return;
   }
   if (std::holds_alternative<RequestDevice>(of.timing->behaviour) && s_.devices[ix(process)].serving == 0)
@@ -70,7 +69,7 @@ void AllRuns::next_request(int process) {
   s_.slots[ix(channel)].serving_carries = is_served(channel);
   clear(channel);
   say(of.name + " takes a request");
-  emptied(channel);
+  if (somebody_sends(channel)) later([this, channel] { emptied(channel); });
 }
 
 void AllRuns::frame(int process) {
@@ -94,7 +93,10 @@ void AllRuns::frame(int process) {
     s_.slots[ix(request)].serving_carries = is_served(request);
     clear(request);
   }
-  any_order(waiting, [&](int i) { emptied(of.requests[ix(i)]); });
+  for (int i : waiting) {
+    const int request = of.requests[ix(i)];
+    if (somebody_sends(request)) later([this, request] { emptied(request); });
+  }
 }
 
 void AllRuns::answer(int process) {
@@ -112,27 +114,28 @@ void AllRuns::answer(int process) {
   device.service = -1;
   device.serving = 0;
   const bool on_request = std::holds_alternative<RequestDevice>(of.timing->behaviour);
-  either(
-      on_request,
-      [&] {
-        any_order(served, [&](int i) {
-          Slot& request = s_.slots[ix(of.requests[ix(i)])];
-          const int carries = std::exchange(request.serving_carries, -1);
-          const int channel = network_.channels[ix(of.requests[ix(i)])].answer.value;
-          if (discards(channel)) {
-            answered_in_vain(channel);
-            return;
-          }
-          const bool lost = s_.slots[ix(channel)].full;
-          put(channel, -1, process, carries);
-          if (lost) return;
-          s_.slots[ix(channel)].later = counts(process) ? 0 : -1;
-          offer(channel);
-        });
-      },
-      [&] {
-        if (on_request) next_request(process);
-      });
+  for (int i : served) {
+    const int request = of.requests[ix(i)];
+    Slot& slot = s_.slots[ix(request)];
+    slot.due_carries = std::exchange(slot.serving_carries, -1);
+    later([this, process, request] { answers(process, request); });
+  }
+  if (on_request) later([this, process] { next_request(process); });
+}
+
+/// What a device has served is there, or lost, or not wanted any more.
+void AllRuns::answers(int process, int request) {
+  const int carries = std::exchange(s_.slots[ix(request)].due_carries, -1);
+  const int channel = network_.channels[ix(request)].answer.value;
+  if (discards(channel)) {
+    answered_in_vain(channel);
+    return;
+  }
+  const bool lost = s_.slots[ix(channel)].full;
+  put(channel, -1, process, carries);
+  if (lost) return;
+  s_.slots[ix(channel)].later = counts(process) ? 0 : -1;
+  offer(channel);
 }
 
 /// Whether a device may wait for ever: then not all runs can be tried.

@@ -94,6 +94,7 @@ void AllRuns::forget(int event) {
   for (Slot& each : s_.slots) {
     renumber(each.carries);
     renumber(each.serving_carries);
+    renumber(each.due_carries);
   }
 }
 

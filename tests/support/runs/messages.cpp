@@ -39,19 +39,8 @@ void AllRuns::put(int channel, int thread, int process, int carries) {
   slot.far = fly(environment_.latency.between_processors);
 }
 
-bool AllRuns::offered(int channel) const {
-  for (std::size_t t = 0; t < s_.threads.size(); ++t) {
-    const Thread& thread = s_.threads[t];
-    if (thread.status != Status::waiting || !available(channel, static_cast<int>(t))) continue;
-    for (ChannelId each : std::get<Wait>(node(thread).content).channels) {
-      if (each.value == channel) return true;
-    }
-  }
-  return false;
-}
-
-/// One of those that wait for the message, if any, stops waiting.
-void AllRuns::offer(int channel) {
+/// One of those that wait for the message, if any, stops waiting; it has to come to its queue yet.
+int AllRuns::claim(int channel) {
   std::vector<std::pair<int, int>> waiting;
   for (std::size_t t = 0; t < s_.threads.size(); ++t) {
     const Thread& thread = s_.threads[t];
@@ -61,12 +50,21 @@ void AllRuns::offer(int channel) {
       if (channels[i].value == channel) waiting.push_back({static_cast<int>(t), static_cast<int>(i)});
     }
   }
-  if (waiting.empty()) return;
+  if (waiting.empty()) return -1;
   const auto [thread, which] =
       waiting[ix(waiting.size() == 1 ? 0 : decisions_->pick(static_cast<int>(waiting.size())))];
   s_.slots[ix(channel)].claimed = thread;
-  s_.threads[ix(thread)].claim = which;
-  ready(thread);
+  Thread& of = s_.threads[ix(thread)];
+  of.claim = which;
+  of.begun = false;
+  of.limit = -1;
+  of.status = Status::ready;
+  return thread;
+}
+
+void AllRuns::offer(int channel) {
+  const int thread = claim(channel);
+  if (thread >= 0) ready(thread);
 }
 
 bool AllRuns::somebody_sends(int channel) const {
@@ -99,24 +97,39 @@ void AllRuns::send_done(int thread) {
     answered_in_vain(channel);
     say(who(thread) + " discards");
     measure(thread);
-    proceed(thread, 0);
-    if (!s_.ended && somebody_sends(channel)) emptied(channel);
+    const bool more = somebody_sends(channel);
+    goes_on(thread, 0);
+    if (more) later([this, channel] { emptied(channel); });
     return;
   }
   put(channel, thread, -1, sent_along(thread));
   measure(thread);
   const int process = receiver_process_[ix(channel)];
-  const bool cancelled = s_.threads[ix(thread)].cancelled;
-  either(
-      !cancelled && (process >= 0 ? somebody_sends(channel) : offered(channel)),
-      [&] {
-        if (process < 0) {
-          offer(channel);
-        } else {
-          take_request(process, channel);
-        }
-      },
-      [&] { proceed(thread, 0); });
+  if (process >= 0) {
+    take_request(process, channel);
+  } else {
+    comes_to_its_queue(claim(channel));
+  }
+  goes_on(thread, 0);
+}
+
+/// A thread whose statement is over: with what else follows from it, unless it is to stop. A statement that a
+/// cancelled block finishes has its whole effect before it stops.
+void AllRuns::goes_on(int thread, std::size_t out) {
+  if (s_.threads[ix(thread)].cancelled) {
+    proceed(thread, out);
+  } else {
+    later([this, thread, out] { proceed(thread, out); });
+  }
+}
+
+/// Unless it was stopped meanwhile, and has perhaps begun anew.
+void AllRuns::comes_to_its_queue(int thread) {
+  if (thread < 0) return;
+  const int turn = s_.threads[ix(thread)].turn = ++turns_;
+  later([this, thread, turn] {
+    if (s_.threads[ix(thread)].turn == turn) ready(thread);
+  });
 }
 
 void AllRuns::take(int channel, int thread) {

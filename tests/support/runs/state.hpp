@@ -41,6 +41,7 @@ struct Thread {
   int processor = 0;
   int priority = 0;
   int module = 0;
+  int turn = 0;  // within one instant: which message has brought it to its queue
 };
 
 /// A request that was put, and whose answer was not taken yet.
@@ -60,6 +61,7 @@ struct Slot {
   bool answers = false;      // of an answer: it is one to the oldest request
   std::vector<Asked> asked;  // of a request, in the order of the puts
   int serving_carries = -1;  // of a request: what the answer will carry
+  int due_carries = -1;      // of a request that has been served: what the answer carries, at this instant
 };
 
 struct Device {

@@ -47,22 +47,18 @@ void AllRuns::effect(int thread) {
         if (request_of_[channel.index()] >= 0) withdraw(request_of_[channel.index()], std::nullopt, freed);
       }
       const std::size_t branch = wait->channels.size();
-      // A statement that a cancelled block finishes has its whole effect before it stops.
-      const bool cancelled = of.cancelled;
-      either(
-          !freed.empty() && !cancelled, [&] { any_order(freed, [this](int channel) { emptied(channel); }); },
-          [&] { proceed(thread, branch); });
+      admits(thread, freed);
+      goes_on(thread, branch);
       return;
     }
     const int channel = wait->channels[ix(of.claim)].value;
     take(channel, thread);
-    const bool cancelled = of.cancelled;
     const auto branch = ix(of.claim);
     of.claim = -1;
     measure(thread);
     clear(channel);
-    either(
-        !cancelled && somebody_sends(channel), [&] { emptied(channel); }, [&] { proceed(thread, branch); });
+    admits(thread, {channel});
+    goes_on(thread, branch);
     return;
   }
   if (const auto* send = std::get_if<Send>(&content)) {
@@ -136,6 +132,17 @@ void AllRuns::effect(int thread) {
     has_completed(error_code());
     s_.ended = true;
   }
+}
+
+/// The channels are there for senders that are blocked. A statement that a cancelled block finishes has its
+/// whole effect before it stops.
+void AllRuns::admits(int thread, std::vector<int> channels) {
+  std::erase_if(channels, [this](int channel) { return !somebody_sends(channel); });
+  if (s_.threads[ix(thread)].cancelled) {
+    any_order(std::move(channels), [this](int channel) { emptied(channel); });
+    return;
+  }
+  for (int channel : channels) later([this, channel] { emptied(channel); });
 }
 
 /// The effect is over: the thread goes on to what follows, or stops if it was cancelled.

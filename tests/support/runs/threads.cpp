@@ -71,7 +71,7 @@ void AllRuns::finished(int thread) {
   s_.threads[ix(thread)] = Thread{};
   if (parent < 0) return;
   hand_over(thread, parent);
-  block_over(parent);
+  block_over(parent, false);
 }
 
 void AllRuns::begin_blocks(int thread) {
@@ -114,7 +114,8 @@ void AllRuns::begin_blocks(int thread) {
   }
 }
 
-void AllRuns::block_over(int parent) {
+/// After one that was stopped the parent goes on before or after whoever else goes on by that.
+void AllRuns::block_over(int parent, bool stopped) {
   if (s_.threads[ix(parent)].status != Status::joining) return;
   const std::vector<int> blocks = s_.threads[ix(parent)].blocks;
   bool alive = false;
@@ -131,10 +132,14 @@ void AllRuns::block_over(int parent) {
     of.blocks.clear();
     if (of.cancelled) {
       stop(parent);
-    } else {
-      say(who(parent) + " goes on");
-      proceed(parent, 0);
+      return;
     }
+    say(who(parent) + " goes on");
+    if (!stopped) return proceed(parent, 0);
+    const int turn = of.turn = ++turns_;
+    later([this, parent, turn] {
+      if (s_.threads[ix(parent)].turn == turn) proceed(parent, 0);
+    });
     return;
   }
   if (goes_on || s_.threads[ix(parent)].cancelled) return;
@@ -189,17 +194,12 @@ void AllRuns::stop(int thread) {
     const int channel = wait->channels[ix(was.claim)].value;
     if (s_.slots[ix(channel)].claimed != thread) return;
     s_.slots[ix(channel)].claimed = -1;
-    offer(channel);
+    comes_to_its_queue(claim(channel));
   });
-  // Whoever can send now, and the parent, in either order.
-  const bool matters =
-      was.parent >= 0 && std::any_of(all_freed.begin(), all_freed.end(),
-                                     [this](int channel) { return somebody_sends(channel); });
-  either(
-      matters, [&] { any_order(all_freed, [this](int channel) { emptied(channel); }); },
-      [&] {
-        if (was.parent >= 0) block_over(was.parent);
-      });
+  for (int channel : all_freed) {
+    if (somebody_sends(channel)) later([this, channel] { emptied(channel); });
+  }
+  if (was.parent >= 0) block_over(was.parent, true);
 }
 
 void AllRuns::dispatch() {

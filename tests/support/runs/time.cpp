@@ -61,14 +61,19 @@ void AllRuns::say(const std::string& what) {
   if (telling_) story.push_back(std::to_string(now_) + " " + what);
 }
 
-void AllRuns::either(bool matters, const std::function<void()>& first, const std::function<void()>& second) {
-  if (matters && decisions_->pick(2) == 1) {
-    second();
-    if (!s_.ended) first();
-  } else {
-    first();
-    if (!s_.ended) second();
+void AllRuns::later(std::function<void()> what) {
+  due_.push_back(std::move(what));
+}
+
+/// What follows at one instant from what has happened at it, in every order.
+void AllRuns::all_due() {
+  while (!due_.empty() && !s_.ended) {
+    const int chosen = due_.size() == 1 ? 0 : decisions_->pick(static_cast<int>(due_.size()));
+    const std::function<void()> next = due_[ix(chosen)];
+    due_.erase(due_.begin() + chosen);
+    next();
   }
+  due_.clear();
 }
 
 void AllRuns::any_order(std::vector<int> of, const std::function<void(int)>& each) {
@@ -113,7 +118,10 @@ void AllRuns::begin() {
     modules.push_back(index);
   }
   begin_measuring();
-  any_order(modules, [this](int thread) { walk_on(thread); });
+  any_order(modules, [this](int thread) {
+    walk_on(thread);
+    all_due();
+  });
   dispatch();
   track_busy();
   canonical(s_);
@@ -189,6 +197,7 @@ bool AllRuns::step() {
       answer(which);
       break;
   }
+  all_due();
   if (!s_.ended) dispatch();
   track_busy();
   canonical(s_);

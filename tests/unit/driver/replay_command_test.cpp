@@ -80,6 +80,24 @@ TEST_CASE("replay refuses a witness of other texts, of another value, and of ano
   CHECK(replayed(file, read_first).status == ExitStatus::not_met);
 }
 
+TEST_CASE("replay refuses events of messages without saying of which") {
+  const File file("replay_of_nothing");
+  pal::test::pal({"check", read_first, "-e", cell, "--witness", file.path()});
+  const Json sound = file.read();
+  for (const char* kind : {"put", "take", "drop", "overrun"}) {
+    Json changed = sound;
+    for (Json& each : changed["witnesses"]) {
+      Json& event = each["run"]["events"].at(5);
+      event[1] = kind;
+      event[4] = -1;
+    }
+    file.write(changed);
+    const Answer answer = replayed(file, read_first);
+    CHECK(answer.status == ExitStatus::not_met);
+    CHECK(answer.out.find("an event names what is in no table") != std::string::npos);
+  }
+}
+
 TEST_CASE("replay says when there is no such file, or no witness in it") {
   const File file("replay_none");
   CHECK(replayed(file, touch).status == ExitStatus::usage);

@@ -1,0 +1,116 @@
+// Of one thing more than anybody would have.
+#include "tests/attack/by_hand.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+using pal::test::any_skill;
+using pal::test::bound;
+
+namespace {
+
+constexpr const char* skill = R"(Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  TXM( go to MC1 )
+  WTM( go from MC1 )
+  TXM( Completion Protocol 0 )
+END
+SKILL many
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 2 ERROR
+  REQUIREMENT r : DURATION TO COMPLETION 0 AT MOST 1 s
+END SKILL
+)";
+
+/// What `each` says of 0 … n-1.
+template <class Each>
+std::string all(int n, Each each) {
+  std::string text;
+  for (int i = 0; i < n; ++i) text += each(std::to_string(i));
+  return text;
+}
+
+std::string messages_of_a_device(int n) {
+  return "DEVICE d\nMESSAGE go : SIGNAL\n" +
+         all(n, [](const std::string& i) { return "MESSAGE a" + i + " : SIGNAL\n"; });
+}
+
+std::string on_one_processor(const std::string& items) {
+  return "ENVIRONMENT cell\n  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n" +
+         items + "END ENVIRONMENT\n";
+}
+
+Analysis analysis_of(const std::string& text) {
+  const auto made = any_skill(text);
+  INFO(text << pal::test::messages(made->diagnostics));
+  REQUIRE(made->problem);
+  return analyze(*made->problem);
+}
+
+}  // namespace
+
+TEST_CASE("messages within the 201st processor take as long as within the first") {
+  const std::string text =
+      std::string(
+          "MESSAGE go : SIGNAL\nMachine Controller: MC1\nBEGIN\n  WTM( go from SM1 )\n  TXM( go to SM1 )\n"
+          "END\n") +
+      skill + "ENVIRONMENT cell\n" +
+      all(201, [](const std::string& i) { return "  PROCESSOR P" + i + "\n"; }) +
+      "  PLACE SM1 ON P200 PRIORITY 1\n  PLACE MC1 ON P200 PRIORITY 1\n  LATENCY WITHIN PROCESSOR 3 ms\n"
+      "  LATENCY BETWEEN PROCESSORS 4 ms\nEND ENVIRONMENT\n";
+  CHECK(bound(text) == 6);
+}
+
+TEST_CASE("a device that answers 33 messages answers what it was asked") {
+  // Nobody has asked for a0: MC1 waits 15 ms for it, and is slow.
+  const std::string text =
+      messages_of_a_device(33) +
+      "Machine Controller: MC1\n  ACTIVITY slow\nBEGIN\n  WTM( go from SM1 )\n  TXM( request a32 from d )\n"
+      "  WTM( a0 from d ) WITHIN 15 ms\n    Do Nothing\n  ELSE\n    slow\n  END WTM\n  WTM( a32 from d )\n"
+      "  TXM( go to SM1 )\n" +
+      all(32,
+          [](const std::string& i) {
+            return "  TXM( request a" + i + " from d )\n  WTM( a" + i + " from d )\n";
+          }) +
+      "END\n" + skill + on_one_processor("  DEVICE d ON REQUEST 10 ms\n  TIME slow : 100 ms\n");
+  CHECK(bound(text) == 115);
+}
+
+TEST_CASE("the order of answers that nobody waits for is not asked about") {
+  // 20 answers come at once, and could do so in 20! orders.
+  const std::string text =
+      messages_of_a_device(20) + "Machine Controller: MC1\nBEGIN\n  WTM( go from SM1 )\n" +
+      all(20, [](const std::string& i) { return "  TXM( request a" + i + " from d )\n"; }) +
+      all(20, [](const std::string& i) { return "  WTM( a" + i + " from d )\n"; }) +
+      "  TXM( go to SM1 )\nEND\n" + skill +
+      on_one_processor("  DEVICE d FRAMES EVERY 10 ms COLLECTING 9 ms PHASE 5 ms\n  COST SEND 1 us\n");
+  const Analysis analysis = analysis_of(text);
+  CHECK(analysis.verdicts.front().exact);
+  CHECK(analysis.verdicts.front().bound == Duration(14'002'000));
+}
+
+TEST_CASE("a skill that can begin in more orders than can be tried is given up") {
+  // Twelve modules come to one queue: in 12! orders.
+  std::string names;
+  std::string bodies;
+  std::string waits;
+  std::string places;
+  for (int i = 0; i < 12; ++i) {
+    const std::string name = "M" + std::to_string(i);
+    names += (i == 0 ? "" : ", ") + name;
+    bodies += "Machine Controller: " + name + "\nBEGIN\n  TXM( go to SM1 )\nEND\n";
+    waits += "  WTM( go from " + name + " )\n";
+    places += "  PLACE " + name + " ON P PRIORITY 1\n";
+  }
+  const Analysis analysis =
+      analysis_of("MESSAGE go : SIGNAL\n" + bodies + "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n" +
+                  waits + "  TXM( Completion Protocol 0 )\nEND\nSKILL many\n  MACHINE CONTROLLER " + names +
+                  "\n  SKILL METHOD SM1\n  COMPLETION 0 NORMAL\n  COMPLETION 2 ERROR\n"
+                  "  REQUIREMENT r : DURATION TO COMPLETION 0 AT MOST 1 s\nEND SKILL\n"
+                  "ENVIRONMENT cell\n  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n" +
+                  places + "  COST SEND 1 us\nEND ENVIRONMENT\n");
+  CHECK(analysis.verdicts.front().state == Verdict::State::undecided);
+  CHECK(analysis.verdicts.front().gave_up);
+}
