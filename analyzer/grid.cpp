@@ -74,8 +74,9 @@ Grid::Grid(const Machine& machine, const Slice& slice) : machine_(machine), slic
 
 State Grid::masked(State state) const {
   for (std::size_t t = 0; t < state.threads.size(); ++t) {
+    // A thread that waits for its processor for ever must not get the one of somebody who is left out.
+    if (!slice_.threads[t]) std::erase(state.queue, static_cast<std::int8_t>(t));
     if (!slice_.left_out[t]) continue;
-    std::erase(state.queue, static_cast<std::int8_t>(t));
     for (std::int8_t& running : state.running) {
       if (running == static_cast<std::int8_t>(t)) running = -1;
     }

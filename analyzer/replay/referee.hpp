@@ -52,7 +52,8 @@ class Referee {
     int step = -1;
     Nanoseconds reached = 0;
     Nanoseconds work = 0;
-    Nanoseconds since = 0;  // running: since when
+    Nanoseconds since = 0;            // running: since when
+    Nanoseconds came_by_itself = -1;  // when a message for it was there after its latency
     bool gives_up = false;
     bool must_stop = false;  // cancelled
     int claim = -1;          // channel of the message that is this thread's

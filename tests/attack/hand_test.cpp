@@ -373,3 +373,38 @@ END
             "  PLACE MC1.2 ON R PRIORITY 1\n  TIME think : 5 ms\n  TIME hold : 1 ms\n  TIME rest : 2 ms\n"
             "  DEVICE robot EVENT tick EVERY 1000 ms PHASE 500 ms\n")) == 8);
 }
+
+TEST_CASE("a thread that waits for its processor for ever does not take it in another processor's load") {
+  // MC2 never gives P0 to SM1, which would complete the skill at once; P1 is busy with MC1 all the time.
+  std::string text = cell("LOAD OF P1", R"(Machine Controller: MC1
+  ACTIVITY long
+BEGIN
+  REPEAT
+    long
+  UNTIL( forever )
+END
+Machine Controller: MC2
+  ACTIVITY short
+BEGIN
+  REPEAT
+    short
+  UNTIL( forever )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  TXM( Completion Protocol 0 )
+END
+)",
+                          "  PROCESSOR P0\n  PROCESSOR P1\n  PLACE SM1 ON P0 PRIORITY 1\n  PLACE MC1 ON P1 PRIORITY 1\n"
+                          "  PLACE MC2 ON P0 PRIORITY 1\n  TIME short : 2 ms\n  TIME long : 3 ms\n");
+  const std::string limit = "AT MOST 1 s";
+  text.replace(text.find(limit), limit.size(), "AT MOST 50 %");
+  const auto skill = pal::test::any_skill(text);
+  INFO(text << pal::test::messages(skill->diagnostics));
+  REQUIRE(skill->problem);
+  const Verdict verdict = analyze(*skill->problem).verdicts.front();
+  CHECK(verdict.state == Verdict::State::fails);
+  CHECK(verdict.exact);
+  CHECK(verdict.bound == Duration(1'000'000'000));
+}
