@@ -3,6 +3,7 @@
 #include <string>
 
 #include "tests/figures/bounds_by_hand.hpp"
+#include "tests/support/any_skill.hpp"
 
 using pal::test::compare;
 
@@ -454,6 +455,201 @@ ENVIRONMENT cell
 END ENVIRONMENT
 )";
 
+const std::string asked_once = R"(
+MESSAGE correction : SIGNAL
+MESSAGE force : SIGNAL
+MESSAGE motion : SIGNAL
+MESSAGE raw : SIGNAL
+MESSAGE tick : SIGNAL
+SKILL odd
+  SENSOR DRIVER SD1
+  LOGICAL SENSOR LS1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT r0 : LOSS OF SD1 AT MOST 1 IN 3
+END SKILL
+Sensor Driver: SD1
+Logical Sensor: LS1
+BEGIN
+  TXM( request raw from SD1 )
+  WTM( raw from SD1 )
+  REPEAT
+    WTM( request force from SM1 )
+    TXM( force to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY think
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    TXM( request force from LS1 )
+    WTM( force from LS1 )
+    think
+  UNTIL( forever )
+END
+ENVIRONMENT cell
+  PROCESSOR P
+  PLACE LS1 ON P PRIORITY 2
+  PLACE SM1 ON P PRIORITY 1
+  TIME think : 1 ms
+  DEVICE SD1 FRAMES EVERY 8 ms COLLECTING 4 ms
+END ENVIRONMENT
+)";
+
+const std::string never_begun = R"(
+MESSAGE correction : SIGNAL
+MESSAGE force : SIGNAL
+MESSAGE go : SIGNAL
+MESSAGE motion : SIGNAL
+MESSAGE tick : SIGNAL
+CONDITION c
+CONDITION d
+DEVICE robot
+SKILL odd
+  LOGICAL SENSOR LS1
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT r0 : REACTION OF c AT work IN SM1 AT MOST 1 s
+END SKILL
+Logical Sensor: LS1
+  ACTIVITY think
+BEGIN
+  WTM( request force from SM1 )
+  CASE
+    ( d ):
+      TXM( go to SM1 )
+    ( NOT d ):
+      think
+  END CASE
+  TXM( force to SM1 )
+END
+Machine Controller: MC1
+BEGIN
+  REPEAT
+    WTM( tick from robot )
+    SPC( c )
+    SPC( d )
+    TXM( correction to robot )
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+  TXM( request force from LS1 )
+  WTM( go from LS1 )
+  CONCURRENT
+  BEGIN
+    work
+  END
+  END CONCURRENT
+  WTM( force from LS1 )
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P
+  PLACE MC1 ON P PRIORITY 4
+  PLACE LS1 ON P PRIORITY 3
+  PLACE SM1 ON P PRIORITY 5
+  TIME work : 1 ms
+  TIME think : 1 ms
+  DEVICE robot EVENT tick EVERY 50 ms
+END ENVIRONMENT
+)";
+
+const std::string never_taken = R"(
+MESSAGE correction : SIGNAL
+MESSAGE force : SIGNAL
+MESSAGE go : SIGNAL
+MESSAGE motion : SIGNAL
+MESSAGE tick : SIGNAL
+MESSAGE touch : SIGNAL
+CONDITION c
+CONDITION d
+DEVICE robot
+SKILL odd
+  SENSOR DRIVER SD1
+  LOGICAL SENSOR LS1, LS2
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT r1 : REACTION OF touch FROM SD1 AT work IN SM1 AT MOST 1 s
+END SKILL
+Logical Sensor: LS1
+  ACTIVITY think
+BEGIN
+  WTM( request force from SM1 )
+  CASE
+    ( d ):
+      TXM( go to SM1 )
+    ( NOT d ):
+      think
+  END CASE
+  TXM( force to SM1 )
+END
+Logical Sensor: LS2
+BEGIN
+  REPEAT
+    WTM( touch from SD1 )
+    TXM( touch to SM1 )
+  UNTIL( forever )
+END
+Sensor Driver: SD1
+Machine Controller: MC1
+BEGIN
+  REPEAT
+    WTM( tick from robot )
+    SPC( c )
+    SPC( d )
+    TXM( correction to robot )
+    
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+  TXM( request force from LS1 )
+  WTM( go from LS1 )
+  CONCURRENT
+  BEGIN
+    REPEAT
+      WTM( touch from LS2 )
+      work
+    UNTIL( forever )
+  END
+  END CONCURRENT
+  WTM( force from LS1 )
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P
+  PLACE LS2 ON P PRIORITY 4
+  DEVICE SD1 EVENT touch EVERY 70 ms
+  PLACE MC1 ON P PRIORITY 4
+  PLACE LS1 ON P PRIORITY 3
+  PLACE SM1 ON P PRIORITY 5
+  TIME work : 1 ms
+  TIME think : 1 ms
+  DEVICE robot EVENT tick EVERY 50 ms
+END ENVIRONMENT
+)";
+
+/// Whether the compositional analysis says that it has no bound, and a run shows why.
+void has_none(const std::string& text) {
+  const auto skill = pal::test::any_skill(text);
+  REQUIRE(skill->problem);
+  const auto compositional = pal::analyzer::analyze_compositionally(*skill->problem);
+  CHECK_FALSE(compositional.verdicts.front().bound);
+  const auto exact = pal::analyzer::analyze(*skill->problem);
+  CHECK(exact.verdicts.front().state != pal::analyzer::VerdictState::holds);
+}
+
 }  // namespace
 
 TEST_CASE("what comes after a block waits for what that block has kept from the processor") {
@@ -490,4 +686,15 @@ TEST_CASE("a limit counts anew if what a thread is about to take is withdrawn") 
 TEST_CASE("an answer that a round leaves is taken by the next") {
   // What SM1 asks for in one round it takes in the next, 20 ms later.
   compare(left, {{-1, 20.5}, {11.5, 1.5}});
+}
+
+TEST_CASE("frames that nobody asks for any more are lost") {
+  // LS1 asks once, at the start.
+  has_none(asked_once);
+}
+
+TEST_CASE("a block that does not begin reacts to nothing") {
+  // SM1 waits for what LS1 need not send; the first set, and the first sample, are then never reflected.
+  has_none(never_begun);
+  has_none(never_taken);
 }
