@@ -85,6 +85,16 @@ ZoneGraph::Arrival& ZoneGraph::Expansion::arrival(Move& move) {
 }
 
 bool ZoneGraph::explore(const Limits& limits) {
+  const bool complete = grow(limits);
+  // Also where a limit was met: edges lead to and from classes that others have replaced.
+  for (Edge& edge : edges_) {
+    edge.from = current(edge.from);
+    edge.to = current(edge.to);
+  }
+  return complete;
+}
+
+bool ZoneGraph::grow(const Limits& limits) {
   expansions_.resize(batch_size);
   first_moves_ = first_moves(machine_);
   for (Move& move : first_moves_) {
@@ -117,10 +127,6 @@ bool ZoneGraph::explore(const Limits& limits) {
     if (!try_all(untried, limits)) return false;
     in_parts(limits, batch.size(), 8, [&](std::size_t i) { expand(batch[i], expansions_[i]); });
     merge(batch.size(), limits);
-  }
-  for (Edge& edge : edges_) {
-    edge.from = current(edge.from);
-    edge.to = current(edge.to);
   }
   return !findings_.outgrown;
 }

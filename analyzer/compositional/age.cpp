@@ -1,6 +1,7 @@
 // How old a condition is where it is used.
 #include <algorithm>
 
+#include "analyzer/compositional/slots.hpp"
 #include "analyzer/compositional/staleness.hpp"
 #include "analyzer/watch.hpp"
 
@@ -180,7 +181,9 @@ class Ageing {
           return Sum::unbounded();
         if (from.rounds == 0) {
           if (a == b) {
-            longest = greater(longest, less(later - sooner, without_pause(a, from.step, statement)));
+            const Sum apart = later - sooner;
+            const bool held = may_be_held(b, statement);
+            longest = greater(longest, held ? apart : less(apart, without_pause(a, from.step, statement)));
           } else if (same) {
             longest = greater(longest, later - sooner);
           }
@@ -195,7 +198,14 @@ class Ageing {
     return longest;
   }
 
-  /// From one effect to another in one segment.
+  /// Whether a statement is a send that may have to wait for its slot.
+  bool may_be_held(int n, int statement) const {
+    const Ground ground{problem_, view_.forest, view_.conduct};
+    return held_until(ground, view_.times.nodes, n, statement) >
+           earliest_effect(view_.forest, view_.times, n, statement);
+  }
+
+  /// From one effect to another in one segment, if no send waits for its slot.
   Sum without_pause(int n, int from, int to) const {
     std::map<int, Nanoseconds> longest{{from, 0}};
     for (const Segment::Passed& passed : segment(n).steps) {

@@ -87,7 +87,7 @@ Analysis analyze_compositionally(const Problem& skill, const Options& options) {
     } else {
       const Endurance endurance = endurance_of(problem, forest, conduct, times);
       const Endurance::Threads& always = endurance.always;
-      const View view{problem, forest, conduct, times, always.reliable, always.lively};
+      const View view{problem, forest, conduct, times, always.reliable, always.lively, always.begun};
       for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
         const Requirement& requirement = problem.requirements[r];
         const Bound bound = bound_of(view, requirement);

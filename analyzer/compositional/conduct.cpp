@@ -25,7 +25,10 @@ class Observer {
     for (std::size_t t = 0; t < problem_.threads.size(); ++t) homes(static_cast<int>(t));
     for (std::size_t n = 0; n < nodes; ++n) rounds(static_cast<int>(n));
     for (std::size_t n = 0; n < nodes; ++n) order(static_cast<int>(n));
-    for (std::size_t t = 0; t < problem_.threads.size(); ++t) returns(static_cast<int>(t));
+    for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
+      leftovers(static_cast<int>(t));
+      returns(static_cast<int>(t));
+    }
     find_waits();
     for (std::size_t n = 0; n < nodes; ++n) made_.drains.push_back(drains(static_cast<int>(n)));
     protocol();
@@ -109,6 +112,56 @@ class Observer {
                                       " for something that another round brings about";
     }
     waited_for_.insert({made_.round[static_cast<std::size_t>(n)], begins.step});
+  }
+
+  /// What a round brings about it must also take: else a later round finds it in the slot, and takes it for
+  /// its own.
+  void leftovers(int t) {
+    std::map<int, std::set<int>> origins;  // by channel of what comes back: sends, and forks to who sends
+    for (int n : thread(t).nodes) {
+      if (node(n).release != Release::message || made_.round[static_cast<std::size_t>(n)] == n) continue;
+      int first = n;  // of what the thread brings about on the way
+      while (forest_.thread_of(node(first).cause) != t) first = node(first).cause;
+      const Beginning& begins = beginning(n);
+      std::set<int>& of = origins[step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)]];
+      of.insert(node(first).sends.begin(), node(first).sends.end());
+      if (node(first).release == Release::fork) of.insert(node(first).cause_step);
+    }
+    for (const auto& [channel, from] : origins) {
+      if (is_taken(t, channel, from)) continue;
+      const Thread& of = problem_.threads[static_cast<std::size_t>(t)];
+      thread(t).trouble = of.name + " may leave " +
+                          problem_.channels[static_cast<std::size_t>(channel)].message +
+                          ", which it brings about, to a later round";
+    }
+  }
+
+  /// Whether a thread that has passed one of the steps `from` takes a message, or withdraws it, before it
+  /// passes another, comes home, or ends and may begin again.
+  bool is_taken(int t, int channel, const std::set<int>& from) {
+    const bool answer = problem_.channels[static_cast<std::size_t>(channel)].answers >= 0;
+    const bool again = recurrent(problem_, {Beginning::Kind::entry, t, -1, -1});
+    std::set<int> seen;
+    std::vector<int> open;
+    for (int origin : from) open.insert(open.end(), step_at(origin).next.begin(), step_at(origin).next.end());
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      const Step& step = step_at(at);
+      if (at == thread(t).home || from.contains(at) || (step.kind == Kind::end && again)) return false;
+      if (!seen.insert(at).second) continue;
+      bool waits = false;
+      for (std::size_t i = 0; i < step.next.size(); ++i) {
+        const bool arm = step.kind == Kind::wait && i < step.channels.size();
+        if (arm && step.channels[i] == channel) {
+          waits = true;
+          continue;
+        }
+        if (!arm && waits && answer) continue;  // withdrawn
+        open.push_back(step.next[i]);
+      }
+    }
+    return true;
   }
 
   /// A round ends at home, after waits for what it brought about itself.

@@ -51,6 +51,25 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes)
   for (std::size_t n = 0; n < nodes.size(); ++n)
     nodes_on_[static_cast<std::size_t>(ground.thread_of(static_cast<int>(n)).processor)].push_back(
         static_cast<int>(n));
+  for (std::size_t t = 0; t < ground.problem.threads.size(); ++t)
+    pauses_.push_back(pauses(static_cast<int>(t)));
+}
+
+/// A thread that asks for what begins its next round may find it there when it comes home, and go on.
+bool Demand::pauses(int thread) const {
+  const Thread& of = ground_.thread_at(thread);
+  if (ground_.problem.processors[static_cast<std::size_t>(of.processor)].preemptive) return true;
+  std::vector<bool> owned;
+  for (int n : ground_.conduct_of(thread).rounds) {
+    const Source& source = ground_.source(n);
+    if (source.kind != Source::Kind::loop || source.thread != thread || ground_.node(n).cause >= 0) continue;
+    owned.resize(ground_.problem.steps.size());
+    for (std::size_t s = 0; s < owned.size(); ++s)
+      owned[s] = ground_.forest.segments.owner(static_cast<int>(s)) == thread;
+    if (!waits_at_home(ground_.problem, ground_.segment(n).beginning, owned, ground_.conduct.sequential))
+      return false;
+  }
+  return true;
 }
 
 /// Enters the node with the causes on its processor that are done before it begins.
@@ -136,7 +155,7 @@ void Demand::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<
   for (std::size_t t = 0; t < burst_.size(); ++t) {
     const int processor = ground_.problem.threads[t].processor;
     if (!ground_.problem.processors[static_cast<std::size_t>(processor)].preemptive)
-      burst_[t] = burst(static_cast<int>(t), nodes, home_again[t]);
+      burst_[t] = burst(static_cast<int>(t), nodes, home_again[t] && pauses_[t]);
   }
 }
 

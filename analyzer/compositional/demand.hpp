@@ -41,6 +41,7 @@ class Demand {
   void precede(const Ground& ground, int node, std::vector<Transaction>& transactions) const;
   void exclude(int node, bool home_again);
   Nanoseconds burst(int thread, const std::vector<NodeTimes>& nodes, bool home_again) const;
+  bool pauses(int thread) const;
 
   Ground ground_;
   BusyWindows windows_;
@@ -51,6 +52,7 @@ class Demand {
   std::vector<Nanoseconds> burst_;            // by thread
   Order order_;
   std::vector<bool> home_again_;  // by thread, as it was told
+  std::vector<bool> pauses_;      // by thread: if it goes on by itself, it surely has to wait in each round
 };
 
 /// A block that is cancelled finishes what it has begun, as do its own: how long that may take.

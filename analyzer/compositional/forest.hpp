@@ -70,9 +70,13 @@ Forest forest_of(const Problem& problem);
 /// waits for.
 bool ends_straight(const Problem& problem, int block);
 
+/// By channel of requests: whether blocks of one CONCURRENT send it, or wait for its answer, beside one
+/// another. So one may take what another asked for, or withdraw what another is about to take.
+std::vector<bool> shared_requests(const Problem& problem);
+
 /// By channel of requests: whether each is sent only when the answer to the one before has been taken, or
 /// given up, and is answered once, before its server takes the next. So an answer that is taken is that to
-/// the last request.
+/// the last request. No request that is shared is.
 std::vector<bool> sequential_requests(const Problem& problem);
 
 /// The waits of the sender's thread that may take the answer to what `send` asks for, if its requests are
@@ -85,6 +89,13 @@ bool recurrent(const Problem& problem, const Beginning& beginning);
 /// Least time between two beginnings of a segment of one thread.
 Nanoseconds least_round(const Problem& problem, const Beginning& beginning,
                         const std::vector<bool>& sequential);
+
+/// Whether a thread that goes on by itself, with rounds that begin so, surely has to wait when it comes home:
+/// it gives up only after some time, or is there sooner after each request than the answer can be. It
+/// need not keep up with others for that: what it asks, it asks while it has its processor. `owned`: its
+/// steps.
+bool waits_at_home(const Problem& problem, const Beginning& round, const std::vector<bool>& owned,
+                   const std::vector<bool>& sequential);
 
 /// Least time between two effects of the steps `at` of one thread, by the shortest way; 0: its blocks begin
 /// again and again.

@@ -16,9 +16,10 @@ Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, boo
   const Bound none{Sum::unbounded(),
                    trouble.empty() ? name + " need not come to it in every round" : trouble};
   const bool rounds = of.home >= 0 || starts_in_rounds(view, thread);
-  if (rounds ? !goes_on(view, thread) : !view.lively[t]) return none;
+  // What has had an effect has begun.
+  if (rounds ? !view.reliable[t] && !goes_on(view, thread) : !view.lively[t]) return none;
   Sum longest = from_start ? passes.first() + passes.latest() : Sum();
-  if (from_start && !passes.every_round()) return none;
+  if (from_start && (!passes.every_round() || !goes_on(view, thread))) return none;
   Sum end;
   for (int n : of.nodes) {
     if (in_paced_round(view, n)) end = greater(end, finish(view, n));

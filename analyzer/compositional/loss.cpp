@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/ground.hpp"
-#include "analyzer/compositional/round_view.hpp"
+#include "analyzer/compositional/passes.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -30,7 +30,11 @@ Bound frames_lost(const View& view, const Requirement& requirement, const pan::F
                   const std::vector<bool>& sends) {
   const std::set<int> threads = owners(view, sends);
   const bool endless = std::any_of(threads.begin(), threads.end(), [&](int thread) {
-    return view.lasts(thread) && !view.conduct.threads[static_cast<std::size_t>(thread)].leaves;
+    if (!view.lasts(thread) || !goes_on(view, thread) ||
+        view.conduct.threads[static_cast<std::size_t>(thread)].leaves)
+      return false;
+    const Passes asks(view, thread, sends);
+    return asks.every_round() && !asks.in_rounds().empty();
   });
   if (!endless || view.steady) return {Sum::unbounded(), "nobody asks for frames for ever"};
   Requirement asked;

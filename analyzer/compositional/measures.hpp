@@ -27,6 +27,8 @@ struct View {
   const std::vector<bool>& reliable;
   /// By thread: what it waits for outside of its home comes.
   const std::vector<bool>& lively;
+  /// By thread: it begins, whatever the run.
+  const std::vector<bool>& begun;
   /// Only what is so before the first block leaves its rounds; nobody is cancelled till then.
   bool steady = false;
 
@@ -75,6 +77,7 @@ struct Endurance {
   struct Threads {
     std::vector<bool> reliable;  // View::reliable
     std::vector<bool> lively;    // View::lively
+    std::vector<bool> begun;     // View::begun
   };
   Threads always;
   Threads steady;            // until the first block leaves its rounds

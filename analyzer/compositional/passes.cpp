@@ -78,12 +78,15 @@ Way Passes::begun(int node) {
 
 Way Passes::from_entry() {
   Way way;
+  bool any = false;
   for (int n : view_.conduct.threads[static_cast<std::size_t>(thread_)].nodes) {
     if (view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(n)]).beginning.kind ==
         Beginning::Kind::entry) {
+      any = true;
       merge(way, begun(n));
     }
   }
+  way.lost = way.lost || !any;
   return way;
 }
 

@@ -11,7 +11,8 @@ struct Order {
   /// and what goes round only once something that comes once in a skill's life has brought it about.
   std::vector<std::vector<int>> later;
   /// Nodes each of whose jobs is either done before a job of this one is released, or comes after it is done:
-  /// what has brought it about, and what goes round with it if there is one message only that goes round.
+  /// what has brought it about, the blocks that it comes after, and what goes round with it if there is one
+  /// message only that goes round.
   std::vector<std::vector<int>> apart;
 };
 

@@ -196,13 +196,67 @@ bool answers_once(const Problem& problem, int answer) {
   return true;
 }
 
+/// The CONCURRENT that starts each thread; -1: none.
+std::vector<int> forks_of(const Problem& problem) {
+  std::vector<int> started_by(problem.threads.size(), -1);
+  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    for (int block : problem.steps[s].threads)
+      started_by[static_cast<std::size_t>(block)] = static_cast<int>(s);
+  }
+  return started_by;
+}
+
+/// Whether two threads are, or are below, two blocks of one CONCURRENT.
+bool side_by_side(const Problem& problem, const std::vector<int>& started_by, int one, int other) {
+  for (int a = one; a >= 0; a = problem.threads[static_cast<std::size_t>(a)].parent) {
+    for (int b = other; b >= 0; b = problem.threads[static_cast<std::size_t>(b)].parent) {
+      const int fork = started_by[static_cast<std::size_t>(a)];
+      if (a != b && fork >= 0 && fork == started_by[static_cast<std::size_t>(b)]) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
+
+std::vector<bool> shared_requests(const Problem& problem) {
+  std::vector<std::set<int>> users(problem.channels.size());
+  for (std::size_t t = 0; t < problem.threads.size(); ++t) {
+    std::set<int> seen;
+    std::vector<int> open{problem.threads[t].entry};
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      if (!seen.insert(at).second) continue;
+      const Step& step = problem.steps[static_cast<std::size_t>(at)];
+      open.insert(open.end(), step.next.begin(), step.next.end());
+      for (int channel : step.channels) {
+        const Channel& of = problem.channels[static_cast<std::size_t>(channel)];
+        if (step.kind == Kind::send && of.answer >= 0)
+          users[static_cast<std::size_t>(channel)].insert(static_cast<int>(t));
+        if (step.kind == Kind::wait && of.answers >= 0)
+          users[static_cast<std::size_t>(of.answers)].insert(static_cast<int>(t));
+      }
+    }
+  }
+  const std::vector<int> started_by = forks_of(problem);
+  std::vector<bool> shared(problem.channels.size());
+  for (std::size_t c = 0; c < shared.size(); ++c) {
+    for (int one : users[c]) {
+      shared[c] = shared[c] || std::any_of(users[c].begin(), users[c].end(), [&](int other) {
+                    return side_by_side(problem, started_by, one, other);
+                  });
+    }
+  }
+  return shared;
+}
 
 std::vector<bool> sequential_requests(const Problem& problem) {
   std::vector<bool> sequential(problem.channels.size());
+  const std::vector<bool> shared = shared_requests(problem);
   for (std::size_t c = 0; c < problem.channels.size(); ++c) {
     const Channel& channel = problem.channels[c];
-    if (channel.answer < 0 || channel.sender_module < 0) continue;
+    if (channel.answer < 0 || channel.sender_module < 0 || shared[c]) continue;
     const bool device = problem.channels[static_cast<std::size_t>(channel.answer)].sender_module < 0;
     sequential[c] = (device || answers_once(problem, channel.answer)) &&
                     OpenRequests(problem, static_cast<int>(c)).sequential();

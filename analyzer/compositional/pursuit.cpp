@@ -18,7 +18,9 @@ std::string Pursuit::trouble_of(int n) const {
 
 bool Pursuit::certain(int n) {
   const auto thread = static_cast<std::size_t>(view_.forest.thread_of(n));
-  if (view_.lasts(static_cast<int>(thread))) return true;
+  // A device is closed until somebody waits for its event.
+  const bool opens = node(view_.conduct.round[static_cast<std::size_t>(n)]).release == Release::root;
+  if (view_.lasts(static_cast<int>(thread)) && (view_.begun[thread] || opens)) return true;
   // A block that the event itself starts, and that ends.
   const Thread& block = problem_.threads[thread];
   const bool started = node(view_.conduct.round[static_cast<std::size_t>(n)]).release == Release::fork;

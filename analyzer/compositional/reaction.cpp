@@ -20,7 +20,7 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
     // Once each, at the start.
     const Bound none{Sum::unbounded(), "nothing bounds when " + name + " comes to it"};
     const Way way = passes.from_entry();
-    if (!view.lively[t] || way.home || way.lost) return none;
+    if (!view.lively[t] || !view.begun[t] || way.home || way.lost) return none;
     Sum longest = way.latest;
     for (const Pass& pass : passes.before_rounds()) {
       const int source = view.forest.nodes[static_cast<std::size_t>(pass.node)].source;

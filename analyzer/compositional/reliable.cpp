@@ -20,24 +20,35 @@ class Reliability {
   Endurance::Threads run() {
     const std::size_t count = problem_.threads.size();
     std::vector<std::vector<int>> relies(count);
+    std::vector<std::vector<int>> begins_by(count);
     made_.reliable.assign(count, false);
     made_.lively.assign(count, false);
+    made_.begun.assign(count, true);
     for (std::size_t t = 0; t < count; ++t) {
       const int thread = static_cast<int>(t);
       const ThreadConduct& of = conduct_.threads[t];
       const bool goes_on = servers(thread, relies[t]) && joins(thread, relies[t]);
       made_.lively[t] = times_.trouble[t].empty() && goes_on;
+      made_.begun[t] = comes_to_begin(thread, begins_by[t]);
       made_.reliable[t] = made_.lively[t] && of.home >= 0 && (!of.leaves || (steady_ && may_leave(thread)));
     }
     for (bool changed = true; changed;) {
       changed = false;
       for (std::size_t t = 0; t < count; ++t) {
-        const bool sound = std::all_of(relies[t].begin(), relies[t].end(), [this](int other) {
-          return made_.reliable[static_cast<std::size_t>(other)] && lasts(other);
-        });
+        const auto serve = [this](int other) {
+          const auto o = static_cast<std::size_t>(other);
+          return made_.reliable[o] && made_.begun[o] && lasts(other);
+        };
+        const bool sound = std::all_of(relies[t].begin(), relies[t].end(), serve);
+        const int parent = problem_.threads[t].parent;
+        const bool begun = made_.begun[t] && std::all_of(begins_by[t].begin(), begins_by[t].end(), serve) &&
+                           (parent < 0 || made_.begun[static_cast<std::size_t>(parent)]);
         const bool home = made_.reliable[t] && sound && (!steady_ || lasts(static_cast<int>(t)));
-        if (made_.lively[t] == (made_.lively[t] && sound) && made_.reliable[t] == home) continue;
+        if (made_.lively[t] == (made_.lively[t] && sound) && made_.reliable[t] == home &&
+            made_.begun[t] == begun)
+          continue;
         made_.lively[t] = made_.lively[t] && sound;
+        made_.begun[t] = begun;
         made_.reliable[t] = home;
         changed = true;
       }
@@ -82,18 +93,71 @@ class Reliability {
     return true;
   }
 
+  /// Whether a thread begins at the start of the skill, or on every way of its parent before that has rounds,
+  /// if those that it relies on go on.
+  bool comes_to_begin(int thread, std::vector<int>& relies) const {
+    const int parent = problem_.threads[static_cast<std::size_t>(thread)].parent;
+    if (parent < 0) return true;
+    const int fork = fork_of(thread);
+    const int home = conduct_.threads[static_cast<std::size_t>(parent)].home;
+    std::set<int> before;
+    std::vector<int> open{problem_.threads[static_cast<std::size_t>(parent)].entry};
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      if (at == fork || !before.insert(at).second) continue;
+      if (at == home || step_at(at).kind == Kind::end) return false;
+      open.insert(open.end(), step_at(at).next.begin(), step_at(at).next.end());
+    }
+    for (int n : conduct_.threads[static_cast<std::size_t>(parent)].nodes) {
+      for (const Segment::Arrival& at :
+           forest_.segment_of(forest_.nodes[static_cast<std::size_t>(n)]).forks) {
+        if (before.contains(at.step) && !joins_at(at.step, relies)) return false;
+      }
+    }
+    return sends_through(parent, before, relies) && std::all_of(before.begin(), before.end(), [&](int step) {
+             return step_at(step).kind != Kind::wait || comes(parent, step, relies);
+           });
+  }
+
+  /// Whether a thread's sends, those of `among`, do not wait for ever, if their takers go on.
+  bool sends_through(int thread, const std::set<int>& among, std::vector<int>& relies) const {
+    const auto may_wait = [this](int step) {
+      const Step& send = step_at(step);
+      return send.kind == Kind::send &&
+             problem_.channels[static_cast<std::size_t>(send.channels.front())].receiver_device < 0 &&
+             !conduct_.never_full[static_cast<std::size_t>(send.channels.front())];
+    };
+    if (times_.blocked[static_cast<std::size_t>(thread)] && std::any_of(among.begin(), among.end(), may_wait))
+      return false;
+    for (int n : conduct_.threads[static_cast<std::size_t>(thread)].nodes) {
+      for (int effect : forest_.nodes[static_cast<std::size_t>(n)].effects) {
+        const std::vector<int>& sends = forest_.nodes[static_cast<std::size_t>(effect)].sends;
+        const bool waits = std::any_of(sends.begin(), sends.end(),
+                                       [&](int send) { return among.contains(send) && may_wait(send); });
+        if (waits) relies.push_back(forest_.thread_of(effect));
+      }
+    }
+    return true;
+  }
+
   /// Whether the blocks that a thread starts all come to their end, on the way to its home.
   bool joins(int thread, std::vector<int>& relies) const {
     for (int n : conduct_.threads[static_cast<std::size_t>(thread)].nodes) {
       const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
       for (const Segment::Arrival& fork : forest_.segment_of(node).forks) {
-        for (int block : step_at(fork.step).threads) {
-          const auto b = static_cast<std::size_t>(block);
-          if (!problem_.threads[b].can_end) continue;
-          if (!ends_straight(problem_, block) || !times_.trouble[b].empty()) return false;
-          if (!servers(block, relies) || !joins(block, relies)) return false;
-        }
+        if (!joins_at(fork.step, relies)) return false;
       }
+    }
+    return true;
+  }
+
+  bool joins_at(int fork, std::vector<int>& relies) const {
+    for (int block : step_at(fork).threads) {
+      const auto b = static_cast<std::size_t>(block);
+      if (!problem_.threads[b].can_end) continue;
+      if (!ends_straight(problem_, block) || !times_.trouble[b].empty()) return false;
+      if (!servers(block, relies) || !joins(block, relies)) return false;
     }
     return true;
   }
@@ -117,27 +181,29 @@ class Reliability {
         relies.push_back(forest_.thread_of(effect));
       }
     }
-    for (int wait : waits) {
-      const Step& step = step_at(wait);
-      if (step.within || (wait == of.home && !goes_on_by_itself(of))) continue;
-      if (step.channels.size() != 1) return false;
-      const int answer = step.channels.front();
-      const Channel& channel = problem_.channels[static_cast<std::size_t>(answer)];
-      if (channel.answers < 0 || !conduct_.sequential[static_cast<std::size_t>(channel.answers)])
-        return false;
-      if (!surely_asked(thread, wait, channel.answers, answer)) return false;
-      if (channel.sender_device >= 0) {
-        if (std::holds_alternative<pan::EventDevice>(
-                problem_.devices[static_cast<std::size_t>(channel.sender_device)].behaviour)) {
-          return false;
-        }
-        continue;
-      }
-      if (!conduct_.never_full[static_cast<std::size_t>(answer)]) return false;
-      const int server = taker_of(channel.answers);
-      if (server < 0) return false;
-      relies.push_back(server);
+    return std::all_of(waits.begin(), waits.end(), [&](int wait) {
+      return (wait == of.home && !goes_on_by_itself(of)) || comes(thread, wait, relies);
+    });
+  }
+
+  /// Whether a wait ends: it gives up, or what it waits for has been asked for and is answered, if the server
+  /// goes on.
+  bool comes(int thread, int wait, std::vector<int>& relies) const {
+    const Step& step = step_at(wait);
+    if (step.within) return true;
+    if (step.channels.size() != 1) return false;
+    const int answer = step.channels.front();
+    const Channel& channel = problem_.channels[static_cast<std::size_t>(answer)];
+    if (channel.answers < 0 || !conduct_.sequential[static_cast<std::size_t>(channel.answers)]) return false;
+    if (!surely_asked(thread, wait, channel.answers, answer)) return false;
+    if (channel.sender_device >= 0) {
+      return !std::holds_alternative<pan::EventDevice>(
+          problem_.devices[static_cast<std::size_t>(channel.sender_device)].behaviour);
     }
+    if (!conduct_.never_full[static_cast<std::size_t>(answer)]) return false;
+    const int server = taker_of(channel.answers);
+    if (server < 0) return false;
+    relies.push_back(server);
     return true;
   }
 

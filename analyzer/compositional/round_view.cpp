@@ -46,7 +46,7 @@ bool starts_in_rounds(const View& view, int thread) {
 
 bool goes_on(const View& view, int thread) {
   const auto t = static_cast<std::size_t>(thread);
-  if (view.reliable[t]) return true;
+  if (view.reliable[t]) return view.begun[t];
   return view.lively[t] && starts_in_rounds(view, thread) && goes_on(view, view.problem.threads[t].parent);
 }
 

@@ -14,7 +14,7 @@ int source_of_rounds(const View& view, int thread);
 /// Whether a thread is a block that its parent starts in each of its rounds: these are its rounds, too.
 bool starts_in_rounds(const View& view, int thread);
 
-/// Whether a thread goes on with its rounds, however the run, as long as it is not cancelled.
+/// Whether a thread begins, and goes on with its rounds, however the run, as long as it is not cancelled.
 bool goes_on(const View& view, int thread);
 
 /// The one source of a thread's rounds that occurs again and again; -1: there is none, or there are several.

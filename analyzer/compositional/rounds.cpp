@@ -162,6 +162,50 @@ Nanoseconds least_round(const Problem& problem, const Beginning& beginning,
   return asked >= never ? around : std::max(around, asked + shortest.answer(answer, 0));
 }
 
+namespace {
+
+/// Longest work of a thread from a step to its home; `never`: it may wait on the way, or go round elsewhere.
+class Straight {
+ public:
+  Straight(const Problem& problem, int home) : problem_(problem), home_(home) {}
+
+  Nanoseconds home_from(int step) {
+    if (step == home_) return 0;
+    const auto [place, fresh] = known_.emplace(step, never);  // on the way: it goes round
+    if (!fresh) return place->second;
+    const Step& of = problem_.steps[static_cast<std::size_t>(step)];
+    if (of.kind == Kind::wait || of.kind == Kind::fork) return never;
+    Nanoseconds longest = 0;
+    for (int next : of.next) longest = std::max(longest, home_from(next));
+    return known_[step] = plus(longest, of.cost.worst);
+  }
+
+ private:
+  const Problem& problem_;
+  int home_;
+  std::map<int, Nanoseconds> known_;
+};
+
+}  // namespace
+
+bool waits_at_home(const Problem& problem, const Beginning& round, const std::vector<bool>& owned,
+                   const std::vector<bool>& sequential) {
+  const Step& home = problem.steps[static_cast<std::size_t>(round.step)];
+  if (round.kind == Beginning::Kind::give_up) return home.within.value_or(0) > 0;
+  if (round.kind != Beginning::Kind::arm) return false;
+  const int answer = home.channels[static_cast<std::size_t>(round.arm)];
+  const int request = problem.channels[static_cast<std::size_t>(answer)].answers;
+  if (request < 0 || !sequential[static_cast<std::size_t>(request)]) return false;
+  const Nanoseconds soonest = Shortest(problem, sequential).answer(answer, 0);
+  Straight straight(problem, round.step);
+  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    const Step& step = problem.steps[s];
+    if (!owned[s] || step.kind != Kind::send || step.channels.front() != request) continue;
+    if (straight.home_from(step.next.front()) >= soonest) return false;
+  }
+  return true;
+}
+
 Nanoseconds least_way(const Problem& problem, int thread, const std::vector<bool>& at,
                       const std::vector<bool>& sequential) {
   if (may_start_again(problem, thread)) return 0;

@@ -45,8 +45,10 @@ bool Sequence::may_follow(const Beginning& earlier, const Beginning& later) {
   if (starts_again(earlier.thread) || starts_again(later.thread)) return true;
   const int from = earlier.step < 0 ? first.entry : earlier.step;
   if (earlier.thread == later.thread) return later.step >= 0 && reaches(from, later.step);
-  if (const int fork = fork_to(later.thread, earlier.thread); fork >= 0)
-    return after(fork).contains(later.step);
+  if (const int fork = fork_to(later.thread, earlier.thread); fork >= 0) {
+    const bool joined = later.kind == Beginning::Kind::joined && later.step == fork;
+    return joined || after(fork).contains(later.step);
+  }
   if (const int fork = fork_to(earlier.thread, later.thread); fork >= 0) return reaches(from, fork);
   return true;
 }

@@ -6,8 +6,10 @@
 #include <iostream>
 #include <map>
 
+#include "analyzer/analysis.hpp"
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/simulate.hpp"
+#include "tests/support/any_skill.hpp"
 #include "tests/support/chain_system.hpp"
 #include "tests/support/command_skill.hpp"
 #include "tests/support/condition_chain.hpp"
@@ -18,6 +20,7 @@
 #include "tests/support/setting.hpp"
 #include "tests/support/skill.hpp"
 #include "tests/support/timed_skill.hpp"
+#include "tests/support/woven_skill.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
@@ -283,6 +286,20 @@ TEST_CASE("simulated, exact and compositional come in this order for commands to
   say(tally);
 }
 
+TEST_CASE(
+    "simulated, exact and compositional come in this order for modules that ask and serve in many ways") {
+  Tally tally;
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 400); ++seed) {
+    const std::string text = test::WovenSkill(seed).text();
+    const auto skill = test::any_skill(text);
+    if (!skill->problem) continue;
+    INFO("seed " << seed << "\n" << text);
+    compare(*skill->problem, seed, 100, tally);
+  }
+  say(tally);
+}
+
 TEST_CASE("simulated, exact and compositional come in this order for skills with mistakes in them") {
   Tally tally;
   const std::uint64_t first = setting("PAL_SEED", 1);
@@ -308,6 +325,17 @@ TEST_CASE("what once broke the order") {
     REQUIRE(skill->problem);
     compare(*skill->problem, seed, 300, tally);
   }
+}
+
+TEST_CASE("a loop in no time is looked for in a part of the classes") {
+  // Some edges of that part lead to classes that others have replaced.
+  const auto skill = test::any_skill(test::WovenSkill(5014).text());
+  REQUIRE(skill->problem);
+  Options options;
+  options.max_states = 300;
+  options.threads = 1;
+  CHECK(analyze(*skill->problem, AnalysisChoice::automatic, options).verdicts.size() ==
+        skill->problem->requirements.size());
 }
 
 TEST_CASE("an answer that is sent twice is there before it is asked for") {
