@@ -74,9 +74,6 @@ Ruling check_run(const Problem& problem, const Requirement* requirement, const t
   const bool passes = requirement != nullptr && (requirement->measure == Measure::reaction ||
                                                  requirement->measure == Measure::interval);
   if (!passes || referee.may_come(requirement->at)) ruling.growing_since = referee.gauge().growing_since();
-  ruling.surely_growing_since = ruling.growing_since;
-  if (requirement != nullptr && requirement->measure == Measure::busy)
-    ruling.surely_growing_since = referee.gauge().surely_busy_since();
   return ruling;
 }
 

@@ -17,9 +17,6 @@ struct Measured {
   Nanoseconds born = 0;
   Nanoseconds at = 0;
   int statement = -1;  // in Problem::statements; -1: none
-  /// Of a busy period: it has a pause of no length in it, if what the trace says in one order came in
-  /// another.
-  bool pauses = false;
 
   friend bool operator==(const Measured&, const Measured&) = default;
 };
@@ -31,8 +28,6 @@ struct Ruling {
   bool failed = false;             // an event of the requirement has no response
   /// Since when a value has been growing that is not measured at the end of the run.
   std::optional<Nanoseconds> growing_since;
-  /// The same of a busy period in which there is surely no pause, not even of no length.
-  std::optional<Nanoseconds> surely_growing_since;
 };
 
 /// Holds `run` against every rule. `requirement`, of `problem`, says what to measure; without it, or for a

@@ -15,8 +15,6 @@ Gauge::Gauge(const Problem& problem, const Requirement* requirement)
       busy_since_(problem.processors.size()),
       paused_(problem.processors.size(), -1),
       working_(problem.processors.size()),
-      surely_busy_(problem.processors.size()),
-      happened_at_pause_(problem.processors.size()),
       occurrence_(problem.channels.size(), none) {
   if (requirement == nullptr || requirement->condition < 0) return;
   // Until the first set, what a condition says dates from the start.
@@ -118,13 +116,11 @@ void Gauge::reads(int index, int condition) {
   if (of_samples()) thread(index) = std::max(thread(index), known);
 }
 
-void Gauge::busy(int processor, bool alone) {
+void Gauge::busy(int processor) {
   const auto index = static_cast<std::size_t>(processor);
   if (!is(Measure::busy) || working_[index]) return;
   working_[index] = true;
   std::vector<Nanoseconds>& since = busy_since_[index];
-  const bool handed_on = paused_[index] == now_ && happened_at_pause_[index] == happened_ && !alone;
-  if (!handed_on) surely_busy_[index] = now_;
   if (paused_[index] != now_) since.clear();
   if (since.empty() || since.back() != now_) since.push_back(now_);
 }
@@ -135,12 +131,8 @@ void Gauge::idle(int processor) {
   const auto index = static_cast<std::size_t>(processor);
   if (!working_[index]) return;
   working_[index] = false;
-  for (const Nanoseconds born : busy_since_[index]) {
-    show(born, -1);
-    measured_.back().pauses = born < surely_busy_[index];
-  }
+  for (const Nanoseconds born : busy_since_[index]) show(born, -1);
   paused_[index] = now_;
-  happened_at_pause_[index] = happened_;
 }
 
 void Gauge::puts(int index, int to, bool along) {
@@ -264,15 +256,6 @@ std::optional<Nanoseconds> Gauge::growing_since() const {
     default:
       return std::nullopt;
   }
-}
-
-std::optional<Nanoseconds> Gauge::surely_busy_since() const {
-  if (ended_) return std::nullopt;
-  for (const int processor : requirement_->processors) {
-    const auto index = static_cast<std::size_t>(processor);
-    if (working_[index]) return surely_busy_[index];
-  }
-  return std::nullopt;
 }
 
 }  // namespace pal::analyzer::rules

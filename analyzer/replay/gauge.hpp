@@ -26,11 +26,8 @@ class Gauge {
   void completes(int thread, int step, int code);
   void sets(int thread, int condition);
   void reads(int thread, int condition);
-  /// `alone`: what made a thread ready may have come by itself at this instant.
-  void busy(int processor, bool alone);
+  void busy(int processor);
   void idle(int processor);
-  /// Something begins that is not one with what came before, though it may come at the same instant.
-  void happens() { ++happened_; }
 
   // Messages. `along`: what the thread carries goes with it.
   void puts(int thread, int channel, bool along);
@@ -51,8 +48,6 @@ class Gauge {
   bool failed() const { return failed_; }
   /// Since when a value has been growing that is not measured yet.
   std::optional<Nanoseconds> growing_since() const;
-  /// Of the watched processor that is busy: since its last pause, even if that may have been none.
-  std::optional<Nanoseconds> surely_busy_since() const;
   void skill_ends();
 
  private:
@@ -86,14 +81,11 @@ class Gauge {
   int reference_ = none;         // reactions: the latest birth that a statement has reflected
   std::optional<Nanoseconds> last_pass_;
   std::vector<std::vector<Nanoseconds>>
-      busy_since_;                              // by processor; several, with pauses of no length between
-  std::vector<Nanoseconds> paused_;             // by processor: when it had nothing to do last; -1: never
-  std::vector<bool> working_;                   // by processor
-  std::vector<Nanoseconds> surely_busy_;        // by processor: since when without any pause
-  std::vector<std::size_t> happened_at_pause_;  // by processor
-  std::size_t happened_ = 0;
-  std::vector<bool> lost_;       // by occurrence
-  std::vector<int> occurrence_;  // of the message in each channel
+      busy_since_;                   // by processor; several, with pauses of no length between
+  std::vector<Nanoseconds> paused_;  // by processor: when it had nothing to do last; -1: never
+  std::vector<bool> working_;        // by processor
+  std::vector<bool> lost_;           // by occurrence
+  std::vector<int> occurrence_;      // of the message in each channel
   std::vector<Measured> measured_;
   bool failed_ = false;
   bool ended_ = false;

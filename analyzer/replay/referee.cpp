@@ -47,7 +47,6 @@ void Referee::follow(std::optional<Nanoseconds> until) {
 void Referee::handle(const Event& event) {
   const int threads = static_cast<int>(threads_.size());
   if (event.actor >= threads) {
-    gauge_.happens();
     device_event(event, event.actor - threads);
     return;
   }
@@ -66,9 +65,6 @@ void Referee::handle(const Event& event) {
   demand(event.statement == (of.step < 0 ? -1 : step_of(event.actor).statement),
          name(event.actor) + " is at another statement than the event");
   demand(!completed_ || event.kind == Kind::done, "something happens after the skill has ended");
-  // The put of a send that was blocked is one with the take that freed its slot.
-  const bool acts = event.kind == Kind::done || event.kind == Kind::give_up || event.kind == Kind::complete;
-  if (acts && of.mode != Mode::sending) gauge_.happens();
   switch (event.kind) {
     case Kind::ready:
       return was_ready(event);

@@ -52,8 +52,7 @@ class Referee {
     int step = -1;
     Nanoseconds reached = 0;
     Nanoseconds work = 0;
-    Nanoseconds since = 0;            // running: since when
-    Nanoseconds came_by_itself = -1;  // when a message for it was there after its latency
+    Nanoseconds since = 0;  // running: since when
     bool gives_up = false;
     bool must_stop = false;  // cancelled
     int claim = -1;          // channel of the message that is this thread's

@@ -7,7 +7,7 @@ namespace pal::analyzer::rules {
 
 void Referee::hold(int thread) {
   holder(thread) = thread;
-  gauge_.busy(thread_of(thread).processor, party(thread).came_by_itself == now_);
+  gauge_.busy(thread_of(thread).processor);
 }
 
 void Referee::release(int thread) {
@@ -43,7 +43,6 @@ void Referee::resolve(int thread) {
       if (earlier == channel) break;
       if (!waited) not_there_yet(earlier, thread);
     }
-    if (waited && !surely_there(channel, thread)) of.came_by_itself = now_;
     Arrival& there = arrival(channel, thread);
     if (waited) there.lo = now_;
     there.hi = std::min(there.hi, now_);

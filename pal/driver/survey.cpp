@@ -67,12 +67,9 @@ void Survey::measure(std::size_t index, const KnownRun& run, std::size_t number)
     seen.grows = grows;
     seen.run = number;
   };
-  for (const Measured& measured : ruling.measured) {
-    if (measured.pauses) continue;
-    note(measured, false);
-    ++seen.values;
-  }
-  if (const auto since = ruling.surely_growing_since) note({run.end - *since, *since, run.end, -1}, true);
+  for (const Measured& measured : ruling.measured) note(measured, false);
+  if (ruling.growing_since) note({run.end - *ruling.growing_since, *ruling.growing_since, run.end, -1}, true);
+  seen.values += ruling.measured.size();
   seen.unanswered += ruling.failed ? 1 : 0;
   seen.breaking += breaks ? 1 : 0;
 }

@@ -108,53 +108,6 @@ TEST_CASE("a run that is written shows the value that is reported") {
   std::filesystem::remove(chart);
 }
 
-TEST_CASE("a pause of no length ends a busy period, one thread that hands on to another does not") {
-  // LS1 works for 3 ms each time it is asked, and is asked again at the instant at which it has answered.
-  const std::string program = R"(MESSAGE X : SIGNAL
-SKILL asking
-  LOGICAL SENSOR LS1
-  SKILL METHOD SM1
-  COMPLETION 0 NORMAL
-  COMPLETION 1 ERROR
-  REQUIREMENT b : BUSY PERIOD OF P0 AT MOST 4 ms
-END SKILL
-Logical Sensor: LS1
-  ACTIVITY work
-BEGIN
-  REPEAT
-    WTM( request X from SM1 )
-    work
-    TXM( X to SM1 )
-  UNTIL( forever )
-END
-Skill Module: SM1
-BEGIN
-  WTM( Coordinator )
-  REPEAT
-    TXM( request X from LS1 )
-    WTM( X from LS1 )
-  UNTIL( forever )
-END
-ENVIRONMENT two
-  PROCESSOR P0
-  PROCESSOR P1
-  PLACE LS1 ON P0 PRIORITY 1
-  PLACE SM1 ON )";
-  for (const bool apart : {true, false}) {
-    const std::string file = temporary(apart ? "apart.pal" : "together.pal");
-    std::ofstream(file) << program << (apart ? "P1" : "P0")
-                        << " PRIORITY 1\n  TIME work : 3 ms\nEND ENVIRONMENT\n";
-    const Answer proved = pal::test::pal({"check", file, "--format", "json"});
-    const Json check = Json::parse(proved.out).at("requirements").at(0);
-    const Answer answer =
-        pal::test::pal({"simulate", file, "--until", "50ms", "--runs", "3", "--format", "json"});
-    const Json seen = Json::parse(answer.out).at("simulations").at(0).at("requirements").at(0);
-    CHECK(check.at("verdict") == (apart ? "holds" : "fails"));
-    CHECK(seen.at("broken_runs") == (apart ? 0 : 3));
-    CHECK(seen.at("extreme_ns") == (apart ? 3'000'000 : 50'000'000));
-  }
-}
-
 TEST_CASE("what cannot be simulated is said") {
   const auto said = [](const std::vector<std::string>& arguments, const std::string& text) {
     const Answer answer = pal::test::pal(arguments);
