@@ -24,6 +24,8 @@ void Clockwork::begin(Choices& choices) {
 bool Clockwork::fire(int timer, Nanoseconds now, Choices& choices) {
   Outcome outcome;
   if (!machine_.fire(state_, timer, choices, record_, outcome)) return false;
+  outgrown_ = outgrown_ || outcome.too_many;
+  if (outgrown_) return false;
   outcome_ = std::move(outcome);
   now_ = now;
   apply(timer);

@@ -40,7 +40,8 @@ class Clockwork {
 
   /// Time 0. The timers that this starts are in started().
   void begin(Choices& choices);
-  /// Fires `timer` at `now`, not before the last instant. False: it cannot be the first at this instant.
+  /// Fires `timer` at `now`, not before the last instant. False: it cannot be the first at this instant, or
+  /// what it leads to has outgrown the machine.
   bool fire(int timer, Nanoseconds now, Choices& choices);
 
   const State& state() const { return state_; }
@@ -55,6 +56,8 @@ class Clockwork {
   /// When the observers of the state were born.
   const std::vector<Nanoseconds>& births() const { return births_; }
   const Outcome& outcome() const { return outcome_; }
+  /// More was to happen than the machine can count: the run is known no further.
+  bool outgrown() const { return outgrown_; }
 
   /// The run so far, `origin` predicted.
   trace::Trace trace() const;
@@ -68,6 +71,7 @@ class Clockwork {
   State state_;
   Outcome outcome_;
   Nanoseconds now_ = 0;
+  bool outgrown_ = false;
   std::vector<Timer> timers_;
   std::vector<int> started_;
   std::vector<Nanoseconds> births_;

@@ -50,6 +50,8 @@ void Firing::fire(int timer) {
     SlotState& of = slot(channel);
     (timer == machine_.flight_timer(channel) ? of.near : of.far) = SlotState::Way::there;
     if (of.fill == SlotState::Fill::full) message_available(channel);
+  } else if (timer == machine_.pause_timer()) {
+    state_.reference = tag::none;
   } else {
     const int device = (timer - machine_.next_timer(0)) / 2;
     if (timer == machine_.next_timer(device)) {

@@ -66,17 +66,21 @@ bool Firing::watched_busy() const {
   return watch_.kind == Watch::Kind::busy && state_.running[static_cast<std::size_t>(watch_.processor)] >= 0;
 }
 
-/// A processor that ends one action and begins another in one event has not paused.
+/// A processor that ends one action and begins another in one event has not paused. If it begins another in a
+/// later one at the same instant the pause may be counted or not: the timer of the pause may come before.
 void Firing::track_busy(bool was_busy) {
   if (watch_.kind != Watch::Kind::busy) return;
   const bool busy = !state_.ended && watched_busy();
   if (was_busy && !busy) {
     measure_from(state_.reference, -1);
-    state_.reference = tag::none;
+    if (!state_.ended) start_timer(machine_.pause_timer(), {0, 0});
   }
-  if (!was_busy && busy) {
-    outcome_.passed = true;
+  if (was_busy || !busy) return;
+  outcome_.passed = true;
+  if (state_.reference == tag::none) {
     state_.reference = static_cast<std::uint8_t>(old_observers_);
+  } else {
+    stop_timer(machine_.pause_timer());
   }
 }
 

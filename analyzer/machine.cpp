@@ -31,7 +31,7 @@ int ScriptedChoices::pick(int n) {
 }
 
 int Machine::timer_count() const {
-  return next_timer(static_cast<int>(problem_.devices.size()));
+  return pause_timer() + 1;
 }
 
 int Machine::processor_of(const State& state, int timer) const {
@@ -56,6 +56,7 @@ std::string Machine::timer_name(int timer) const {
            sender_name(problem_, channel) + " to " + receiver_name(problem_, channel) +
            (flight % 2 == 0 ? "" : " between processors");
   }
+  if (timer == pause_timer()) return "a pause";
   const int device = (timer - next_timer(0)) / 2;
   return problem_.devices[static_cast<std::size_t>(device)].name +
          (timer == next_timer(device) ? "" : " service");
@@ -74,7 +75,7 @@ Outcome Machine::initial(Choices& choices, bool record) const {
 }
 
 bool Machine::fire(const State& state, int timer, Choices& choices, bool record, Outcome& outcome) const {
-  if (timer >= next_timer(0)) {
+  if (timer >= next_timer(0) && timer < pause_timer()) {
     const int device = (timer - next_timer(0)) / 2;
     const DeviceState& of = state.devices[static_cast<std::size_t>(device)];
     if (timer == next_timer(device) && of.serving.any() &&

@@ -81,7 +81,7 @@ class Machine {
 
   /// Timers: one a thread (its action, or the limit of its wait), two a channel (message on its way to
   /// threads on the sender's processor; to others), two a device (its next event or frame; its service, or
-  /// lateness).
+  /// lateness), and one that ends a busy period behind a pause of no length.
   int timer_count() const;
   int thread_timer(int thread) const { return thread; }
   int flight_timer(int channel) const { return static_cast<int>(problem_.threads.size()) + 2 * channel; }
@@ -89,6 +89,7 @@ class Machine {
     return flight_timer(static_cast<int>(problem_.channels.size())) + 2 * device;
   }
   int service_timer(int device) const { return next_timer(device) + 1; }
+  int pause_timer() const { return next_timer(static_cast<int>(problem_.devices.size())); }
   /// Processor whose work the timer measures in `state`; -1: none.
   int processor_of(const State& state, int timer) const;
   /// Processor time of the action that a thread's timer measures in `state`.

@@ -125,9 +125,9 @@ class Run {
 
   /// The instant of the first event or frame of the device whose timer it is, the first time; else -1.
   Nanoseconds take_phase(int started) {
+    if (started < machine_.next_timer(0) || started == machine_.pause_timer() || phases_.empty()) return -1;
     const int device = (started - machine_.next_timer(0)) / 2;
-    if (started < machine_.next_timer(0) || started != machine_.next_timer(device) || phases_.empty())
-      return -1;
+    if (started != machine_.next_timer(device)) return -1;
     return std::exchange(phases_[static_cast<std::size_t>(device)], -1);
   }
 
@@ -155,6 +155,7 @@ class Run {
         note(*chosen, at, dice_.take_picks());
         return true;
       }
+      if (clockwork_.outgrown()) return false;
       first.erase(chosen);
     }
     return false;

@@ -40,6 +40,7 @@ FiledWitness filed(const analyzer::Problem& problem, const analyzer::Verdict& ve
   const analyzer::Watch nothing;
   const analyzer::Machine machine(problem, nothing);
   for (const analyzer::ScriptedFiring& firing : witness.script) {
+    if (firing.timer == machine.pause_timer()) continue;  // of what is measured, not of the run
     made.script.push_back(
         {firing.at, firing.timer < 0 ? "" : machine.timer_name(firing.timer), firing.choices});
   }

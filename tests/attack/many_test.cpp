@@ -1,4 +1,5 @@
 // Of one thing more than anybody would have.
+#include "analyzer/analysis.hpp"
 #include "tests/attack/by_hand.hpp"
 
 using namespace pal;
@@ -113,4 +114,53 @@ TEST_CASE("a skill that can begin in more orders than can be tried is given up")
                   places + "  COST SEND 1 us\nEND ENVIRONMENT\n");
   CHECK(analysis.verdicts.front().state == Verdict::State::undecided);
   CHECK(analysis.verdicts.front().gave_up);
+}
+
+TEST_CASE("more requests than can be counted refute nothing") {
+  // SM1 withdraws 20 requests after 1 ms, and nothing of them comes: it is over at 10 ms.
+  const auto times = [](int n, const std::string& what) {
+    std::string text;
+    for (int i = 0; i < n; ++i) text += what;
+    return text;
+  };
+  const std::string text =
+      "MESSAGE X : SIGNAL\nMESSAGE go : SIGNAL\nCONDITION c\nMachine Controller: MC1\n  ACTIVITY "
+      "work\nBEGIN\n" +
+      times(20, "  WTM( request X from SM1 )\n") + "  work\n" + times(20, "  TXM( X to SM1 )\n") +
+      R"(  TXM( go to SM1 )
+END
+Skill Module: SM1
+  ACTIVITY late
+BEGIN
+  WTM( Coordinator )
+)" + times(20, "  TXM( request X from MC1 )\n") +
+      R"(  WTM( X from MC1 ) WITHIN 1 ms
+    Do Nothing
+  ELSE
+    Do Nothing
+  END WTM
+  REPEAT
+    WTM FIRST
+      ( X from MC1 ):
+        late
+        SPC( c = FALSE )
+      ( go from MC1 ):
+        SPC( c = TRUE )
+    END WTM
+  UNTIL( c )
+  TXM( Completion Protocol 0 )
+END
+SKILL many
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 2 ERROR
+  REQUIREMENT r : DURATION TO COMPLETION 0 AT MOST 30 ms
+END SKILL
+)" + on_one_processor("  TIME work : 10 ms\n  TIME late : 50 ms\n");
+  const auto made = any_skill(text);
+  REQUIRE(made->problem);
+  const Analysis analysis = analyze(*made->problem, AnalysisChoice::automatic, {});
+  CHECK(analysis.verdicts.front().state == Verdict::State::undecided);
+  CHECK_FALSE(analysis.verdicts.front().witness);
 }

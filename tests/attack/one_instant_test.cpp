@@ -2,6 +2,7 @@
 #include "tests/attack/by_hand.hpp"
 
 using pal::test::bound;
+using pal::test::cell;
 
 namespace {
 
@@ -194,4 +195,28 @@ END
   TIME pause : 15 ms
   LATENCY BETWEEN PROCESSORS 10 ms
 )")) == 65);
+}
+
+TEST_CASE("a pause of no length need not end a busy period") {
+  // P is idle while SM1 waits for the answer of MC1, which comes at the same instant.
+  CHECK(bound(cell("BUSY PERIOD OF P", R"(Machine Controller: MC1
+BEGIN
+  REPEAT
+    WTM( motion from SM1 )
+    TXM( request motion from SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+  work
+  TXM( motion to MC1 )
+  WTM( request motion from MC1 )
+  work
+  TXM( Completion Protocol 0 )
+END
+)",
+                   "  PROCESSOR P\n  PROCESSOR Q\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON Q PRIORITY 1\n"
+                   "  TIME work : 5 ms\n")) == 10);
 }

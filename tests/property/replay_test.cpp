@@ -105,6 +105,49 @@ TEST_CASE("every simulated run keeps the rules, and shows the same values") {
   CHECK(events > 0);
 }
 
+TEST_CASE("no run shows the referee more than was proved") {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 20);
+  std::size_t compared = 0;
+  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
+    const std::string text = program(seed);
+    const auto skill = test::skill_from_text(text);
+    if (!skill->problem) continue;
+    const Problem& problem = *skill->problem;
+    Options options;
+    options.max_states = 2'500;
+    const Analysis analysis = analyze(problem, options);
+    const Watch nothing;
+    const Machine machine(problem, nothing);
+    for (std::uint64_t run = 0; run < 8; ++run) {
+      SimulationOptions how;
+      how.times = run % 2 == 0 ? SimulationOptions::Times::random : SimulationOptions::Times::extremes;
+      how.seed = seed * 100 + run;
+      how.until = 300 * millisecond;
+      how.max_events = 1'000;
+      const Simulation made = simulate(machine, how);
+      for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
+        const Requirement& requirement = problem.requirements[r];
+        const Verdict& verdict = analysis.verdicts[r];
+        if (requirement.measure == Requirement::Measure::load) continue;
+        const rules::Ruling ruling = rules::check_run(problem, &requirement, made.trace);
+        INFO("seed " << seed << " run " << run << " " << requirement.name << "\n"
+                     << text << tail(made.trace));
+        if (verdict.state == Verdict::State::holds) REQUIRE_FALSE(ruling.failed);
+        if (verdict.state == Verdict::State::never) REQUIRE(ruling.measured.empty());
+        for (const auto& measured : ruling.measured) {
+          if (!verdict.bound) break;
+          const Duration value(measured.value);
+          REQUIRE((requirement.at_least ? value >= *verdict.bound : value <= *verdict.bound));
+          ++compared;
+        }
+      }
+    }
+  }
+  std::cout << compared << " values compared with bounds\n";
+  CHECK(compared > 0);
+}
+
 TEST_CASE("the referee confirms every witness, and no changed one") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   const std::uint64_t rounds = setting("PAL_ROUNDS", 10);

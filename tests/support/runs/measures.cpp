@@ -37,6 +37,7 @@ void AllRuns::record(std::int64_t value) {
 void AllRuns::grow(int time) {
   for (int& age : s_.births) age = std::min(cap_, age + time);
   for (int& busy : s_.busy) {
+    if (time > 0 && busy < -1) busy = -1;
     if (busy < 0) continue;
     busy = std::min(cap_, busy + time);
     if (wanted_.kind == Wanted::Kind::busy && busy == cap_) greatest_ = cap_;
@@ -152,14 +153,15 @@ int AllRuns::error_code() const {
   return -1;
 }
 
+/// A pause of no length does not count: one that has just begun is told by -2 less the period before.
 void AllRuns::track_busy() {
   if (wanted_.kind != Wanted::Kind::busy) return;
   for (int p : wanted_.processors) {
     int& busy = s_.busy[ix(p)];
     const bool now = !s_.ended && s_.running[ix(p)] >= 0;
     if (!now && busy >= 0) record(busy);
-    if (!now) busy = -1;
-    if (now && busy < 0) busy = 0;
+    if (!now && busy >= 0) busy = -2 - busy;
+    if (now && busy < 0) busy = std::max(0, -2 - busy);
   }
 }
 

@@ -82,8 +82,8 @@ struct State {
   std::vector<int> known;   // by condition: what a read gives; index into births
   std::vector<int> births;  // of what is measured: how long ago, the earliest first
   int reference = -1;       // of reactions and intervals: from which birth the next value counts
-  std::vector<int> busy;    // by processor: for how long it has been; -1: it is idle
-  std::vector<bool> lost;   // loss: the last occurrences, the latest last
+  std::vector<int> busy;  // by processor: for how long it has been; -1: it is idle; below: since this instant
+  std::vector<bool> lost;  // loss: the last occurrences, the latest last
   bool counting = false;
   bool ended = false;
   bool failed = false;
