@@ -75,13 +75,11 @@ void Firing::track_busy(bool was_busy) {
     measure_from(state_.reference, -1);
     if (!state_.ended) start_timer(machine_.pause_timer(), {0, 0});
   }
+  const bool pauses = !was_busy && state_.reference != tag::none;
+  if (pauses && (busy || state_.ended)) stop_timer(machine_.pause_timer());
   if (was_busy || !busy) return;
   outcome_.passed = true;
-  if (state_.reference == tag::none) {
-    state_.reference = static_cast<std::uint8_t>(old_observers_);
-  } else {
-    stop_timer(machine_.pause_timer());
-  }
+  if (!pauses) state_.reference = static_cast<std::uint8_t>(old_observers_);
 }
 
 void Firing::has_read(int thread, int condition) {

@@ -220,3 +220,25 @@ END
                    "  PROCESSOR P\n  PROCESSOR Q\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON Q PRIORITY 1\n"
                    "  TIME work : 5 ms\n")) == 10);
 }
+
+TEST_CASE("a skill that ends during a pause of no length ends like any other") {
+  // MC1 has P for 2 ms. At that instant SM1 completes, before the pause of P is over or after it.
+  CHECK(bound(cell("BUSY PERIOD OF P", R"(Machine Controller: MC1
+  ACTIVITY work
+BEGIN
+  WTM( motion from SM1 )
+  work
+  WTM( motion from SM1 )
+END
+Skill Module: SM1
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+  TXM( motion to MC1 )
+  work
+  TXM( Completion Protocol 0 )
+END
+)",
+                   "  PROCESSOR P\n  PROCESSOR Q\n  PLACE SM1 ON Q PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n"
+                   "  TIME work : 2 ms\n")) == 2);
+}
