@@ -142,7 +142,11 @@ class Ageing {
     return age.sum + distance(read, statement);
   }
 
+  /// A thread in trouble may be anywhere in what it began before, also after it has come home.
+  bool troubled(int thread) const { return !view_.times.trouble[static_cast<std::size_t>(thread)].empty(); }
+
   Sum from_start(int statement, int rounds) {
+    if (rounds > 0 && troubled(owner(statement))) return Sum::unbounded();
     Sum longest;
     const int source = source_of_rounds(view_, owner(statement));
     for (int n : nodes_with(view_, statement)) {
@@ -164,6 +168,7 @@ class Ageing {
   Sum distance(Place from, int statement) {
     const int thread = owner(statement);
     if (from.step == statement && from.rounds == 0) return {};
+    if (from.rounds > 0 && troubled(thread)) return Sum::unbounded();
     const int source = source_of_rounds(view_, thread);
     Sum longest;
     for (int a : nodes_with(view_, from.step)) {

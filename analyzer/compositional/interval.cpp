@@ -19,7 +19,9 @@ Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, boo
   // What has had an effect has begun.
   if (rounds ? !view.reliable[t] && !goes_on(view, thread) : !view.lively[t]) return none;
   Sum longest = from_start ? passes.first() + passes.latest() : Sum();
-  if (from_start && (!passes.every_round() || !goes_on(view, thread))) return none;
+  // Others may come to it when this thread does not any more.
+  const bool always = passes.every_round() && !passes.in_rounds().empty() && goes_on(view, thread);
+  if (from_start && !always) return none;
   Sum end;
   for (int n : of.nodes) {
     if (in_paced_round(view, n)) end = greater(end, finish(view, n));

@@ -12,7 +12,9 @@ Sum since_known(const Knowledge& knowledge, Pass pass, const Sum& until) {
 }
 
 /// From what one effect reflects to the next effect of the same thread.
-Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement& requirement, int thread) {
+/// `alone`: no other thread comes to it, so that nothing goes on once this one does not any more.
+Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement& requirement, int thread,
+                bool alone) {
   const auto t = static_cast<std::size_t>(thread);
   const std::string& name = view.problem.threads[t].name;
   Passes passes(view, thread, requirement.at);
@@ -20,7 +22,7 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
     // Once each, at the start.
     const Bound none{Sum::unbounded(), "nothing bounds when " + name + " comes to it"};
     const Way way = passes.from_entry();
-    if (!view.lively[t] || !view.begun[t] || way.home || way.lost) return none;
+    if (!alone || !view.lively[t] || !view.begun[t] || way.home || way.lost) return none;
     Sum longest = way.latest;
     for (const Pass& pass : passes.before_rounds()) {
       const int source = view.forest.nodes[static_cast<std::size_t>(pass.node)].source;
@@ -76,7 +78,7 @@ Bound reaction_bound(const View& view, const Requirement& requirement) {
     const auto t = static_cast<std::size_t>(thread);
     const ThreadConduct& of = view.conduct.threads[t];
     if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || !goes_on(view, thread))) continue;
-    const Bound bound = in_thread(view, knowledge, requirement, thread);
+    const Bound bound = in_thread(view, knowledge, requirement, thread, threads.size() == 1);
     if (bound.sum.value() < least.sum.value() || !least.known()) least = bound;
   }
   return least;

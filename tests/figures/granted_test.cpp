@@ -640,6 +640,114 @@ ENVIRONMENT cell
 END ENVIRONMENT
 )";
 
+const std::string later_rounds = R"(
+MESSAGE correction : SIGNAL
+MESSAGE motion : SIGNAL
+MESSAGE tick : SIGNAL
+CONDITION c
+DEVICE robot
+SKILL odd
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT r0 : AGE OF c AT obey IN MC1 AT MOST 1 s
+END SKILL
+Machine Controller: MC1
+  ACTIVITY obey
+BEGIN
+  RPC( c )
+  TXM( request motion from SM1 )
+  REPEAT
+    WTM( tick from robot )
+    WTM( motion from SM1 )
+    obey
+    SPC( c )
+  UNTIL( forever )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    WTM( request motion from MC1 )
+    TXM( motion to MC1 )
+  UNTIL( forever )
+END
+ENVIRONMENT cell
+  PROCESSOR P
+  PLACE MC1 ON P PRIORITY 4
+  PLACE SM1 ON P PRIORITY 5
+  TIME obey : 1 ms
+  DEVICE robot EVENT tick EVERY 70 ms
+END ENVIRONMENT
+)";
+
+const std::string elsewhere = R"(
+MESSAGE correction : SIGNAL
+MESSAGE force : SIGNAL
+MESSAGE motion : SIGNAL
+MESSAGE tick : SIGNAL
+MESSAGE go : SIGNAL
+CONDITION c
+DEVICE robot
+SKILL odd
+  LOGICAL SENSOR LS1
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT r0 : REACTION OF c AT work IN LS1 AT MOST 1 s
+END SKILL
+Logical Sensor: LS1
+  ACTIVITY work
+  ACTIVITY other
+BEGIN
+  SPC( c )
+  work
+  REPEAT
+    WTM( request force from SM1 )
+    CONCURRENT
+    BEGIN
+      work
+    END
+    BEGIN
+      other
+    END
+    END CONCURRENT
+    RPC( c )
+    TXM( force to SM1 )
+  UNTIL( forever )
+END
+Machine Controller: MC1
+BEGIN
+  REPEAT
+    WTM( tick from robot )
+    TXM( go to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY think
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    WTM( go from MC1 )
+    TXM( request force from LS1 )
+    WTM( force from LS1 )
+    think
+  UNTIL( forever )
+END
+ENVIRONMENT cell
+  PROCESSOR P
+  PLACE LS1 ON P PRIORITY 4
+  PLACE SM1 ON P PRIORITY 5
+  TIME work : 1 ms
+  PLACE MC1 ON P PRIORITY 3
+  DEVICE robot EVENT tick EVERY 50 ms
+  TIME think : 1 ms
+  TIME other : 1 ms
+END ENVIRONMENT
+)";
+
 /// Whether the compositional analysis says that it has no bound, and a run shows why.
 void has_none(const std::string& text) {
   const auto skill = pal::test::any_skill(text);
@@ -648,6 +756,14 @@ void has_none(const std::string& text) {
   CHECK_FALSE(compositional.verdicts.front().bound);
   const auto exact = pal::analyzer::analyze(*skill->problem);
   CHECK(exact.verdicts.front().state != pal::analyzer::VerdictState::holds);
+}
+
+/// The same, where the greatest value in milliseconds is known.
+void has_age(const std::string& text, int exact_value) {
+  const auto skill = pal::test::any_skill(text);
+  REQUIRE(skill->problem);
+  CHECK_FALSE(pal::analyzer::analyze_compositionally(*skill->problem).verdicts.front().bound);
+  CHECK(pal::test::milliseconds(pal::analyzer::analyze(*skill->problem).verdicts.front()) == exact_value);
 }
 
 }  // namespace
@@ -697,4 +813,14 @@ TEST_CASE("a block that does not begin reacts to nothing") {
   // SM1 waits for what LS1 need not send; the first set, and the first sample, are then never reflected.
   has_none(never_begun);
   has_none(never_taken);
+}
+
+TEST_CASE("what a thread began before its rounds may come after it has come home") {
+  // MC1 takes what it asked for at its start in its first round.
+  has_age(later_rounds, 71);
+}
+
+TEST_CASE("a reaction goes on where another thread comes to its statement") {
+  // LS1 has worked at its start, and its block works on; neither has read what was set.
+  has_none(elsewhere);
 }

@@ -14,7 +14,8 @@ namespace pal::test {
 /// nobody need take in time.
 class WovenSkill {
  public:
-  explicit WovenSkill(std::uint64_t seed) : engine_(seed) {}
+  /// `calm`: events are far apart, and more is set and read, so that more is bounded.
+  explicit WovenSkill(std::uint64_t seed, bool calm = false) : engine_(seed), calm_(calm) {}
 
   std::string text() {
     draw();
@@ -170,8 +171,16 @@ class WovenSkill {
            small(in, indent + "  ") + indent + "ELSE\n" + small(in, indent + "  ") + indent + "END WTM\n";
   }
 
+  std::string set_or_read(const Module& in, const std::string& indent) {
+    if (chance(2) == 0) return indent + "SPC( c" + in.name + " )\n";
+    const Module& other = modules_[static_cast<std::size_t>(chance(static_cast<int>(modules_.size())))];
+    read_.emplace_back(in.name, "c" + other.name);
+    return indent + "RPC( c" + other.name + " )\n";
+  }
+
   /// Takes no message, and sends none.
   std::string small(const Module& in, const std::string& indent) {
+    if (calm_ && chance(2) == 0) return set_or_read(in, indent);
     switch (chance(6)) {
       case 0:
         return indent + "SPC( c" + in.name +
@@ -370,6 +379,15 @@ class WovenSkill {
     add("DURATION TO COMPLETION 0" + most);
     add("LOAD OF EACH PROCESSOR AT MOST 90 %");
     add("BUSY PERIOD OF EACH PROCESSOR" + most);
+    for (std::size_t i = 0; i < read_.size() && i < 4; ++i) {
+      const auto& [in, condition] = read_[i];
+      for (const auto& [module, statement] : said_) {
+        if (module != in || chance(3) != 0) continue;
+        add("AGE OF " + condition + " AT " + statement + " IN " + in + most);
+        add("REACTION OF " + condition + " AT " + statement + " IN " + in + most);
+        break;
+      }
+    }
     return out;
   }
 
@@ -408,7 +426,9 @@ class WovenSkill {
              interval(chance(8) == 0 ? 0 : 1, chance(3) == 0 ? 12 : 4) + "\n";
     }
     const auto event = [&](const std::string& device, const std::string& message) {
-      const int period = chance(3) == 0 ? between(8, 30) : between(25, 120);
+      const int period = calm_            ? between(50, 250)
+                         : chance(3) == 0 ? between(8, 30)
+                                          : between(25, 120);
       out += "  DEVICE " + device + " EVENT " + message + (chance(6) == 0 ? " SPORADIC " : " EVERY ") +
              std::to_string(period) + " ms";
       if (chance(3) == 0) out += " JITTER " + std::to_string(between(1, period - 1)) + " ms";
@@ -429,7 +449,9 @@ class WovenSkill {
   std::vector<Module> modules_;
   std::vector<std::string> messages_;
   std::vector<std::string> blocks_;
-  std::vector<std::pair<std::string, std::string>> said_;
+  std::vector<std::pair<std::string, std::string>> said_;  // module and statement
+  std::vector<std::pair<std::string, std::string>> read_;  // module and condition
+  bool calm_;
   bool drives_ = false;
 };
 
