@@ -155,6 +155,8 @@ std::string nothing_measured(const Requirement& requirement, bool passed) {
       return "no run gets there with a second value";
     case Requirement::Measure::interval:
       return "no run gets there twice";
+    case Requirement::Measure::duration:
+      return "no run completes the skill with this code";
     default:
       return "no run gets there because of the event";
   }

@@ -206,9 +206,14 @@ void Referee::blocked(const Event& event) {
   Party& of = party(thread);
   const Step& step = step_of(thread);
   if (step.kind == Step::Kind::fork) {
-    demand(of.mode == Mode::joining, name(thread) + " waits for no blocks");
+    demand(of.mode == Mode::joining && event.subject < 0, name(thread) + " waits for no blocks");
     return;
   }
+  const bool named =
+      step.kind == Step::Kind::send || step.kind == Step::Kind::wait
+          ? std::find(step.channels.begin(), step.channels.end(), event.subject) != step.channels.end()
+          : event.subject < 0;
+  demand(named, name(thread) + " waits for what it does not wait for here");
   if (step.kind == Step::Kind::send) {
     check_work(thread);
     demand(slot(step.channels.front()).full && !of.acted && !of.must_stop,

@@ -1,6 +1,7 @@
 #include "analyzer/replay/witness_file.hpp"
 
 #include <istream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <sstream>
@@ -36,30 +37,57 @@ Json to_json(const FiledWitness& witness) {
   return made;
 }
 
+/// Without the number that the library gives its errors.
+std::string plain(const std::exception& error) {
+  const std::string text = error.what();
+  const auto end = text.find("] ");
+  return text.find("[json.exception") == 0 && end != std::string::npos ? text.substr(end + 2) : text;
+}
+
+/// A whole number of 64 bits with a sign, from `least` to `most`.
+std::int64_t whole(const Json& value, const char* what,
+                   std::int64_t least = std::numeric_limits<std::int64_t>::min(),
+                   std::int64_t most = std::numeric_limits<std::int64_t>::max()) {
+  const auto greatest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  const bool fits =
+      value.is_number_integer() && (!value.is_number_unsigned() || value.get<std::uint64_t>() <= greatest);
+  if (!fits || value.get<std::int64_t>() < least || value.get<std::int64_t>() > most)
+    throw std::runtime_error(std::string(what) + " is no whole number in its range");
+  return value.get<std::int64_t>();
+}
+
+FiledSeat seat_of(const Json& json) {
+  constexpr std::int64_t processors = 100;
+  return {json.at("thread").get<std::string>(),
+          static_cast<int>(whole(json.at("processor"), "processor", 0, processors - 1)),
+          static_cast<int>(whole(json.at("priority"), "priority", std::numeric_limits<int>::min(),
+                                 std::numeric_limits<int>::max()))};
+}
+
+Firing firing_of(const Json& json) {
+  Firing made{whole(json.at("at_ns"), "at_ns"), json.at("timer").get<std::string>(), {}};
+  if (!json.at("choices").is_array()) throw std::runtime_error("choices is no list");
+  for (const Json& choice : json.at("choices"))
+    made.choices.push_back(static_cast<std::uint8_t>(whole(choice, "a choice", 0, 255)));
+  return made;
+}
+
 FiledWitness from_json(const Json& json) {
   FiledWitness made;
   made.skill = json.at("skill").get<std::string>();
   made.environment = json.at("environment").get<std::string>();
   made.identity = json.at("identity").get<std::string>();
   if (json.contains("placement")) {
-    for (const Json& seat : json.at("placement")) {
-      made.placement.push_back({seat.at("thread").get<std::string>(), seat.at("processor").get<int>(),
-                                seat.at("priority").get<int>()});
-      if (made.placement.back().processor < 0 || made.placement.back().processor >= 100)
-        throw std::runtime_error("no witnesses: a processor of a placement is not between 0 and 99");
-    }
+    for (const Json& seat : json.at("placement")) made.placement.push_back(seat_of(seat));
   }
   made.requirement = json.at("requirement").get<std::string>();
   made.measure = json.at("measure").get<std::string>();
   made.failed = json.at("failed").get<bool>();
   made.grows = json.at("grows").get<bool>();
-  made.value = json.at("value_ns").get<std::int64_t>();
-  made.born = json.at("born_ns").get<std::int64_t>();
-  made.at = json.at("at_ns").get<std::int64_t>();
-  for (const Json& firing : json.at("script")) {
-    made.script.push_back({firing.at("at_ns").get<std::int64_t>(), firing.at("timer").get<std::string>(),
-                           firing.at("choices").get<std::vector<std::uint8_t>>()});
-  }
+  made.value = whole(json.at("value_ns"), "value_ns");
+  made.born = whole(json.at("born_ns"), "born_ns");
+  made.at = whole(json.at("at_ns"), "at_ns");
+  for (const Json& firing : json.at("script")) made.script.push_back(firing_of(firing));
   std::istringstream run(json.at("run").dump());
   made.run = trace::read_json(run);
   return made;
@@ -78,10 +106,18 @@ std::vector<FiledWitness> read_witnesses(std::istream& in) {
   try {
     std::vector<FiledWitness> made;
     const Json document = Json::parse(in);
-    for (const Json& each : document.at("witnesses")) made.push_back(from_json(each));
+    if (!document.is_object() || !document.contains("witnesses") || !document.at("witnesses").is_array())
+      throw std::runtime_error("it is not {\"witnesses\": [...]}");
+    for (const Json& each : document.at("witnesses")) {
+      try {
+        made.push_back(from_json(each));
+      } catch (const std::exception& error) {
+        throw std::runtime_error("witnesses[" + std::to_string(made.size()) + "]: " + plain(error));
+      }
+    }
     return made;
   } catch (const Json::exception& error) {
-    throw std::runtime_error(std::string("no witnesses: ") + error.what());
+    throw std::runtime_error("not JSON: " + plain(error));
   }
 }
 

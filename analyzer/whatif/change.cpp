@@ -1,6 +1,5 @@
 // Reading a change of a figure.
 #include <charconv>
-#include <regex>
 
 #include "analyzer/whatif/figures.hpp"
 #include "pal/support/duration_text.hpp"
@@ -14,17 +13,34 @@ std::optional<Duration> length(const std::string& number, const std::string& uni
   return value == nullptr ? std::nullopt : std::optional(*value);
 }
 
+std::string trimmed(const std::string& text) {
+  const auto from = text.find_first_not_of(' ');
+  return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(' ') - from + 1);
+}
+
+/// A number and what stands behind it: "5 ms", "1e-3 s", "5".
+struct Amount {
+  std::string number;
+  std::string unit;
+};
+
+Amount amount(const std::string& text) {
+  const auto last_digit = text.find_last_of("0123456789");
+  if (last_digit == std::string::npos) return {"", trimmed(text)};
+  return {trimmed(text.substr(0, last_digit + 1)), trimmed(text.substr(last_digit + 1))};
+}
+
 /// "5..7 ms", "5 TO 7 ms", "5 ms TO 0.1 s", "5 ms".
 std::optional<Interval> interval(const std::string& text) {
-  static const std::regex form(
-      R"(\s*([0-9.eE+-]*[0-9])\s*([a-z]*)\s*(?:(?:\.\.|TO|to)\s*([0-9.eE+-]*[0-9])\s*([a-z]+))?\s*)");
-  std::smatch parts;
-  std::string spaced = text;
-  if (const auto dots = spaced.find(".."); dots != std::string::npos) spaced.replace(dots, 2, " TO ");
-  if (!std::regex_match(spaced, parts, form)) return std::nullopt;
-  const std::string last_unit = parts[4].matched ? parts[4].str() : parts[2].str();
-  const auto best = length(parts[1], parts[2].length() > 0 ? parts[2].str() : last_unit);
-  const auto worst = parts[3].matched ? length(parts[3], last_unit) : best;
+  auto between = std::string::npos;
+  for (const char* word : {"..", "TO", "to"}) {
+    if (between == std::string::npos) between = text.find(word);
+  }
+  const bool one = between == std::string::npos;
+  const Amount first = amount(text.substr(0, between));
+  const Amount last = one ? first : amount(text.substr(between + 2));
+  const auto best = length(first.number, first.unit.empty() ? last.unit : first.unit);
+  const auto worst = length(last.number, last.unit);
   if (!best || !worst || *best > *worst || best->count() < 0) return std::nullopt;
   return Interval{*best, *worst};
 }
@@ -62,11 +78,6 @@ std::string set_placement(pan::Environment& environment, const std::string& thre
   return found->priority = priority, "";
 }
 
-std::string trimmed(const std::string& text) {
-  const auto from = text.find_first_not_of(' ');
-  return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(' ') - from + 1);
-}
-
 }  // namespace
 
 std::string change(pan::Environment& environment, const std::string& text) {
@@ -88,7 +99,7 @@ std::string change(pan::Environment& environment, const std::string& text) {
     if (time) *figure = *time;
   }
   for (pan::ActivityTime& each : environment.activities) {
-    if (each.activity != name) continue;
+    if (each.activity != name || is_common_figure(name)) continue;
     known = true;
     if (time) each.time = *time;
   }

@@ -6,10 +6,6 @@
 namespace pal::analyzer {
 namespace {
 
-std::string name_of(const pan::ActivityTime& time) {
-  return time.module.empty() ? time.activity : time.activity + " OF " + time.module;
-}
-
 struct Named {
   const char* name;
   Interval* time;
@@ -24,6 +20,12 @@ std::vector<Named> common(pan::Environment& environment) {
           {"TEST", &costs.test},
           {"LATENCY WITHIN PROCESSOR", &environment.latency.within_processor},
           {"LATENCY BETWEEN PROCESSORS", &environment.latency.between_processors}};
+}
+
+/// As it stands in the environment; an activity may be called as a cost is.
+std::string name_of(const pan::ActivityTime& time) {
+  if (!time.module.empty()) return time.activity + " OF " + time.module;
+  return is_common_figure(time.activity) ? "ACTIVITY " + time.activity : time.activity;
 }
 
 /// Whether some activity of the network takes its time from this line.
@@ -47,6 +49,12 @@ bool is_party(const pan::Network& network, const std::string& name) {
 }
 
 }  // namespace
+
+bool is_common_figure(const std::string& name) {
+  pan::Environment any;
+  const auto all = common(any);
+  return std::any_of(all.begin(), all.end(), [&](const Named& each) { return name == each.name; });
+}
 
 std::vector<Figure> figures(const pan::Network& network, const pan::Environment& environment) {
   std::vector<Figure> all;

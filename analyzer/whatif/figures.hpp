@@ -18,6 +18,10 @@ struct Figure {
 /// latencies, the answers of its devices on request; in this order.
 std::vector<Figure> figures(const pan::Network& network, const pan::Environment& environment);
 
+/// Whether all environments have a figure of that name: a cost or a latency. An activity that is called so is
+/// the figure "ACTIVITY SEND".
+bool is_common_figure(const std::string& name);
+
 /// Where the figure of that name stands in `environment`; null: it has none.
 Interval* find_figure(pan::Environment& environment, const std::string& name);
 

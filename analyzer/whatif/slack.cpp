@@ -203,6 +203,7 @@ std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& e
   SlackSearch search(judge, *problem);
   for (Slack& slack : all) {
     slack.requirement = now.requirement;
+    if (now.state == Is::fails) slack.fails = Duration(0);
     if (now.state != Is::holds) continue;
     search.find(slack.figure.empty() ? together : Growth(environment, {slack.figure}), slack);
   }

@@ -18,7 +18,7 @@ struct Slack {
   Interval time;       // as it is; all together: the longest worst time
   /// It was proved that everything holds with so much more. Nothing: not even as it is.
   std::optional<Duration> holds;
-  /// It was proved that something fails with so much more. Nothing: not found.
+  /// It was proved that something fails with so much more (0: as it is). Nothing: not found.
   std::optional<Duration> fails;
   /// Everything holds whatever the time, up to the longest that the model allows.
   bool unlimited = false;
@@ -31,7 +31,8 @@ struct Slack {
 /// Slack of each figure by itself, then of all together. All together grow in proportion: with `holds` = k
 /// each worst time w becomes w + w · k / longest, rounded up, where `longest` is the longest of them.
 /// `progress`, if given, is told the name of each before it is looked for. Requirements that do not hold as
-/// things are make every slack nothing; their index is in `requirement`.
+/// things are make every slack nothing; the index of one is in `requirement`, and `fails` is 0 if a run
+/// breaks it.
 std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& environment,
                           const Options& options);
 

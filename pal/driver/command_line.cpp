@@ -18,10 +18,40 @@ const char* const statuses =
     "read or "
     "written; 3 some requirement fails or is undecided.";
 
+// Of commands that prove nothing, or to which what they prove is no finding.
+const char* const statuses_of_results =
+    "Exit status: 0 done; 1 the specification is wrong; 2 bad usage, or a file could not be read or written.";
+
+/// One of the words of `values`.
+template <typename Value>
+CLI::Option* add_choice(CLI::App& command, const char* name, Value& value,
+                        const std::map<std::string, Value>& values, const char* description) {
+  const auto choose = [&value, values, name](const std::string& word) {
+    if (const auto found = values.find(word); found != values.end()) {
+      value = found->second;
+      return;
+    }
+    std::string known;
+    for (const auto& each : values) known += (known.empty() ? "" : ", ") + each.first;
+    throw CLI::ValidationError(name, "'" + word + "' is none of " + known);
+  };
+  return command.add_option_function<std::string>(name, choose, description);
+}
+
+/// Also where a number below 0 would be taken for a great one.
+CLI::Validator whole_number() {
+  const auto complaint = [](const std::string& text) {
+    const bool whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+    return whole ? "" : "'" + text + "' is no whole number from 0 on";
+  };
+  return CLI::Validator(complaint, "");
+}
+
 void add_max_errors(CLI::App& command, std::size_t& most) {
   command.add_option("--max-errors", most, "show so many findings, errors before warnings; 0: all")
       ->type_name("N")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(whole_number());
 }
 
 void add_selection(CLI::App& command, Selection& selection) {
@@ -36,33 +66,37 @@ void add_selection(CLI::App& command, Selection& selection) {
   add_max_errors(command, selection.max_errors);
 }
 
-/// Seconds in "90", "90 s", "1.5min".
-double seconds_of(const std::string& text, const char* option) {
+/// "90", "90 s", "1.5min".
+Duration duration_of(const std::string& text, const char* option) {
   const std::size_t end = text.find_first_not_of("0123456789.");
   const std::string number = text.substr(0, end);
   const std::size_t unit = end == std::string::npos ? end : text.find_first_not_of(' ', end);
   const auto duration = parse_duration(number, unit == std::string::npos ? "s" : text.substr(unit));
-  if (const auto* time = std::get_if<Duration>(&duration))
-    return std::chrono::duration<double>(*time).count();
+  if (const auto* time = std::get_if<Duration>(&duration)) return *time;
   throw CLI::ValidationError(option, "'" + text + "' is no length of time, as 90 s or 500 ms is");
 }
 
 void add_limits(CLI::App& command, ProofLimits& limits) {
   command
       .add_option("--max-states", limits.max_states, "give up a requirement after so many states (undecided)")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(whole_number());
   command
       .add_option_function<std::string>(
-          "--timeout", [&limits](const std::string& text) { limits.seconds = seconds_of(text, "--timeout"); },
+          "--timeout",
+          [&limits](const std::string& text) {
+            limits.seconds = std::chrono::duration<double>(duration_of(text, "--timeout")).count();
+          },
           "give up after so long (undecided): 90 s, 2min, 500ms; a number alone is seconds, 0: never")
       ->type_name("DURATION");
-  command.add_option("--threads", limits.threads, "threads at work; 0: one a core")->capture_default_str();
+  command.add_option("--threads", limits.threads, "threads at work; 0: one a core")
+      ->capture_default_str()
+      ->check(whole_number());
 }
 
 void add_format(CLI::App& command, Format& format) {
-  command.add_option("--format", format, "text or json")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Format>{{"text", Format::text}, {"json", Format::json}}))
+  add_choice<Format>(command, "--format", format, {{"text", Format::text}, {"json", Format::json}},
+                     "text or json")
       ->type_name("FORMAT");
 }
 
@@ -72,21 +106,18 @@ void add_check(CLI::App& app, CheckOptions& options) {
   add_selection(*command, options.selection);
   add_limits(*command, options.limits);
   using Choice = analyzer::AnalysisChoice;
-  command
-      ->add_option(
-          "--analysis", options.limits.analysis,
-          "exact, compositional (bounds, however large the skill), or auto: exact, and compositional for "
-          "what that leaves undecided")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Choice>{
-          {"exact", Choice::exact}, {"compositional", Choice::compositional}, {"auto", Choice::automatic}}))
+  add_choice<Choice>(
+      *command, "--analysis", options.limits.analysis,
+      {{"exact", Choice::exact}, {"compositional", Choice::compositional}, {"auto", Choice::automatic}},
+      "exact, compositional (bounds, however large the skill), or auto: exact, and compositional for "
+      "what that leaves undecided")
       ->type_name("ANALYSIS");
-  command->add_option("--format", options.format, "text, json or sarif (2.1.0)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Format>{
-          {"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}}))
+  add_choice<Format>(*command, "--format", options.format,
+                     {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}},
+                     "text, json or sarif (2.1.0)")
       ->type_name("FORMAT");
-  command->add_option("--emit", options.emit, "also print what stands between two stages: tree or pan")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, Stage>{{"tree", Stage::tree}, {"pan", Stage::pan}}))
+  add_choice<Stage>(*command, "--emit", options.emit, {{"tree", Stage::tree}, {"pan", Stage::pan}},
+                    "also print what stands between two stages: tree or pan")
       ->type_name("STAGE");
   command->add_option("--witness", options.witness, "write the run that shows each bound, for pal replay")
       ->type_name("FILE");
@@ -117,13 +148,12 @@ void add_simulate(CLI::App& app, SimulateOptions& options) {
                      ->add_option("--script", options.script,
                                   "the runs that check --witness wrote, made again from their scripts")
                      ->type_name("FILE");
-  command
-      ->add_option("--times", options.times,
-                   "how long everything takes: random, worst, best, or extremes (best or worst, by chance)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Times>{{"random", Times::random},
-                                                                       {"worst", Times::worst},
-                                                                       {"best", Times::best},
-                                                                       {"extremes", Times::extremes}}))
+  add_choice<Times>(*command, "--times", options.times,
+                    {{"random", Times::random},
+                     {"worst", Times::worst},
+                     {"best", Times::best},
+                     {"extremes", Times::extremes}},
+                    "how long everything takes: random, worst, best, or extremes (best or worst, by chance)")
       ->type_name("TIMES")
       ->excludes(script);
   command->add_option("--runs", options.runs, "so many runs")
@@ -132,10 +162,11 @@ void add_simulate(CLI::App& app, SimulateOptions& options) {
       ->excludes(script);
   command->add_option("--seed", options.seed, "of the first run; each next one has the next")
       ->capture_default_str()
+      ->check(whole_number())
       ->excludes(script);
   command
       ->add_option_function<std::string>(
-          "--until", [&options](const std::string& text) { options.seconds = seconds_of(text, "--until"); },
+          "--until", [&options](const std::string& text) { options.until = duration_of(text, "--until"); },
           "a run's length in its own time, if the skill does not complete before (10 s)")
       ->type_name("DURATION")
       ->excludes(script);
@@ -193,7 +224,7 @@ void add_pan(CLI::App& app, PanOptions& options) {
                     "statements as letters and conditions as c1, c2, … with a key");
   command->add_flag("--pal", options.pal,
                     "print the modules as PAL instead, also those drawn as DOT (FILE.dot)");
-  command->footer(statuses);
+  command->footer(statuses_of_results);
 }
 
 void add_atc(CLI::App& app, AtcOptions& options) {
@@ -212,7 +243,7 @@ void add_atc(CLI::App& app, AtcOptions& options) {
   command->add_option("--trace", options.trace, "also write the worst run as a trace")->type_name("FILE");
   command->add_flag("--chrome", options.chrome,
                     "write the trace in Chrome's trace-event form, as Perfetto opens it");
-  command->footer(statuses);
+  command->footer(statuses_of_results);
 }
 
 void add_generate(CLI::App& app, GenerateOptions& options) {
@@ -227,7 +258,7 @@ void add_generate(CLI::App& app, GenerateOptions& options) {
       ->add_option("--depfile-target", options.depfile_target,
                    "target of that rule, if not the files written")
       ->type_name("FILE");
-  command->footer(statuses);
+  command->footer(statuses_of_results);
 }
 
 void add_format(CLI::App& app, FormatOptions& options) {
@@ -251,6 +282,7 @@ void add_sequence(CLI::App& app, SequenceOptions& options) {
   command->add_option("-o,--output", options.output, "folder for SKILL.N.sequence.svg")
       ->type_name("FOLDER")
       ->capture_default_str();
+  command->footer(statuses_of_results);
 }
 
 void add_resources(CLI::App& app, ResourcesOptions& options) {
@@ -258,6 +290,10 @@ void add_resources(CLI::App& app, ResourcesOptions& options) {
       app.add_subcommand("resources", "Lists what skills need, and what environments lack of it");
   add_selection(*command, options.selection);
   add_format(*command, options.format);
+  command->footer(
+      "Exit status: 0 nothing is missing; 1 something is, or the specification is wrong; 2 bad usage, or a "
+      "file could "
+      "not be read.");
 }
 
 void add_doc(CLI::App& app, DocOptions& options) {
@@ -274,7 +310,7 @@ void add_doc(CLI::App& app, DocOptions& options) {
       ->add_option("-o,--output", options.output,
                    "the document; drawings that it names are written beside it")
       ->type_name("FILE");
-  command->footer(statuses);
+  command->footer(statuses_of_results);
 }
 
 void add_explain(CLI::App& app, ExplainOptions& options) {

@@ -7,14 +7,28 @@
 #include "pal/driver/command_line.hpp"
 #include "pal/support/file_system.hpp"
 
+using pal::driver::ExitStatus;
+
+namespace {
+
+/// A report that nobody got is no success.
+ExitStatus delivered(ExitStatus status) {
+  std::cout.flush();
+  if (std::cout) return status;
+  std::cerr << "pal: cannot write the standard output: is it open, and is there space?\n";
+  return ExitStatus::usage;
+}
+
+}  // namespace
+
 int main(int count, char** arguments) {
   const pal::DiskFileSystem files;
   try {
-    return static_cast<int>(pal::driver::run(std::vector<std::string>(arguments + 1, arguments + count),
-                                             {std::cout, std::cerr, files}));
+    return static_cast<int>(delivered(pal::driver::run(
+        std::vector<std::string>(arguments + 1, arguments + count), {std::cout, std::cerr, files})));
   } catch (const std::exception& error) {
     std::cerr << "pal: internal error: " << error.what()
               << " (please report it with the files that cause it)\n";
-    return static_cast<int>(pal::driver::ExitStatus::usage);
+    return static_cast<int>(ExitStatus::usage);
   }
 }

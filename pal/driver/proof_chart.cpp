@@ -5,6 +5,7 @@
 #include "analyzer/chart/chart.hpp"
 #include "analyzer/chart/options.hpp"
 #include "analyzer/chart/timeline.hpp"
+#include "analyzer/explain.hpp"
 
 namespace pal::driver {
 namespace {
@@ -44,7 +45,7 @@ chart::ChartOptions options_for(const Proof& proof, std::size_t index) {
   if (verdict.witness->measured.value > 0 && verdict.measure != Measure::loss) {
     options.highlight = highlight(proof, index, verdict.witness->measured.born, verdict.witness->measured.at);
   }
-  for (const analyzer::Reason& reason : verdict.reasons) {
+  for (const analyzer::Reason& reason : analyzer::abridged(verdict.reasons)) {
     options.explanation.push_back({reason.from, reason.to, reason.what, reason.actor, place_text(reason)});
   }
   return options;

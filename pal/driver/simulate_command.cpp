@@ -22,7 +22,7 @@ analyzer::SimulationOptions simulation_of(const SimulateOptions& options) {
   analyzer::SimulationOptions made;
   made.times = options.times;
   made.seed = options.seed;
-  made.until = static_cast<analyzer::Nanoseconds>(options.seconds * 1e9);
+  made.until = options.until.count();
   return made;
 }
 
@@ -33,9 +33,8 @@ std::string how(const SimulateOptions& options) {
                       : options.times == Times::worst ? "worst"
                       : options.times == Times::best  ? "best"
                                                       : "extreme";
-  const auto until = Duration(static_cast<Duration::rep>(options.seconds * 1e9));
   return fmt::format("{} times, seeds {} to {}, each of at most {}", times, options.seed,
-                     options.seed + options.runs - 1, to_text(until));
+                     options.seed + options.runs - 1, to_text(options.until));
 }
 
 /// A skill in an environment with all its runs, which can be made again.
@@ -154,8 +153,21 @@ ExitStatus write_run(const SimulateOptions& options, const std::vector<std::uniq
   return write_and_list(files, console);
 }
 
+/// Nothing, if some skill has a requirement of that name; else what there is.
+std::string unknown_requirement(const std::string& name, const std::vector<std::unique_ptr<Study>>& studies) {
+  std::string known;
+  for (const auto& study : studies) {
+    for (const analyzer::Requirement& each : study->simulated.problem.requirements) {
+      if (each.name == name) return {};
+      known += " '" + each.name + "'";
+    }
+  }
+  return "no requirement is called '" + name + "'; there is" + (known.empty() ? " none" : known);
+}
+
 /// Nothing, if it can be simulated; else why not.
-std::string obstacle(const Session& session, const std::vector<std::unique_ptr<Study>>& studies) {
+std::string obstacle(const SimulateOptions& options, const Session& session,
+                     const std::vector<std::unique_ptr<Study>>& studies) {
   if (session.specification.environments.empty())
     return "a simulation needs times: give an environment with --environment FILE";
   for (const auto& study : studies) {
@@ -163,6 +175,11 @@ std::string obstacle(const Session& session, const std::vector<std::unique_ptr<S
       return "'" + study->simulated.problem.skill +
              "' is too large to simulate (more than 100 threads or 120 channels)";
   }
+  if (studies.empty()) {
+    return options.script.empty() ? "there is no skill to simulate"
+                                  : "'" + options.script + "' has no run of these skills";
+  }
+  if (!options.requirement.empty()) return unknown_requirement(options.requirement, studies);
   return {};
 }
 
@@ -178,8 +195,7 @@ ExitStatus simulate(const SimulateOptions& options, const Console& console) {
   if (!session.diagnostics.has_errors()) studies = studies_of(options, *witnesses, session);
   show_findings(session, console);
   if (session.diagnostics.has_errors()) return status_of_findings(session);
-  std::string wrong = obstacle(session, studies);
-  if (wrong.empty() && studies.empty()) wrong = "'" + options.script + "' has no run of these skills";
+  const std::string wrong = obstacle(options, session, studies);
   if (!wrong.empty()) {
     console.err << "pal: " << wrong << "\n";
     return ExitStatus::usage;

@@ -22,6 +22,7 @@ struct WhatIfAnswer {
   std::vector<analyzer::Placements> placements;
   std::vector<analyzer::rules::FiledWitness> witnesses;  // of refuted placements, if asked for
   bool fewest = false;                                   // the placements answer how few processors do
+  bool priorities = false;                               // … in every order by priority
   double seconds = 0;
 };
 

@@ -66,6 +66,7 @@ class Question {
     analyzer::PlacementOptions how;
     how.priorities = options_.priorities;
     answer.fewest = *options_.place == 0;
+    answer.priorities = options_.priorities;
     if (answer.fewest) {
       answer.placements = analyzer::fewest_processors(environment, judge, how);
     } else {
@@ -139,7 +140,10 @@ ExitStatus what_if(const WhatIfOptions& options, const Console& console) {
     const ExitStatus written = write_witnesses(answers, options.witness, console);
     if (written != ExitStatus::all_hold) return written;
   }
-  return std::all_of(answers.begin(), answers.end(), good) ? ExitStatus::all_hold : ExitStatus::not_met;
+  // What the end of the time left open was not answered.
+  const bool ended = analysis.stop && analysis.stop();
+  return !ended && std::all_of(answers.begin(), answers.end(), good) ? ExitStatus::all_hold
+                                                                     : ExitStatus::not_met;
 }
 
 }  // namespace pal::driver

@@ -19,14 +19,16 @@ std::string named(const WhatIfAnswer& answer, int requirement) {
 
 std::string slack_text(const Slack& slack) {
   if (slack.unlimited) return "unlimited";
-  if (!slack.holds) return "none";
+  if (!slack.holds) return slack.fails ? "none" : "not known";
   return (slack.exact() ? "" : ">= ") + to_text(*slack.holds);
 }
 
 std::string reason_text(const WhatIfAnswer& answer, const Slack& slack) {
   if (slack.unlimited) return "";
+  if (slack.requirement < 0) return "not looked for: the search was ended before";
   const std::string name = named(answer, slack.requirement);
-  if (!slack.holds) return "'" + name + "' does not hold as things are";
+  if (!slack.holds)
+    return "'" + name + (slack.fails ? "' does not hold" : "' is undecided") + " as things are";
   if (slack.exact()) return "then '" + name + "' fails";
   if (slack.fails) return "'" + name + "' fails at " + to_text(*slack.fails) + " more; between is undecided";
   return "beyond that '" + name + "' is undecided";
@@ -112,9 +114,12 @@ std::string conclusion(const WhatIfAnswer& answer) {
   const bool proved = std::all_of(answer.placements.begin(), answer.placements.end() - 1,
                                   [](const auto& on) { return on.complete && on.undecided.empty(); });
   if (last.processors == 1) return "  One processor does.\n";
+  // Without --priorities nothing is said of other ones.
+  const std::string kept = answer.priorities ? "" : "with the priorities as they are ";
   return fmt::format("  {} processors do; {}.\n", last.processors,
-                     proved ? "fewer do not: each placement on fewer has a run that breaks a requirement"
-                            : "that fewer do not is not proved");
+                     proved
+                         ? kept + "fewer do not: each placement on fewer has a run that breaks a requirement"
+                         : "that fewer do not is not proved");
 }
 
 }  // namespace

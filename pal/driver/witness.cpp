@@ -62,6 +62,9 @@ std::string refusal(const FiledWitness& witness, const analyzer::Problem& proble
   const analyzer::rules::Ruling ruling = analyzer::rules::check_run(
       problem, &requirement, witness.run, witness.grows ? std::optional(witness.at) : std::nullopt);
   if (!ruling.broken.empty()) return ruling.broken;
+  if (witness.measure != analyzer::name(requirement.measure))
+    return "the requirement measures something else";
+  if (witness.value < 0 && !witness.failed) return "no value is below 0";
   if (requirement.measure == analyzer::Requirement::Measure::load) return {};
   if (witness.failed) return ruling.failed ? "" : "every event in it has its response";
   if (witness.grows) {
@@ -138,7 +141,7 @@ std::optional<std::vector<FiledWitness>> read_witness_file(const std::string& pa
     std::istringstream in(*content);
     return analyzer::rules::read_witnesses(in);
   } catch (const std::runtime_error& error) {
-    console.err << fmt::format("pal: '{}' has no witnesses: {}\n", path, error.what());
+    console.err << fmt::format("pal: '{}' is no file of witnesses: {}\n", path, error.what());
     return std::nullopt;
   }
 }
@@ -162,6 +165,7 @@ std::string refusal(const FiledWitness& witness, Session& session) {
 
 bool confirm(const std::vector<FiledWitness>& witnesses, Session& session, std::ostream& out) {
   bool all = true;
+  if (witnesses.empty()) out << "nothing to confirm: the file has no run\n";
   for (const FiledWitness& witness : witnesses) {
     const std::string why = refusal(witness, session);
     all = all && why.empty();

@@ -9,7 +9,8 @@
 
 namespace pal::driver {
 
-/// Writes all files or none, and lists them on `console.out`; or says what was wrong on `console.err`.
+/// Writes all files or none, and lists those that stay on `console.out`; or says what was wrong on
+/// `console.err`.
 ExitStatus write_and_list(const std::vector<OutputFile>& files, const Console& console);
 
 }  // namespace pal::driver

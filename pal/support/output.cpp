@@ -1,63 +1,115 @@
 #include "pal/support/output.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <system_error>
 
 namespace pal {
 namespace {
+
+namespace fs = std::filesystem;
+
+/// A place for the content of a file until all are written.
+struct Draft {
+  std::string target;
+  std::string path;  // beside the target; a pipe or a device is written itself, and has none
+};
 
 /// Temporary files that are removed unless they were renamed into place.
 class Drafts {
  public:
   ~Drafts() {
     std::error_code ignored;
-    for (const std::string& path : paths_) std::filesystem::remove(path, ignored);
+    for (const Draft& draft : all_) {
+      if (!draft.path.empty()) fs::remove(draft.path, ignored);
+    }
   }
-  const std::string& add(const std::string& target) { return paths_.emplace_back(target + ".part"); }
+
+  void add(Draft draft) { all_.push_back(std::move(draft)); }
+  const std::vector<Draft>& all() const { return all_; }
 
  private:
-  std::vector<std::string> paths_;
+  std::vector<Draft> all_;
 };
 
-std::optional<std::string> write_draft(const OutputFile& file, Drafts& drafts) {
-  const std::filesystem::path path(file.path);
-  std::error_code error;
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-  if (error) return "cannot make the folder " + path.parent_path().string() + ": " + error.message();
-  if (std::filesystem::is_directory(path, error)) return "cannot write " + file.path + ": it is a folder";
-  const std::string& draft = drafts.add(file.path);
-  std::ofstream out(draft, std::ios::binary);
-  out.write(file.content.data(), static_cast<std::streamsize>(file.content.size()));
-  out.close();
-  if (!out) return "cannot write " + file.path + ": is the folder writable and is there space?";
-  if (const auto old = std::filesystem::status(path, error); std::filesystem::exists(old)) {
-    std::filesystem::permissions(draft, old.permissions(), error);
+std::string cannot_write(const std::string& path) {
+  return "cannot write " + path + ": is the folder writable and is there space?";
+}
+
+/// An empty file in the folder of `target` that nobody else has: neither a file of the user nor that of
+/// another run for the same target. Empty: there cannot be one.
+std::string new_file_beside(const fs::path& target) {
+  const std::string stem = ".pal-" + std::to_string(getpid()) + "-";
+  for (int number = 0;; ++number) {
+    std::string path = (target.parent_path() / (stem + std::to_string(number) + ".part")).string();
+    const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file >= 0) {
+      close(file);
+      return path;
+    }
+    if (errno != EEXIST) return {};
   }
-  return std::nullopt;
+}
+
+bool write_content(const std::string& path, const std::string& content) {
+  std::ofstream out(path, std::ios::binary);
+  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  out.close();
+  return static_cast<bool>(out);
 }
 
 /// Behind links: the file that is written, not the name by which it is known.
-OutputFile behind_links(const OutputFile& file) {
+std::string behind_links(const std::string& path) {
   std::error_code error;
-  if (!std::filesystem::is_symlink(file.path, error)) return file;
-  const auto target = std::filesystem::canonical(file.path, error);
-  return error ? file : OutputFile{target.string(), file.content};
+  if (!fs::is_symlink(path, error)) return path;
+  const auto target = fs::canonical(path, error);
+  return error ? path : target.string();
+}
+
+std::optional<std::string> write_draft(const OutputFile& file, Drafts& drafts) {
+  const fs::path path(file.path);
+  std::error_code error;
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+  if (error) return "cannot make the folder " + path.parent_path().string() + ": " + error.message();
+  const fs::file_status old = fs::status(path, error);
+  if (fs::is_directory(old)) return "cannot write " + file.path + ": it is a folder";
+  if (fs::exists(old) && !fs::is_regular_file(old)) {
+    drafts.add({file.path, ""});
+    return std::nullopt;
+  }
+  const std::string target = behind_links(file.path);
+  drafts.add({target, new_file_beside(target)});
+  const std::string& draft = drafts.all().back().path;
+  if (draft.empty() || !write_content(draft, file.content)) return cannot_write(file.path);
+  if (fs::exists(old)) fs::permissions(draft, old.permissions(), error);
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<std::string> write_files(const std::vector<OutputFile>& named) {
-  std::vector<OutputFile> files;
-  for (const OutputFile& file : named) files.push_back(behind_links(file));
+std::optional<std::string> write_files(const std::vector<OutputFile>& files) {
+  std::set<std::string> paths;
+  for (const OutputFile& file : files) {
+    if (!paths.insert(behind_links(file.path)).second)
+      return "cannot write " + file.path + ": two files would have this name";
+  }
   Drafts drafts;
   for (const OutputFile& file : files) {
     if (auto problem = write_draft(file, drafts)) return problem;
   }
-  for (const OutputFile& file : files) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (drafts.all()[i].path.empty() && !write_content(files[i].path, files[i].content))
+      return cannot_write(files[i].path);
+  }
+  for (const Draft& draft : drafts.all()) {
     std::error_code error;
-    std::filesystem::rename(file.path + ".part", file.path, error);
-    if (error) return "cannot write " + file.path + ": " + error.message();
+    if (!draft.path.empty()) fs::rename(draft.path, draft.target, error);
+    if (error) return "cannot write " + draft.target + ": " + error.message();
   }
   return std::nullopt;
 }

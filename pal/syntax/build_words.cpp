@@ -135,6 +135,7 @@ Duration Builder::duration(Parser::DurationContext* context) {
 
 Duration Builder::duration(antlr4::tree::TerminalNode* number, antlr4::tree::TerminalNode* unit) {
   if (number == nullptr || unit == nullptr) return Duration{};
+  if (is_made_up(number->getSymbol()) || is_made_up(unit->getSymbol())) return Duration{};
   const auto parsed = parse_duration(number->getText(), unit->getText());
   if (const auto* value = std::get_if<Duration>(&parsed)) {
     if (*value < Duration{}) {
@@ -155,7 +156,7 @@ Duration Builder::duration(antlr4::tree::TerminalNode* number, antlr4::tree::Ter
       break;
     default:
       diagnostics_.report(Code::PAL0704, span(number, unit), "this time is too long",
-                          "write a time of at most 9223372036.854775807 s");
+                          "write a time of at most 1000000 s");
   }
   return Duration{};
 }

@@ -198,7 +198,10 @@ void Recovery::report_unexpected(antlr4::Parser* parser, const antlr4::Token* at
            "write " + expected + " here");
   } else {
     report(parser, at, "unexpected " + spelling(*at) + (expected.empty() ? "" : ", expected " + expected),
-           expected.empty() ? "remove it, or correct what stands before it" : "write " + expected + " here");
+           expected.empty() ? "remove it, or correct what stands before it"
+           : expected == "a name" && is_reserved(at->getType())
+               ? "write another name: " + spelling(*at) + " is a word of PAL"
+               : "write " + expected + " here");
   }
 }
 

@@ -170,6 +170,12 @@ Edit insertion(const Change& change, const Mistake& mistake, const Tokens& token
   return {place, "\n" + std::string(opener->getCharPositionInLine(), ' ') + words};
 }
 
+/// Behind a number only a unit of time is missing that is a name to the grammar.
+bool is_unit_of_time(const Change& change, const Tokens& tokens) {
+  const auto* before = tokens.before(tokens.all()[change.at]);
+  return change.added.front() == Parser::NAME && before != nullptr && before->getType() == Parser::NUMBER;
+}
+
 }  // namespace
 
 Diagnostic told_by(const Change& change, const Mistake& mistake, const Tokens& tokens) {
@@ -188,6 +194,10 @@ Diagnostic told_by(const Change& change, const Mistake& mistake, const Tokens& t
           "expected " + words + (after ? " after " + spelling(*before) : " before " + spelling(*at));
     }
     finding.hint = "add " + (is_known ? words_of(change.added) : spelling_of_type(change.added.front()));
+    if (!missing_end && is_unit_of_time(change, tokens)) {
+      finding.message = "expected a unit of time after " + spelling(*tokens.before(at));
+      finding.hint = "add ns, us, ms, s or min";
+    }
     if (is_known) finding.fix = {insertion(change, mistake, tokens)};
     return finding;
   }

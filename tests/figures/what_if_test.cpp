@@ -359,3 +359,31 @@ TEST_CASE("changes of figures: read, or refused with a reason") {
     CHECK_FALSE(change(environment, wrong).empty());
   }
 }
+
+TEST_CASE("an activity that is called as a cost is stays a figure of its own") {
+  const auto skill = figure("rate_monotonic.pal");
+  pan::Environment environment = skill->specification.environments.front();
+  pan::Network network = skill->specification.skills.front();
+  for (auto& time : environment.activities) {
+    if (time.activity == "work-1") time.activity = "SEND";
+  }
+  for (auto& activity : network.activities) {
+    if (activity.name == "work-1") activity.name = "SEND";
+  }
+  const Interval work = environment.activities[0].time;
+  const auto all = figures(network, environment);
+  REQUIRE(all.front().name == "ACTIVITY SEND");
+  CHECK(find_figure(environment, "ACTIVITY SEND") == &environment.activities[0].time);
+  CHECK(find_figure(environment, "SEND") == &environment.costs.send);
+  CHECK(change(environment, "SEND = 5 us") == "");
+  CHECK(environment.activities[0].time == work);
+  CHECK(change(environment, "ACTIVITY SEND = 7 us") == "");
+  CHECK(environment.activities[0].time == Interval{Duration(7'000), Duration(7'000)});
+  CHECK(environment.costs.send.worst == Duration(5'000));
+}
+
+TEST_CASE("a change of a hundred thousand digits is refused") {
+  const auto skill = figure("rate_monotonic.pal");
+  pan::Environment environment = skill->specification.environments.front();
+  CHECK_FALSE(change(environment, "work-1 = " + std::string(100'000, '1') + " ms").empty());
+}

@@ -1,4 +1,4 @@
-"""Interrupts `pal check` at work: run.py PAL. What it knows by then must be reported, and files be whole or as they were."""
+"""Interrupts `pal check` at work, and gives it nowhere to write: run.py PAL. What it knows by then must be reported, and files be whole or as they were."""
 import json
 import pathlib
 import signal
@@ -104,8 +104,18 @@ def check_two_signals(pal):
         assert left == "old" or "witnesses" in json.loads(left), "two signals: half a file"
 
 
+def check_full_output(pal):
+    """A report that could not be written is no success."""
+    with open("/dev/full", "wb") as full:
+        for command in (["explain", "--list"], ["--version"]):
+            done = subprocess.run([pal, *command], stdout=full, stderr=subprocess.PIPE, check=False)
+            assert done.returncode == 2, f"{command} to a full disk: status {done.returncode}"
+            assert b"standard output" in done.stderr, f"{command} to a full disk says {done.stderr}"
+
+
 def main():
     pal = sys.argv[1]
+    check_full_output(pal)
     for which in (signal.SIGINT, signal.SIGTERM):
         check_one_signal(pal, which)
     check_two_signals(pal)

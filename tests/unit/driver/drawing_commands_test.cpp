@@ -85,3 +85,52 @@ TEST_CASE("pal generate writes nothing when something is wrong") {
             .status == ExitStatus::all_hold);
   CHECK(content(folder.file("d")).find("touch_modules.pal") != std::string::npos);
 }
+
+TEST_CASE("the chart of a run of a thousand rounds tells its story in short, as the finding does") {
+  const Folder folder("long");
+  fs::create_directories(folder.path());
+  std::ofstream(folder.file("rounds.pal")) << R"(
+DEVICE clock
+MESSAGE tick : SIGNAL
+CONDITION done
+SKILL rounds
+  MACHINE CONTROLLER Clock
+  SKILL METHOD Rounds
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT soon : DURATION TO COMPLETION 0 AT MOST 2 s
+END SKILL
+Machine Controller: Clock
+BEGIN
+  REPEAT
+    WTM( tick from clock )
+    TXM( tick to Rounds )
+  UNTIL( forever )
+END
+Skill Module: Rounds
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    WTM( tick from Clock )
+    SPC( done )
+  UNTIL( done )
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P
+  DEVICE clock EVENT tick EVERY 5 ms
+  PLACE Clock  ON P PRIORITY 2
+  PLACE Rounds ON P PRIORITY 1
+  COST SEND 0.1 ms
+END ENVIRONMENT
+)";
+  const Answer answer =
+      pal::test::pal({"atc", folder.file("rounds.pal"), "-r", "soon", "-o", folder.file("soon.svg")});
+  INFO(answer.err);
+  REQUIRE(answer.status == ExitStatus::all_hold);
+  const std::string picture = content(folder.file("soon.svg"));
+  CHECK(picture.find(" more, one after the other") != std::string::npos);
+  // Its height in pixels.
+  const auto height = picture.find("height=\"");
+  CHECK(std::stoi(picture.substr(height + 8)) < 2'000);
+}

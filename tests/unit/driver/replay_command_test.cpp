@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "tests/unit/driver/program.hpp"
@@ -104,7 +105,63 @@ TEST_CASE("replay says when there is no such file, or no witness in it") {
   file.write(Json::object());
   const Answer answer = replayed(file, touch);
   CHECK(answer.status == ExitStatus::usage);
-  CHECK(answer.err.find("no witnesses") != std::string::npos);
+  CHECK(answer.err.find("is no file of witnesses: it is not {\"witnesses\": [...]}") != std::string::npos);
+  file.write({{"witnesses", nullptr}});
+  CHECK(replayed(file, touch).status == ExitStatus::usage);
+  file.write({{"witnesses", {{{"skill", 1}}}}});
+  CHECK(replayed(file, touch).err.find("witnesses[0]: ") != std::string::npos);
+  file.write({{"witnesses", Json::array()}});
+  CHECK(replayed(file, touch).out == "nothing to confirm: the file has no run\n");
+}
+
+TEST_CASE("replay refuses what no run says, whatever stands in the file") {
+  const File file("replay_nonsense");
+  pal::test::pal({"check", read_first, "-e", cell, "--witness", file.path()});
+  Json first = file.read();
+  first["witnesses"] = Json::array({first["witnesses"][1]});
+  REQUIRE(first["witnesses"][0]["measure"] == "age");
+  file.write(first);
+  REQUIRE(replayed(file, read_first).status == ExitStatus::all_hold);
+
+  const auto refused = [&](const auto& change, const std::string& why) {
+    Json other = first;
+    change(other["witnesses"][0]);
+    file.write(other);
+    const Answer answer = replayed(file, read_first);
+    INFO(answer.out << answer.err);
+    CHECK(answer.status == ExitStatus::not_met);
+    CHECK(answer.out.find(why) != std::string::npos);
+  };
+  const auto with_event = [](const std::string& kind, const auto& change) {
+    return [kind, change](Json& witness) {
+      for (Json& event : witness["run"]["events"]) {
+        if (event[1] != kind) continue;
+        change(event);
+        return;
+      }
+    };
+  };
+  for (const std::string kind : {"put", "take"})
+    refused(with_event(kind, [](Json& event) { event[4] = -1; }), "names what is in no table");
+  refused(with_event("take", [](Json& event) { event[5] = 1'000'000; }), "the number of another");
+  refused(with_event("block", [](Json& event) { event[4] = event[4] == 0 ? 1 : 0; }),
+          "does not wait for here");
+  refused(with_event("set", [](Json& event) { event[5] = 7; }), "another value than 0 and 1");
+  refused(
+      [](Json& witness) { witness["run"]["events"].back()[0] = std::numeric_limits<std::int64_t>::max(); },
+      "at no instant of a run");
+  refused([](Json& witness) { witness["measure"] = "busy"; }, "measures something else");
+  refused([](Json& witness) { witness["run"]["actors"][0]["priority"] = 99; },
+          "another place, priority or parent");
+  refused([](Json& witness) { witness["run"]["channels"][0]["sender"] = "nobody"; }, "another channel");
+  // A value that has grown since before all times, up to an instant before all times: no such numbers.
+  refused(
+      [](Json& witness) {
+        witness["grows"] = true;
+        witness["at_ns"] = std::numeric_limits<std::int64_t>::min();
+        witness["value_ns"] = 1'000'000;
+      },
+      "no instant of a run");
 }
 
 TEST_CASE("that no placement on one processor does is proved by a run for each") {

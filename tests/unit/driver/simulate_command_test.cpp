@@ -119,7 +119,10 @@ TEST_CASE("what cannot be simulated is said") {
   said({"simulate", touch, "-e", cell, "--runs", "0"}, "--runs");
   said({"simulate", touch, "-e", cell, "--until", "soon"}, "no length of time");
   said({"simulate", touch, "-e", cell, "--script", "/nowhere.json"}, "cannot read '/nowhere.json'");
-  said({"simulate", touch, "-e", cell, "--script", touch}, "has no witnesses");
-  said({"simulate", touch, "-e", cell, "-r", "fresh", "--trace", "/tmp/x"},
-       "no run shows a value of 'fresh'");
+  said({"simulate", touch, "-e", cell, "--script", touch}, "is no file of witnesses");
+  said({"simulate", touch, "-e", cell, "-r", "fresh"},
+       "no requirement is called 'fresh'; there is 'answer-alter'");
+  said({"simulate", touch, "-e", cell, "--until", "0", "-r", "answer-alter", "--trace", "/tmp/x"},
+       "no run shows a value of 'answer-alter'");
+  said({"simulate", cell}, "there is no skill to simulate");
 }
