@@ -82,6 +82,16 @@ ZoneGraph::Arrival& ZoneGraph::Expansion::arrival(Move& move) {
 }
 
 bool ZoneGraph::explore(const Limits& limits) {
+  const bool complete = explore_classes(limits);
+  // Also of what was explored until then: a class that was replaced has no zone any more.
+  for (Edge& edge : edges_) {
+    edge.from = current(edge.from);
+    edge.to = current(edge.to);
+  }
+  return complete;
+}
+
+bool ZoneGraph::explore_classes(const Limits& limits) {
   expansions_.resize(batch_size);
   first_moves_ = first_moves(machine_);
   for (Move& move : first_moves_) {
@@ -117,10 +127,6 @@ bool ZoneGraph::explore(const Limits& limits) {
     });
     in_parts(limits, batch.size(), 8, [&](std::size_t i) { expand(batch[i], expansions_[i]); });
     merge(batch.size(), limits);
-  }
-  for (Edge& edge : edges_) {
-    edge.from = current(edge.from);
-    edge.to = current(edge.to);
   }
   return !findings_.outgrown;
 }

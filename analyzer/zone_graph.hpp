@@ -136,6 +136,7 @@ class ZoneGraph {
 
   void in_parts(const Limits& limits, std::size_t count, std::size_t grain,
                 const std::function<void(std::size_t)>& part) const;
+  bool explore_classes(const Limits& limits);
   void expand(int index, Expansion& expansion);
   void measure(int from, const Move& move, const Dbm& fired, std::size_t timers, Findings& findings) const;
   void observe_growth(const Arrival& arrival, Findings& findings) const;
