@@ -1,4 +1,5 @@
 // Programs that nobody would write, each with what docs/execution-model.md says of it, worked out by hand.
+#include "analyzer/analysis.hpp"
 #include "tests/attack/by_hand.hpp"
 
 using namespace pal;
@@ -376,7 +377,8 @@ END
 
 TEST_CASE("a thread that waits for its processor for ever does not take it in another processor's load") {
   // MC2 never gives P0 to SM1, which would complete the skill at once; P1 is busy with MC1 all the time.
-  std::string text = cell("LOAD OF P1", R"(Machine Controller: MC1
+  std::string text =
+      cell("LOAD OF P1", R"(Machine Controller: MC1
   ACTIVITY long
 BEGIN
   REPEAT
@@ -396,8 +398,8 @@ BEGIN
   TXM( Completion Protocol 0 )
 END
 )",
-                          "  PROCESSOR P0\n  PROCESSOR P1\n  PLACE SM1 ON P0 PRIORITY 1\n  PLACE MC1 ON P1 PRIORITY 1\n"
-                          "  PLACE MC2 ON P0 PRIORITY 1\n  TIME short : 2 ms\n  TIME long : 3 ms\n");
+           "  PROCESSOR P0\n  PROCESSOR P1\n  PLACE SM1 ON P0 PRIORITY 1\n  PLACE MC1 ON P1 PRIORITY 1\n"
+           "  PLACE MC2 ON P0 PRIORITY 1\n  TIME short : 2 ms\n  TIME long : 3 ms\n");
   const std::string limit = "AT MOST 1 s";
   text.replace(text.find(limit), limit.size(), "AT MOST 50 %");
   const auto skill = pal::test::any_skill(text);
@@ -407,4 +409,41 @@ END
   CHECK(verdict.state == Verdict::State::fails);
   CHECK(verdict.exact);
   CHECK(verdict.bound == Duration(1'000'000'000));
+}
+
+TEST_CASE("nothing holds of a skill in which time may stand still, however soon the proof is ended") {
+  // MC1 and SM1 hand the one message on at one instant, for as long as c stays FALSE.
+  const auto skill =
+      pal::test::any_skill(cell("DURATION TO COMPLETION 0", R"(Machine Controller: MC1
+BEGIN
+  REPEAT
+    TXM( request motion from SM1 )
+    WTM( motion from SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    WTM( request motion from MC1 )
+    TXM( motion to MC1 )
+    SPC( c )
+  UNTIL( c )
+  TXM( Completion Protocol 0 )
+END
+)",
+                                "  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n"));
+  INFO(pal::test::messages(skill->diagnostics));
+  REQUIRE(skill->problem);
+  int asked = 0;
+  for (int most = 0; most < 40; ++most) {
+    asked = 0;
+    Options options;
+    options.threads = 1;
+    options.stop = [&asked, most] { return ++asked > most; };
+    const Analysis analysis = analyze(*skill->problem, AnalysisChoice::automatic, options);
+    INFO(most);
+    CHECK(analysis.verdicts.front().state != Verdict::State::holds);
+    if (asked <= most) CHECK(analysis.standstill.has_value());
+  }
 }

@@ -178,3 +178,13 @@ TEST_CASE("check shows a hundred findings unless told otherwise, and ends the sa
   CHECK(shown({"--format", "json"}) == 250);
   std::filesystem::remove(path);
 }
+
+TEST_CASE("a search for loops in no time that is cut short ends as any other") {
+  const std::string golden = std::string(PAL_SOURCE_DIR) + "/tests/golden/codegen/";
+  for (const char* most : {"100", "5000", "20000"}) {
+    const auto answer = pal::test::pal({"check", golden + "odd_names.pal", "--environment",
+                                        golden + "bench.pal", "--skill", "namespace", "--max-states", most});
+    INFO(answer.err);
+    CHECK(answer.status == ExitStatus::all_hold);
+  }
+}
