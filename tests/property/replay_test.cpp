@@ -336,3 +336,70 @@ END ENVIRONMENT
   CHECK(pause.witness->grows);
   CHECK(test::unconfirmed(*skill->problem, analysis) == "");
 }
+
+// LS1 gives up while SD1 is receiving an event: the request that it withdraws is not what SD1 receives.
+TEST_CASE("a message that is withdrawn beside the one that is being taken leaves that alone") {
+  const auto skill = test::sound_skill(R"(MESSAGE m2 : REAL
+MESSAGE e3 : REAL
+DEVICE d1
+SKILL s
+  SENSOR DRIVER SD1
+  LOGICAL SENSOR LS1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 2 ERROR
+  REQUIREMENT r : BUSY PERIOD OF P1 AT MOST 1 s
+END SKILL
+Logical Sensor: LS1
+BEGIN
+  REPEAT
+    TXM( request m2 from SD1 )
+    WTM( m2 from SD1 ) WITHIN 7 ms
+      Do Nothing
+    ELSE
+      Do Nothing
+    END WTM
+  UNTIL( forever )
+END
+Sensor Driver: SD1
+  ACTIVITY work
+BEGIN
+  REPEAT
+    WTM FIRST
+      ( e3 from d1 ):
+        work
+      ( request m2 from LS1 ):
+        TXM( m2 to LS1 )
+    END WTM
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY wait-long
+BEGIN
+  WTM( Coordinator )
+  wait-long
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT e
+  PROCESSOR P0
+  PROCESSOR P1
+  PROCESSOR P2
+  DEVICE d1 EVENT e3 EVERY 5 ms
+  PLACE LS1 ON P0 PRIORITY 1
+  PLACE SM1 ON P2 PRIORITY 2
+  PLACE SD1 ON P1 PRIORITY 1
+  TIME wait-long OF SM1 : 1 s
+  TIME work OF SD1 : 4 ms
+  COST RECEIVE 2 ms
+END ENVIRONMENT
+)");
+  const Watch nothing;
+  const Machine machine(*skill->problem, nothing);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SimulationOptions how;
+    how.times = SimulationOptions::Times::random;
+    how.seed = seed;
+    how.until = 100 * millisecond;
+    CHECK(rules::check_run(*skill->problem, nullptr, simulate(machine, how).trace).broken == "");
+  }
+}
