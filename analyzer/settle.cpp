@@ -76,9 +76,13 @@ void Firing::settle_ordered() {
   for (const std::uint8_t* carries : carried) order.push_back(*carries);
   std::sort(order.begin(), order.end());
   order.erase(std::unique(order.begin(), order.end()), order.end());
+  if (order.size() > tag::most) {
+    outcome_.too_many = true;
+    order.resize(tag::most);
+  }
   for (std::uint8_t* carries : carried) {
-    *carries =
-        static_cast<std::uint8_t>(std::lower_bound(order.begin(), order.end(), *carries) - order.begin());
+    const auto place = std::lower_bound(order.begin(), order.end(), *carries);
+    *carries = place == order.end() ? tag::none : static_cast<std::uint8_t>(place - order.begin());
   }
   for (const std::uint8_t before : order) {
     outcome_.origin.push_back(before < old_observers_ ? before : Outcome::born_now);
@@ -102,7 +106,10 @@ void Firing::settle_age() {
   const auto number = [&](std::uint8_t& carries) {
     if (carries >= tag::over) return;
     const auto known = std::find(order.begin(), order.end(), carries);
-    if (known == order.end()) {
+    if (known == order.end() && order.size() == tag::most) {
+      outcome_.too_many = true;
+      carries = tag::none;
+    } else if (known == order.end()) {
       order.push_back(carries);
       carries = static_cast<std::uint8_t>(order.size() - 1);
     } else {

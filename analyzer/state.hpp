@@ -15,7 +15,7 @@ namespace pal::analyzer {
 namespace tag {
 constexpr std::uint8_t none = 255;
 constexpr std::uint8_t over = 254;  // older than the cap
-constexpr std::uint8_t most = 200;
+constexpr std::uint8_t most = 200;  // instants that a state may carry
 
 /// Of instants whose observers are numbered in the order of their birth: whether `a` is later than `b`.
 constexpr bool newer(std::uint8_t a, std::uint8_t b) {
