@@ -44,6 +44,7 @@ class Firing {
   void forget(int thread);
   bool orderless(const Due& due) const;
   bool keeps_processor(const Due& due) const;
+  bool may_be_stopped(const Due& due) const;
   std::optional<std::pair<int, int>> only_queue(const Due& due) const;
   std::vector<std::size_t> rivals_of_due() const;
 

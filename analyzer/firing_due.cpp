@@ -59,7 +59,7 @@ void Firing::forget(int thread) {
 
 /// Whether nothing else that is due notices when it happens.
 bool Firing::orderless(const Due& due) const {
-  if (due.what == Due::What::go_on) return keeps_processor(due);
+  if (due.what == Due::What::go_on) return keeps_processor(due) && !may_be_stopped(due);
   if (due.what == Due::What::serve) {
     const std::vector<int>& requests = problem_.devices[static_cast<std::size_t>(due.who)].requests;
     return std::none_of(requests.begin(), requests.end(),
@@ -76,6 +76,20 @@ bool Firing::keeps_processor(const Due& due) const {
   const Step::Kind after = problem_.steps[static_cast<std::size_t>(due.next)].kind;
   return state_of(due.who).status == Status::running && after != Step::Kind::wait &&
          after != Step::Kind::fork && after != Step::Kind::end;
+}
+
+/// Whether the thread, in a block that cannot end, stops here: what else is due may end the others. Then what
+/// it has asked for is withdrawn, and its parent goes on.
+bool Firing::may_be_stopped(const Due& due) const {
+  if (state_of(due.who).cancelled) return true;
+  const bool alone = std::all_of(due_.begin(), due_.end(), [&due](const Due& other) {
+    return &other == &due || other.what == Due::What::queue || other.what == Due::What::answer;
+  });
+  if (alone) return false;
+  for (int thread = due.who; thread >= 0; thread = thread_of(thread).parent) {
+    if (thread_of(thread).parent >= 0 && !thread_of(thread).can_end) return true;
+  }
+  return false;
 }
 
 /// The queue that a thread comes to, if that is all that happens.

@@ -58,19 +58,19 @@ Bound to_event(const View& view, const Requirement& requirement, int source) {
 }
 
 /// Whether the statements are all sends of the answer to a request that is made only when the answer to the
-/// one before has been taken.
+/// one before has been taken. Of one that goes to several parties one may be made before another is answered.
 bool answered_in_turn(const View& view, const Requirement& requirement) {
+  if (requirement.events.size() != 1) return false;
+  const int request = requirement.events.front();
+  const int answer = view.problem.channels[static_cast<std::size_t>(request)].answer;
+  if (!view.conduct.sequential[static_cast<std::size_t>(request)] || may_give_up(view.problem, request))
+    return false;
   const auto& steps = view.problem.steps;
-  return std::all_of(requirement.events.begin(), requirement.events.end(), [&](int request) {
-    const int answer = view.problem.channels[static_cast<std::size_t>(request)].answer;
-    if (!view.conduct.sequential[static_cast<std::size_t>(request)] || may_give_up(view.problem, request))
-      return false;
-    for (std::size_t s = 0; s < steps.size(); ++s) {
-      const bool answers = steps[s].kind == Step::Kind::send && steps[s].channels.front() == answer;
-      if (answers && !requirement.at[s]) return false;
-    }
-    return true;
-  });
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    const bool answers = steps[s].kind == Step::Kind::send && steps[s].channels.front() == answer;
+    if (answers && !requirement.at[s]) return false;
+  }
+  return true;
 }
 
 /// Each message is put at some instant of a round of its sender, and answered at another that the same source

@@ -242,3 +242,75 @@ END
                    "  PROCESSOR P\n  PROCESSOR Q\n  PLACE SM1 ON Q PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n"
                    "  TIME work : 2 ms\n")) == 2);
 }
+
+TEST_CASE("a thread that is to stop does so before or after whoever is freed at that instant") {
+  // At 15 ms SM1.2 gives up. That lets SM1.1 put its second request and end, which cancels SM1.2; and it frees
+  // MC2, which is blocked in a second answer. SM1 may go on before MC2 comes to the queue and sets its condition.
+  CHECK(bound(program("MESSAGE X : SIGNAL\nMESSAGE Y : SIGNAL\nCONDITION one\n", R"(
+Machine Controller: MC1
+  ACTIVITY late
+BEGIN
+  late
+  REPEAT
+    WTM( request X from SM1 )
+    TXM( X to SM1 )
+  UNTIL( forever )
+END
+Machine Controller: MC2
+BEGIN
+  WTM( request Y from SM1 )
+  TXM( Y to SM1 )
+  TXM( Y to SM1 )
+  SPC( one = TRUE )
+  REPEAT
+    WTM( request Y from SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY slow
+  ACTIVITY pause
+BEGIN
+  WTM( Coordinator )
+  TXM( request Y from MC2 )
+  CONCURRENT
+  BEGIN
+    TXM( request X from MC1 )
+    TXM( request X from MC1 )
+  END
+  BEGIN
+    REPEAT
+      WTM FIRST WITHIN 15 ms
+        ( X from MC1 ):
+          Do Nothing
+        ( Y from MC2 ):
+          Do Nothing
+      ELSE
+        Do Nothing
+      END WTM
+      pause
+    UNTIL( forever )
+  END
+  END CONCURRENT
+  CASE
+    ( NOT one ):
+      slow
+    ( one ):
+      Do Nothing
+  END CASE
+  TXM( Completion Protocol 0 )
+END
+)",
+                      R"(  PROCESSOR P
+  PROCESSOR Q
+  PROCESSOR R
+  PLACE MC1 ON R PRIORITY 1
+  PLACE MC2 ON P PRIORITY 1
+  PLACE SM1 ON P PRIORITY 1
+  PLACE SM1.1 ON Q PRIORITY 1
+  PLACE SM1.2 ON Q PRIORITY 1
+  TIME late : 40 ms
+  TIME slow : 50 ms
+  TIME pause : 1 ms
+  LATENCY BETWEEN PROCESSORS 20 ms
+)")) == 65);
+}

@@ -128,3 +128,71 @@ TEST_CASE("a request that is withdrawn before it is taken awaits no response") {
                                          "40 ms"));
   check_exact(*skill->problem, analyze(*skill->problem), 0, 1750us);  // 1 + 0.25 + 0.5
 }
+
+TEST_CASE("of a request to two parties the second is answered while the first is not") {
+  // LS1 thinks for 10 ms, LS2 answers at once: whoever asks next does so when it has both answers.
+  const auto skill = sound_skill(R"(MESSAGE tick : SIGNAL
+MESSAGE force : SIGNAL
+DEVICE robot
+SKILL asked
+  LOGICAL SENSOR LS1, LS2
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT r : RESPONSE FROM request force OF SM1 TO TXM( force to SM1 ) AT MOST 1 s
+END SKILL
+Logical Sensor: LS1
+  ACTIVITY slow
+BEGIN
+  REPEAT
+    WTM( request force from SM1 )
+    slow
+    TXM( force to SM1 )
+  UNTIL( forever )
+END
+Logical Sensor: LS2
+BEGIN
+  REPEAT
+    WTM( request force from SM1 )
+    TXM( force to SM1 )
+  UNTIL( forever )
+END
+Machine Controller: MC1
+BEGIN
+  REPEAT
+    WTM( tick from robot )
+    TXM( tick to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    WTM( tick from MC1 )
+    TXM( request force from LS1 )
+    TXM( request force from LS2 )
+    WTM( force from LS1 )
+    WTM( force from LS2 )
+  UNTIL( forever )
+END
+ENVIRONMENT cell
+  PROCESSOR P
+  PROCESSOR Q
+  PROCESSOR R
+  PROCESSOR S
+  DEVICE robot EVENT tick EVERY 100 ms
+  PLACE LS1 ON P PRIORITY 1
+  PLACE LS2 ON Q PRIORITY 1
+  PLACE SM1 ON R PRIORITY 1
+  PLACE MC1 ON S PRIORITY 1
+  TIME slow : 10 ms
+  COST SEND 1 ms
+END ENVIRONMENT
+)");
+  CHECK_FALSE(analyze_compositionally(*skill->problem, {}).verdicts.front().bound);
+  const Verdict found = analyze(*skill->problem).verdicts.front();
+  CHECK(found.state == VerdictState::fails);
+  REQUIRE(found.witness);
+  CHECK(found.witness->failed);
+}

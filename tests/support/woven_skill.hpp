@@ -1,6 +1,7 @@
 // Skills by chance whose modules ask, serve and send in many ways at a time.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -15,7 +16,8 @@ namespace pal::test {
 class WovenSkill {
  public:
   /// `calm`: events are far apart, and more is set and read, so that more is bounded.
-  explicit WovenSkill(std::uint64_t seed, bool calm = false) : engine_(seed), calm_(calm) {}
+  explicit WovenSkill(std::uint64_t seed, bool calm = false)
+      : engine_(seed), messages_asked_(seed), calm_(calm) {}
 
   std::string text() {
     draw();
@@ -350,6 +352,24 @@ class WovenSkill {
     return statement + " IN " + in;
   }
 
+  /// Some of what modules put: "message OF module".
+  std::vector<std::string> messages_put() {
+    std::vector<std::string> all;
+    for (const auto& [module, statement] : said_) {
+      if (statement.rfind("TXM( ", 0) != 0) continue;
+      const std::string message = statement.substr(
+          5,
+          statement.find(statement[5] == 'r' && statement.rfind("TXM( request", 0) == 0 ? " from " : " to ") -
+              5);
+      all.push_back(message + " OF " + module);
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    std::vector<std::string> some;
+    for (int i = 0; i < 8 && !all.empty(); ++i) some.push_back(all[messages_asked_() % all.size()]);
+    return some;
+  }
+
   std::string requirements() {
     std::string out;
     int number = 0;
@@ -376,6 +396,10 @@ class WovenSkill {
     add("INTERVAL OF " + at() + " AT LEAST 1 ms");
     add(std::string("LOSS OF ") + (drives_ ? "sensor" : "SD1") + " AT MOST 1 IN 3");
     add("LOSS OF robot NONE");
+    for (const std::string& from : messages_put()) {
+      const auto& [in, statement] = said_[messages_asked_() % said_.size()];
+      add("RESPONSE FROM " + from + " TO " + statement + " IN " + in + most);
+    }
     add("DURATION TO COMPLETION 0" + most);
     add("LOAD OF EACH PROCESSOR AT MOST 90 %");
     add("BUSY PERIOD OF EACH PROCESSOR" + most);
@@ -426,9 +450,7 @@ class WovenSkill {
              interval(chance(8) == 0 ? 0 : 1, chance(3) == 0 ? 12 : 4) + "\n";
     }
     const auto event = [&](const std::string& device, const std::string& message) {
-      const int period = calm_            ? between(50, 250)
-                         : chance(3) == 0 ? between(8, 30)
-                                          : between(25, 120);
+      const int period = calm_ ? between(50, 250) : chance(3) == 0 ? between(8, 30) : between(25, 120);
       out += "  DEVICE " + device + " EVENT " + message + (chance(6) == 0 ? " SPORADIC " : " EVERY ") +
              std::to_string(period) + " ms";
       if (chance(3) == 0) out += " JITTER " + std::to_string(between(1, period - 1)) + " ms";
@@ -446,6 +468,7 @@ class WovenSkill {
   }
 
   std::mt19937_64 engine_;
+  std::mt19937_64 messages_asked_;  // apart, so that the skills of seeds stay what they are
   std::vector<Module> modules_;
   std::vector<std::string> messages_;
   std::vector<std::string> blocks_;
