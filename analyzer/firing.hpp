@@ -45,6 +45,7 @@ class Firing {
   bool orderless(const Due& due) const;
   bool keeps_processor(const Due& due) const;
   bool may_be_stopped(const Due& due) const;
+  bool meets_other_answers(const Due& due) const;
   std::optional<std::pair<int, int>> only_queue(const Due& due) const;
   std::vector<std::size_t> rivals_of_due() const;
 
@@ -101,7 +102,7 @@ class Firing {
   void clear(int channel);
   void admit(int channel);
   bool somebody_sends(int channel) const;
-  bool somebody_waits(int channel) const;
+  std::vector<int> waiting_for(int channel) const;
   void empty(int channel);
   void drop(int channel);
 

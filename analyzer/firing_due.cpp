@@ -68,7 +68,23 @@ bool Firing::orderless(const Due& due) const {
   if (due.what != Due::What::answer || awaits_response(channel_of(due.who).answer)) return false;
   const bool alone =
       std::all_of(due_.begin(), due_.end(), [](const Due& other) { return other.what == Due::What::answer; });
-  return alone && !somebody_waits(channel_of(due.who).answer);
+  return alone && !meets_other_answers(due);
+}
+
+/// Whether somebody who waits for the answer waits for another that is due, or comes to the queue of one who
+/// does.
+bool Firing::meets_other_answers(const Due& due) const {
+  std::set<std::pair<int, int>> queues;
+  const std::vector<int> waiting = waiting_for(channel_of(due.who).answer);
+  for (const int thread : waiting) queues.emplace(thread_of(thread).processor, thread_of(thread).priority);
+  if (queues.empty()) return false;
+  return std::any_of(due_.begin(), due_.end(), [&](const Due& other) {
+    if (&other == &due) return false;
+    const std::vector<int> others = waiting_for(channel_of(other.who).answer);
+    return std::any_of(others.begin(), others.end(), [&](int thread) {
+      return queues.contains({thread_of(thread).processor, thread_of(thread).priority});
+    });
+  });
 }
 
 /// A thread goes on with its next action.

@@ -124,14 +124,16 @@ bool Firing::somebody_sends(int channel) const {
   return false;
 }
 
-/// Whether a thread waits for a message of the channel.
-bool Firing::somebody_waits(int channel) const {
+/// The threads that wait for a message of the channel.
+std::vector<int> Firing::waiting_for(int channel) const {
+  std::vector<int> waiting;
   for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
     if (state_.threads[t].status != Status::waiting) continue;
     const std::vector<int>& channels = step_of(static_cast<int>(t)).channels;
-    if (std::find(channels.begin(), channels.end(), channel) != channels.end()) return true;
+    if (std::find(channels.begin(), channels.end(), channel) != channels.end())
+      waiting.push_back(static_cast<int>(t));
   }
-  return false;
+  return waiting;
 }
 
 /// The slot is there for a sender that is blocked, unless somebody else has filled it.

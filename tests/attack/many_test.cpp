@@ -92,6 +92,30 @@ TEST_CASE("the order of answers that nobody waits for is not asked about") {
   CHECK(analysis.verdicts.front().bound == Duration(14'002'000));
 }
 
+TEST_CASE("the order of answers is not asked about if those who wait do not meet") {
+  // Ten modules on processors of their own: in 10! orders.
+  const auto module = [](const std::string& i) {
+    return "Machine Controller: M" + i + "\nBEGIN\n  TXM( request a" + i + " from d )\n  WTM( a" + i +
+           " from d )\n  TXM( go to SM1 )\nEND\n";
+  };
+  const auto place = [](const std::string& i) {
+    return "  PROCESSOR P" + i + "\n  PLACE M" + i + " ON P" + i + " PRIORITY 1\n";
+  };
+  const std::string text =
+      messages_of_a_device(10) + all(10, module) + "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n" +
+      all(10, [](const std::string& i) { return "  WTM( go from M" + i + " )\n"; }) +
+      "  TXM( Completion Protocol 0 )\nEND\nSKILL many\n  MACHINE CONTROLLER M0" +
+      all(9, [](const std::string& i) { return ", M" + std::to_string(std::stoi(i) + 1); }) +
+      "\n  SKILL METHOD SM1\n  COMPLETION 0 NORMAL\n  COMPLETION 2 ERROR\n"
+      "  REQUIREMENT r : DURATION TO COMPLETION 0 AT MOST 1 s\nEND SKILL\nENVIRONMENT cell\n"
+      "  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n" +
+      all(10, place) +
+      "  DEVICE d FRAMES EVERY 10 ms COLLECTING 9 ms PHASE 5 ms\n  COST SEND 1 us\nEND ENVIRONMENT\n";
+  const Analysis analysis = analysis_of(text);
+  CHECK(analysis.verdicts.front().exact);
+  CHECK(analysis.verdicts.front().bound == Duration(14'002'000));
+}
+
 TEST_CASE("a skill that can begin in more orders than can be tried is given up") {
   // Twelve modules come to one queue: in 12! orders.
   std::string names;
