@@ -129,6 +129,7 @@ class Referee {
   void reach(int thread, int step);
   void hold(int thread);
   void begin_blocks(int thread);
+  bool admits() const;
   void block_over(int parent);
   void resolve(int thread);
   void again(int thread);
@@ -154,6 +155,7 @@ class Referee {
   void hands_over(int block, int parent);
   void abandon(int thread);
   bool goes_on(int thread) const;
+  bool takes_next(int thread) const;
   Arrival& arrival(int channel, int thread);
   const Arrival& arrival(int channel, int thread) const;
   bool surely_there(int channel, int thread) const;
@@ -194,7 +196,7 @@ class Referee {
   std::size_t at_ = 0;  // the event in question
   Nanoseconds now_ = 0;
   bool beginning_ = true;
-  bool withdrawing_ = false;     // who goes on by a withdrawal may come before or after who goes on now
+  bool withdrawing_ = false;     // who goes on otherwise may come before or after who goes on now
   Nanoseconds dropped_at_ = -1;  // when a message was withdrawn last
   bool completed_ = false;
   bool ended_ = false;

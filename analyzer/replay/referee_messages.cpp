@@ -139,10 +139,10 @@ void Referee::drop(const Event& event) {
     demand(slot(channel).to_be_dropped, "a message that answers no open request is withdrawn");
   }
   dropped_at_ = now_;
-  // Whoever goes on at this instant after waiting for it had it already.
+  // Whoever goes on at this instant after waiting for it had it already, unless it takes what comes later.
   for (std::size_t t = 0; t < threads_.size() && !slot(channel).claimed; ++t) {
     const int thread = static_cast<int>(t);
-    if (threads_[t].mode != Mode::waiting || !goes_on(thread)) continue;
+    if (threads_[t].mode != Mode::waiting || !goes_on(thread) || takes_next(thread)) continue;
     const std::vector<int>& channels = step_of(thread).channels;
     if (std::find(channels.begin(), channels.end(), channel) != channels.end()) resolve(thread);
   }
@@ -162,6 +162,22 @@ bool Referee::goes_on(int thread) const {
   for (std::size_t e = at_ + 1; e < events_.size() && events_[e].time_ns == now_; ++e) {
     if (events_[e].actor != thread) continue;
     return events_[e].kind == Kind::ready || events_[e].kind == Kind::start;
+  }
+  return false;
+}
+
+/// Whether a thread that stops waiting takes a message then, and does not come to its wait again.
+bool Referee::takes_next(int thread) const {
+  bool started = false;
+  bool stopped = false;
+  for (std::size_t e = at_ + 1; e < events_.size(); ++e) {
+    const Event& event = events_[e];
+    if (event.actor != thread) continue;
+    if (event.kind == Kind::take) return true;
+    const bool again = event.kind == Kind::start && started && !stopped;
+    if (again || event.kind == Kind::block || event.kind == Kind::cancel) return false;
+    started = started || event.kind == Kind::start;
+    stopped = event.kind == Kind::stop;
   }
   return false;
 }

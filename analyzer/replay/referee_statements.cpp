@@ -80,6 +80,16 @@ void Referee::begin_blocks(int thread) {
   if (!waits) passed_.emplace_back(thread, problem_.steps[static_cast<std::size_t>(fork)].statement);
 }
 
+/// Whether a sender whose slot has become free has not come to its queue yet.
+bool Referee::admits() const {
+  for (std::size_t t = 0; t < threads_.size(); ++t) {
+    const Party& of = threads_[t];
+    if (of.mode != Mode::sending) continue;
+    if (of.acted || !slot(step_of(static_cast<int>(t)).channels.front()).full) return true;
+  }
+  return false;
+}
+
 /// A block has ended or stopped: when all that can end have, the others are cancelled.
 void Referee::block_over(int parent) {
   Party& of = party(parent);
@@ -106,7 +116,10 @@ void Referee::block_over(int parent) {
   if (of.must_stop) {
     of.mode = Mode::finished;
   } else {
+    const bool before = withdrawing_;
+    withdrawing_ = before || admits();
     reach(parent, step_of(parent).next.front());
+    withdrawing_ = before;
   }
 }
 

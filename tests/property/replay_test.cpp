@@ -403,3 +403,153 @@ END ENVIRONMENT
     CHECK(rules::check_run(*skill->problem, nullptr, simulate(machine, how).trace).broken == "");
   }
 }
+
+namespace {
+
+/// Runs of a skill that the rules refuse, by their seeds.
+std::string refused_runs(const std::string& text, SimulationOptions::Times times) {
+  const auto skill = test::sound_skill(text);
+  const Watch nothing;
+  const Machine machine(*skill->problem, nothing);
+  std::string refused;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SimulationOptions how;
+    how.times = times;
+    how.seed = seed;
+    how.until = 60 * millisecond;
+    const std::string broken = rules::check_run(*skill->problem, nullptr, simulate(machine, how).trace).broken;
+    if (!broken.empty()) refused += std::to_string(seed) + ": " + broken + "\n";
+  }
+  return refused;
+}
+
+}  // namespace
+
+// LS1.1 takes the next request, of the instant at which the one before is withdrawn: it did not have that one.
+TEST_CASE("a thread that takes the next message need not have had the one that was withdrawn") {
+  CHECK(refused_runs(R"(MESSAGE m1 : REAL
+MESSAGE m2 : REAL
+SKILL s
+  LOGICAL SENSOR LS1, LS2
+  SKILL METHOD SM1
+  CONTINGENCY 1 "c" METHOD CM1
+  COMPLETION 2 ERROR
+END SKILL
+Logical Sensor: LS1
+  ACTIVITY work
+BEGIN
+  CONCURRENT
+    BEGIN
+      REPEAT
+        WTM( request m1 from SM1 )
+        TXM( m1 to SM1 )
+      UNTIL( forever )
+    END
+    BEGIN
+      REPEAT
+        work
+      UNTIL( forever )
+    END
+  END CONCURRENT
+END
+Logical Sensor: LS2
+BEGIN
+  REPEAT
+    WTM( request m2 from SM1 )
+    TXM( m2 to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    CONCURRENT
+      BEGIN
+        TXM( request m1 from LS1 )
+        WTM( m1 from LS1 )
+        Execute CM1
+        TXM( request m2 from LS2 )
+        WTM( m2 from LS2 ) WITHIN 1 ms
+          Do Nothing
+        ELSE
+          Do Nothing
+        END WTM
+      END
+    END CONCURRENT
+  UNTIL( forever )
+END
+Contingency Module: CM1
+BEGIN
+  CONCURRENT
+    BEGIN
+      REPEAT
+        TXM( request m1 from LS1 )
+        WTM( m1 from LS1 )
+      UNTIL( forever )
+    END
+    BEGIN
+      Do Nothing
+    END
+  END CONCURRENT
+END
+ENVIRONMENT e
+  PROCESSOR P0
+  PROCESSOR P1
+  PLACE LS1 ON P0 PRIORITY 1
+  PLACE LS1.1 ON P0 PRIORITY 2
+  PLACE LS2 ON P0 PRIORITY 2
+  PLACE SM1 ON P1 PRIORITY 2
+  PLACE SM1.1 ON P0 PRIORITY 2
+  TIME work OF LS1 : 3 ms
+  LATENCY WITHIN PROCESSOR 0 TO 2 ms
+END ENVIRONMENT
+)", SimulationOptions::Times::extremes) == "");
+}
+
+// SM1.1 takes a message, which frees LS1, and ends, which cancels SM1.2: LS1 or SM1 is the first in the queue.
+TEST_CASE("a sender that was freed comes to its queue before or after the parent of who freed it") {
+  CHECK(refused_runs(R"(MESSAGE m1 : REAL
+CONDITION c1
+SKILL s
+  LOGICAL SENSOR LS1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 2 ERROR
+END SKILL
+Logical Sensor: LS1
+  ACTIVITY work
+BEGIN
+  REPEAT
+    work
+    TXM( m1 to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  SPC( c1 )
+  CONCURRENT
+    BEGIN
+      WTM( m1 from LS1 ) WITHIN 2 ms
+        Do Nothing
+      ELSE
+        RPC( c1 )
+      END WTM
+    END
+    BEGIN
+      REPEAT
+        WTM( m1 from LS1 )
+        SPC( c1 )
+      UNTIL( forever )
+    END
+  END CONCURRENT
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT e
+  PROCESSOR P0
+  PLACE LS1 ON P0 PRIORITY 1
+  PLACE SM1 ON P0 PRIORITY 1
+  TIME work OF LS1 : 3 ms
+END ENVIRONMENT
+)", SimulationOptions::Times::worst) == "");
+}
