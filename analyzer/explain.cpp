@@ -69,10 +69,6 @@ std::string event_name(const Problem& problem, const Requirement& requirement) {
   return problem.channels[static_cast<std::size_t>(channel)].message + " of " + sender_name(problem, channel);
 }
 
-bool is_event(const Requirement& requirement, int channel) {
-  return std::find(requirement.events.begin(), requirement.events.end(), channel) != requirement.events.end();
-}
-
 /// The statements of a requirement: "TXM( motion to MC1 )".
 std::string statements_of(const Problem& problem, const Requirement& requirement) {
   for (std::size_t s = 0; s < requirement.at.size(); ++s) {
@@ -87,7 +83,7 @@ std::string failure_text(const Problem& problem, const Requirement& requirement,
   const trace::Event& last = witness.trace.events.back();
   const std::string when = milliseconds(last.time_ns);
   for (const trace::Event& each : witness.trace.events) {
-    if (each.kind == Kind::overrun && each.time_ns == last.time_ns && is_event(requirement, each.subject)) {
+    if (each.kind == Kind::overrun && each.time_ns == last.time_ns && requirement.is_event(each.subject)) {
       return event + " at " + when + " finds the one before still in its channel, and is lost";
     }
   }

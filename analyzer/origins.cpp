@@ -21,8 +21,7 @@ Origins::Origins(const Problem& problem, const Requirement& requirement, const t
 
 bool Origins::is_source(int channel) const {
   const std::vector<int>& samples = requirement_.samples;
-  const std::vector<int>& events = requirement_.events;
-  return std::find(events.begin(), events.end(), channel) != events.end() ||
+  return requirement_.is_event(channel) ||
          std::find(samples.begin(), samples.end(), channel) != samples.end();
 }
 

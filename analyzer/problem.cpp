@@ -1,5 +1,6 @@
 #include "analyzer/problem.hpp"
 
+#include <algorithm>
 #include <unordered_set>
 
 #include "analyzer/problem_builder.hpp"
@@ -24,6 +25,10 @@ const std::string& party(const Problem& problem, int device, int module) {
 }
 
 }  // namespace
+
+bool Requirement::is_event(int channel) const {
+  return std::find(events.begin(), events.end(), channel) != events.end();
+}
 
 const std::string& sender_name(const Problem& problem, int channel) {
   const Channel& of = problem.channels[static_cast<std::size_t>(channel)];

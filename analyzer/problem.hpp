@@ -104,6 +104,9 @@ struct Requirement {
   bool at_least = false;        // interval: `limit` is the least that is allowed
   Nanoseconds limit = 0;        // loss: a number
   SourceSpan where;
+
+  /// Response: whether the messages of the channel are what is responded to.
+  bool is_event(int channel) const;
 };
 
 struct Problem {

@@ -179,11 +179,6 @@ struct Story {
     }
   }
 
-  bool is_event(int channel) const {
-    const auto& events = requirement.events;
-    return std::find(events.begin(), events.end(), channel) != events.end();
-  }
-
   /// The way back from a thread at an instant to the event: through the message that last came from another
   /// thread.
   void response(int thread, std::size_t event, const Measurement& measured, std::vector<Reason>& out,
@@ -205,7 +200,7 @@ struct Story {
       }
       if (from == trace.events.size()) continue;
       const trace::Event& putting = trace.events[from];
-      if (is_event(putting.subject) && putting.time_ns == measured.born) {
+      if (requirement.is_event(putting.subject) && putting.time_ns == measured.born) {
         tell(thread, measured.born, to, out);
         return;
       }

@@ -45,19 +45,13 @@ void judge(const Bound& bound, Verdict& verdict) {
                         (verdict.at_least ? "falls below" : "exceeds") + " it, but no run need come near it.";
 }
 
-void sends_of(const Problem& problem, int channel, std::vector<bool>& at) {
-  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
-    const Step& step = problem.steps[s];
-    at[s] = at[s] || (step.kind == Step::Kind::send && step.channels.front() == channel);
-  }
-}
-
 /// Every step whose time some requirement may ask for.
 std::vector<bool> asked_for(const Problem& problem) {
   std::vector<bool> at(problem.steps.size());
   for (const Requirement& requirement : problem.requirements) {
+    const std::vector<bool> sends = sends_of_events(problem, requirement);
     for (std::size_t s = 0; s < requirement.at.size(); ++s) at[s] = at[s] || requirement.at[s];
-    for (const int channel : requirement.events) sends_of(problem, channel, at);
+    for (std::size_t s = 0; s < sends.size(); ++s) at[s] = at[s] || sends[s];
   }
   return at;
 }

@@ -53,6 +53,8 @@ Sum gap(const View& view, int source);
 Sum first(const View& view, int source);
 
 Bound response_bound(const View& view, const Requirement& requirement);
+/// By step: whether it sends what a response is required to.
+std::vector<bool> sends_of_events(const Problem& problem, const Requirement& requirement);
 /// Whether each occurrence of a source of one root leads to a statement, as long as the skill lasts.
 bool always_comes(const View& view, int source, const std::vector<bool>& at);
 /// Number of events, answers or frames lost of any so many in a row.

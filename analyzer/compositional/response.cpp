@@ -77,13 +77,7 @@ bool answered_in_turn(const View& view, const Requirement& requirement) {
 /// Each message is put at some instant of a round of its sender, and answered at another that the same source
 /// brings about. It must be answered before the next one can be put.
 Bound to_message(const View& view, const Requirement& requirement) {
-  std::vector<bool> sends(view.problem.steps.size());
-  for (std::size_t s = 0; s < sends.size(); ++s) {
-    const Step& step = view.problem.steps[s];
-    if (step.kind != Step::Kind::send) continue;
-    const auto& events = requirement.events;
-    sends[s] = std::find(events.begin(), events.end(), step.channels.front()) != events.end();
-  }
+  const std::vector<bool> sends = sends_of_events(view.problem, requirement);
   Pursuit pursuit(view, requirement.at, Pursuit::Since::nominal);
   Sum longest;
   for (std::size_t s = 0; s < sends.size(); ++s) {
@@ -106,6 +100,15 @@ Bound to_message(const View& view, const Requirement& requirement) {
 }
 
 }  // namespace
+
+std::vector<bool> sends_of_events(const Problem& problem, const Requirement& requirement) {
+  std::vector<bool> sends(problem.steps.size());
+  for (std::size_t s = 0; s < sends.size(); ++s) {
+    const Step& step = problem.steps[s];
+    sends[s] = step.kind == Step::Kind::send && requirement.is_event(step.channels.front());
+  }
+  return sends;
+}
 
 Bound response_bound(const View& view, const Requirement& requirement) {
   if (requirement.device < 0) return to_message(view, requirement);

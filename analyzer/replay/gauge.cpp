@@ -36,8 +36,7 @@ bool Gauge::is_sample(int channel) const {
 }
 
 bool Gauge::is_event(int channel) const {
-  return is(Measure::response) && std::find(requirement_->events.begin(), requirement_->events.end(),
-                                            channel) != requirement_->events.end();
+  return is(Measure::response) && requirement_->is_event(channel);
 }
 
 int Gauge::birth() {
