@@ -175,11 +175,11 @@ void withhold(Analysis& analysis) {
 
 Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
   // First in a few classes: when the proofs have used up the time, none of them must hold for want of it.
-  std::optional<Standstill> found =
-      standstill(problem, {std::min(options.max_states, first_look), options.stop});
+  StandstillSearch look = standstill(problem, {std::min(options.max_states, first_look), options.stop});
   Analysis analysis = analyze_as(problem, choice, options);
-  if (!found) found = standstill(problem, {options.max_states, options.stop});
-  analysis.standstill = std::move(found);
+  const bool goes_on = !look.found && !look.excluded && options.max_states > first_look;
+  if (goes_on) look = standstill(problem, {options.max_states, options.stop});
+  analysis.standstill = std::move(look.found);
   if (analysis.standstill) withhold(analysis);
   for (Verdict& verdict : analysis.verdicts) add_up(verdict);
   return analysis;

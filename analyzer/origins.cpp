@@ -63,11 +63,16 @@ void Origins::follow(std::size_t index) {
       const int request = problem_.channels[static_cast<std::size_t>(event.subject)].answers;
       // A sample that answers a request is born when the device takes that.
       const bool served = device && request >= 0;
+      const Origin asked_by = served ? answered(request) : Origin{};
       const bool born_now = is_source(event.subject) && !(served && requirement_.events.empty());
-      messages_[message] = born_now  ? birth(index)
-                           : !device ? known(event.actor)
-                           : served  ? requests_[static_cast<std::size_t>(request)]
-                                     : Origin{};
+      messages_[message] = born_now ? birth(index) : device ? asked_by : known(event.actor);
+      return;
+    }
+    case Kind::overrun:
+    case Kind::drop: {
+      // An answer that nobody gets answers its request all the same.
+      const int request = problem_.channels[static_cast<std::size_t>(event.subject)].answers;
+      if (device && request >= 0) answered(request);
       return;
     }
     case Kind::take: {
@@ -80,9 +85,10 @@ void Origins::follow(std::size_t index) {
         return;
       }
       const int answer = problem_.channels[static_cast<std::size_t>(event.subject)].answer;
-      Origin& request = requests_[static_cast<std::size_t>(event.subject)];
       const bool sample = answer >= 0 && !requirement_.samples.empty() && is_source(answer);
-      request = sample ? birth(index) : !requirement_.events.empty() ? carried : Origin{};
+      requests_[static_cast<std::size_t>(event.subject)].push_back(sample ? birth(index)
+                                                                   : !requirement_.events.empty() ? carried
+                                                                                                  : Origin{});
       return;
     }
     case Kind::set: {
@@ -103,6 +109,14 @@ void Origins::follow(std::size_t index) {
     default:
       return;
   }
+}
+
+Origin Origins::answered(int request) {
+  std::deque<Origin>& taken = requests_[static_cast<std::size_t>(request)];
+  if (taken.empty()) return {};
+  const Origin oldest = taken.front();
+  taken.pop_front();
+  return oldest;
 }
 
 std::optional<Gained> Origins::gained(int thread, std::size_t before) const {

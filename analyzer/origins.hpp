@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <map>
 #include <optional>
 #include <utility>
@@ -48,6 +49,8 @@ class Origins {
   void follow(std::size_t index);
   void gain(int thread, std::size_t event, const Origin& what);
   Origin birth(std::size_t event);
+  /// What the answer that its device gives now carries: the oldest that it has taken is answered.
+  Origin answered(int request);
   bool is_source(int channel) const;
   const Origin& known(int thread) const;
 
@@ -58,7 +61,8 @@ class Origins {
   std::vector<bool> reads_;                         // by thread: it has read the requirement's condition
   std::map<std::pair<int, int>, Origin> messages_;  // by channel and serial number
   std::map<std::pair<int, int>, std::size_t> puts_;
-  std::vector<Origin> requests_;  // what the answer to each will carry
+  // By channel: what the answers to the requests will carry that were taken and not answered yet.
+  std::vector<std::deque<Origin>> requests_;
   std::vector<Origin> conditions_;
   std::vector<std::optional<std::size_t>> sets_;  // the last, by condition
   std::map<std::size_t, std::optional<std::size_t>> set_of_;

@@ -73,15 +73,16 @@ std::vector<int> statements_of(const Problem& problem, const ZoneGraph& graph, c
 
 }  // namespace
 
-std::optional<Standstill> standstill(const Problem& problem, const Limits& limits) {
-  if (!fits_exploration(problem) || !possible(problem)) return std::nullopt;
+StandstillSearch standstill(const Problem& problem, const Limits& limits) {
+  if (!possible(problem)) return {.excluded = true};
+  if (!fits_exploration(problem)) return {};
   const Watch nothing;
   const Machine machine(problem, nothing);
   ZoneGraph graph(machine, 0, true);
-  graph.explore(limits);
+  const bool complete = graph.explore(limits);
   const std::vector<int> way = way_round(graph);
-  if (way.empty()) return std::nullopt;
-  return Standstill{statements_of(problem, graph, way)};
+  if (way.empty()) return {.excluded = complete};
+  return {.found = Standstill{statements_of(problem, graph, way)}};
 }
 
 }  // namespace pal::analyzer

@@ -8,8 +8,14 @@
 
 namespace pal::analyzer {
 
-/// A way round on which nothing can take any time, if a run gets to one and `limits` suffice to find it.
+struct StandstillSearch {
+  /// A way round on which nothing can take any time, that some run gets to.
+  std::optional<Standstill> found = {};
+  /// None was found because there is none; otherwise a search with wider limits may find one.
+  bool excluded = false;
+};
+
 /// Costs next to nothing where each loop of each thread takes some time.
-std::optional<Standstill> standstill(const Problem& problem, const Limits& limits);
+StandstillSearch standstill(const Problem& problem, const Limits& limits);
 
 }  // namespace pal::analyzer

@@ -156,7 +156,7 @@ Decision decide_by_time(const Problem& problem, std::size_t index, const Options
 Decision decide(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
   Decision decision = decide_by_time(problem, index, options, workers);
   const Limits limits{options.max_states, options.stop, {}, &workers};
-  if (decision.state == Is::holds && standstill(problem, limits)) return {};
+  if (decision.state == Is::holds && standstill(problem, limits).found) return {};
   return decision;
 }
 

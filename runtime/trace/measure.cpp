@@ -1,6 +1,7 @@
 #include "runtime/trace/measure.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <optional>
 
 #include "runtime/trace/inheritance.hpp"
@@ -47,13 +48,13 @@ class Causes {
   }
 
   void put(const Event& event) {
+    const std::optional<std::size_t> asked_by = answered_request(event);
     if (is_source(event)) {
       births_.push_back(event.time_ns);
       answered_.push_back(false);
       on(event) = births_.size() - 1;
     } else if (is_device(event.actor)) {
-      const auto request = request_[static_cast<std::size_t>(event.subject)];
-      on(event) = request ? served_[*request] : std::nullopt;
+      on(event) = asked_by;
     } else {
       on(event) = carried_[static_cast<std::size_t>(event.actor)];
     }
@@ -63,12 +64,15 @@ class Causes {
   void drop(const Event& event) {
     const bool withdrawn = event.actor < 0;
     if (withdrawn && is_source(event) && on(event)) answered_[*on(event)] = true;
+    if (!withdrawn) answered_request(event);
   }
+
+  void overrun(const Event& event) { answered_request(event); }
 
   void take(const Event& event) {
     // An event that was answered is carried no further: the thread keeps the one that it has.
     if (is_device(event.actor)) {
-      served_[static_cast<std::size_t>(event.subject)] = on(event);
+      served_[static_cast<std::size_t>(event.subject)].push_back(on(event));
     } else if (on(event) && !answered_[*on(event)]) {
       carried_[static_cast<std::size_t>(event.actor)] = on(event);
     }
@@ -101,6 +105,15 @@ class Causes {
 
   bool is_device(std::int32_t actor) const { return device_[static_cast<std::size_t>(actor)]; }
 
+  /// What was carried by the request that the device answers with this event: the oldest that it has taken.
+  std::optional<std::size_t> answered_request(const Event& event) {
+    const auto request = request_[static_cast<std::size_t>(event.subject)];
+    if (!is_device(event.actor) || !request || served_[*request].empty()) return std::nullopt;
+    const std::optional<std::size_t> carried = served_[*request].front();
+    served_[*request].pop_front();
+    return carried;
+  }
+
   std::optional<std::size_t>& on(const Event& event) {
     return on_message_[static_cast<std::size_t>(event.subject)];
   }
@@ -111,8 +124,9 @@ class Causes {
   std::vector<std::int64_t> births_;                    // by event
   std::vector<bool> answered_;                          // by event
   std::vector<std::optional<std::size_t>> on_message_;  // by channel: of the last message in its slot
-  std::vector<std::optional<std::size_t>> served_;      // by channel: of the request that its device serves
-  std::vector<std::optional<std::size_t>> carried_;     // by actor
+  // By channel: of the requests that its device has taken and not answered yet, the oldest first.
+  std::vector<std::deque<std::optional<std::size_t>>> served_;
+  std::vector<std::optional<std::size_t>> carried_;  // by actor
   int passed_over_ = 0;
 };
 
@@ -151,6 +165,7 @@ Responses responses(const Trace& trace, const std::string& sender, const std::st
     if (event.kind == Kind::put) causes.put(event);
     if (event.kind == Kind::take) causes.take(event);
     if (event.kind == Kind::drop) causes.drop(event);
+    if (event.kind == Kind::overrun) causes.overrun(event);
     if (event.kind == Kind::overrun && causes.is_source(event)) ++result.missed;
     if (!has_effect_at(event, marks)) continue;
     if (const auto birth = causes.answer(event.actor)) {

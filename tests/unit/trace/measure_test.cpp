@@ -1,0 +1,64 @@
+// What a run attained, read off its trace.
+#include <catch2/catch.hpp>
+
+#include "runtime/trace/measure.hpp"
+
+namespace pal::trace {
+namespace {
+
+/// A thread that hears a bell, asks a meter, and rings back when it has the answer.
+Trace asking(std::vector<Event> events) {
+  Trace trace;
+  trace.actors = {{"A", false, "P0", 1}, {"bell", true, "", 0}, {"meter", true, "", 0}};
+  trace.statements = {{"A", "TXM( back to bell )", "asking.pal", 9}};
+  trace.channels = {
+      {"bell", "ring", "A"}, {"A", "request value", "meter"}, {"meter", "value", "A"}, {"A", "back", "bell"}};
+  trace.events = std::move(events);
+  return trace;
+}
+
+constexpr std::int32_t ring = 0;
+constexpr std::int32_t request = 1;
+constexpr std::int32_t value = 2;
+
+/// Two rings and a request for each; the second waits in its slot until the meter is done with the first.
+const std::vector<Event> two_requests = {
+    {0, Kind::put, 1, -1, ring, 1},  {1, Kind::take, 0, -1, ring, 1},     {2, Kind::put, 0, -1, request, 1},
+    {2, Kind::busy, 2, -1, -1, 0},   {2, Kind::take, 2, -1, request, 1},  {5, Kind::put, 1, -1, ring, 2},
+    {6, Kind::take, 0, -1, ring, 2}, {7, Kind::put, 0, -1, request, 2},   {10, Kind::idle, 2, -1, -1, 0},
+    {10, Kind::busy, 2, -1, -1, 0},  {10, Kind::take, 2, -1, request, 2},
+};
+
+Responses responses_after(std::vector<Event> rest) {
+  std::vector<Event> events = two_requests;
+  events.insert(events.end(), rest.begin(), rest.end());
+  return responses(asking(std::move(events)), "bell", "ring", {{"A", "TXM( back to bell )", 9}});
+}
+
+TEST_CASE("an answer carries its own request's event, though the next request is taken before it is put") {
+  const Responses found = responses_after({
+      {10, Kind::put, 2, -1, value, 1},
+      {11, Kind::take, 0, -1, value, 1},
+      {12, Kind::done, 0, 0, -1, 0},
+  });
+  REQUIRE(found.answered.size() == 1);
+  CHECK(found.answered[0] == Occurrence{0, 12, 0, 0});
+  CHECK(found.missed == 0);
+}
+
+TEST_CASE("a request whose answer is lost or discarded is answered") {
+  const Kind kind = GENERATE(Kind::overrun, Kind::drop);
+  const Responses found = responses_after({
+      {10, kind, 2, -1, value, 1},
+      {18, Kind::idle, 2, -1, -1, 0},
+      {18, Kind::put, 2, -1, value, 2},
+      {19, Kind::take, 0, -1, value, 2},
+      {20, Kind::done, 0, 0, -1, 0},
+  });
+  REQUIRE(found.answered.size() == 1);
+  CHECK(found.answered[0] == Occurrence{5, 20, 0, 0});
+  CHECK(found.missed == 1);
+}
+
+}  // namespace
+}  // namespace pal::trace
