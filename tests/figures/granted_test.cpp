@@ -1,11 +1,10 @@
 // What the compositional analysis once took for granted, each with a skill of which it is not so.
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #include "tests/figures/bounds_by_hand.hpp"
 #include "tests/support/any_skill.hpp"
+#include "tests/support/project_file.hpp"
 
 using pal::test::compare;
 
@@ -13,11 +12,7 @@ namespace {
 
 /// The text of a skill in tests/figures/granted.
 std::string granted(const std::string& name) {
-  std::ifstream file(PAL_SOURCE_DIR "/tests/figures/granted/" + name + ".pal");
-  REQUIRE(file);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+  return pal::test::project_file("tests/figures/granted/" + name + ".pal");
 }
 
 /// Whether the compositional analysis says that it has no bound, and a run shows why.

@@ -1,12 +1,11 @@
 // Systems from books and papers whose answers are published. Each file in published/ says where it is from.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
 #include "analyzer/analysis.hpp"
 #include "analyzer/compositional/compositional.hpp"
+#include "tests/support/project_file.hpp"
 #include "tests/support/skill.hpp"
 
 using namespace pal;
@@ -230,10 +229,7 @@ TEST_CASE("what is published as schedulable holds, and what is not does not") {
 }
 
 TEST_CASE("Liu and Layland: the second task's time may be no longer") {
-  std::ifstream file(std::string(PAL_SOURCE_DIR) + "/tests/figures/published/liu_layland_1973.pal");
-  std::stringstream text;
-  text << file.rdbuf();
-  std::string longer = text.str();
+  std::string longer = test::project_file("tests/figures/published/liu_layland_1973.pal");
   const std::string time = "TIME work OF SD-two : 1999999 ns";
   REQUIRE(longer.find(time) != std::string::npos);
   longer.replace(longer.find(time), time.size(), "TIME work OF SD-two : 2000010 ns");

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
+#include <sstream>
 
 #include "analyzer/analysis.hpp"
 #include "analyzer/compositional/compositional.hpp"
@@ -16,6 +16,7 @@
 #include "tests/support/held_skill.hpp"
 #include "tests/support/holistic.hpp"
 #include "tests/support/mutant.hpp"
+#include "tests/support/project_file.hpp"
 #include "tests/support/random_skill.hpp"
 #include "tests/support/setting.hpp"
 #include "tests/support/skill.hpp"
@@ -172,7 +173,7 @@ std::string base(std::uint64_t seed) {
   const auto& from = seed % 6 == 5 ? published : written;
   std::string text;
   for (const std::string& path : from[seed / 6 % from.size()]) {
-    std::ifstream file(std::string(PAL_SOURCE_DIR) + "/" + path);
+    std::istringstream file(test::project_file(path));
     for (std::string line; std::getline(file, line);)
       if (line.find("USES") == std::string::npos) text += line + "\n";
   }
