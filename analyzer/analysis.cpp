@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "analyzer/compositional/compositional.hpp"
-#include "analyzer/explain.hpp"
-#include "analyzer/run_search.hpp"
-#include "analyzer/standstill.hpp"
-#include "analyzer/story.hpp"
+#include "analyzer/exact/standstill.hpp"
+#include "analyzer/runs/run_search.hpp"
+#include "analyzer/verdict/explain.hpp"
+#include "analyzer/verdict/story.hpp"
 
 namespace pal::analyzer {
 namespace {

@@ -1,7 +1,7 @@
 // The two analyses as one: exact where that can be had, compositional where not.
 #pragma once
 
-#include "analyzer/exact.hpp"
+#include "analyzer/exact/exact.hpp"
 
 namespace pal::analyzer {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/compositional/measures.hpp"
-#include "analyzer/verdict.hpp"
+#include "analyzer/verdict/verdict.hpp"
 
 namespace pal::analyzer::compositional {
 

@@ -1,7 +1,7 @@
 // One CONCURRENT a thread.
 #pragma once
 
-#include "analyzer/problem.hpp"
+#include "analyzer/problem/problem.hpp"
 
 namespace pal::analyzer::compositional {
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "analyzer/problem.hpp"
+#include "analyzer/problem/problem.hpp"
 
 namespace pal::analyzer::compositional {
 

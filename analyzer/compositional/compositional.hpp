@@ -2,7 +2,7 @@
 // for the exact analysis; what it is built on is in docs/compositional.md.
 #pragma once
 
-#include "analyzer/exact.hpp"
+#include "analyzer/exact/exact.hpp"
 
 namespace pal::analyzer {
 

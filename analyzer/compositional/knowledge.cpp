@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/staleness.hpp"
-#include "analyzer/watch.hpp"
+#include "analyzer/machine/watch.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/measures.hpp"
-#include "analyzer/explain.hpp"
+#include "analyzer/verdict/explain.hpp"
 
 namespace pal::analyzer::compositional {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/problem.hpp"
+#include "analyzer/problem/problem.hpp"
 #include "runtime/trace/trace.hpp"
 
 namespace pal::analyzer::rules {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "analyzer/compositional/compositional.hpp"
-#include "analyzer/load.hpp"
-#include "analyzer/simulate.hpp"
-#include "analyzer/standstill.hpp"
+#include "analyzer/exact/standstill.hpp"
+#include "analyzer/load/load.hpp"
+#include "analyzer/runs/simulate.hpp"
 
 namespace pal::analyzer {
 namespace {

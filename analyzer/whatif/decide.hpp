@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "analyzer/exact.hpp"
+#include "analyzer/exact/exact.hpp"
 
 namespace pal::analyzer {
 

@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "analyzer/verdict.hpp"
+#include "analyzer/verdict/verdict.hpp"
 
 namespace pal::driver {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/simulate.hpp"
+#include "analyzer/runs/simulate.hpp"
 #include "pal/driver/console.hpp"
 #include "pal/driver/exit_status.hpp"
 #include "pal/driver/proof.hpp"

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "analyzer/problem.hpp"
-#include "analyzer/verdict.hpp"
+#include "analyzer/problem/problem.hpp"
+#include "analyzer/verdict/verdict.hpp"
 #include "pal/support/time.hpp"
 
 namespace pal::driver {

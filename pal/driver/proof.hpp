@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analyzer/analysis.hpp"
-#include "analyzer/problem.hpp"
+#include "analyzer/problem/problem.hpp"
 #include "pal/driver/measure_text.hpp"
 #include "pal/driver/selection.hpp"
 

@@ -5,7 +5,7 @@
 #include "analyzer/chart/chart.hpp"
 #include "analyzer/chart/options.hpp"
 #include "analyzer/chart/timeline.hpp"
-#include "analyzer/explain.hpp"
+#include "analyzer/verdict/explain.hpp"
 
 namespace pal::driver {
 namespace {

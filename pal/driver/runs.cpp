@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "analyzer/witness.hpp"
+#include "analyzer/runs/witness.hpp"
 
 namespace pal::driver {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/problem.hpp"
+#include "analyzer/problem/problem.hpp"
 #include "analyzer/replay/witness_file.hpp"
-#include "analyzer/simulate.hpp"
+#include "analyzer/runs/simulate.hpp"
 #include "pal/driver/survey.hpp"
 
 namespace pal::driver {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "analyzer/verdict.hpp"
+#include "analyzer/verdict/verdict.hpp"
 #include "pal/driver/measure_text.hpp"
 
 namespace pal::driver {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/problem.hpp"
+#include "analyzer/problem/problem.hpp"
 #include "pal/driver/survey.hpp"
 
 namespace pal::driver {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <string>
 
-#include "analyzer/explain.hpp"
+#include "analyzer/verdict/explain.hpp"
 #include "pal/driver/measure_text.hpp"
 #include "pal/driver/proof.hpp"
 #include "pal/support/diagnostic_code.hpp"

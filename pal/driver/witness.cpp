@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "analyzer/machine.hpp"
+#include "analyzer/machine/machine.hpp"
 #include "analyzer/replay/check_run.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/duration_text.hpp"

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <random>
 
-#include "analyzer/exact.hpp"
+#include "analyzer/exact/exact.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/random_cell.hpp"
 #include "tests/support/setting.hpp"

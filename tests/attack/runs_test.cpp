@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "analyzer/exact.hpp"
+#include "analyzer/exact/exact.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/mutant.hpp"
 #include "tests/support/random_cell.hpp"

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "analyzer/exact.hpp"
+#include "analyzer/exact/exact.hpp"
 #include "analyzer/replay/check_run.hpp"
 #include "codegen/plan.hpp"
 #include "runtime/trace/measure.hpp"

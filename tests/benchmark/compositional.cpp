@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "analyzer/compositional/compositional.hpp"
-#include "analyzer/run_search.hpp"
-#include "analyzer/simulate.hpp"
+#include "analyzer/runs/run_search.hpp"
+#include "analyzer/runs/simulate.hpp"
 #include "tests/support/chain_system.hpp"
 #include "tests/support/holistic.hpp"
 

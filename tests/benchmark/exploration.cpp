@@ -8,7 +8,7 @@
 #include <iomanip>
 #include <iostream>
 
-#include "analyzer/zone_graph.hpp"
+#include "analyzer/zones/zone_graph.hpp"
 #include "tests/support/random_skill.hpp"
 #include "tests/support/skill.hpp"
 

@@ -2,7 +2,7 @@
 // And the measures that it takes.
 #include <catch2/catch.hpp>
 
-#include "analyzer/exact.hpp"
+#include "analyzer/exact/exact.hpp"
 #include "tests/figures/range_finder.hpp"
 #include "tests/support/confirm.hpp"
 #include "tests/support/skill.hpp"

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/compositional/compositional.hpp"
-#include "analyzer/exact.hpp"
+#include "analyzer/exact/exact.hpp"
 #include "tests/support/confirm.hpp"
 #include "tests/support/skill.hpp"
 

@@ -1,7 +1,7 @@
 // The touch skill in its workcell, in both orders: what the README says of them.
 #include <catch2/catch.hpp>
 
-#include "analyzer/exact.hpp"
+#include "analyzer/exact/exact.hpp"
 #include "tests/support/skill.hpp"
 
 using namespace pal;

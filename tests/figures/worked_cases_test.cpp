@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "analyzer/exact.hpp"
-#include "analyzer/simulate.hpp"
+#include "analyzer/exact/exact.hpp"
+#include "analyzer/runs/simulate.hpp"
 #include "tests/figures/range_finder.hpp"
 #include "tests/support/confirm.hpp"
 #include "tests/support/skill.hpp"

@@ -6,7 +6,12 @@ import pathlib
 import re
 import sys
 
-# Longest matching prefix names the layer of a file; `uses` is what it may include besides itself.
+# The proof, from the bottom up: each stage may use those before it.
+PROOF = ["problem", "machine", "zones", "runs", "verdict", "load", "exact", "compositional"]
+MODEL = ["pal/support", "pal/pan", "runtime/trace"]
+STAGES = [f"analyzer/{stage}" for stage in PROOF]
+
+# Longest matching prefix names the layer of a file; its list is what it may include besides itself.
 LAYERS = {
     "runtime/trace": [],
     "pal/support": [],
@@ -18,18 +23,19 @@ LAYERS = {
     "pal/syntax": ["pal/support", "pal/units", "pal/pan", "grammar"],
     "pal/check": ["pal/support", "pal/units", "pal/pan", "pal/syntax"],
     "analyzer/chart": ["pal/support", "runtime/trace"],
-    "analyzer": ["pal/support", "pal/pan", "runtime/trace"],
-    "analyzer/replay": ["analyzer", "pal/support", "pal/pan", "runtime/trace"],
-    "analyzer/whatif": ["analyzer", "pal/support", "pal/pan", "runtime/trace"],
+    **{stage: STAGES[:i] + MODEL for i, stage in enumerate(STAGES)},
+    "analyzer": STAGES + MODEL,
+    "analyzer/whatif": ["analyzer"] + STAGES + MODEL,
+    "analyzer/replay": ["analyzer/problem"] + MODEL,  # of the analysis nothing
     "codegen": ["pal/support", "pal/pan"],
     "pal/driver": ["pal/support", "pal/explain", "pal/doc", "pal/pan", "pal/syntax", "pal/check", "analyzer", "analyzer/chart",
-                   "analyzer/replay", "analyzer/whatif", "codegen", "runtime/trace"],
+                   "analyzer/replay", "analyzer/whatif", *STAGES, "codegen", "runtime/trace"],
     "runtime": ["runtime/trace"],
     "runtime/drivers": ["runtime", "runtime/trace"],
     "skills_pal": ["runtime", "runtime/trace"],
     "sim": ["runtime", "runtime/trace", "runtime/drivers"],
     "sim/program": ["sim", "runtime", "runtime/trace", "runtime/drivers", "skills_pal", "pal/support", "pal/pan",
-                    "pal/check", "pal/syntax", "analyzer", "analyzer/chart", "pal/driver"],
+                    "pal/check", "pal/syntax", "analyzer", *STAGES, "analyzer/chart", "pal/driver"],
 }
 # Third-party headers that must stay inside .cpp files.
 PRIVATE = re.compile(r"^(antlr4-runtime|graphviz|mujoco|EGL|GL|nlohmann|CLI)/|^(cgraph|gvc|png)\.h")
@@ -48,8 +54,6 @@ def breaks(path, text):
         return
     for include in INCLUDE.findall(text):
         other = layer(include)
-        if own == "analyzer/replay" and other == "analyzer" and include != "analyzer/problem.hpp":
-            yield f"{path}: {own} may use nothing of the analysis but the problem (includes {include})"
         if other is not None and other != own and other not in LAYERS[own]:
             yield f"{path}: {own} must not use {other} (includes {include})"
         if path.endswith(".hpp") and PRIVATE.search(include) and "/private/" not in path:
@@ -58,10 +62,11 @@ def breaks(path, text):
 
 def self_test():
     assert list(breaks("runtime/task.cpp", '#include "pal/pan/graph.hpp"\n'))
-    assert list(breaks("codegen/plan.cpp", '#include "analyzer/problem.hpp"\n'))
+    assert list(breaks("codegen/plan.cpp", '#include "analyzer/problem/problem.hpp"\n'))
     assert list(breaks("sim/model.hpp", "#include <mujoco/mujoco.h>\n"))
-    assert list(breaks("analyzer/replay/referee.cpp", '#include "analyzer/machine.hpp"\n'))
-    assert not list(breaks("analyzer/exact.cpp", '#include "pal/pan/graph.hpp"\n#include <vector>\n'))
+    assert list(breaks("analyzer/problem/compile.cpp", '#include "analyzer/zones/dbm.hpp"\n'))
+    assert list(breaks("analyzer/replay/referee.cpp", '#include "analyzer/machine/machine.hpp"\n'))
+    assert not list(breaks("analyzer/exact/exact.cpp", '#include "pal/pan/graph.hpp"\n#include <vector>\n'))
 
 
 def main(argument):

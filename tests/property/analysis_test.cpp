@@ -2,11 +2,11 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
-#include "analyzer/exact.hpp"
-#include "analyzer/load.hpp"
-#include "analyzer/share_bound.hpp"
-#include "analyzer/simulate.hpp"
-#include "analyzer/unending_search.hpp"
+#include "analyzer/exact/exact.hpp"
+#include "analyzer/load/load.hpp"
+#include "analyzer/load/share_bound.hpp"
+#include "analyzer/load/unending_search.hpp"
+#include "analyzer/runs/simulate.hpp"
 #include "runtime/trace/slices.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/random_skill.hpp"

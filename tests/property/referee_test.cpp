@@ -1,9 +1,9 @@
 // Skills in which it is easy to be wrong about what a run is.
 #include <catch2/catch.hpp>
 
-#include "analyzer/exact.hpp"
+#include "analyzer/exact/exact.hpp"
 #include "analyzer/replay/check_run.hpp"
-#include "analyzer/simulate.hpp"
+#include "analyzer/runs/simulate.hpp"
 #include "tests/support/confirm.hpp"
 #include "tests/support/project_file.hpp"
 #include "tests/support/skill.hpp"

@@ -3,10 +3,10 @@
 #include <iostream>
 #include <sstream>
 
-#include "analyzer/exact.hpp"
+#include "analyzer/exact/exact.hpp"
 #include "analyzer/replay/check_run.hpp"
 #include "analyzer/replay/witness_file.hpp"
-#include "analyzer/simulate.hpp"
+#include "analyzer/runs/simulate.hpp"
 #include "tests/support/confirm.hpp"
 #include "tests/support/mutant.hpp"
 #include "tests/support/random_skill.hpp"

@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "analyzer/analysis.hpp"
-#include "analyzer/run_search.hpp"
+#include "analyzer/runs/run_search.hpp"
 #include "tests/support/chain_system.hpp"
 #include "tests/support/confirm.hpp"
 #include "tests/support/random_skill.hpp"

@@ -8,7 +8,7 @@
 
 #include "analyzer/analysis.hpp"
 #include "analyzer/compositional/compositional.hpp"
-#include "analyzer/simulate.hpp"
+#include "analyzer/runs/simulate.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/chain_system.hpp"
 #include "tests/support/command_skill.hpp"

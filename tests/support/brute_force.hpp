@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-#include "analyzer/machine.hpp"
+#include "analyzer/machine/machine.hpp"
 
 namespace pal::test {
 

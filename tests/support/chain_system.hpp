@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/problem.hpp"
+#include "analyzer/problem/problem.hpp"
 
 namespace pal::test {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "analyzer/exact.hpp"
+#include "analyzer/exact/exact.hpp"
 #include "analyzer/replay/check_run.hpp"
 
 namespace pal::test {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "analyzer/problem.hpp"
+#include "analyzer/problem/problem.hpp"
 #include "pal/check/check.hpp"
 #include "pal/check/load.hpp"
 #include "pal/support/diagnostic_code.hpp"

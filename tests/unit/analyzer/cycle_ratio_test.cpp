@@ -1,4 +1,4 @@
-#include "analyzer/cycle_ratio.hpp"
+#include "analyzer/load/cycle_ratio.hpp"
 
 #include <catch2/catch.hpp>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "analyzer/dbm.hpp"
+#include "analyzer/zones/dbm.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <stdexcept>
 
-#include "analyzer/workers.hpp"
-#include "analyzer/zone_graph.hpp"
+#include "analyzer/zones/workers.hpp"
+#include "analyzer/zones/zone_graph.hpp"
 #include "tests/support/random_skill.hpp"
 #include "tests/support/skill.hpp"
 

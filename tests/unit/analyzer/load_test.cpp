@@ -1,8 +1,8 @@
-#include "analyzer/load.hpp"
+#include "analyzer/load/load.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "analyzer/exact.hpp"
+#include "analyzer/exact/exact.hpp"
 #include "tests/support/skill.hpp"
 #include "tests/unit/analyzer/small_skill.hpp"
 

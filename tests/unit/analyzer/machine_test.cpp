@@ -1,10 +1,10 @@
 // The execution model, rule by rule, seen in runs and bounds.
-#include "analyzer/machine.hpp"
+#include "analyzer/machine/machine.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "analyzer/exact.hpp"
-#include "analyzer/simulate.hpp"
+#include "analyzer/exact/exact.hpp"
+#include "analyzer/runs/simulate.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/skill.hpp"
 #include "tests/unit/analyzer/small_skill.hpp"

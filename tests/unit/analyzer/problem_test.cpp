@@ -1,4 +1,4 @@
-#include "analyzer/problem.hpp"
+#include "analyzer/problem/problem.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Bounds on loads by shares of the time, where they can be reckoned by hand.
-#include "analyzer/share_bound.hpp"
+#include "analyzer/load/share_bound.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,0 +1,191 @@
+// One event of the machine, from the timer that fires to the threads that run afterwards.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "analyzer/machine/machine.hpp"
+
+namespace pal::analyzer {
+
+class Firing {
+ public:
+  /// Works on `outcome.state`, which is the state before.
+  Firing(const Machine& machine, Choices& choices, bool record, Outcome& outcome);
+
+  void begin();
+  void fire(int timer);
+
+ private:
+  using Kind = trace::Kind;
+
+  /// What is still to happen at this instant, as a consequence of what has: in any order (firing_due.cpp).
+  struct Due {
+    enum class What {
+      go_on,   // a thread whose statement is over, to step `next`
+      queue,   // a thread for which a message has come, to its processor
+      admit,   // a sender that is blocked, to a channel that is free
+      parent,  // a thread whose blocks are over, behind its CONCURRENT
+      answer,  // a device's, to a request
+      serve,   // a device that is idle, its next request
+    };
+    What what = What::go_on;
+    int who = -1;  // thread, channel or device
+    int next = -1;
+    std::uint8_t carries = tag::none;  // answer
+  };
+  void all_due();
+  void happen(const Due& due);
+  void go_on_later(int thread, int next);
+  void queue_later(int thread);
+  void admit_later(int channel);
+  void forget(int thread);
+  bool orderless(const Due& due) const;
+  bool keeps_processor(const Due& due) const;
+  bool may_be_stopped(const Due& due) const;
+  bool meets_other_answers(const Due& due) const;
+  std::optional<std::pair<int, int>> only_queue(const Due& due) const;
+  std::vector<std::size_t> rivals_of_due() const;
+
+  // Threads and processors (firing_threads.cpp).
+  void first_queues(int thread, std::set<std::pair<int, int>>& queues) const;
+  std::vector<std::size_t> rivals_of_first(const std::vector<int>& modules) const;
+  void reach(int thread, int step);
+  void reach_wait(int thread);
+  void fork(int thread);
+  void need_processor(int thread);
+  void leave_processor(int thread);
+  void end(int thread);
+  void child_ended(int parent, bool stopped);
+  void go_on_behind_blocks(int parent);
+  void cancel(int thread);
+  void stop(int thread);
+  void dispatch();
+  void dispatch(int processor);
+  void enqueue(int thread, bool front);
+  void dequeue(int thread);
+
+  // Statements (firing.cpp).
+  void effect(int thread);
+  void effect_wait(int thread);
+  void effect_send(int thread);
+  void effect_set(int thread);
+  void effect_test(int thread);
+  void sent(int thread, bool put_it);
+  void finish(int thread, int next);
+  bool read(int thread, int condition);
+  std::uint64_t values_for_test(int thread, const Step& step);
+  void complete(int thread, int code);
+  void go_on_and_admit(int thread, int next, std::vector<int> channels);
+
+  /// Calls `each` for all of `of`; in every order.
+  template <class Each>
+  void in_any_order(std::vector<int> of, Each each) {
+    while (!of.empty()) {
+      const int chosen = of.size() == 1 ? 0 : choices_.pick(static_cast<int>(of.size()));
+      const int next = of[static_cast<std::size_t>(chosen)];
+      of.erase(of.begin() + chosen);
+      each(next);
+    }
+  }
+
+  // Messages and devices (firing_mail.cpp).
+  void place(int channel, int thread, int device, std::uint8_t carries);
+  void announce(int channel);
+  bool available(int channel, int thread) const;
+  int claimed_by(int channel);
+  void message_available(int channel);
+  void fill(int channel, int processor);
+  void take(int channel, int thread, int device);
+  void clear(int channel);
+  void admit(int channel);
+  bool somebody_sends(int channel) const;
+  std::vector<int> waiting_for(int channel) const;
+  void empty(int channel);
+  void drop(int channel);
+
+  // Open requests (firing_requests.cpp).
+  bool tracked(int channel) const;
+  void ask(int request, int thread);
+  int answered_next(int answer) const;
+  bool discards(int answer) const;
+  void discard(int answer);
+  bool in_slot(int request, int at) const;
+  template <class Meant>
+  void withdraw(int request, Meant meant, std::vector<int>& freed);
+  void withdraw_all(int request, std::vector<int>& freed);
+  void hand_over(int block, int parent);
+  std::vector<int> abandon(int thread);
+  void open_device(int device);
+  void arrives_at_device(int channel);
+  void take_pending(int device);
+  void device_next(int device);
+  void device_service(int device);
+  void answer(int request, std::uint8_t carries);
+  void event_occurs(int device);
+
+  // Measuring (firing_measure.cpp).
+  void measure(int thread);
+  void has_read(int thread, int condition);
+  void has_set(int thread, int condition);
+  void has_taken(int thread, std::uint8_t carries);
+  std::uint8_t sent_along(int thread) const;
+  std::uint8_t sampled(int request);
+  std::uint8_t occurred(int channel);
+  bool awaits_response(int channel) const;
+  std::uint8_t new_event();
+  void has_completed(int thread, int code);
+  void forget_event(std::uint8_t event);
+  void measure_from(std::uint8_t observer, int step);
+  void start_tracking();
+  void track_busy(bool was_busy);
+  bool watched_busy() const;
+
+  // Losses (firing_losses.cpp).
+  bool counts_losses(int device) const;
+  bool arrives(int device, const DeviceState::Served& served) const;
+  void occurrence(int device, bool lost);
+  void lost_after_all(int channel);
+  void count_losses();
+
+  // What is forgotten, and in which order the rest is numbered (settle.cpp).
+  void settle();
+  void settle_age();
+  void settle_response();
+  void settle_ordered();
+  bool any_live() const;
+  bool is_live(const ThreadState& thread) const;
+
+  ThreadState& state_of(int thread) { return state_.threads[static_cast<std::size_t>(thread)]; }
+  const ThreadState& state_of(int thread) const { return state_.threads[static_cast<std::size_t>(thread)]; }
+  const Thread& thread_of(int thread) const { return problem_.threads[static_cast<std::size_t>(thread)]; }
+  const Step& step_of(int thread) const {
+    return problem_.steps[static_cast<std::size_t>(state_of(thread).step)];
+  }
+  SlotState& slot(int channel) { return state_.slots[static_cast<std::size_t>(channel)]; }
+  const Channel& channel_of(int channel) const {
+    return problem_.channels[static_cast<std::size_t>(channel)];
+  }
+  std::int8_t& running(int processor) { return state_.running[static_cast<std::size_t>(processor)]; }
+
+  void start_timer(int timer, Range range);
+  void stop_timer(int timer);
+  void emit(Kind kind, int thread, int subject = -1, int value = 0);
+  void emit_device(Kind kind, int device, int subject = -1, int value = 0);
+
+  const Machine& machine_;
+  const Problem& problem_;
+  const Watch& watch_;
+  Choices& choices_;
+  bool record_;
+  Outcome& outcome_;
+  State& state_;
+  int old_observers_;
+  std::vector<int> pending_origin_;
+  std::vector<int> queued_;  // threads that became ready
+  std::vector<Due> due_;
+};
+
+}  // namespace pal::analyzer

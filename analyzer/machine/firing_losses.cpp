@@ -1,0 +1,72 @@
+// Frames, events and answers of a device that nobody takes.
+#include <bit>
+
+#include "analyzer/machine/firing.hpp"
+
+namespace pal::analyzer {
+
+namespace {
+
+/// Of the last occurrences so many are remembered: enough for every row that one of them can still be in, and
+/// twice that because a message may be withdrawn after others have come.
+unsigned remembered(int in) {
+  return 2 * static_cast<unsigned>(in) - 1;
+}
+
+}  // namespace
+
+bool Firing::counts_losses(int device) const {
+  return watch_.kind == Watch::Kind::loss && watch_.device == device;
+}
+
+/// Whether one of the answers that are due finds its slot free, and somebody who wants it.
+bool Firing::arrives(int device, const DeviceState::Served& served) const {
+  const std::vector<int>& requests = problem_.devices[static_cast<std::size_t>(device)].requests;
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    if (!served[i]) continue;
+    const int answer = channel_of(requests[i]).answer;
+    const bool free = state_.slots[static_cast<std::size_t>(answer)].fill == SlotState::Fill::empty;
+    if (free && !discards(answer)) return true;
+  }
+  return false;
+}
+
+/// One more of the device's frames, events or answers, and whether it is lost at once. A message that gets
+/// into its slot carries how many came after it.
+void Firing::occurrence(int device, bool lost) {
+  if (!counts_losses(device)) return;
+  outcome_.passed = true;
+  state_.counting = true;
+  const std::uint64_t all = (std::uint64_t{1} << remembered(watch_.in)) - 1;
+  state_.lost = (state_.lost << 1U | (lost ? 1U : 0U)) & all;
+  for (std::size_t c = 0; c < state_.slots.size(); ++c) {
+    SlotState& of = state_.slots[c];
+    if (channel_of(static_cast<int>(c)).sender_device != device || of.carries == tag::none) continue;
+    if (of.carries < remembered(watch_.in)) ++of.carries;
+  }
+  count_losses();
+}
+
+/// What was put is withdrawn. If so many came after it that what was before it is forgotten, they were all
+/// lost, its slot being full; unless they came into other slots.
+void Firing::lost_after_all(int channel) {
+  const std::uint8_t since = slot(channel).carries;
+  const int device = channel_of(channel).sender_device;
+  if (!counts_losses(device) || since == tag::none) return;
+  if (since >= watch_.in) {
+    if (problem_.devices[static_cast<std::size_t>(device)].requests.size() > 1) outcome_.too_many = true;
+    return;
+  }
+  state_.lost |= std::uint64_t{1} << since;
+  count_losses();
+}
+
+void Firing::count_losses() {
+  const std::uint64_t row = (std::uint64_t{1} << static_cast<unsigned>(watch_.in)) - 1;
+  for (std::uint64_t rest = state_.lost; rest != 0; rest >>= 1U) {
+    outcome_.lost = std::max(outcome_.lost, std::popcount(rest & row));
+  }
+  outcome_.lost = std::max(outcome_.lost, 0);
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,312 @@
+// Messages and the devices at the other end of them.
+#include <algorithm>
+#include <utility>
+
+#include "analyzer/machine/firing.hpp"
+
+namespace pal::analyzer {
+
+/// The message is in its slot; announce() is still to be called.
+void Firing::place(int channel, int thread, int device, std::uint8_t carries) {
+  SlotState& to = slot(channel);
+  fill(channel, thread < 0 ? -1 : thread_of(thread).processor);
+  to.carries = awaits_response(channel) ? new_event() : carries;
+  if (device >= 0) {
+    emit_device(Kind::put, device, channel);
+  } else {
+    emit(Kind::put, thread, channel);
+  }
+  to.answers = answered_next(channel) >= 0;
+  ask(channel, thread);
+}
+
+void Firing::announce(int channel) {
+  if (channel_of(channel).receiver_device >= 0) {
+    arrives_at_device(channel);
+  } else {
+    const int thread = claimed_by(channel);
+    if (thread >= 0) queue_later(thread);
+  }
+}
+
+/// The message sets out for the processors on which somebody waits for it.
+void Firing::fill(int channel, int processor) {
+  SlotState& to = slot(channel);
+  to.fill = SlotState::Fill::full;
+  to.from = processor;
+  to.near = to.far = SlotState::Way::there;
+  if (processor < 0 || channel_of(channel).receiver_device >= 0) return;
+  bool near = false;
+  bool far = false;
+  for (int receiver : channel_of(channel).receiver_processors) (receiver == processor ? near : far) = true;
+  if (near && problem_.within_processor.worst > 0) {
+    to.near = SlotState::Way::flying;
+    start_timer(machine_.flight_timer(channel), problem_.within_processor);
+  }
+  if (far && problem_.between_processors.worst > 0) {
+    to.far = SlotState::Way::flying;
+    start_timer(machine_.flight_timer(channel) + 1, problem_.between_processors);
+  }
+}
+
+bool Firing::available(int channel, int thread) const {
+  const SlotState& of = state_.slots[static_cast<std::size_t>(channel)];
+  if (of.fill != SlotState::Fill::full) return false;
+  return (of.from == thread_of(thread).processor ? of.near : of.far) == SlotState::Way::there;
+}
+
+/// Gives the message to one of the threads that wait for it, if any, which has to come to its queue yet.
+int Firing::claimed_by(int channel) {
+  std::vector<std::pair<int, int>> waiting;
+  for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
+    if (state_.threads[t].status != Status::waiting || !available(channel, static_cast<int>(t))) continue;
+    const Step& step = step_of(static_cast<int>(t));
+    for (std::size_t i = 0; i < step.channels.size(); ++i) {
+      if (step.channels[i] == channel) waiting.emplace_back(static_cast<int>(t), static_cast<int>(i));
+    }
+  }
+  if (waiting.empty()) return -1;
+  const std::size_t chosen =
+      waiting.size() == 1 ? 0 : static_cast<std::size_t>(choices_.pick(static_cast<int>(waiting.size())));
+  const auto [thread, branch] = waiting[chosen];
+  if (step_of(thread).within) stop_timer(machine_.thread_timer(thread));
+  slot(channel).fill = SlotState::Fill::claimed;
+  state_of(thread).choice = static_cast<std::int8_t>(branch);
+  state_of(thread).status = Status::ready;
+  state_of(thread).begun = false;
+  return thread;
+}
+
+/// Gives the message to one of the threads that wait for it, if any.
+void Firing::message_available(int channel) {
+  const int thread = claimed_by(channel);
+  if (thread < 0) return;
+  enqueue(thread, false);
+  queued_.push_back(thread);
+}
+
+/// The message leaves its slot; empty() is still to be called.
+void Firing::take(int channel, int thread, int device) {
+  SlotState& from = slot(channel);
+  if (device >= 0) {
+    emit_device(Kind::take, device, channel);
+  } else {
+    emit(Kind::take, thread, channel);
+    has_taken(thread, from.carries);
+  }
+  if (from.answers) slot(channel_of(channel).answers).asked.erase(0);
+}
+
+/// Frees the slot, for a sender that is blocked perhaps.
+void Firing::empty(int channel) {
+  clear(channel);
+  admit_later(channel);
+}
+
+/// The slot is free; admit() is still to be called.
+void Firing::clear(int channel) {
+  SlotState& of = slot(channel);
+  if (of.near == SlotState::Way::flying) stop_timer(machine_.flight_timer(channel));
+  if (of.far == SlotState::Way::flying) stop_timer(machine_.flight_timer(channel) + 1);
+  of.fill = SlotState::Fill::empty;
+  of.near = of.far = SlotState::Way::none;
+  of.from = -1;
+  of.carries = tag::none;
+  of.answers = false;
+}
+
+bool Firing::somebody_sends(int channel) const {
+  for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
+    if (state_.threads[t].status == Status::sending &&
+        step_of(static_cast<int>(t)).channels.front() == channel)
+      return true;
+  }
+  return false;
+}
+
+/// The threads that wait for a message of the channel.
+std::vector<int> Firing::waiting_for(int channel) const {
+  std::vector<int> waiting;
+  for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
+    if (state_.threads[t].status != Status::waiting) continue;
+    const std::vector<int>& channels = step_of(static_cast<int>(t)).channels;
+    if (std::find(channels.begin(), channels.end(), channel) != channels.end())
+      waiting.push_back(static_cast<int>(t));
+  }
+  return waiting;
+}
+
+/// The slot is there for a sender that is blocked, unless somebody else has filled it.
+void Firing::admit(int channel) {
+  SlotState& of = slot(channel);
+  if (of.fill != SlotState::Fill::empty) return;
+  std::vector<int> senders;
+  for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
+    if (state_.threads[t].status == Status::sending &&
+        step_of(static_cast<int>(t)).channels.front() == channel) {
+      senders.push_back(static_cast<int>(t));
+    }
+  }
+  if (senders.empty()) return;
+  const int sender = senders[static_cast<std::size_t>(
+      senders.size() == 1 ? 0 : choices_.pick(static_cast<int>(senders.size())))];
+  state_of(sender).status = Status::ready;
+  if (discards(channel)) {
+    discard(channel);
+    emit(Kind::drop, sender, channel);
+    sent(sender, false);
+    admit_later(channel);
+    return;
+  }
+  sent(sender, true);
+}
+
+/// Somebody withdrew the message that is in the slot, or on its way to it.
+void Firing::drop(int channel) {
+  SlotState& of = slot(channel);
+  if (of.fill == SlotState::Fill::claimed) {
+    for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
+      ThreadState& thread = state_.threads[t];
+      if (thread.status != Status::ready && thread.status != Status::running) continue;
+      const Step& step = step_of(static_cast<int>(t));
+      if (step.kind != Step::Kind::wait || thread.choice < 0) continue;
+      if (step.channels[static_cast<std::size_t>(thread.choice)] == channel)
+        thread.choice = ThreadState::withdrawn;
+    }
+  }
+  if (record_) outcome_.events.push_back({0, Kind::drop, -1, -1, channel, 0});
+  lost_after_all(channel);
+  if (awaits_response(channel) && of.carries != tag::none) forget_event(of.carries);
+  clear(channel);
+}
+
+void Firing::open_device(int device) {
+  DeviceState& state = state_.devices[static_cast<std::size_t>(device)];
+  const auto* event =
+      std::get_if<pan::EventDevice>(&problem_.devices[static_cast<std::size_t>(device)].behaviour);
+  if (event == nullptr || state.open) return;
+  state.open = true;
+  Range first{0, event->sporadic ? Range::unbounded : event->period.count()};
+  if (event->phase) first = {event->phase->count(), event->phase->count()};
+  start_timer(machine_.next_timer(device), first);
+}
+
+void Firing::arrives_at_device(int channel) {
+  const Channel& of = channel_of(channel);
+  const int device = of.receiver_device;
+  if (!of.served) {
+    take(channel, -1, device);
+    empty(channel);
+    return;
+  }
+  const bool idle = state_.devices[static_cast<std::size_t>(device)].serving.none();
+  if (idle && std::holds_alternative<pan::RequestDevice>(
+                  problem_.devices[static_cast<std::size_t>(device)].behaviour)) {
+    take_pending(device);
+  }
+}
+
+/// The device takes what is pending: one request if it answers on request, all of them for a frame.
+void Firing::take_pending(int device) {
+  const Device& of = problem_.devices[static_cast<std::size_t>(device)];
+  std::vector<std::size_t> pending;
+  for (std::size_t i = 0; i < of.requests.size(); ++i) {
+    if (slot(of.requests[i]).fill == SlotState::Fill::full) pending.push_back(i);
+  }
+  const auto* request = std::get_if<pan::RequestDevice>(&of.behaviour);
+  if (request != nullptr && pending.size() > 1) {
+    pending = {pending[static_cast<std::size_t>(choices_.pick(static_cast<int>(pending.size())))]};
+  }
+  if (request == nullptr) emit_device(Kind::busy, device);
+  if (pending.empty()) {
+    if (request == nullptr && state_.counting) occurrence(device, true);
+    return;
+  }
+  if (request != nullptr) emit_device(Kind::busy, device);
+  for (std::size_t i : pending) {
+    state_.devices[static_cast<std::size_t>(device)].serving.set(i);
+    slot(of.requests[i]).serving_carries = sampled(of.requests[i]);
+    take(of.requests[i], -1, device);
+  }
+  if (request != nullptr) {
+    start_timer(machine_.service_timer(device),
+                {request->answer.best.count(), request->answer.worst.count()});
+  } else {
+    const Nanoseconds collecting = std::get<pan::FrameDevice>(of.behaviour).collecting.count();
+    start_timer(machine_.service_timer(device), {collecting, collecting});
+  }
+  for (std::size_t i : pending) empty(of.requests[i]);
+}
+
+void Firing::device_next(int device) {
+  const auto& behaviour = problem_.devices[static_cast<std::size_t>(device)].behaviour;
+  if (const auto* event = std::get_if<pan::EventDevice>(&behaviour)) {
+    const Nanoseconds period = event->period.count();
+    start_timer(machine_.next_timer(device), {period, event->sporadic ? Range::unbounded : period});
+    if (event->jitter.count() > 0) {
+      state_.devices[static_cast<std::size_t>(device)].late = true;
+      start_timer(machine_.service_timer(device), {0, event->jitter.count()});
+    } else {
+      event_occurs(device);
+    }
+    return;
+  }
+  const Nanoseconds period = std::get<pan::FrameDevice>(behaviour).period.count();
+  start_timer(machine_.next_timer(device), {period, period});
+  take_pending(device);
+}
+
+void Firing::device_service(int device) {
+  const Device& of = problem_.devices[static_cast<std::size_t>(device)];
+  DeviceState& state = state_.devices[static_cast<std::size_t>(device)];
+  if (std::holds_alternative<pan::EventDevice>(of.behaviour)) {
+    state.late = false;
+    event_occurs(device);
+    return;
+  }
+  const DeviceState::Served served = state.serving;
+  state.serving.reset();
+  emit_device(Kind::idle, device);
+  if (counts_losses(device)) occurrence(device, !arrives(device, served));
+  for (std::size_t i = 0; i < of.requests.size(); ++i) {
+    if (!served[i]) continue;
+    const int request = of.requests[i];
+    const std::uint8_t carries =
+        counts_losses(device) ? std::uint8_t{0} : std::exchange(slot(request).serving_carries, tag::none);
+    due_.push_back({Due::What::answer, request, -1, carries});
+  }
+  if (std::holds_alternative<pan::RequestDevice>(of.behaviour)) due_.push_back({Due::What::serve, device});
+}
+
+/// The answer to a request is there, or lost, or not wanted any more.
+void Firing::answer(int request, std::uint8_t carries) {
+  const int channel = channel_of(request).answer;
+  const int device = channel_of(request).receiver_device;
+  if (discards(channel)) {
+    discard(channel);
+    emit_device(Kind::drop, device, channel);
+  } else if (slot(channel).fill != SlotState::Fill::empty) {
+    discard(channel);
+    emit_device(Kind::overrun, device, channel);
+    if (awaits_response(channel)) state_.failed = true;
+  } else {
+    place(channel, -1, device, carries);
+    message_available(channel);
+  }
+}
+
+void Firing::event_occurs(int device) {
+  const int channel = problem_.devices[static_cast<std::size_t>(device)].event;
+  if (channel < 0) return;
+  if (slot(channel).fill != SlotState::Fill::empty) {
+    emit_device(Kind::overrun, device, channel);
+    occurrence(device, true);
+    if (awaits_response(channel)) state_.failed = true;
+    return;
+  }
+  occurrence(device, false);
+  place(channel, -1, device, occurred(channel));
+  message_available(channel);
+}
+
+}  // namespace pal::analyzer

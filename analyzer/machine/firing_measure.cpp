@@ -1,0 +1,172 @@
+// What is carried along to be measured.
+#include "analyzer/machine/firing.hpp"
+
+namespace pal::analyzer {
+
+namespace {
+constexpr std::size_t most_pending = 8;
+}
+
+void Firing::start_tracking() {
+  int number = 0;
+  for (Pending pending : state_.pending) {
+    pending_origin_.push_back(pending == Pending::over ? Outcome::older_than_cap : number++);
+  }
+}
+
+/// The value from `observer` until now.
+void Firing::measure_from(std::uint8_t observer, int step) {
+  outcome_.measured_steps.push_back(step);
+  if (observer == tag::over) {
+    outcome_.measured.push_back(Outcome::older_than_cap);
+  } else {
+    outcome_.measured.push_back(observer < old_observers_ ? observer : Outcome::born_now);
+  }
+}
+
+/// At the effect of the thread's statement.
+void Firing::measure(int thread) {
+  const int step = state_of(thread).step;
+  if (watch_.kind == Watch::Kind::nothing || !watch_.at[static_cast<std::size_t>(step)]) return;
+  outcome_.passed = true;
+  const std::uint8_t carries = state_of(thread).carries;
+  switch (watch_.kind) {
+    case Watch::Kind::age:
+    case Watch::Kind::sample:
+      if (!watch_.reaction) {
+        if (carries != tag::none) measure_from(carries, step);
+      } else if (tag::newer(carries, state_.reference) && state_.reference != tag::none) {
+        measure_from(state_.reference, step);
+        state_.reference = carries;
+      }
+      return;
+    case Watch::Kind::response:
+      if (carries == tag::none) return;
+      outcome_.measured_steps.push_back(step);
+      outcome_.measured.push_back(pending_origin_[carries]);
+      if (carries != 0) state_.failed = true;  // an older one is still unanswered
+      forget_event(carries);
+      return;
+    case Watch::Kind::interval:
+      if (state_.reference != tag::none) measure_from(state_.reference, step);
+      state_.reference = static_cast<std::uint8_t>(old_observers_);
+      return;
+    default:
+      return;
+  }
+}
+
+void Firing::has_completed(int thread, int code) {
+  if (watch_.kind != Watch::Kind::duration || watch_.code != code) return;
+  outcome_.passed = true;
+  measure_from(state_.reference, state_of(thread).step);
+}
+
+bool Firing::watched_busy() const {
+  return watch_.kind == Watch::Kind::busy && state_.running[static_cast<std::size_t>(watch_.processor)] >= 0;
+}
+
+/// A processor that ends one action and begins another in one event has not paused. If it begins another in a
+/// later one at the same instant the pause may be counted or not: the timer of the pause may come before.
+void Firing::track_busy(bool was_busy) {
+  if (watch_.kind != Watch::Kind::busy) return;
+  const bool busy = !state_.ended && watched_busy();
+  if (was_busy && !busy) {
+    measure_from(state_.reference, -1);
+    if (!state_.ended) start_timer(machine_.pause_timer(), {0, 0});
+  }
+  const bool pauses = !was_busy && state_.reference != tag::none;
+  if (pauses && (busy || state_.ended)) stop_timer(machine_.pause_timer());
+  if (was_busy || !busy) return;
+  outcome_.passed = true;
+  if (!pauses) state_.reference = static_cast<std::uint8_t>(old_observers_);
+}
+
+void Firing::has_read(int thread, int condition) {
+  std::uint8_t& carries = state_of(thread).carries;
+  if (watch_.kind == Watch::Kind::age && watch_.condition == condition) carries = state_.condition_carries;
+  if (watch_.kind == Watch::Kind::sample) {
+    const std::uint8_t known = state_.known[static_cast<std::size_t>(condition)];
+    if (tag::newer(known, carries)) carries = known;
+  }
+}
+
+void Firing::has_set(int thread, int condition) {
+  if (watch_.kind == Watch::Kind::age && watch_.condition == condition) {
+    state_.condition_carries = static_cast<std::uint8_t>(old_observers_);
+  }
+  if (watch_.kind == Watch::Kind::sample) {
+    state_.known[static_cast<std::size_t>(condition)] = state_of(thread).carries;
+  }
+}
+
+/// A message without an event leaves the thread with the one that it has, one with an older sample likewise.
+void Firing::has_taken(int thread, std::uint8_t carries) {
+  std::uint8_t& own = state_of(thread).carries;
+  if (watch_.kind == Watch::Kind::response && carries != tag::none) own = carries;
+  if (watch_.kind == Watch::Kind::sample && tag::newer(carries, own)) own = carries;
+}
+
+std::uint8_t Firing::sent_along(int thread) const {
+  const bool along = watch_.kind == Watch::Kind::response || watch_.kind == Watch::Kind::sample;
+  return along ? state_of(thread).carries : tag::none;
+}
+
+/// What the answer to a request will carry: the event of the request, or a sample that is taken now.
+std::uint8_t Firing::sampled(int request) {
+  if (watch_.kind == Watch::Kind::response) return slot(request).carries;
+  if (watch_.kind != Watch::Kind::sample) return tag::none;
+  if (!watch_.samples[static_cast<std::size_t>(channel_of(request).answer)]) return tag::none;
+  const auto now = static_cast<std::uint8_t>(old_observers_);
+  if (watch_.reaction && state_.reference == tag::none) state_.reference = now;
+  return now;
+}
+
+/// What the message of a device's event carries, if no response to it is awaited.
+std::uint8_t Firing::occurred(int channel) {
+  if (watch_.kind == Watch::Kind::loss && counts_losses(channel_of(channel).sender_device)) return 0;
+  if (watch_.kind == Watch::Kind::sample && watch_.samples[static_cast<std::size_t>(channel)]) {
+    const auto now = static_cast<std::uint8_t>(old_observers_);
+    if (watch_.reaction && state_.reference == tag::none) state_.reference = now;
+    return now;
+  }
+  return tag::none;
+}
+
+/// Whether messages of the channel are what is to be responded to.
+bool Firing::awaits_response(int channel) const {
+  return watch_.kind == Watch::Kind::response && watch_.events[static_cast<std::size_t>(channel)];
+}
+
+/// What such a message carries.
+std::uint8_t Firing::new_event() {
+  if (state_.pending.size() >= most_pending) {
+    outcome_.too_many = true;
+    return tag::none;
+  }
+  state_.pending.push_back(Pending::observed);
+  pending_origin_.push_back(Outcome::born_now);
+  return static_cast<std::uint8_t>(state_.pending.size() - 1);
+}
+
+/// It is answered, or withdrawn: nobody waits for its response any more.
+void Firing::forget_event(std::uint8_t event) {
+  state_.pending.erase(state_.pending.begin() + event);
+  pending_origin_.erase(pending_origin_.begin() + event);
+  const auto move = [event](std::uint8_t& carries) {
+    if (carries == tag::none) return;
+    if (carries == event) {
+      carries = tag::none;
+    } else if (carries > event) {
+      --carries;
+    }
+  };
+  for (ThreadState& thread : state_.threads) move(thread.carries);
+  for (SlotState& of : state_.slots) {
+    move(of.carries);
+    move(of.serving_carries);
+  }
+  for (Due& due : due_) move(due.carries);
+}
+
+}  // namespace pal::analyzer

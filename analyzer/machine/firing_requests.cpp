@@ -1,0 +1,110 @@
+// Requests whose answers are still to come: to whom they belong, and how they are withdrawn.
+#include "analyzer/machine/firing.hpp"
+
+namespace pal::analyzer {
+
+/// Whether the messages of the channel are requests that somebody answers.
+bool Firing::tracked(int channel) const {
+  const Channel& of = channel_of(channel);
+  return of.answer >= 0 && (of.receiver_device < 0 || of.served);
+}
+
+/// A request was put, by a thread or by a device (-1).
+void Firing::ask(int request, int thread) {
+  if (!tracked(request)) return;
+  Asked& asked = slot(request).asked;
+  if (asked.count == Asked::most) {
+    outcome_.too_many = true;
+  } else {
+    asked.push(thread < 0 ? Asked::device : static_cast<std::int8_t>(thread));
+  }
+}
+
+/// Whether the request at place `at` is still in its slot.
+bool Firing::in_slot(int request, int at) const {
+  const SlotState& of = state_.slots[static_cast<std::size_t>(request)];
+  return of.fill != SlotState::Fill::empty && at + 1 == of.asked.count;
+}
+
+/// The place of the request that the next message of the channel answers; -1: it answers none.
+int Firing::answered_next(int answer) const {
+  const int request = channel_of(answer).answers;
+  if (request < 0) return -1;
+  const int at = state_.slots[static_cast<std::size_t>(answer)].answers ? 1 : 0;
+  const Asked& asked = state_.slots[static_cast<std::size_t>(request)].asked;
+  return at < asked.count && !in_slot(request, at) ? at : -1;
+}
+
+/// Whether nobody wants the next message of the channel.
+bool Firing::discards(int answer) const {
+  const int at = answered_next(answer);
+  if (at < 0) return false;
+  const Asked& asked = state_.slots[static_cast<std::size_t>(channel_of(answer).answers)].asked;
+  return asked.by[static_cast<std::size_t>(at)] == Asked::withdrawn;
+}
+
+/// A message that answers a request does not get into its slot.
+void Firing::discard(int answer) {
+  const int at = answered_next(answer);
+  if (at >= 0) slot(channel_of(answer).answers).asked.erase(at);
+}
+
+/// Withdraws the open requests whose owner is meant. admit() is still to be called for the channels that
+/// `freed` gets.
+template <class Meant>
+void Firing::withdraw(int request, Meant meant, std::vector<int>& freed) {
+  Asked& asked = slot(request).asked;
+  const int answer = channel_of(request).answer;
+  // What is asked for from here on, by a sender whose slot becomes free, is not meant.
+  for (int at = asked.count - 1; at >= 0; --at) {
+    std::int8_t& owner = asked.by[static_cast<std::size_t>(at)];
+    if (owner == Asked::withdrawn || !meant(owner)) continue;
+    const bool asking = in_slot(request, at);
+    const bool answered = at == 0 && slot(answer).answers;
+    if (asking || answered) {
+      const int channel = asking ? request : answer;
+      asked.erase(at);
+      drop(channel);
+      freed.push_back(channel);
+    } else {
+      owner = Asked::withdrawn;
+    }
+  }
+}
+
+void Firing::withdraw_all(int request, std::vector<int>& freed) {
+  withdraw(
+      request, [](std::int8_t) { return true; }, freed);
+}
+
+/// What a block that has ended has open is its parent's.
+void Firing::hand_over(int block, int parent) {
+  for (SlotState& of : state_.slots) {
+    for (std::size_t i = 0; i < of.asked.count; ++i) {
+      if (of.asked.by[i] == block) of.asked.by[i] = static_cast<std::int8_t>(parent);
+    }
+  }
+}
+
+/// A stopped thread leaves nothing behind: what it was to take is there for others, what it asked for is not.
+/// admit() is still to be called for the channels that are free now.
+std::vector<int> Firing::abandon(int thread) {
+  const ThreadState& state = state_of(thread);
+  const Step& step = step_of(thread);
+  if (step.kind == Step::Kind::wait && state.choice >= 0) {
+    const int channel = step.channels[static_cast<std::size_t>(state.choice)];
+    if (slot(channel).fill == SlotState::Fill::claimed) {
+      slot(channel).fill = SlotState::Fill::full;
+      const int other = claimed_by(channel);
+      if (other >= 0) queue_later(other);
+    }
+  }
+  std::vector<int> freed;
+  for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+    withdraw(
+        static_cast<int>(c), [thread](std::int8_t owner) { return owner == thread; }, freed);
+  }
+  return freed;
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,288 @@
+// Threads and processors: who runs, who waits its turn, who begins and ends.
+#include <algorithm>
+
+#include "analyzer/machine/firing.hpp"
+
+namespace pal::analyzer {
+
+/// At time 0 every module becomes ready; those that share a queue may come in any order.
+void Firing::begin() {
+  if (watch_.kind == Watch::Kind::age) state_.condition_carries = 0;
+  if (watch_.kind == Watch::Kind::duration || (watch_.kind == Watch::Kind::age && watch_.reaction)) {
+    state_.reference = 0;
+  }
+  for (std::size_t d = 0; d < problem_.devices.size(); ++d) {
+    const auto* frames = std::get_if<pan::FrameDevice>(&problem_.devices[d].behaviour);
+    if (frames == nullptr) continue;
+    state_.devices[d].open = true;
+    const Range first = frames->phase ? Range{frames->phase->count(), frames->phase->count()}
+                                      : Range{0, frames->period.count()};
+    start_timer(machine_.next_timer(static_cast<int>(d)), first);
+  }
+  std::vector<int> modules;
+  for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
+    if (problem_.threads[t].parent < 0) modules.push_back(static_cast<int>(t));
+  }
+  while (!modules.empty()) {
+    const std::vector<std::size_t> rivals = rivals_of_first(modules);
+    const std::size_t chosen = rivals[static_cast<std::size_t>(
+        rivals.size() == 1 ? 0 : choices_.pick(static_cast<int>(rivals.size())))];
+    const int thread = modules[chosen];
+    modules.erase(modules.begin() + static_cast<std::ptrdiff_t>(chosen));
+    state_of(thread).status = Status::ready;
+    reach(thread, thread_of(thread).entry);
+    all_due();
+  }
+  dispatch();
+  track_busy(false);
+  settle();
+}
+
+/// The queues that a thread, or its blocks, comes to as it begins: none if it waits.
+void Firing::first_queues(int thread, std::set<std::pair<int, int>>& queues) const {
+  const Step& entry = problem_.steps[static_cast<std::size_t>(thread_of(thread).entry)];
+  const bool waits = entry.kind == Step::Kind::wait && !(entry.within && *entry.within == 0);
+  if (waits) return;
+  if (entry.kind == Step::Kind::fork) {
+    for (int block : entry.threads) first_queues(block, queues);
+  }
+  // After blocks that are over at once the thread itself goes on.
+  queues.emplace(thread_of(thread).processor, thread_of(thread).priority);
+}
+
+/// Which of `modules` may become ready before the first of them, if that matters to somebody: positions, the
+/// first's too.
+std::vector<std::size_t> Firing::rivals_of_first(const std::vector<int>& modules) const {
+  std::vector<std::set<std::pair<int, int>>> queues(modules.size());
+  for (std::size_t i = 0; i < modules.size(); ++i) first_queues(modules[i], queues[i]);
+  std::set<std::pair<int, int>> shared = queues.front();
+  std::vector<std::size_t> rivals{0};
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (std::size_t i = 1; i < modules.size(); ++i) {
+      if (std::find(rivals.begin(), rivals.end(), i) != rivals.end()) continue;
+      const bool meets = std::any_of(queues[i].begin(), queues[i].end(),
+                                     [&shared](const auto& queue) { return shared.contains(queue); });
+      if (!meets) continue;
+      rivals.push_back(i);
+      shared.insert(queues[i].begin(), queues[i].end());
+      grown = true;
+    }
+  }
+  return rivals;
+}
+
+/// The thread comes to a statement. That needs no processor and is one with what led to it.
+void Firing::reach(int thread, int step) {
+  state_of(thread).step = static_cast<std::int16_t>(step);
+  state_of(thread).begun = false;
+  state_of(thread).choice = ThreadState::no_choice;
+  switch (step_of(thread).kind) {
+    case Step::Kind::end:
+      end(thread);
+      return;
+    case Step::Kind::fork:
+      fork(thread);
+      return;
+    case Step::Kind::wait:
+      reach_wait(thread);
+      return;
+    default:
+      need_processor(thread);
+  }
+}
+
+void Firing::reach_wait(int thread) {
+  const Step& step = step_of(thread);
+  for (int channel : step.channels) {
+    if (channel_of(channel).sender_device >= 0) open_device(channel_of(channel).sender_device);
+  }
+  for (std::size_t i = 0; i < step.channels.size(); ++i) {
+    if (!available(step.channels[i], thread)) continue;
+    slot(step.channels[i]).fill = SlotState::Fill::claimed;
+    state_of(thread).choice = static_cast<std::int8_t>(i);
+    need_processor(thread);
+    return;
+  }
+  if (step.within && *step.within == 0) {
+    state_of(thread).choice = ThreadState::gives_up;
+    emit(Kind::give_up, thread, step.channels.front());
+    need_processor(thread);
+    return;
+  }
+  leave_processor(thread);
+  state_of(thread).status = Status::waiting;
+  emit(Kind::block, thread, step.channels.front());
+  if (step.within) start_timer(machine_.thread_timer(thread), {*step.within, *step.within});
+}
+
+void Firing::fork(int thread) {
+  leave_processor(thread);
+  state_of(thread).status = Status::joining;
+  emit(Kind::block, thread);
+  const std::vector<int>& blocks = step_of(thread).threads;
+  for (int block : blocks) {
+    ThreadState fresh;
+    fresh.status = Status::ready;
+    fresh.carries = state_of(thread).carries;
+    state_of(block) = fresh;
+  }
+  for (int block : blocks) {
+    if (state_of(block).status != Status::off && !state_.ended) reach(block, thread_of(block).entry);
+  }
+}
+
+/// With a new statement: keeps the processor, or queues for it.
+void Firing::need_processor(int thread) {
+  ThreadState& state = state_of(thread);
+  state.begun = false;
+  if (state.status == Status::running) return;
+  state.status = Status::ready;
+  enqueue(thread, false);
+  queued_.push_back(thread);
+}
+
+void Firing::leave_processor(int thread) {
+  if (state_of(thread).status == Status::running) running(thread_of(thread).processor) = -1;
+  dequeue(thread);
+}
+
+void Firing::dequeue(int thread) {
+  std::erase(state_.queue, static_cast<std::int8_t>(thread));
+}
+
+void Firing::enqueue(int thread, bool front) {
+  const Thread& of = thread_of(thread);
+  const auto behind = [&](std::int8_t other) {  // whether `other` stands behind the new one
+    const Thread& o = thread_of(other);
+    if (o.processor != of.processor) return o.processor > of.processor;
+    if (o.priority != of.priority) return o.priority < of.priority;
+    return front;
+  };
+  const auto place = std::find_if(state_.queue.begin(), state_.queue.end(), behind);
+  state_.queue.insert(place, static_cast<std::int8_t>(thread));
+}
+
+void Firing::end(int thread) {
+  leave_processor(thread);
+  ThreadState off;
+  state_of(thread) = off;
+  if (thread_of(thread).parent >= 0) hand_over(thread, thread_of(thread).parent);
+  if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent, false);
+}
+
+/// A block has ended, or was stopped. When all that can end have, the others are cancelled. When all are over
+/// the parent goes on: at once, or, if others may go on because the last one was stopped, before or after
+/// them.
+void Firing::child_ended(int parent, bool stopped) {
+  ThreadState& state = state_of(parent);
+  if (state.status != Status::joining) return;
+  std::vector<int> blocks = step_of(parent).threads;
+  bool alive = false;
+  bool goes_on = false;
+  bool can_end = false;
+  for (int block : blocks) {
+    const bool here = state_of(block).status != Status::off;
+    alive = alive || here;
+    goes_on = goes_on || (here && thread_of(block).can_end);
+    can_end = can_end || thread_of(block).can_end;
+  }
+  if (alive) {
+    if (!state.cancelled && (goes_on || !can_end)) return;
+    std::erase_if(blocks, [this](int block) {
+      return state_of(block).status == Status::off || state_of(block).cancelled;
+    });
+    for (int block : blocks) state_of(block).cancelled = true;
+    // Stopping the last one lets the parent go on, perhaps to blocks that begin: those are not meant.
+    for (int block : blocks) {
+      if (state_of(block).status != Status::off && state_of(block).cancelled) cancel(block);
+    }
+    return;
+  }
+  if (state.cancelled) {
+    state.status = Status::ready;
+    stop(parent);
+  } else if (stopped) {
+    due_.push_back({Due::What::parent, parent});
+  } else {
+    go_on_behind_blocks(parent);
+  }
+}
+
+void Firing::go_on_behind_blocks(int parent) {
+  state_of(parent).status = Status::ready;
+  reach(parent, step_of(parent).next.front());
+}
+
+/// A thread that is cancelled stops, or will when it has finished its statement.
+void Firing::cancel(int thread) {
+  const ThreadState& state = state_of(thread);
+  if (state.status == Status::joining) {
+    child_ended(thread, true);
+    return;
+  }
+  const bool busy = state.begun && (state.status == Status::running || state.status == Status::ready);
+  if (!busy) stop(thread);
+}
+
+void Firing::stop(int thread) {
+  emit(Kind::cancel, thread);
+  const ThreadState before = state_of(thread);
+  const bool limited = before.status == Status::waiting && step_of(thread).within.has_value();
+  if (limited) stop_timer(machine_.thread_timer(thread));
+  leave_processor(thread);
+  state_of(thread).status = Status::off;
+  forget(thread);
+  const std::vector<int> freed = abandon(thread);
+  state_of(thread) = {};
+  for (int channel : freed) admit_later(channel);
+  if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent, true);
+}
+
+void Firing::dispatch() {
+  for (std::size_t p = 0; p < problem_.processors.size(); ++p) dispatch(static_cast<int>(p));
+  for (int thread : queued_) {
+    if (state_of(thread).status == Status::ready && !state_of(thread).begun) emit(Kind::ready, thread);
+  }
+}
+
+void Firing::dispatch(int processor) {
+  int first = -1;
+  for (std::int8_t queued : state_.queue) {
+    if (thread_of(queued).processor == processor) {
+      first = queued;
+      break;
+    }
+  }
+  int current = running(processor);
+  if (current >= 0 && first >= 0 && problem_.processors[static_cast<std::size_t>(processor)].preemptive &&
+      thread_of(first).priority > thread_of(current).priority) {
+    if (state_of(current).begun) {
+      outcome_.changes.push_back({TimerChange::Kind::freeze, machine_.thread_timer(current), {}});
+      emit(Kind::stop, current);
+    } else {
+      queued_.push_back(current);
+    }
+    state_of(current).status = Status::ready;
+    enqueue(current, true);
+    current = -1;
+  }
+  if (current < 0 && first >= 0) {
+    dequeue(first);
+    current = first;
+    state_of(current).status = Status::running;
+    running(processor) = static_cast<std::int8_t>(current);
+    if (state_of(current).begun) {
+      outcome_.changes.push_back({TimerChange::Kind::resume, machine_.thread_timer(current), {}});
+      emit(Kind::start, current);
+      return;
+    }
+  }
+  if (current >= 0 && !state_of(current).begun) {
+    state_of(current).begun = true;
+    start_timer(machine_.thread_timer(current), machine_.cost(state_, current));
+    emit(Kind::start, current);
+  }
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,51 @@
+// What one exploration measures.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "analyzer/problem/problem.hpp"
+
+namespace pal::analyzer {
+
+/// A requirement's measure as the machine follows it. Nothing is watched by default.
+///
+/// Instants that may still count are carried along: by threads (age, sample), by conditions and messages, and
+/// as the one instant from which the next value is measured (the reference of a reaction, interval, duration
+/// or busy period).
+struct Watch {
+  enum class Kind { nothing, age, response, sample, interval, loss, duration, busy };
+  Kind kind = Kind::nothing;
+  bool reaction = false;      // age, sample: what is measured is the reaction
+  int condition = -1;         // age
+  std::vector<bool> events;   // response: by channel
+  std::vector<bool> samples;  // sample: by channel
+  int device = -1;            // loss
+  int in = 1;                 // loss: so many in a row
+  int code = 0;               // duration
+  int processor = -1;         // busy
+  bool least = false;         // interval: the least is asked for
+  Nanoseconds limit = 0;
+  std::vector<bool> at;  // by step
+
+  /// While something is measured the value grows, and one that is never measured is without bound.
+  bool grows() const {
+    return kind == Kind::response || kind == Kind::busy || reaction || (kind == Kind::interval && !least);
+  }
+
+  // By step: where what a thread has read can still count, where a read that can count lies ahead, and where
+  // a statement of `at` does. What does not count any more is forgotten, which keeps the exploration small.
+  std::vector<bool> counts;
+  std::vector<bool> read_ahead;
+  std::vector<bool> live;
+  std::vector<bool> message_counts;    // sample: by channel
+  std::uint64_t condition_counts = 0;  // sample: by bit
+};
+
+/// `processor`: of a busy period; -1: the first of the requirement.
+Watch watch_of(const Problem& problem, const Requirement& requirement, int processor = -1);
+
+/// Whether a test of `step` looks at `condition`.
+bool tests(const Step& step, int condition);
+
+}  // namespace pal::analyzer

@@ -1,0 +1,296 @@
+#include "analyzer/problem/problem.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "analyzer/problem/problem_builder.hpp"
+#include "pal/pan/threads.hpp"
+#include "pal/support/diagnostic_code.hpp"
+
+namespace pal::analyzer {
+
+using namespace pan;
+
+namespace {
+
+constexpr int most_threads = 20'000;
+constexpr int most_conditions = 64;
+constexpr int most_channels = 40'000;
+constexpr int most_explored_threads = 100;
+constexpr int most_explored_channels = 120;
+
+const std::string& party(const Problem& problem, int device, int module) {
+  return device >= 0 ? problem.devices[static_cast<std::size_t>(device)].name
+                     : problem.module_names[static_cast<std::size_t>(module)];
+}
+
+}  // namespace
+
+bool Requirement::is_event(int channel) const {
+  return std::find(events.begin(), events.end(), channel) != events.end();
+}
+
+const std::string& sender_name(const Problem& problem, int channel) {
+  const Channel& of = problem.channels[static_cast<std::size_t>(channel)];
+  return party(problem, of.sender_device, of.sender_module);
+}
+
+const std::string& receiver_name(const Problem& problem, int channel) {
+  const Channel& of = problem.channels[static_cast<std::size_t>(channel)];
+  return party(problem, of.receiver_device, of.receiver_module);
+}
+
+std::optional<Problem> ProblemBuilder::build() {
+  const std::size_t before = diagnostics_.errors();
+  problem_.skill = network_.skill.name;
+  problem_.environment = environment_.name;
+  for (const Completion& completion : network_.skill.completions) {
+    if (completion.kind == Completion::Kind::error) problem_.error_code = completion.code;
+  }
+  for (const Condition& condition : network_.conditions) problem_.conditions.push_back(condition.name);
+  for (const Module& module : network_.modules) problem_.module_names.push_back(module.name);
+  processors();
+  known_names();
+  common_times();
+  channels();
+  devices();
+  compile(network_, *this, sources_, diagnostics_, problem_);
+  latencies();
+  requirements();
+  limits();
+  if (diagnostics_.errors() != before) return std::nullopt;
+  overload();
+  return std::move(problem_);
+}
+
+Range ProblemBuilder::activity(const Activity& activity) {
+  const std::string& module = network_.modules[activity.module.index()].name;
+  const ActivityTime* found = nullptr;
+  for (const ActivityTime& time : environment_.activities) {
+    if (time.activity != activity.name || !(time.module.empty() || time.module == module)) continue;
+    if (found == nullptr || found->module.empty()) found = &time;
+  }
+  if (found != nullptr) return {found->time.best.count(), found->time.worst.count()};
+  if (untimed_.insert(activity.name + " OF " + module).second) {
+    diagnostics_
+        .report(Code::PAL0725, environment_.where,
+                "environment " + environment_.name + " gives activity " + activity.name + " of " + module +
+                    " no time",
+                "add TIME " + activity.name + " OF " + module + " : … to the environment")
+        .notes.push_back({activity.where, "the activity"});
+  }
+  return {};
+}
+
+void ProblemBuilder::place(Thread& thread, int runner) {
+  const Placement* placement = place_of(environment_, thread.name);
+  if (placement == nullptr && runner >= 0) {
+    const Thread& where = problem_.threads[static_cast<std::size_t>(runner)];
+    thread.processor = where.processor;
+    thread.priority = where.priority;
+    return;
+  }
+  if (placement == nullptr) {
+    diagnostics_.report(Code::PAL0721, environment_.where,
+                        "environment " + environment_.name + " places " + thread.name + " nowhere",
+                        "add PLACE " + thread.name + " ON … to the environment");
+    thread.processor = 0;
+    return;
+  }
+  const auto processor = processor_.find(placement->processor);
+  thread.processor = processor == processor_.end() ? 0 : processor->second;
+  thread.priority = placement->priority;
+}
+
+void ProblemBuilder::processors() {
+  for (const Processor& processor : environment_.processors) {
+    const bool added =
+        processor_.emplace(processor.name, static_cast<int>(problem_.processors.size())).second;
+    if (!added) {
+      diagnostics_.report(Code::PAL0711, processor.where, "processor " + processor.name + " is given twice",
+                          "remove one of them");
+      continue;
+    }
+    problem_.processors.push_back(processor);
+  }
+  if (problem_.processors.empty()) {
+    diagnostics_.report(Code::PAL0714, environment_.where,
+                        "environment " + environment_.name + " has no processor", "add PROCESSOR P0");
+  }
+}
+
+/// An environment serves several skills, so it may name modules, devices and activities that this one
+/// lacks; what this one needs and misses is found where it is needed. Nothing may be said twice.
+void ProblemBuilder::known_names() {
+  std::set<std::string> threads;
+  for (const SkillThread& thread : threads_of(network_, most_threads)) {
+    threads.insert(thread.name);
+    // A block may be placed by the end of its name.
+    for (auto slash = thread.name.find('/'); slash != std::string::npos;
+         slash = thread.name.find('/', slash + 1)) {
+      threads.insert(thread.name.substr(slash + 1));
+    }
+  }
+  std::set<std::string> modules;
+  for (const Module& module : network_.modules) {
+    if (module.body.empty()) continue;
+    modules.insert(module.name);
+    if (module.executed_by.valid()) executed_.insert(module.name);
+  }
+  std::set<std::string> placed;
+  for (const Placement& placement : environment_.placements) {
+    if (!processor_.contains(placement.processor)) {
+      diagnostics_.report(Code::PAL0713, placement.where, "there is no processor " + placement.processor,
+                          "add PROCESSOR " + placement.processor);
+    }
+    if (!placed.insert(placement.thread).second) {
+      diagnostics_.report(Code::PAL0711, placement.where,
+                          "the place of " + placement.thread + " is given twice", "remove one of them");
+    }
+    if (executed_.contains(placement.thread)) {
+      diagnostics_
+          .report(Code::PAL0723, placement.where,
+                  placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
+                  "leave the placement out")
+          .fix = {{placement.where, ""}};
+    } else if (modules.contains(module_of_thread(placement.thread)) && !threads.contains(placement.thread)) {
+      diagnostics_.report(
+          Code::PAL0723, placement.where,
+          "skill " + network_.skill.name + " has no block " + placement.thread,
+          placement.thread.find('/') == std::string::npos
+              ? "count the blocks of CONCURRENT in the order of the text, from 1"
+              : "before the / stands a block that executes the module; what a module itself executes has "
+                "no /");
+    }
+  }
+  std::set<std::pair<std::string, std::string>> timed;
+  for (const ActivityTime& time : environment_.activities) {
+    if (!timed.insert({time.activity, time.module}).second) {
+      diagnostics_.report(Code::PAL0711, time.where, "the time of " + time.activity + " is given twice",
+                          "remove one of them");
+    }
+    interval(time.time, time.where, "activity " + time.activity);
+  }
+}
+
+void ProblemBuilder::time(Duration value, SourceSpan where, const std::string& what, bool positive) {
+  if (value.count() < 0) {
+    diagnostics_.report(Code::PAL0701, where, "the time of " + what + " is negative",
+                        "write a time from 0 on");
+  } else if (positive && value.count() == 0) {
+    diagnostics_.report(Code::PAL0708, where, "the time of " + what + " is zero",
+                        "give it a time above zero");
+  } else if (value.count() > longest_time) {
+    diagnostics_.report(Code::PAL0704, where, "the time of " + what + " is too long to reckon with",
+                        "write a time of at most 1000000 s");
+  }
+}
+
+void ProblemBuilder::interval(const Interval& value, SourceSpan where, const std::string& what) {
+  time(value.best, where, what);
+  time(value.worst, where, what);
+  if (value.best > value.worst) {
+    diagnostics_.report(Code::PAL0705, where, "the best time of " + what + " is longer than its worst",
+                        "write the shorter time first");
+  }
+}
+
+void ProblemBuilder::common_times() {
+  const Costs& costs = environment_.costs;
+  interval(costs.send, environment_.where, "a send");
+  interval(costs.receive, environment_.where, "a receive");
+  interval(costs.set, environment_.where, "a set");
+  interval(costs.read, environment_.where, "a read");
+  interval(costs.test, environment_.where, "a test");
+  interval(environment_.latency.within_processor, environment_.where, "a message within a processor");
+  interval(environment_.latency.between_processors, environment_.where, "a message between processors");
+  for (const Module& module : network_.modules) {
+    for (const Node& node : module.body.nodes) {
+      const auto* wait = std::get_if<Wait>(&node.content);
+      if (wait != nullptr && wait->within) time(*wait->within, node.where, "this wait");
+    }
+  }
+}
+
+void ProblemBuilder::channels() {
+  for (const pan::Channel& channel : network_.channels) {
+    Channel made;
+    made.sender_device = device_of(network_, channel.sender);
+    made.receiver_device = device_of(network_, channel.receiver);
+    if (made.sender_device < 0)
+      made.sender_module = static_cast<int>(std::get<ModuleId>(channel.sender).index());
+    if (made.receiver_device < 0) {
+      made.receiver_module = static_cast<int>(std::get<ModuleId>(channel.receiver).index());
+    }
+    if (channel.answer.valid()) made.answer = static_cast<int>(channel.answer.index());
+    made.message = network_.messages[channel.message.index()].name;
+    problem_.channels.push_back(std::move(made));
+  }
+  for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+    const int answer = problem_.channels[c].answer;
+    if (answer >= 0) problem_.channels[static_cast<std::size_t>(answer)].answers = static_cast<int>(c);
+  }
+}
+
+void ProblemBuilder::latencies() {
+  const Interval& within = environment_.latency.within_processor;
+  const Interval& between = environment_.latency.between_processors;
+  problem_.within_processor = {within.best.count(), within.worst.count()};
+  problem_.between_processors = {between.best.count(), between.worst.count()};
+  const std::vector<std::set<int>> takers_of = takers();
+  for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+    const std::set<int>& processors = takers_of[c];
+    problem_.channels[c].receiver_processors.assign(processors.begin(), processors.end());
+  }
+}
+
+/// Steps that a thread can reach, its blocks' steps left out.
+std::vector<std::size_t> ProblemBuilder::steps_of(const Thread& thread) const {
+  std::unordered_set<std::size_t> seen;
+  std::vector<std::size_t> found;
+  std::vector<int> open{thread.entry};
+  while (!open.empty()) {
+    const auto at = static_cast<std::size_t>(open.back());
+    open.pop_back();
+    if (!seen.insert(at).second) continue;
+    found.push_back(at);
+    open.insert(open.end(), problem_.steps[at].next.begin(), problem_.steps[at].next.end());
+  }
+  return found;
+}
+
+std::vector<std::set<int>> ProblemBuilder::takers() const {
+  std::vector<std::set<int>> found(problem_.channels.size());
+  for (const Thread& thread : problem_.threads) {
+    for (std::size_t s : steps_of(thread)) {
+      const Step& step = problem_.steps[s];
+      if (step.kind != Step::Kind::wait) continue;
+      for (int c : step.channels) found[static_cast<std::size_t>(c)].insert(thread.processor);
+    }
+  }
+  return found;
+}
+
+void ProblemBuilder::limits() {
+  const bool fits = static_cast<int>(problem_.threads.size()) <= most_threads &&
+                    static_cast<int>(problem_.conditions.size()) <= most_conditions &&
+                    static_cast<int>(problem_.channels.size()) <= most_channels &&
+                    problem_.steps.size() < most_steps;
+  if (!fits) {
+    diagnostics_.report(Code::PAL0730, network_.skill.where,
+                        "skill " + network_.skill.name + " is too large to analyse",
+                        "it may have 20000 threads, 40000 channels, 64 conditions and 30000 statements");
+  }
+}
+
+std::optional<Problem> make_problem(const Network& network, const Environment& environment,
+                                    Diagnostics& diagnostics, const SourceManager* sources) {
+  return ProblemBuilder(network, environment, diagnostics, sources).build();
+}
+
+bool fits_exploration(const Problem& problem) {
+  return static_cast<int>(problem.threads.size()) <= most_explored_threads &&
+         static_cast<int>(problem.channels.size()) <= most_explored_channels;
+}
+
+}  // namespace pal::analyzer

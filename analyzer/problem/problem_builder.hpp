@@ -1,0 +1,86 @@
+// Building a problem: what the files problem*.cpp share.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "analyzer/problem/compile.hpp"
+
+namespace pal::analyzer {
+
+/// Longer than any cell's figure (eleven days), and short enough that sums along a run stay far from
+/// overflow.
+constexpr Nanoseconds longest_time = 1'000'000'000'000'000;
+
+class ProblemBuilder final : public TimesAndPlaces {
+ public:
+  ProblemBuilder(const pan::Network& network, const pan::Environment& environment, Diagnostics& diagnostics,
+                 const SourceManager* sources)
+      : network_(network), environment_(environment), diagnostics_(diagnostics), sources_(sources) {}
+
+  std::optional<Problem> build();
+
+  const pan::Costs& costs() const override { return environment_.costs; }
+  Range activity(const pan::Activity& activity) override;
+  void place(Thread& thread, int runner) override;
+
+ private:
+  // Names, places and times (problem.cpp).
+  void processors();
+  void known_names();
+  void common_times();
+  void channels();
+  void latencies();
+  std::vector<std::size_t> steps_of(const Thread& thread) const;
+  /// By channel: the processors of the threads that wait for it.
+  std::vector<std::set<int>> takers() const;
+  void limits();
+  void time(Duration value, SourceSpan where, const std::string& what, bool positive = false);
+  void interval(const Interval& value, SourceSpan where, const std::string& what);
+
+  // More work than time (problem_overload.cpp).
+  void overload();
+
+  // The world (problem_devices.cpp).
+  struct World {
+    std::string name;
+    SourceSpan where;
+    bool module;
+  };
+  void devices();
+  void device(const World& thing, int index);
+  void event_device(const pan::EventDevice& event, const pan::DeviceTiming& timing, int index,
+                    std::set<int>& sent, Device& made);
+  void phase(const std::optional<Duration>& value, Duration period, const pan::DeviceTiming& timing,
+             const std::string& device);
+  void served_device(const pan::DeviceTiming& timing, int index, std::set<int>& sent, Device& made);
+
+  // What is required (problem_requirements.cpp).
+  std::vector<bool> steps_at(const std::vector<pan::StatementRef>& at, const pan::Requirement& requirement);
+  void requirements();
+  void require(Requirement made);
+  void demanded_answer(int device);
+  void known(const pan::Known& known, Requirement& made);
+  std::vector<int> processors_named(const std::string& name, const pan::Requirement& requirement);
+  void measure(const pan::Response& response, const pan::Requirement& requirement, Requirement made);
+  void measure(const pan::Age& age, const pan::Requirement& requirement, Requirement made);
+  void measure(const pan::Reaction& reaction, const pan::Requirement& requirement, Requirement made);
+  void measure(const pan::Passes& passes, const pan::Requirement& requirement, Requirement made);
+  void measure(const pan::Loss& loss, const pan::Requirement& requirement, Requirement made);
+  void measure(const pan::Completing& completing, const pan::Requirement& requirement, Requirement made);
+  void measure(const pan::Load& load, const pan::Requirement& requirement, Requirement made);
+  void measure(const pan::BusyPeriod& busy, const pan::Requirement& requirement, Requirement made);
+
+  const pan::Network& network_;
+  const pan::Environment& environment_;
+  Diagnostics& diagnostics_;
+  const SourceManager* sources_;
+  Problem problem_;
+  std::map<std::string, int> processor_;
+  std::set<std::string> executed_;
+  std::set<std::string> untimed_;
+};
+
+}  // namespace pal::analyzer

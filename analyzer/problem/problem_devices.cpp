@@ -1,0 +1,124 @@
+// The world of a problem: devices, and modules without a body, as the environment describes them.
+#include "analyzer/problem/problem_builder.hpp"
+#include "pal/support/diagnostic_code.hpp"
+
+namespace pal::analyzer {
+
+using namespace pan;
+
+void ProblemBuilder::devices() {
+  std::vector<World> world;
+  for (const pan::Device& device : network_.devices) world.push_back({device.name, device.where, false});
+  for (const Module& module : network_.modules) {
+    if (module.body.empty()) world.push_back({module.name, module.where, true});
+  }
+  std::set<std::string> described;
+  for (const DeviceTiming& timing : environment_.devices) {
+    if (!described.insert(timing.device).second) {
+      diagnostics_.report(Code::PAL0711, timing.where, "device " + timing.device + " is given twice",
+                          "remove one of them");
+    }
+  }
+  for (std::size_t d = 0; d < world.size(); ++d) device(world[d], static_cast<int>(d));
+}
+
+void ProblemBuilder::device(const World& thing, int index) {
+  Device made;
+  made.name = thing.name;
+  std::set<int> sent;
+  for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+    if (problem_.channels[c].sender_device == index) sent.insert(static_cast<int>(c));
+  }
+  const DeviceTiming* timing = nullptr;
+  for (const DeviceTiming& each : environment_.devices) {
+    if (each.device == thing.name) timing = &each;
+  }
+  if (timing == nullptr) {
+    if (!sent.empty()) {
+      const std::string what = thing.module ? "module " + thing.name + " has no body, and environment "
+                                            : "device " + thing.name + " sends messages, and environment ";
+      diagnostics_.report(Code::PAL0724, thing.where,
+                          what + environment_.name + " does not say how it behaves",
+                          "add DEVICE " + thing.name + " … to the environment" +
+                              (thing.module ? ", or give the module a body" : ""));
+    }
+    problem_.devices.push_back(std::move(made));
+    return;
+  }
+  if (const auto* event = std::get_if<EventDevice>(&timing->behaviour)) {
+    event_device(*event, *timing, index, sent, made);
+  } else {
+    served_device(*timing, index, sent, made);
+  }
+  for (int c : sent) {
+    diagnostics_.report(Code::PAL0727, timing->where,
+                        thing.name + " never sends " +
+                            problem_.channels[static_cast<std::size_t>(c)].message +
+                            ", which the skill waits for",
+                        "describe " + thing.name + " as a device that sends it, or do not wait for it");
+  }
+  problem_.devices.push_back(std::move(made));
+}
+
+void ProblemBuilder::phase(const std::optional<Duration>& value, Duration period, const DeviceTiming& timing,
+                           const std::string& device) {
+  if (!value) return;
+  time(*value, timing.where, "the phase of " + device);
+  if (*value <= period) return;
+  diagnostics_.report(Code::PAL0709, timing.where, "the phase of " + device + " is longer than its period",
+                      "write the phase within one period");
+}
+
+void ProblemBuilder::event_device(const EventDevice& event, const DeviceTiming& timing, int index,
+                                  std::set<int>& sent, Device& made) {
+  made.behaviour = event;
+  time(event.period, timing.where, "the period of " + made.name, true);
+  time(event.jitter, timing.where, "the jitter of " + made.name);
+  if (event.jitter >= event.period && event.period.count() > 0) {
+    diagnostics_.report(Code::PAL0726, timing.where,
+                        "the jitter of " + made.name + " is not shorter than its period",
+                        "make JITTER shorter than EVERY: a later event does not overtake an earlier one");
+  }
+  phase(event.phase, event.period, timing, made.name);
+  for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+    const Channel& channel = problem_.channels[c];
+    if (channel.sender_device == index && channel.message == event.message) {
+      made.event = static_cast<int>(c);
+      sent.erase(made.event);
+    }
+  }
+  if (made.event < 0) {
+    diagnostics_.report(
+        Code::PAL0727, timing.where,
+        "nothing in skill " + network_.skill.name + " waits for " + event.message + " from " + made.name,
+        "add WTM( " + event.message + " from " + made.name +
+            " ), or name the event that the skill waits for");
+  }
+}
+
+void ProblemBuilder::served_device(const DeviceTiming& timing, int index, std::set<int>& sent, Device& made) {
+  if (const auto* request = std::get_if<RequestDevice>(&timing.behaviour)) {
+    made.behaviour = *request;
+    interval(request->answer, timing.where, "an answer of " + made.name);
+  } else {
+    const auto& frames = std::get<FrameDevice>(timing.behaviour);
+    made.behaviour = frames;
+    time(frames.period, timing.where, "the period of " + made.name, true);
+    time(frames.collecting, timing.where, "collecting a frame of " + made.name);
+    if (frames.collecting > frames.period) {
+      diagnostics_.report(Code::PAL0710, timing.where,
+                          made.name + " collects a frame for longer than its period",
+                          "make COLLECTING at most EVERY");
+    }
+    phase(frames.phase, frames.period, timing, made.name);
+  }
+  for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+    Channel& channel = problem_.channels[c];
+    if (channel.receiver_device != index || channel.answer < 0) continue;
+    channel.served = true;
+    made.requests.push_back(static_cast<int>(c));
+    sent.erase(channel.answer);
+  }
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,108 @@
+// Processors that have more to do for the events of the world than there is time.
+#include <algorithm>
+#include <functional>
+#include <queue>
+
+#include "analyzer/problem/problem_builder.hpp"
+#include "pal/support/diagnostic_code.hpp"
+
+namespace pal::analyzer {
+namespace {
+
+__extension__ using Wide = __int128;
+constexpr Wide most_asked = 1'000'000'000;  // millionths: a thousand times the time that there is
+
+/// By channel: whether it brings the events of a device.
+std::vector<bool> event_channels(const Problem& problem) {
+  std::vector<bool> events(problem.channels.size());
+  for (const Device& device : problem.devices) {
+    const bool sends = std::holds_alternative<pan::EventDevice>(device.behaviour) && device.event >= 0;
+    if (sends) events[static_cast<std::size_t>(device.event)] = true;
+  }
+  return events;
+}
+
+/// The least processor time, if each action takes its worst, from taking an event at `wait` until one is
+/// waited for again, this or another; nothing if the thread never waits for one again. E. W. Dijkstra, A note
+/// on two problems in connexion with graphs, 1959.
+std::optional<Nanoseconds> least_round(const Problem& problem, const std::vector<bool>& events,
+                                       const Step& wait, std::size_t branch) {
+  using Reached = std::pair<Nanoseconds, int>;
+  std::vector<bool> done(problem.steps.size());
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
+  open.push({wait.cost.worst, wait.next[branch]});
+  while (!open.empty()) {
+    const auto [work, at] = open.top();
+    open.pop();
+    const Step& step = problem.steps[static_cast<std::size_t>(at)];
+    const bool waits = step.kind == Step::Kind::wait;
+    const bool again = waits && std::any_of(step.channels.begin(), step.channels.end(),
+                                            [&events](int c) { return events[static_cast<std::size_t>(c)]; });
+    if (again) return work;
+    if (done[static_cast<std::size_t>(at)]) continue;
+    done[static_cast<std::size_t>(at)] = true;
+    for (std::size_t n = 0; n < step.next.size(); ++n) {
+      const bool gives_up = waits && n >= step.channels.size();
+      open.push({work + (gives_up ? step.give_up_cost.worst : step.cost.worst), step.next[n]});
+    }
+  }
+  return std::nullopt;
+}
+
+/// Who takes the events of a channel, and the least that it has to do for one.
+struct Taker {
+  const Thread* thread = nullptr;
+  bool alone = true;
+  std::optional<Nanoseconds> round;
+};
+
+std::string percent(Nanoseconds millionths) {
+  return std::to_string(millionths / 10'000) + "." + std::to_string(millionths / 1'000 % 10) + " %";
+}
+
+}  // namespace
+
+void ProblemBuilder::overload() {
+  const std::vector<bool> events = event_channels(problem_);
+  std::vector<Taker> takers(problem_.channels.size());
+  for (const Thread& thread : problem_.threads) {
+    for (const std::size_t s : steps_of(thread)) {
+      const Step& step = problem_.steps[s];
+      for (std::size_t i = 0; step.kind == Step::Kind::wait && i < step.channels.size(); ++i) {
+        const auto channel = static_cast<std::size_t>(step.channels[i]);
+        if (!events[channel]) continue;
+        Taker& taker = takers[channel];
+        taker.alone = taker.alone && (taker.thread == nullptr || taker.thread == &thread);
+        taker.thread = &thread;
+        const auto round = least_round(problem_, events, step, i);
+        if (round && (!taker.round || *round < *taker.round)) taker.round = round;
+      }
+    }
+  }
+  std::vector<Nanoseconds> asked(problem_.processors.size());  // millionths of the time
+  std::vector<std::string> by(problem_.processors.size());
+  for (const Device& device : problem_.devices) {
+    const auto* event = std::get_if<pan::EventDevice>(&device.behaviour);
+    if (event == nullptr || device.event < 0) continue;
+    const Taker& taker = takers[static_cast<std::size_t>(device.event)];
+    // Which of several threads takes how many events is open.
+    if (!taker.alone || !taker.round || *taker.round == 0) continue;
+    const Wide share = static_cast<Wide>(*taker.round) * 1'000'000 / event->period.count();
+    const auto part = static_cast<Nanoseconds>(std::min(share, most_asked));
+    const auto processor = static_cast<std::size_t>(taker.thread->processor);
+    asked[processor] += part;
+    by[processor] += (by[processor].empty() ? "" : ", ") + taker.thread->name + " " + percent(part) +
+                     " for " + problem_.channels[static_cast<std::size_t>(device.event)].message;
+  }
+  for (std::size_t p = 0; p < asked.size(); ++p) {
+    if (asked[p] <= 1'000'000) continue;
+    const pan::Processor& processor = problem_.processors[p];
+    diagnostics_.report(
+        Code::PAL0820, processor.where,
+        "processor " + processor.name + " has more to do than time when events come as often as they may: " +
+            percent(asked[p]) + " (" + by[p] + ")",
+        "move one of them to another processor, shorten its work, or let its events come less often");
+  }
+}
+
+}  // namespace pal::analyzer

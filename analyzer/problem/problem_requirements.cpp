@@ -1,0 +1,184 @@
+// What is required of a problem.
+#include "analyzer/problem/problem_builder.hpp"
+#include "pal/support/diagnostic_code.hpp"
+
+namespace pal::analyzer {
+
+using namespace pan;
+
+std::vector<bool> ProblemBuilder::steps_at(const std::vector<StatementRef>& at,
+                                           const pan::Requirement& requirement) {
+  std::vector<bool> steps(problem_.steps.size());
+  bool any = false;
+  for (const StatementRef& ref : at) {
+    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+      const int statement = problem_.steps[s].statement;
+      if (statement < 0) continue;
+      const Statement& known = problem_.statements[static_cast<std::size_t>(statement)];
+      if (known.source_module == ref.module.value && known.source_node == ref.node.value)
+        steps[s] = any = true;
+    }
+  }
+  if (!any) {
+    diagnostics_.report(
+        Code::PAL0811, requirement.where,
+        "requirement " + requirement.name + " is about a statement that no thread ever reaches",
+        "name a statement that can be reached, or make a way to this one");
+  }
+  return steps;
+}
+
+void ProblemBuilder::requirements() {
+  for (const pan::Requirement& requirement : network_.requirements) {
+    Requirement made;
+    made.name = requirement.name;
+    made.limit = requirement.limit.count();
+    made.where = requirement.where;
+    std::visit([&](const auto& each) { measure(each, requirement, std::move(made)); }, requirement.measure);
+  }
+  for (std::size_t d = 0; d < problem_.devices.size(); ++d) demanded_answer(static_cast<int>(d));
+}
+
+void ProblemBuilder::require(Requirement made) {
+  time(Duration(made.limit), made.where, "the limit of " + made.name);
+  problem_.requirements.push_back(std::move(made));
+}
+
+void ProblemBuilder::measure(const Response& response, const pan::Requirement& requirement,
+                             Requirement made) {
+  made.measure = Requirement::Measure::response;
+  for (const ChannelId channel : response.of) {
+    made.events.push_back(static_cast<int>(channel.index()));
+    made.device = problem_.channels[channel.index()].sender_device;
+  }
+  made.at = steps_at(response.at, requirement);
+  require(std::move(made));
+}
+
+void ProblemBuilder::known(const Known& known, Requirement& made) {
+  if (const auto* condition = std::get_if<ConditionId>(&known)) {
+    made.condition = static_cast<int>(condition->index());
+    return;
+  }
+  for (const ChannelId channel : std::get<std::vector<ChannelId>>(known)) {
+    made.samples.push_back(static_cast<int>(channel.index()));
+    made.device = problem_.channels[channel.index()].sender_device;
+  }
+}
+
+void ProblemBuilder::measure(const Age& age, const pan::Requirement& requirement, Requirement made) {
+  made.measure = Requirement::Measure::age;
+  known(age.of, made);
+  made.at = steps_at(age.at, requirement);
+  require(std::move(made));
+}
+
+void ProblemBuilder::measure(const Reaction& reaction, const pan::Requirement& requirement,
+                             Requirement made) {
+  made.measure = Requirement::Measure::reaction;
+  known(reaction.of, made);
+  made.at = steps_at(reaction.at, requirement);
+  require(std::move(made));
+}
+
+/// A requirement with two limits is two: each has its own bound and its own run.
+void ProblemBuilder::measure(const Passes& passes, const pan::Requirement& requirement, Requirement made) {
+  made.measure = Requirement::Measure::interval;
+  made.at = steps_at(passes.at, requirement);
+  const bool both = passes.least && passes.most;
+  if (passes.least) {
+    Requirement least = made;
+    least.at_least = true;
+    least.limit = passes.least->count();
+    if (both) least.name += ".least";
+    require(std::move(least));
+  }
+  if (!passes.most) return;
+  made.limit = passes.most->count();
+  if (both) made.name += ".most";
+  require(std::move(made));
+}
+
+void ProblemBuilder::measure(const Loss& loss, const pan::Requirement& requirement, Requirement made) {
+  made.measure = Requirement::Measure::loss;
+  made.device = device_of(network_, loss.of);
+  made.limit = loss.most;
+  made.in = loss.in;
+  const Device& device = problem_.devices[static_cast<std::size_t>(made.device)];
+  if (device.event < 0 && device.requests.empty()) {
+    diagnostics_.report(Code::PAL0818, requirement.where,
+                        device.name + " sends nothing to this skill that could be lost",
+                        "name a device that the skill takes messages from");
+  }
+  require(std::move(made));
+}
+
+void ProblemBuilder::measure(const Completing& completing, const pan::Requirement&, Requirement made) {
+  made.measure = Requirement::Measure::duration;
+  made.code = completing.code;
+  require(std::move(made));
+}
+
+std::vector<int> ProblemBuilder::processors_named(const std::string& name,
+                                                  const pan::Requirement& requirement) {
+  std::vector<int> found;
+  for (std::size_t p = 0; p < problem_.processors.size(); ++p) {
+    if (name.empty() || name == problem_.processors[p].name) found.push_back(static_cast<int>(p));
+  }
+  if (found.empty()) {
+    diagnostics_.report(Code::PAL0813, requirement.where,
+                        "environment " + environment_.name + " has no processor " + name,
+                        "name one that it has, or write LOAD OF EACH PROCESSOR");
+  }
+  return found;
+}
+
+void ProblemBuilder::measure(const Load& load, const pan::Requirement& requirement, Requirement made) {
+  made.measure = Requirement::Measure::load;
+  made.processors = processors_named(load.processor, requirement);
+  require(std::move(made));
+}
+
+void ProblemBuilder::measure(const BusyPeriod& busy, const pan::Requirement& requirement, Requirement made) {
+  made.measure = Requirement::Measure::busy;
+  made.processors = processors_named(busy.processor, requirement);
+  require(std::move(made));
+}
+
+/// What an event device demands of whoever takes its events is a requirement like the skill's own.
+void ProblemBuilder::demanded_answer(int d) {
+  const Device& device = problem_.devices[static_cast<std::size_t>(d)];
+  const auto* event = std::get_if<EventDevice>(&device.behaviour);
+  if (event == nullptr || event->answer.empty() || device.event < 0) return;
+  SourceSpan where;
+  for (const DeviceTiming& timing : environment_.devices) {
+    if (timing.device == device.name) where = timing.where;
+  }
+  Requirement made;
+  made.name = device.name + ".answer";
+  made.measure = Requirement::Measure::response;
+  made.events = {device.event};
+  made.device = d;
+  made.where = where;
+  made.at.assign(problem_.steps.size(), false);
+  bool any = false;
+  for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+    const Step& step = problem_.steps[s];
+    if (step.kind != Step::Kind::send) continue;
+    const Channel& channel = problem_.channels[static_cast<std::size_t>(step.channels.front())];
+    if (channel.receiver_device == d && channel.message == event->answer) made.at[s] = any = true;
+  }
+  if (!any) {
+    diagnostics_.report(
+        Code::PAL0727, where,
+        "nothing in skill " + network_.skill.name + " sends " + event->answer + " to " + device.name,
+        "add TXM( " + event->answer + " to " + device.name + " ), or name the answer that the skill sends");
+    return;
+  }
+  if (!event->answer_within) return;
+  time(*event->answer_within, where, "an answer to " + device.name);
+  made.limit = event->answer_within->count();
+  problem_.requirements.push_back(std::move(made));
+}
+
+}  // namespace pal::analyzer

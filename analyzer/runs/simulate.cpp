@@ -1,0 +1,184 @@
+#include "analyzer/runs/simulate.hpp"
+
+#include <algorithm>
+#include <random>
+#include <utility>
+
+namespace pal::analyzer {
+namespace {
+
+/// Draws, and remembers what it drew for the firing at hand.
+class Dice final : public Choices {
+ public:
+  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+
+  int pick(int n) override {
+    const int picked = drawn(n);
+    picks_.push_back(static_cast<std::uint8_t>(picked));
+    return picked;
+  }
+  int drawn(int n) { return static_cast<int>(below(static_cast<std::uint64_t>(n))); }
+  std::uint64_t below(std::uint64_t n) { return engine_() % n; }
+
+  std::vector<std::uint8_t> take_picks() { return std::exchange(picks_, {}); }
+
+ private:
+  std::mt19937_64 engine_;
+  std::vector<std::uint8_t> picks_;
+};
+
+/// A sporadic event may wait for ever; here for up to 17 s longer than it must, all orders of magnitude
+/// alike.
+Nanoseconds sporadic(const Range& range, SimulationOptions::Times times, Dice& dice) {
+  if (times == SimulationOptions::Times::best) return range.best;
+  return range.best + static_cast<Nanoseconds>(dice.below(std::uint64_t{1} << dice.below(35)));
+}
+
+Nanoseconds duration(const Range& range, SimulationOptions::Times times, Dice& dice) {
+  if (range.worst >= Range::unbounded) return sporadic(range, times, dice);
+  switch (times) {
+    case SimulationOptions::Times::worst:
+      return range.worst;
+    case SimulationOptions::Times::best:
+      return range.best;
+    case SimulationOptions::Times::extremes:
+      return dice.drawn(2) == 0 ? range.best : range.worst;
+    case SimulationOptions::Times::random:
+      return range.best +
+             static_cast<Nanoseconds>(dice.below(static_cast<std::uint64_t>(range.worst - range.best) + 1));
+  }
+  return range.best;
+}
+
+class Run {
+ public:
+  Run(const Machine& machine, const SimulationOptions& options)
+      : machine_(machine),
+        options_(options),
+        dice_(options.seed),
+        clockwork_(machine, options.record),
+        phases_(options.phases) {}
+
+  Simulation make() {
+    begin();
+    while (made_.script.size() < options_.max_events && !over() && go_on()) draw_durations();
+    made_.ended = clockwork_.state().ended;
+    made_.failed = clockwork_.state().failed;
+    made_.measured = clockwork_.measured();
+    for (std::size_t o = 0; o < clockwork_.births().size(); ++o) {
+      if (!grows(clockwork_.state(), machine_.watch(), static_cast<int>(o))) continue;
+      made_.grown = std::max(made_.grown, clockwork_.now() - clockwork_.births()[o]);
+    }
+    if (options_.record) made_.trace = clockwork_.trace();
+    return std::move(made_);
+  }
+
+ private:
+  bool over() const { return clockwork_.state().ended || clockwork_.state().failed; }
+
+  Clockwork::Timer& timer(int index) { return clockwork_.timers()[static_cast<std::size_t>(index)]; }
+
+  void begin() {
+    if (options_.beginning.empty()) {
+      clockwork_.begin(dice_);
+      note(-1, 0, dice_.take_picks());
+      return draw_durations();
+    }
+    ScriptedChoices first(options_.beginning.front().choices);
+    clockwork_.begin(first);
+    note(-1, 0, options_.beginning.front().choices);
+    for (std::size_t k = 1; k < options_.beginning.size() && !over(); ++k) {
+      if (!follow(options_.beginning[k])) break;
+    }
+    for (Clockwork::Timer& each : clockwork_.timers()) {
+      if (!each.active) continue;
+      const Nanoseconds worked = clockwork_.worked(index_of(each), clockwork_.now());
+      each.duration = duration({std::max(each.range.best, worked), each.range.worst}, options_.times, dice_);
+    }
+  }
+
+  int index_of(const Clockwork::Timer& of) { return static_cast<int>(&of - clockwork_.timers().data()); }
+
+  /// False: it cannot fire so.
+  bool follow(const ScriptedFiring& firing) {
+    const Clockwork::Timer& fired = timer(firing.timer);
+    if (!fired.active || fired.frozen || firing.at < clockwork_.now()) return false;
+    for (const Clockwork::Timer& each : clockwork_.timers()) {
+      if (each.active && !each.frozen && clockwork_.worked(index_of(each), firing.at) > each.range.worst)
+        return false;
+    }
+    if (clockwork_.worked(firing.timer, firing.at) < fired.range.best) return false;
+    ScriptedChoices choices(firing.choices);
+    if (!clockwork_.fire(firing.timer, firing.at, choices)) return false;
+    note(firing.timer, firing.at, firing.choices);
+    return true;
+  }
+
+  void draw_durations() {
+    for (int started : clockwork_.started()) {
+      Clockwork::Timer& each = timer(started);
+      each.duration = duration(each.range, options_.times, dice_);
+      if (const Nanoseconds phase = take_phase(started); phase >= 0)
+        each.duration = std::clamp(phase, each.range.best, each.range.worst);
+    }
+  }
+
+  /// The instant of the first event or frame of the device whose timer it is, the first time; else -1.
+  Nanoseconds take_phase(int started) {
+    if (started < machine_.next_timer(0) || started == machine_.pause_timer() || phases_.empty()) return -1;
+    const int device = (started - machine_.next_timer(0)) / 2;
+    if (started != machine_.next_timer(device)) return -1;
+    return std::exchange(phases_[static_cast<std::size_t>(device)], -1);
+  }
+
+  /// Fires one of the timers that are due first. False: the run is at its end.
+  bool go_on() {
+    std::vector<int> first;
+    Nanoseconds least = Range::unbounded;
+    for (std::size_t t = 0; t < clockwork_.timers().size(); ++t) {
+      const Clockwork::Timer& each = clockwork_.timers()[t];
+      if (!each.active || each.frozen) continue;
+      const Nanoseconds left = each.duration - clockwork_.worked(static_cast<int>(t), clockwork_.now());
+      if (left < least) first.clear();
+      if (left <= least) first.push_back(static_cast<int>(t));
+      least = std::min(least, left);
+    }
+    const Nanoseconds at = clockwork_.now() + least;
+    if (first.empty() || at > options_.until) {
+      made_.end = options_.until;
+      return false;
+    }
+    while (!first.empty()) {
+      const auto chosen = first.begin() + dice_.drawn(static_cast<int>(first.size()));
+      dice_.take_picks();
+      if (clockwork_.fire(*chosen, at, dice_)) {
+        note(*chosen, at, dice_.take_picks());
+        return true;
+      }
+      if (clockwork_.outgrown()) return false;
+      first.erase(chosen);
+    }
+    return false;
+  }
+
+  void note(int fired, Nanoseconds at, std::vector<std::uint8_t> choices) {
+    made_.script.push_back({fired, std::move(choices), at});
+    made_.measured_after.resize(clockwork_.measured().size(), made_.script.size());
+    made_.end = at;
+  }
+
+  const Machine& machine_;
+  const SimulationOptions& options_;
+  Dice dice_;
+  Clockwork clockwork_;
+  std::vector<Nanoseconds> phases_;  // -1: drawn, or over
+  Simulation made_;
+};
+
+}  // namespace
+
+Simulation simulate(const Machine& machine, const SimulationOptions& options) {
+  return Run(machine, options).make();
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,42 @@
+// One run of a skill, with times and outcomes drawn by seed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "analyzer/runs/clockwork.hpp"
+
+namespace pal::analyzer {
+
+struct SimulationOptions {
+  /// extremes: each time is its best or its worst, by chance. What the skill leaves open (outcomes of
+  /// conditions, orders at one instant) is drawn by seed in any case.
+  enum class Times { worst, best, random, extremes };
+  Times times = Times::worst;
+  std::uint64_t seed = 1;
+  Nanoseconds until = 1'000'000'000;
+  std::size_t max_events = 1'000'000;
+  bool record = true;
+  /// By device, where not empty: the instant of its first event or frame, counted from its opening; -1:
+  /// drawn.
+  std::vector<Nanoseconds> phases;
+  /// The run begins so; what follows is drawn. Scripted firings that cannot be end the beginning.
+  std::vector<ScriptedFiring> beginning;
+};
+
+struct Simulation {
+  trace::Trace trace;
+  std::vector<Measurement> measured;
+  std::vector<ScriptedFiring> script;       // what fired: replay() makes the same run
+  std::vector<std::size_t> measured_after;  // each of `measured`: so many firings
+  bool ended = false;                       // the skill did
+  bool failed = false;                      // an event of what is watched can have no response
+  Nanoseconds end = 0;                      // all that happens up to then is known
+  Nanoseconds grown = 0;                    // the greatest value that still grows at the end
+};
+
+/// The same options give the same run.
+Simulation simulate(const Machine& machine, const SimulationOptions& options);
+
+}  // namespace pal::analyzer

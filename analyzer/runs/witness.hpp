@@ -1,0 +1,52 @@
+// From a path through the zone graph to a run with whole times, replayed to be sure.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analyzer/runs/clockwork.hpp"
+#include "analyzer/zones/zone_graph.hpp"
+#include "runtime/trace/trace.hpp"
+
+namespace pal::analyzer {
+
+/// A run that can be replayed step by step, and what it shows.
+struct Witness {
+  std::vector<ScriptedFiring> script;
+  trace::Trace trace;
+  Measurement measured;  // value, born, at, step
+  bool failed = false;   // the run ends with an event that has no response
+  bool grows =
+      false;  // nothing is measured: the value has grown so far at the end of the run, and still does
+};
+
+/// Runs `script` in the concrete domain. Nothing, if some timer would fire too early, too late or in the
+/// wrong state. `growing`: what is asked for is what has not been measured at the end.
+std::optional<Witness> replay(const Machine& machine, const std::vector<ScriptedFiring>& script,
+                              bool growing = false);
+
+/// A run to the class `target` of `graph` at whose end the timers given have exactly that much time left.
+/// Nothing, if there is none along the class's path.
+std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, const ZoneGraph& graph,
+                                                     int target,
+                                                     const std::vector<std::pair<int, Nanoseconds>>& left);
+
+/// A run to class `stuck` of `graph`, in which nothing happens any more while what is watched grows; it lasts
+/// until the value is `value`.
+std::optional<Witness> stuck_witness(const Machine& machine, const ZoneGraph& graph, int stuck,
+                                     Nanoseconds value);
+
+/// The run that fires as `path` does, at other times, in which what its end measures is greatest (or least,
+/// if that is watched); any times, if nothing is `measured`. `growing`: the observer whose value is asked for
+/// instead. Nothing, if there is none, or none was confirmed by replay. The path may come from another
+/// problem. `quick`: where actions whose time is not fixed preempt others, they take their worst time, and no
+/// other times are looked for.
+std::optional<Witness> witness_along(const Machine& machine, std::vector<ScriptedFiring> path, bool measured,
+                                     int growing = -1, bool quick = false);
+
+/// The run along the path to `peak` in which the measured value is greatest (or least, if that is watched).
+/// Nothing, if none was confirmed by replay.
+std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak,
+                                  bool quick = false);
+
+}  // namespace pal::analyzer

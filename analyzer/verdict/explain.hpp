@@ -1,0 +1,24 @@
+// Why a bound is what it is, read off its witness.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analyzer/verdict/verdict.hpp"
+
+namespace pal::analyzer {
+
+/// A verdict in words. `verdict.witness` and `verdict.reasons` stand already.
+std::string explanation(const Problem& problem, const Requirement& requirement, const Verdict& verdict);
+
+/// Why nothing is measured in any run. `passed`: what is watched does happen.
+std::string nothing_measured(const Requirement& requirement, bool passed);
+
+/// A story that is short enough to be read: of a long one the first and the last pieces, and between them one
+/// that says how many there are more and takes as long as they do.
+std::vector<Reason> abridged(const std::vector<Reason>& reasons);
+
+/// "27.95 ms", exact.
+std::string milliseconds(Nanoseconds time);
+
+}  // namespace pal::analyzer

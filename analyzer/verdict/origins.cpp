@@ -1,0 +1,148 @@
+#include "analyzer/verdict/origins.hpp"
+
+#include <algorithm>
+
+namespace pal::analyzer {
+
+using trace::Kind;
+
+Origins::Origins(const Problem& problem, const Requirement& requirement, const trace::Trace& run)
+    : problem_(problem),
+      requirement_(requirement),
+      run_(run),
+      threads_(problem.threads.size()),
+      reads_(problem.threads.size()),
+      requests_(problem.channels.size()),
+      conditions_(problem.conditions.size()),
+      sets_(problem.conditions.size()) {
+  if (requirement.condition >= 0) conditions_[static_cast<std::size_t>(requirement.condition)].number = 0;
+  for (std::size_t e = 0; e < run.events.size(); ++e) follow(e);
+}
+
+bool Origins::is_source(int channel) const {
+  const std::vector<int>& samples = requirement_.samples;
+  return requirement_.is_event(channel) ||
+         std::find(samples.begin(), samples.end(), channel) != samples.end();
+}
+
+Origin Origins::birth(std::size_t event) {
+  births_.push_back({run_.events[event].time_ns, event, static_cast<int>(births_.size()) + 1});
+  return births_.back();
+}
+
+const Origin& Origins::known(int thread) const {
+  static const Origin nothing;
+  const std::vector<Gained>& all = threads_[static_cast<std::size_t>(thread)];
+  return all.empty() ? nothing : all.back().what;
+}
+
+void Origins::gain(int thread, std::size_t event, const Origin& what) {
+  const bool of_samples = !requirement_.samples.empty();
+  if (what.number < 0 || (of_samples && what.number <= known(thread).number)) return;
+  threads_[static_cast<std::size_t>(thread)].push_back({event, what});
+}
+
+void Origins::follow(std::size_t index) {
+  const trace::Event& event = run_.events[index];
+  const int threads = static_cast<int>(problem_.threads.size());
+  const bool device = event.actor >= threads;
+  const std::pair<int, int> message{event.subject, event.value};
+  switch (event.kind) {
+    case Kind::block: {
+      // The blocks of a CONCURRENT begin with what their parent has.
+      const bool forks = event.subject < 0 && event.actor >= 0 && !device;
+      for (int block = 0; forks && block < threads; ++block) {
+        if (problem_.threads[static_cast<std::size_t>(block)].parent != event.actor) continue;
+        threads_[static_cast<std::size_t>(block)].push_back({index, known(event.actor)});
+        reads_[static_cast<std::size_t>(block)] = reads_[static_cast<std::size_t>(event.actor)];
+      }
+      return;
+    }
+    case Kind::put: {
+      puts_[message] = index;
+      const int request = problem_.channels[static_cast<std::size_t>(event.subject)].answers;
+      // A sample that answers a request is born when the device takes that.
+      const bool served = device && request >= 0;
+      const Origin asked_by = served ? answered(request) : Origin{};
+      const bool born_now = is_source(event.subject) && !(served && requirement_.events.empty());
+      messages_[message] = born_now ? birth(index) : device ? asked_by : known(event.actor);
+      return;
+    }
+    case Kind::overrun:
+    case Kind::drop: {
+      // An answer that nobody gets answers its request all the same.
+      const int request = problem_.channels[static_cast<std::size_t>(event.subject)].answers;
+      if (device && request >= 0) answered(request);
+      return;
+    }
+    case Kind::take: {
+      const Origin carried = messages_[message];
+      if (!device) {
+        if (puts_.contains(message)) put_of_[index] = puts_[message];
+        // What a thread has read of a condition stays with it: a message tells only why it went on no sooner.
+        const bool reads = requirement_.condition >= 0 && reads_[static_cast<std::size_t>(event.actor)];
+        if (!reads || carried.number == known(event.actor).number) gain(event.actor, index, carried);
+        return;
+      }
+      const int answer = problem_.channels[static_cast<std::size_t>(event.subject)].answer;
+      const bool sample = answer >= 0 && !requirement_.samples.empty() && is_source(answer);
+      requests_[static_cast<std::size_t>(event.subject)].push_back(sample ? birth(index)
+                                                                   : !requirement_.events.empty() ? carried
+                                                                                                  : Origin{});
+      return;
+    }
+    case Kind::set: {
+      const auto condition = static_cast<std::size_t>(event.subject);
+      sets_[condition] = index;
+      if (event.subject == requirement_.condition) conditions_[condition] = birth(index);
+      if (!requirement_.samples.empty()) conditions_[condition] = known(event.actor);
+      return;
+    }
+    case Kind::read: {
+      const auto condition = static_cast<std::size_t>(event.subject);
+      set_of_[index] = sets_[condition];
+      const bool watched = event.subject == requirement_.condition || !requirement_.samples.empty();
+      if (watched) gain(event.actor, index, conditions_[condition]);
+      if (event.subject == requirement_.condition) reads_[static_cast<std::size_t>(event.actor)] = true;
+      return;
+    }
+    default:
+      return;
+  }
+}
+
+Origin Origins::answered(int request) {
+  std::deque<Origin>& taken = requests_[static_cast<std::size_t>(request)];
+  if (taken.empty()) return {};
+  const Origin oldest = taken.front();
+  taken.pop_front();
+  return oldest;
+}
+
+std::optional<Gained> Origins::gained(int thread, std::size_t before) const {
+  const std::vector<Gained>& all = threads_[static_cast<std::size_t>(thread)];
+  for (std::size_t i = all.size(); i-- > 0;) {
+    if (all[i].event > before) continue;
+    return all[i].what.number < 0 ? std::nullopt : std::optional(all[i]);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> Origins::put_of(std::size_t take) const {
+  const auto found = put_of_.find(take);
+  return found == put_of_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<std::size_t> Origins::set_of(std::size_t read) const {
+  const auto found = set_of_.find(read);
+  return found == set_of_.end() ? std::nullopt : found->second;
+}
+
+std::optional<Origin> Origins::next_birth(Nanoseconds born) const {
+  for (const Origin& each : births_) {
+    if (each.born > born) return each;
+  }
+  return std::nullopt;
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,73 @@
+// Where what a thread knows came from: for ages, reactions and responses.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "analyzer/problem/problem.hpp"
+#include "runtime/trace/trace.hpp"
+
+namespace pal::analyzer {
+
+/// A thing that is carried along: when it was born, and by which event of the run.
+struct Origin {
+  Nanoseconds born = 0;
+  std::size_t event = 0;
+  int number = -1;  // in the order of birth; -1: nothing
+};
+
+/// What one thread got when, and by which event: a take, a read, or the beginning as a block.
+struct Gained {
+  std::size_t event = 0;
+  Origin what;
+};
+
+/// Follows a run and keeps, of a requirement's event, sample or condition, who knew which one since when.
+class Origins {
+ public:
+  Origins(const Problem& problem, const Requirement& requirement, const trace::Trace& run);
+
+  /// What `thread` had last got before the event with index `before`; nothing, if it had nothing.
+  std::optional<Gained> gained(int thread, std::size_t before) const;
+  /// The put of the message that event `take` takes.
+  std::optional<std::size_t> put_of(std::size_t take) const;
+  /// The set whose value event `read` reads; nothing: it dates from the start.
+  std::optional<std::size_t> set_of(std::size_t read) const;
+  /// The first birth after `born`.
+  std::optional<Origin> next_birth(Nanoseconds born) const;
+
+ private:
+  struct Known {
+    Origin what;
+    std::size_t event = 0;
+  };
+
+  void follow(std::size_t index);
+  void gain(int thread, std::size_t event, const Origin& what);
+  Origin birth(std::size_t event);
+  /// What the answer that its device gives now carries: the oldest that it has taken is answered.
+  Origin answered(int request);
+  bool is_source(int channel) const;
+  const Origin& known(int thread) const;
+
+  const Problem& problem_;
+  const Requirement& requirement_;
+  const trace::Trace& run_;
+  std::vector<std::vector<Gained>> threads_;
+  std::vector<bool> reads_;                         // by thread: it has read the requirement's condition
+  std::map<std::pair<int, int>, Origin> messages_;  // by channel and serial number
+  std::map<std::pair<int, int>, std::size_t> puts_;
+  // By channel: what the answers to the requests will carry that were taken and not answered yet.
+  std::vector<std::deque<Origin>> requests_;
+  std::vector<Origin> conditions_;
+  std::vector<std::optional<std::size_t>> sets_;  // the last, by condition
+  std::map<std::size_t, std::optional<std::size_t>> set_of_;
+  std::map<std::size_t, std::size_t> put_of_;
+  std::vector<Origin> births_;
+};
+
+}  // namespace pal::analyzer

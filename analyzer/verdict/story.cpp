@@ -1,0 +1,257 @@
+#include "analyzer/verdict/story.hpp"
+
+#include <algorithm>
+
+#include "analyzer/verdict/origins.hpp"
+#include "runtime/trace/slices.hpp"
+
+namespace pal::analyzer {
+namespace {
+
+using trace::Kind;
+using trace::Slice;
+
+struct Story {
+  const Problem& problem;
+  const Requirement& requirement;
+  const trace::Trace& trace;
+  Origins origins{problem, requirement, trace};
+  std::vector<Slice> slices = trace::slices(trace);
+
+  const trace::Statement& statement(int index) const {
+    return trace.statements[static_cast<std::size_t>(index)];
+  }
+
+  Reason reason(Nanoseconds from, Nanoseconds to, int actor, std::string what, int of) const {
+    Reason made{
+        from, to, actor < 0 ? "" : trace.actors[static_cast<std::size_t>(actor)].name, std::move(what),
+        "",   0};
+    if (of >= 0) {
+      made.file = statement(of).file;
+      made.line = statement(of).line;
+    }
+    return made;
+  }
+
+  std::string doing(const Slice& slice) const {
+    const std::string text = slice.statement < 0 ? "" : statement(slice.statement).text;
+    switch (slice.state) {
+      case trace::State::running:
+        return slice.ending == trace::Ending::preempted ? "runs " + text + " until it is preempted"
+                                                        : "runs " + text;
+      case trace::State::ready:
+        return "is kept from its processor at " + text;
+      case trace::State::waiting:
+        return "waits at " + text;
+      case trace::State::serving:
+        return "serves";
+    }
+    return {};
+  }
+
+  /// Who kept a thread from its processor in [from, to], piece by piece.
+  void interference(const Slice& kept, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out) const {
+    const int processor = problem.threads[static_cast<std::size_t>(kept.actor)].processor;
+    for (const Slice& slice : slices) {
+      const bool here = slice.state == trace::State::running && slice.actor != kept.actor &&
+                        problem.threads[static_cast<std::size_t>(slice.actor)].processor == processor;
+      if (!here || slice.to_ns <= from || slice.from_ns > from || from >= to) continue;
+      const Nanoseconds end = std::min<Nanoseconds>(slice.to_ns, to);
+      const std::string by = trace.actors[static_cast<std::size_t>(slice.actor)].name;
+      out.push_back(reason(from, end, kept.actor,
+                           "is kept from its processor by " + by + ", which " + doing(slice),
+                           slice.statement));
+      from = end;
+    }
+    if (from < to) out.push_back(reason(from, to, kept.actor, doing(kept), kept.statement));
+  }
+
+  /// What a thread did in [from, to], without gaps.
+  void tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out) const {
+    Nanoseconds at = from;
+    for (const Slice& slice : slices) {
+      if (slice.actor != thread || slice.to_ns <= at || slice.from_ns >= to) continue;
+      if (slice.from_ns > at) out.push_back(reason(at, slice.from_ns, thread, "has not begun", -1));
+      const Nanoseconds end = std::min<Nanoseconds>(slice.to_ns, to);
+      const Nanoseconds begin = std::max<Nanoseconds>(slice.from_ns, at);
+      if (slice.state == trace::State::ready) {
+        interference(slice, begin, end, out);
+      } else {
+        out.push_back(reason(begin, end, thread, doing(slice), slice.statement));
+      }
+      at = end;
+    }
+    if (at < to) out.push_back(reason(at, to, thread, "waits for its blocks", -1));
+  }
+
+  /// The event at which the measured statement had its effect; the number of events if there is none.
+  std::size_t used_at(const Measurement& measured) const {
+    const int of = problem.steps[static_cast<std::size_t>(measured.step)].statement;
+    for (std::size_t e = trace.events.size(); e-- > 0;) {
+      const trace::Event& event = trace.events[e];
+      if (event.kind == Kind::done && event.statement == of && event.time_ns == measured.at &&
+          event.actor >= 0)
+        return e;
+    }
+    return trace.events.size();
+  }
+
+  bool is_device(int actor) const { return trace.actors[static_cast<std::size_t>(actor)].device; }
+
+  /// From the birth of what `thread` knew last before event `until` to that event: the way that it came,
+  /// message by message and condition by condition.
+  void known_since(int thread, std::size_t until, std::vector<Reason>& out, int depth = 64) const {
+    const std::optional<Gained> gained = origins.gained(thread, until);
+    if (!gained || depth == 0) return;
+    const trace::Event& event = trace.events[gained->event];
+    Nanoseconds from = event.time_ns;
+    if (event.kind == Kind::block) {
+      known_since(event.actor, gained->event, out, depth - 1);
+    } else if (event.kind == Kind::read) {
+      since_set(gained->event, gained->what, out, depth);
+    } else if (const auto put = origins.put_of(gained->event)) {
+      const trace::Event& putting = trace.events[*put];
+      from = putting.time_ns;
+      if (!is_device(putting.actor)) {
+        known_since(putting.actor, *put, out, depth - 1);
+      } else if (gained->what.born < from) {
+        const std::string message = trace.channels[static_cast<std::size_t>(putting.subject)].message;
+        out.push_back(
+            reason(gained->what.born, from, putting.actor, "takes the sample and gives " + message, -1));
+      }
+    }
+    if (from < trace.events[until].time_ns) tell(thread, from, trace.events[until].time_ns, out);
+  }
+
+  /// From the birth of what a condition carries to its being read.
+  void since_set(std::size_t read, const Origin& what, std::vector<Reason>& out, int depth) const {
+    const trace::Event& reading = trace.events[read];
+    const std::string condition = trace.conditions[static_cast<std::size_t>(reading.subject)];
+    const std::optional<std::size_t> set = origins.set_of(read);
+    const bool sample = !requirement.samples.empty();
+    if (sample && set) known_since(trace.events[*set].actor, *set, out, depth - 1);
+    const Nanoseconds from = set ? trace.events[*set].time_ns : what.born;
+    if (from == reading.time_ns) return;
+    if (!set) {
+      out.push_back(reason(from, reading.time_ns, -1, condition + " has had its value since the start", -1));
+      return;
+    }
+    const trace::Event& setting = trace.events[*set];
+    out.push_back(reason(from, reading.time_ns, setting.actor,
+                         statement(setting.statement).text + " gave " + condition +
+                             " its value; it ages until " + statement(reading.statement).text + " reads it",
+                         setting.statement));
+  }
+
+  /// From what just missed the change to what reflects it, then its way.
+  void reaction(int thread, std::size_t use, const Measurement& measured, std::vector<Reason>& out) const {
+    const std::optional<Gained> gained = origins.gained(thread, use);
+    if (!gained) return;
+    const Origin& reflected = gained->what;
+    if (reflected.born > measured.born) {
+      const trace::Event& event = trace.events[reflected.event];
+      if (event.kind == Kind::set) {
+        tell(event.actor, measured.born, reflected.born, out);
+      } else {
+        out.push_back(reason(measured.born, reflected.born, event.actor,
+                             "has just missed the change; the next sample that is reflected comes after this",
+                             -1));
+      }
+    }
+    known_since(thread, use, out);
+  }
+
+  /// Who had the processor, from when it had something to do until it had nothing.
+  void busy(const Measurement& measured, std::vector<Reason>& out) const {
+    for (const int processor : requirement.processors) {
+      std::vector<Reason> pieces;
+      Nanoseconds at = measured.born;
+      for (const Slice& slice : slices) {
+        const bool here = slice.state == trace::State::running &&
+                          problem.threads[static_cast<std::size_t>(slice.actor)].processor == processor;
+        if (!here || slice.from_ns != at || slice.to_ns == at || slice.to_ns > measured.at) continue;
+        pieces.push_back(reason(at, slice.to_ns, slice.actor, doing(slice), slice.statement));
+        at = slice.to_ns;
+      }
+      if (at != measured.at) continue;
+      out = std::move(pieces);
+      return;
+    }
+  }
+
+  /// The way back from a thread at an instant to the event: through the message that last came from another
+  /// thread.
+  void response(int thread, std::size_t event, const Measurement& measured, std::vector<Reason>& out,
+                int depth) const {
+    const Nanoseconds to = trace.events[event].time_ns;
+    std::size_t last = trace.events.size();
+    std::size_t put = 0;
+    for (std::size_t e = event + 1; e-- > 0;) {
+      const trace::Event& taking = trace.events[e];
+      if (taking.time_ns < measured.born) break;
+      if (taking.kind != Kind::take || taking.actor != thread) continue;
+      std::size_t from = trace.events.size();
+      for (std::size_t p = e; p-- > 0;) {
+        const trace::Event& putting = trace.events[p];
+        if (putting.kind == Kind::put && putting.subject == taking.subject && putting.value == taking.value) {
+          from = p;
+          break;
+        }
+      }
+      if (from == trace.events.size()) continue;
+      const trace::Event& putting = trace.events[from];
+      if (requirement.is_event(putting.subject) && putting.time_ns == measured.born) {
+        tell(thread, measured.born, to, out);
+        return;
+      }
+      const bool by_thread =
+          putting.actor >= 0 && !trace.actors[static_cast<std::size_t>(putting.actor)].device;
+      if (last == trace.events.size() && by_thread && putting.time_ns >= measured.born) {
+        last = e;
+        put = from;
+      }
+    }
+    if (last == trace.events.size() || depth == 0) {
+      tell(thread, measured.born, to, out);
+      return;
+    }
+    response(trace.events[put].actor, put, measured, out, depth - 1);
+    tell(thread, trace.events[put].time_ns, to, out);
+  }
+};
+
+}  // namespace
+
+std::vector<Reason> reasons(const Problem& problem, const Requirement& requirement, const Witness& witness) {
+  std::vector<Reason> out;
+  if (witness.failed || witness.grows) return out;
+  const Story story{problem, requirement, witness.trace};
+  const Measurement& measured = witness.measured;
+  if (requirement.measure == Requirement::Measure::busy) story.busy(measured, out);
+  if (measured.step < 0) return out;
+  const std::size_t use = story.used_at(measured);
+  if (use == witness.trace.events.size()) return out;
+  const int thread = witness.trace.events[use].actor;
+  switch (requirement.measure) {
+    case Requirement::Measure::age:
+      story.known_since(thread, use, out);
+      break;
+    case Requirement::Measure::reaction:
+      story.reaction(thread, use, measured, out);
+      break;
+    case Requirement::Measure::response:
+      story.response(thread, use, measured, out, 32);
+      break;
+    case Requirement::Measure::interval:
+    case Requirement::Measure::duration:
+      story.tell(thread, measured.born, measured.at, out);
+      break;
+    case Requirement::Measure::loss:
+    case Requirement::Measure::load:
+    case Requirement::Measure::busy:
+      break;
+  }
+  return out;
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,15 @@
+// What the time of a measurement was spent on, read off the run that shows it.
+#pragma once
+
+#include <vector>
+
+#include "analyzer/verdict/verdict.hpp"
+
+namespace pal::analyzer {
+
+/// Pieces of time without gaps, from the birth of what the witness measures to its use: each with who spent
+/// it on what, and the line where that stands. They add up to the value. Nothing for a loss or a load, which
+/// are no times.
+std::vector<Reason> reasons(const Problem& problem, const Requirement& requirement, const Witness& witness);
+
+}  // namespace pal::analyzer

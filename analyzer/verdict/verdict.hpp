@@ -1,0 +1,94 @@
+// What an analysis says of a requirement.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analyzer/problem/problem.hpp"
+#include "analyzer/runs/witness.hpp"
+#include "pal/support/source.hpp"
+#include "pal/support/time.hpp"
+
+namespace pal::analyzer {
+
+/// never: no run has anything to measure; what is required says nothing.
+enum class VerdictState { holds, fails, undecided, never };
+
+/// Which analysis a verdict comes from: the exploration of all runs, or the sum of what parts can do to each
+/// other.
+enum class Method { exact, compositional };
+
+/// A piece of the time that a bound is made of.
+struct Reason {
+  Nanoseconds from = 0;
+  Nanoseconds to = 0;
+  std::string actor;  // thread or device
+  std::string what;   // "waits at WTM( motion request from MC1 )"
+  std::string file;
+  int line = 0;  // 0: no place in a text
+};
+
+/// A number of the addition that makes up a bound.
+struct Addend {
+  Nanoseconds amount = 0;  // negative: taken away
+  std::string actor;       // thread or device; "": nobody's
+  std::string what;
+  std::string file;
+  int line = 0;  // 0: no place in a text
+};
+
+/// What it took to decide.
+struct Statistics {
+  std::size_t states = 0;       // of the skill, times aside
+  std::size_t classes = 0;      // sets of times at a state (and for loads points of the grid)
+  double seconds = 0;           // by Options::clock
+  std::size_t peak_memory = 0;  // bytes, by Options::peak_memory
+
+  /// Sums; the greater peak.
+  Statistics& operator+=(const Statistics& other);
+};
+
+struct Verdict {
+  using State = VerdictState;
+  std::string requirement;
+  Requirement::Measure measure = Requirement::Measure::age;
+  State state = State::undecided;
+  Method method = Method::exact;
+  Duration limit{};       // loss: a number
+  bool at_least = false;  // no run may fall below the limit, and none falls below the bound
+  /// Least value that no run exceeds, as far as is known; load: nanoseconds of work in a second, rounded up;
+  /// loss: a number. Nothing: unbounded, or not known to be bounded.
+  std::optional<Duration> bound;
+  /// A run that was replayed attains the bound (load: comes as near to it as one likes).
+  bool exact = false;
+  /// Load: what an unending run was shown to have, in nanoseconds of work in a second, rounded up.
+  std::optional<Duration> attained_load;
+  /// The exact analysis met one of its limits before it had seen all runs.
+  bool gave_up = false;
+  /// The run in which the requirement comes nearest to failing, or fails first.
+  std::optional<Witness> witness;
+  /// For people: one paragraph.
+  std::string explanation;
+  /// Without gaps from the birth of what is measured to its use; the lengths add up to the witness's value.
+  std::vector<Reason> reasons;
+  /// They add up to the bound, to the nanosecond. Empty: there is no bound, it is a number (of losses), or it
+  /// was found by looking at all runs and none is known to attain it.
+  std::vector<Addend> addends;
+  SourceSpan where;
+  Statistics statistics;
+};
+
+/// The greatest value (the least, of a requirement that says at least) that a run was shown to attain, if the
+/// verdict knows one. Load: nanoseconds of work in a second, rounded up.
+std::optional<Duration> attained(const Verdict& verdict);
+
+/// "holds", "fails", "undecided", "never".
+const char* name(Verdict::State state);
+/// "age", "response", "load", "reaction", "interval", "loss", "duration", "busy".
+const char* name(Requirement::Measure measure);
+/// "exact", "compositional".
+const char* name(Method method);
+
+}  // namespace pal::analyzer

@@ -1,0 +1,83 @@
+// What the firing of a timer does to the timers, worked out once for each state.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "analyzer/machine/machine.hpp"
+#include "analyzer/zones/dbm.hpp"
+
+namespace pal::analyzer {
+
+/// Something known of a skill at one instant: its state, what the active timers and the observers can show,
+/// and how it came to be.
+struct ZoneClass {
+  int state = -1;  // a place
+  Dbm zone;        // variables: 0, the state's timers, its observers
+  int parent = -1;
+  int timer = -1;  // whose firing led here from the parent
+  std::vector<std::uint8_t> choices;
+  bool relaxed = false;  // somewhere on the way the zone is larger than what can be
+  int replaced_by = -1;
+};
+
+/// The firing of one timer of a place, with one combination of choices.
+struct Move {
+  /// A timer that is active afterwards.
+  struct Kept {
+    int timer = -1;
+    int before = -1;      // its index among the timers before; -1: started now
+    Range range;          // started now
+    bool repaid = false;  // the action that ended gives its time back to it
+    bool frozen = false;
+  };
+  /// What a timer can have left, where the time that it got back is not fixed.
+  struct Left {
+    std::size_t variable;
+    Range range;
+  };
+
+  int timer = -1;  // -1: the start
+  std::vector<std::uint8_t> choices;
+  Outcome outcome;
+  std::size_t variable = 0;  // of the timer
+  Range cost;                // of the action that ended
+  std::vector<Kept> timers;  // by number
+  std::vector<Left> left;
+  std::vector<int> numbers;
+  std::vector<bool> frozen;
+  int target = -1;  // the place that it leads to, once that is known; only if no observer passes the cap
+};
+
+/// A state of the machine with its active timers, in order, and where they lead.
+struct Place {
+  State state;
+  std::vector<int> timers;
+  std::vector<bool> frozen;
+  std::vector<Move> moves;  // by timer
+  bool moves_known = false;
+};
+
+/// All ways to begin. If they are too many the last one says so (Outcome::too_many).
+std::vector<Move> first_moves(const Machine& machine);
+/// All firings that are possible at `place`, apart from times. If those of a timer are too many the last one
+/// says so.
+std::vector<Move> moves_from(const Machine& machine, const Place& place);
+
+/// The part of `zone` in which the timer of `variable` is the first to fire. False: there is none.
+bool fire_first(Dbm& zone, std::size_t variable, const std::vector<bool>& frozen);
+
+/// Where a variable comes from: one of another zone, moved by something in [low, high].
+struct Source {
+  std::size_t variable;
+  Nanoseconds low;
+  Nanoseconds high;
+};
+void derive(const Dbm& from, const std::vector<Source>& sources, Dbm& made);
+
+/// The class after `move` from `from` (of which `fired` is the part where the move's timer fires first),
+/// without place and ancestry. `made` and `sources` lend their memory. False: nothing is left of it.
+bool follow(const ZoneClass& from, const Dbm& fired, const Move& move, std::size_t timers_before,
+            std::vector<Source>& sources, ZoneClass& made);
+
+}  // namespace pal::analyzer

@@ -1,0 +1,371 @@
+#include "analyzer/zones/zone_graph.hpp"
+
+#include <algorithm>
+
+namespace pal::analyzer {
+namespace {
+
+/// So many classes are expanded before their successors are compared: enough to share, few enough that not
+/// much is expanded that a successor would have replaced.
+constexpr std::size_t batch_size = 2048;
+
+/// Places whose firings are found between one question whether to stop and the next: one may have thousands.
+constexpr std::size_t tried_at_a_time = 128;
+
+/// So many classes are found sooner by one thread than by several that have to wait for one another.
+constexpr std::size_t worth_sharing = 8192;
+
+/// Arrivals have numbers below those of classes, and below -1, which is none.
+int number_of_arrival(std::size_t index) {
+  return -2 - static_cast<int>(index);
+}
+std::size_t arrival_of(int number) {
+  return static_cast<std::size_t>(-2 - number);
+}
+
+bool around(const ZoneClass& outer, const ZoneClass& inner) {
+  return (!outer.relaxed || inner.relaxed) && outer.zone.includes(inner.zone);
+}
+
+}  // namespace
+
+void Findings::measured(const Peak& value, bool least) {
+  const auto better = [&](const Peak& than) {
+    return value.value >= 0 &&
+           (than.value < 0 || (least ? value.value < than.value : value.value > than.value));
+  };
+  if (better(peak)) peak = value;
+  if (!value.relaxed && better(certain)) certain = value;
+}
+
+void Findings::add(const Findings& later, bool least) {
+  measured(later.peak, least);
+  measured(later.certain, least);
+  if (!failure) failure = later.failure;
+  if (!growing) growing = later.growing;
+  if (!beyond) beyond = later.beyond;
+  if (stuck < 0) stuck = later.stuck;
+  passed = passed || later.passed;
+  over_cap = over_cap || later.over_cap;
+  never_answered = never_answered || later.never_answered;
+  outgrown = outgrown || later.outgrown;
+  relaxed = relaxed || later.relaxed;
+}
+
+void ZoneGraph::in_parts(const Limits& limits, std::size_t count, std::size_t grain,
+                         const std::function<void(std::size_t)>& part) const {
+  if (limits.workers != nullptr && classes_.size() >= worth_sharing) {
+    return limits.workers->each(count, grain, part);
+  }
+  for (std::size_t i = 0; i < count; ++i) part(i);
+}
+
+ZoneGraph::ZoneGraph(const Machine& machine, Nanoseconds cap, bool keep_edges)
+    : machine_(machine), cap_(cap), keep_edges_(keep_edges) {}
+
+int ZoneGraph::current(int index) const {
+  while (classes_[static_cast<std::size_t>(index)].replaced_by >= 0) {
+    index = classes_[static_cast<std::size_t>(index)].replaced_by;
+  }
+  return index;
+}
+
+void ZoneGraph::Expansion::begin() {
+  used = 0;
+  findings = {};
+}
+
+ZoneGraph::Arrival& ZoneGraph::Expansion::arrival(Move& move) {
+  if (used == arrivals.size()) arrivals.emplace_back();
+  Arrival& arrival = arrivals[used++];
+  arrival.move = &move;
+  arrival.passed.reset();
+  arrival.replaces.clear();
+  return arrival;
+}
+
+bool ZoneGraph::explore(const Limits& limits) {
+  const bool complete = grow(limits);
+  // Also where a limit was met: edges lead to and from classes that others have replaced.
+  for (Edge& edge : edges_) {
+    edge.from = current(edge.from);
+    edge.to = current(edge.to);
+  }
+  return complete;
+}
+
+bool ZoneGraph::grow(const Limits& limits) {
+  expansions_.resize(batch_size);
+  first_moves_ = first_moves(machine_);
+  for (Move& move : first_moves_) {
+    Expansion& expansion = expansions_.front();
+    expansion.findings.outgrown |= move.outcome.too_many;
+    expansion.findings.passed |= move.outcome.passed;
+    Arrival& arrival = expansion.arrival(move);
+    arrival.made.choices = move.choices;
+    follow(ZoneClass(), Dbm(1), move, 0, expansion.sources, arrival.made);
+    observe_growth(arrival, expansion.findings);
+    split(arrival, expansion);
+  }
+  merge(1, limits);
+  while (!open_.empty() && !findings_.failure && !findings_.outgrown) {
+    if (classes_.size() > limits.classes) return false;
+    if (limits.stop && limits.stop()) return false;
+    if (limits.enough && limits.enough(*this)) return false;
+    std::vector<int> batch;
+    std::vector<int> untried;
+    while (!open_.empty() && batch.size() < batch_size) {
+      const int next = open_.front();
+      open_.pop_front();
+      const ZoneClass& of = classes_[static_cast<std::size_t>(next)];
+      if (of.replaced_by >= 0) continue;
+      batch.push_back(next);
+      Place& place = places_[static_cast<std::size_t>(of.state)];
+      if (!place.moves_known) untried.push_back(of.state);
+      place.moves_known = true;
+    }
+    if (!try_all(untried, limits)) return false;
+    in_parts(limits, batch.size(), 8, [&](std::size_t i) { expand(batch[i], expansions_[i]); });
+    merge(batch.size(), limits);
+  }
+  return !findings_.outgrown;
+}
+
+/// Finds where the places lead to. False: it was told to stop.
+bool ZoneGraph::try_all(const std::vector<int>& untried, const Limits& limits) {
+  for (std::size_t from = 0; from < untried.size(); from += tried_at_a_time) {
+    if (from > 0 && limits.stop && limits.stop()) return false;
+    in_parts(limits, std::min(tried_at_a_time, untried.size() - from), 4, [&](std::size_t i) {
+      Place& place = places_[static_cast<std::size_t>(untried[from + i])];
+      if (!place.state.ended) place.moves = moves_from(machine_, place);
+    });
+  }
+  return true;
+}
+
+void ZoneGraph::expand(int index, Expansion& expansion) {
+  const ZoneClass& from = classes_[static_cast<std::size_t>(index)];
+  Place& here = places_[static_cast<std::size_t>(from.state)];
+  expansion.begin();
+  if (here.state.ended) return;
+  if (here.timers.empty() && machine_.watch().grows() && here.state.observers > 0 &&
+      (machine_.watch().kind == Watch::Kind::response || here.state.reference != tag::none)) {
+    expansion.findings.stuck = index;
+    expansion.findings.never_answered = true;
+  }
+  int fired_timer = -1;
+  bool possible = false;
+  for (Move& move : here.moves) {
+    if (move.timer != fired_timer) {
+      fired_timer = move.timer;
+      expansion.fired = from.zone;
+      possible = fire_first(expansion.fired, move.variable, here.frozen);
+    }
+    if (!possible) continue;
+    expansion.findings.outgrown |= move.outcome.too_many;
+    measure(index, move, expansion.fired, here.timers.size(), expansion.findings);
+    Arrival& arrival = expansion.arrival(move);
+    arrival.made.parent = index;
+    arrival.made.timer = move.timer;
+    arrival.made.choices = move.choices;
+    const bool left =
+        follow(from, expansion.fired, move, here.timers.size(), expansion.sources, arrival.made);
+    expansion.findings.relaxed |= arrival.made.relaxed;
+    if (left) {
+      observe_growth(arrival, expansion.findings);
+      split(arrival, expansion);
+    } else {
+      --expansion.used;
+    }
+  }
+}
+
+void ZoneGraph::measure(int from, const Move& move, const Dbm& fired, std::size_t timers,
+                        Findings& findings) const {
+  const Outcome& outcome = move.outcome;
+  const bool failed = outcome.state.failed && !findings.failure;
+  findings.passed = findings.passed || outcome.passed;
+  if (outcome.measured.empty() && outcome.lost < 0 && !failed) return;
+  const bool least = machine_.watch().least;
+  Peak peak;
+  peak.parent = from;
+  peak.timer = move.timer;
+  peak.choices = move.choices;
+  peak.relaxed = classes_[static_cast<std::size_t>(from)].relaxed;
+  for (std::size_t i = 0; i < outcome.measured.size(); ++i) {
+    peak.measured = outcome.measured[i];
+    peak.step = outcome.measured_steps[i];
+    if (peak.measured == Outcome::older_than_cap) {
+      findings.over_cap = true;
+      if (!findings.beyond) findings.beyond = peak;
+      if (findings.beyond->value < 0) findings.beyond->value = cap_ + 1;
+      continue;
+    }
+    const std::size_t observer = 1 + timers + static_cast<std::size_t>(std::max(peak.measured, 0));
+    peak.value = peak.measured == Outcome::born_now ? 0
+                 : least                            ? -fired.at(observer, move.variable)
+                                                    : fired.at(move.variable, observer);
+    findings.measured(peak, least);
+  }
+  if (outcome.lost >= 0) {
+    peak.value = outcome.lost;
+    peak.measured = Outcome::born_now;
+    findings.measured(peak, false);
+  }
+  if (failed) findings.failure = peak;
+}
+
+/// What grows counts as soon as it is greater than the limit, whether it is ever measured or not.
+void ZoneGraph::observe_growth(const Arrival& arrival, Findings& findings) const {
+  const Watch& watch = machine_.watch();
+  if (findings.growing || !watch.grows()) return;
+  const State& state = arrival.move->outcome.state;
+  for (int o = 0; o < state.observers; ++o) {
+    const Nanoseconds value =
+        arrival.made.zone.at(0, 1 + arrival.move->timers.size() + static_cast<std::size_t>(o));
+    if (value <= watch.limit || !grows(state, watch, o)) continue;
+    findings.growing = Peak{
+        value, arrival.made.parent, arrival.move->timer, arrival.move->choices, o, -1, arrival.made.relaxed,
+        true};
+    return;
+  }
+}
+
+/// An observer that may be beyond the cap is two cases: within it, and beyond.
+void ZoneGraph::split(Arrival& arrival, Expansion& expansion) const {
+  const std::size_t first = 1 + arrival.move->timers.size();
+  std::size_t variable = first;
+  while (variable < arrival.made.zone.size() && arrival.made.zone.at(0, variable) <= cap_) ++variable;
+  if (variable == arrival.made.zone.size()) return;
+
+  // Making arrivals moves those that there are.
+  Move& move = *arrival.move;
+  ZoneClass made = arrival.made;
+  const std::optional<State> passed = arrival.passed;
+  --expansion.used;
+  ZoneClass beyond = made;
+  if (beyond.zone.constrain(variable, 0, -cap_ - 1)) {
+    expansion.sources.clear();
+    for (std::size_t v = 0; v < made.zone.size(); ++v) {
+      if (v != variable) expansion.sources.push_back({v, 0, 0});
+    }
+    const Dbm whole = beyond.zone;
+    derive(whole, expansion.sources, beyond.zone);
+    Arrival& later = expansion.arrival(move);
+    later.passed = passed ? *passed : move.outcome.state;
+    if (grows(*later.passed, machine_.watch(), static_cast<int>(variable - first)))
+      expansion.findings.never_answered = true;
+    pass_cap(*later.passed, machine_.watch(), static_cast<int>(variable - first));
+    later.made = std::move(beyond);
+    split(later, expansion);
+  }
+  if (!made.zone.constrain(0, variable, cap_)) return;
+  Arrival& within = expansion.arrival(move);
+  within.passed = passed;
+  within.made = std::move(made);
+  split(within, expansion);
+}
+
+int ZoneGraph::place_of(Arrival& arrival) {
+  Move& move = *arrival.move;
+  if (!arrival.passed && move.target >= 0) return move.target;
+  const State& state = arrival.passed ? *arrival.passed : move.outcome.state;
+  const auto [found, added] = index_.try_emplace(state, static_cast<int>(places_.size()));
+  if (added) {
+    places_.push_back({state, move.numbers, move.frozen, {}, false});
+    known_.emplace_back();
+    landing_of_.push_back(-1);
+  }
+  if (!arrival.passed) move.target = found->second;
+  return found->second;
+}
+
+void ZoneGraph::merge(std::size_t expanded, const Limits& limits) {
+  arrivals_.clear();
+  landings_.clear();
+  for (std::size_t e = 0; e < expanded; ++e) {
+    Expansion& expansion = expansions_[e];
+    findings_.add(expansion.findings, machine_.watch().least);
+    for (std::size_t a = 0; a < expansion.used; ++a) {
+      Arrival& arrival = expansion.arrivals[a];
+      const std::size_t index = arrivals_.size();
+      arrivals_.push_back(&arrival);
+      arrival.made.state = place_of(arrival);
+      int& landing = landing_of_[static_cast<std::size_t>(arrival.made.state)];
+      if (landing < 0) {
+        landing = static_cast<int>(landings_.size());
+        landings_.push_back({arrival.made.state, index, index, 1});
+        continue;
+      }
+      Landing& chain = landings_[static_cast<std::size_t>(landing)];
+      arrivals_[chain.last]->next = index;
+      chain.last = index;
+      ++chain.count;
+    }
+  }
+  // The most work first, so that nobody waits for one who began it last.
+  const auto work = [this](const Landing& landing) {
+    return landing.count * (1 + known_[static_cast<std::size_t>(landing.place)].ids().size());
+  };
+  std::sort(landings_.begin(), landings_.end(),
+            [&](const Landing& a, const Landing& b) { return work(a) > work(b); });
+  in_parts(limits, landings_.size(), 1, [this](std::size_t i) { compare(landings_[i]); });
+  enter();
+  for (const Landing& landing : landings_) {
+    const auto place = static_cast<std::size_t>(landing.place);
+    landing_of_[place] = -1;
+    std::vector<int>& ids = known_[place].ids();
+    // New ones stand at the end.
+    for (std::size_t k = ids.size(); k-- > 0 && ids[k] < -1;) ids[k] = arrivals_[arrival_of(ids[k])]->number;
+  }
+}
+
+const ZoneClass& ZoneGraph::zone_class(int id) const {
+  return id < -1 ? arrivals_[arrival_of(id)]->made : classes_[static_cast<std::size_t>(id)];
+}
+
+void ZoneGraph::compare(const Landing& landing) {
+  KnownZones& known = known_[static_cast<std::size_t>(landing.place)];
+  Outline outline;
+  std::size_t index = landing.first;
+  for (std::size_t k = 0; k < landing.count; ++k, index = arrivals_[index]->next) {
+    Arrival& arrival = *arrivals_[index];
+    outline.of(arrival.made.zone);
+    arrival.held_by =
+        known.first_around(outline, [&](int id) { return around(zone_class(id), arrival.made); });
+    if (arrival.held_by != -1) continue;
+    known.erase_within(outline, [&](int id) {
+      if (!around(arrival.made, zone_class(id))) return false;
+      arrival.replaces.push_back(id);
+      return true;
+    });
+    known.add(number_of_arrival(index), outline);
+  }
+}
+
+void ZoneGraph::enter() {
+  const auto number_of = [&](int id) { return id < -1 ? arrivals_[arrival_of(id)]->number : id; };
+  std::vector<Arrival*> entering;
+  for (Arrival* arrival : arrivals_) {
+    const bool enters = arrival->held_by == -1;
+    arrival->number =
+        enters ? static_cast<int>(classes_.size() + entering.size()) : number_of(arrival->held_by);
+    if (enters) entering.push_back(arrival);
+    if (!keep_edges_ || arrival->made.parent < 0) continue;
+    const int parent = arrival->made.parent;
+    const int place = classes_[static_cast<std::size_t>(parent)].state;
+    const Move* first = places_[static_cast<std::size_t>(place)].moves.data();
+    edges_.push_back({parent, arrival->number, arrival->made.timer, static_cast<int>(arrival->move - first)});
+  }
+  for (const Arrival* arrival : entering) {
+    classes_.push_back(arrival->made);
+    open_.push_back(arrival->number);
+    for (int id : arrival->replaces) {
+      ZoneClass& replaced = classes_[static_cast<std::size_t>(number_of(id))];
+      replaced.replaced_by = arrival->number;
+      replaced.zone = Dbm(0);  // only its ancestry is asked for again
+    }
+  }
+}
+
+}  // namespace pal::analyzer
