@@ -74,6 +74,13 @@ class BehaviourCheck {
       diagnostics_.report(Code::PAL0708, where_, "an answer within no time cannot be given",
                           "allow some time");
     }
+    const Duration apart = device.period - device.jitter;
+    if (device.answer_within > apart && apart > Duration{}) {
+      diagnostics_.report(Code::PAL0728, where_,
+                          "the answer is due within " + to_text(*device.answer_within) +
+                              ", but the next event may come after " + to_text(apart),
+                          "allow at most " + to_text(apart) + ", or write a requirement for the RESPONSE");
+    }
     if (device.sporadic && device.phase) {
       diagnostics_.report(Code::PAL0712, where_, "a sporadic event has no phase",
                           "remove PHASE, or write EVERY");

@@ -332,13 +332,15 @@ class RandomCell {
     const bool sporadic = chance(8) == 0 || (odd && required_() % 5 == 0);
     std::string out =
         "  DEVICE " + device + " EVENT " + message + (sporadic ? " SPORADIC " : " EVERY ") + ms(period);
+    int jitter = 0;
     if (period > 1 && odd && required_() % 6 == 0) {
-      out += " JITTER " + ms(period - 1);
+      jitter = period - 1;
     } else if (chance(4) == 0 && period > 1) {
-      out += " JITTER " + ms(between(1, period - 1));
+      jitter = between(1, period - 1);
     }
+    if (jitter > 0) out += " JITTER " + ms(jitter);
     if (!sporadic && chance(3) == 0) out += " PHASE " + ms(between(0, period - 1));
-    if (answer && chance(3) == 0) out += " ANSWER correction WITHIN " + ms(longest_);
+    if (answer && chance(3) == 0) out += " ANSWER correction WITHIN " + ms(period - jitter);
     return out + "\n";
   }
 
