@@ -50,7 +50,8 @@ class Firing {
   std::vector<std::size_t> rivals_of_due() const;
 
   // Threads and processors (firing_threads.cpp).
-  void first_queues(int thread, std::set<std::pair<int, int>>& queues) const;
+  void first_queues(int thread, int step, std::set<int>& seen,
+                    std::set<std::pair<int, int>>& queues) const;
   std::vector<std::size_t> rivals_of_first(const std::vector<int>& modules) const;
   void reach(int thread, int step);
   void reach_wait(int thread);
@@ -60,6 +61,8 @@ class Firing {
   void end(int thread);
   void child_ended(int parent, bool stopped);
   void go_on_behind_blocks(int parent);
+  void cancel_all(std::vector<int> blocks);
+  bool leaves_answer_to_others(int thread) const;
   void cancel(int thread);
   void stop(int thread);
   void dispatch();
@@ -117,6 +120,7 @@ class Firing {
   void withdraw(int request, Meant meant, std::vector<int>& freed);
   void withdraw_all(int request, std::vector<int>& freed);
   void hand_over(int block, int parent);
+  bool answers_to(int channel, int owner) const;
   std::vector<int> abandon(int thread);
   void open_device(int device);
   void arrives_at_device(int channel);

@@ -86,16 +86,26 @@ void Firing::hand_over(int block, int parent) {
   }
 }
 
+/// Whether a message answers a request of `owner` that is open.
+bool Firing::answers_to(int channel, int owner) const {
+  const int request = channel_of(channel).answers;
+  if (request < 0 || !state_.slots[static_cast<std::size_t>(channel)].answers) return false;
+  return state_.slots[static_cast<std::size_t>(request)].asked.by.front() == owner;
+}
+
 /// A stopped thread leaves nothing behind: what it was to take is there for others, what it asked for is not.
-/// admit() is still to be called for the channels that are free now.
+/// If that is one message it goes to somebody else before it is withdrawn, or it does not. admit() is still to
+/// be called for the channels that are free now.
 std::vector<int> Firing::abandon(int thread) {
   const ThreadState& state = state_of(thread);
-  const Step& step = step_of(thread);
-  if (step.kind == Step::Kind::wait && state.choice >= 0) {
-    const int channel = step.channels[static_cast<std::size_t>(state.choice)];
+  // A block that is stopped before it has begun is at no step yet; one with a choice is at a wait.
+  if (state.choice >= 0) {
+    const int channel = step_of(thread).channels[static_cast<std::size_t>(state.choice)];
     if (slot(channel).fill == SlotState::Fill::claimed) {
       slot(channel).fill = SlotState::Fill::full;
-      const int other = claimed_by(channel);
+      const bool goes_first =
+          !answers_to(channel, thread) || waiting_for(channel).empty() || choices_.pick(2) == 0;
+      const int other = goes_first ? claimed_by(channel) : -1;
       if (other >= 0) queue_later(other);
     }
   }

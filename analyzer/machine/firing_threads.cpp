@@ -38,23 +38,30 @@ void Firing::begin() {
   settle();
 }
 
-/// The queues that a thread, or its blocks, comes to as it begins: none if it waits.
-void Firing::first_queues(int thread, std::set<std::pair<int, int>>& queues) const {
-  const Step& entry = problem_.steps[static_cast<std::size_t>(thread_of(thread).entry)];
-  const bool waits = entry.kind == Step::Kind::wait && !(entry.within && *entry.within == 0);
-  if (waits) return;
-  if (entry.kind == Step::Kind::fork) {
-    for (int block : entry.threads) first_queues(block, queues);
+/// The queues that a thread, or its blocks, may come to as it begins at `step`: none if it waits. Blocks that are
+/// over at once lead on to what is behind them.
+void Firing::first_queues(int thread, int step, std::set<int>& seen,
+                          std::set<std::pair<int, int>>& queues) const {
+  if (!seen.insert(step).second) return;
+  const Step& first = problem_.steps[static_cast<std::size_t>(step)];
+  if (first.kind == Step::Kind::end) return;
+  if (first.kind == Step::Kind::wait && !(first.within && *first.within == 0)) return;
+  if (first.kind != Step::Kind::fork) {
+    queues.emplace(thread_of(thread).processor, thread_of(thread).priority);
+    return;
   }
-  // After blocks that are over at once the thread itself goes on.
-  queues.emplace(thread_of(thread).processor, thread_of(thread).priority);
+  for (int block : first.threads) first_queues(block, thread_of(block).entry, seen, queues);
+  first_queues(thread, first.next.front(), seen, queues);
 }
 
 /// Which of `modules` may become ready before the first of them, if that matters to somebody: positions, the
 /// first's too.
 std::vector<std::size_t> Firing::rivals_of_first(const std::vector<int>& modules) const {
   std::vector<std::set<std::pair<int, int>>> queues(modules.size());
-  for (std::size_t i = 0; i < modules.size(); ++i) first_queues(modules[i], queues[i]);
+  for (std::size_t i = 0; i < modules.size(); ++i) {
+    std::set<int> seen;
+    first_queues(modules[i], thread_of(modules[i]).entry, seen, queues[i]);
+  }
   std::set<std::pair<int, int>> shared = queues.front();
   std::vector<std::size_t> rivals{0};
   for (bool grown = true; grown;) {
@@ -192,11 +199,7 @@ void Firing::child_ended(int parent, bool stopped) {
     std::erase_if(blocks, [this](int block) {
       return state_of(block).status == Status::off || state_of(block).cancelled;
     });
-    for (int block : blocks) state_of(block).cancelled = true;
-    // Stopping the last one lets the parent go on, perhaps to blocks that begin: those are not meant.
-    for (int block : blocks) {
-      if (state_of(block).status != Status::off && state_of(block).cancelled) cancel(block);
-    }
+    cancel_all(std::move(blocks));
     return;
   }
   if (state.cancelled) {
@@ -212,6 +215,28 @@ void Firing::child_ended(int parent, bool stopped) {
 void Firing::go_on_behind_blocks(int parent) {
   state_of(parent).status = Status::ready;
   reach(parent, step_of(parent).next.front());
+}
+
+/// In the order of the text, unless one of them leaves a message to others that another has asked for.
+void Firing::cancel_all(std::vector<int> blocks) {
+  for (int block : blocks) state_of(block).cancelled = true;
+  // Stopping the last one lets the parent go on, perhaps to blocks that begin: those are not meant.
+  const auto cancel_one = [this](int block) {
+    if (state_of(block).status != Status::off && state_of(block).cancelled) cancel(block);
+  };
+  bool ordered = true;
+  for (std::size_t t = 0; t < problem_.threads.size(); ++t)
+    ordered = ordered && !leaves_answer_to_others(static_cast<int>(t));
+  if (!ordered) return in_any_order(std::move(blocks), cancel_one);
+  for (int block : blocks) cancel_one(block);
+}
+
+/// Whether, if it were stopped now, a message that somebody has asked for might be taken by somebody else.
+bool Firing::leaves_answer_to_others(int thread) const {
+  const ThreadState& state = state_of(thread);
+  if (state.choice < 0) return false;
+  const int channel = step_of(thread).channels[static_cast<std::size_t>(state.choice)];
+  return state_.slots[static_cast<std::size_t>(channel)].answers && !waiting_for(channel).empty();
 }
 
 /// A thread that is cancelled stops, or will when it has finished its statement.

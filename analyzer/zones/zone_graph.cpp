@@ -27,6 +27,43 @@ bool around(const ZoneClass& outer, const ZoneClass& inner) {
   return (!outer.relaxed || inner.relaxed) && outer.zone.includes(inner.zone);
 }
 
+/// Whether a value that still grows is known to be beyond the cap.
+bool grows_beyond(const State& state, const Watch& watch) {
+  if (!watch.grows()) return false;
+  if (watch.kind != Watch::Kind::response) return state.reference == tag::over;
+  return std::find(state.pending.begin(), state.pending.end(), Pending::over) != state.pending.end();
+}
+
+/// Whether some statement ends the skill.
+bool may_end(const Problem& problem) {
+  return std::any_of(problem.steps.begin(), problem.steps.end(), [](const Step& step) {
+    const bool no_arm = step.kind == Step::Kind::test && step.next.size() == step.guards.size();
+    return step.kind == Step::Kind::complete || no_arm;
+  });
+}
+
+/// Whether there is a way round (A. B. Kahn, Topological sorting of large networks, 1962).
+bool goes_round(const std::vector<std::pair<int, int>>& links) {
+  std::unordered_map<int, int> entering;
+  std::unordered_map<int, std::vector<int>> leaving;
+  for (const auto& [from, to] : links) {
+    entering.try_emplace(from, 0);
+    ++entering[to];
+    leaving[from].push_back(to);
+  }
+  std::vector<int> free;
+  for (const auto& [node, count] : entering) {
+    if (count == 0) free.push_back(node);
+  }
+  std::size_t done = 0;
+  for (; done < free.size(); ++done) {
+    for (const int to : leaving[free[done]]) {
+      if (--entering[to] == 0) free.push_back(to);
+    }
+  }
+  return done < entering.size();
+}
+
 }  // namespace
 
 void Findings::measured(const Peak& value, bool least) {
@@ -61,7 +98,7 @@ void ZoneGraph::in_parts(const Limits& limits, std::size_t count, std::size_t gr
 }
 
 ZoneGraph::ZoneGraph(const Machine& machine, Nanoseconds cap, bool keep_edges)
-    : machine_(machine), cap_(cap), keep_edges_(keep_edges) {}
+    : machine_(machine), cap_(cap), keep_edges_(keep_edges), may_end_(may_end(machine.problem())) {}
 
 int ZoneGraph::current(int index) const {
   while (classes_[static_cast<std::size_t>(index)].replaced_by >= 0) {
@@ -91,6 +128,13 @@ bool ZoneGraph::explore(const Limits& limits) {
     edge.from = current(edge.from);
     edge.to = current(edge.to);
   }
+  for (auto& [from, to] : growing_on_) {
+    from = current(from);
+    to = current(to);
+  }
+  // If the skill ends on every way on, what has grown is not counted.
+  findings_.never_answered = findings_.never_answered || goes_round(growing_on_);
+  growing_on_ = {};
   return complete;
 }
 
@@ -253,7 +297,7 @@ void ZoneGraph::split(Arrival& arrival, Expansion& expansion) const {
     derive(whole, expansion.sources, beyond.zone);
     Arrival& later = expansion.arrival(move);
     later.passed = passed ? *passed : move.outcome.state;
-    if (grows(*later.passed, machine_.watch(), static_cast<int>(variable - first)))
+    if (!may_end_ && grows(*later.passed, machine_.watch(), static_cast<int>(variable - first)))
       expansion.findings.never_answered = true;
     pass_cap(*later.passed, machine_.watch(), static_cast<int>(variable - first));
     later.made = std::move(beyond);
@@ -351,9 +395,14 @@ void ZoneGraph::enter() {
     arrival->number =
         enters ? static_cast<int>(classes_.size() + entering.size()) : number_of(arrival->held_by);
     if (enters) entering.push_back(arrival);
-    if (!keep_edges_ || arrival->made.parent < 0) continue;
+    if (arrival->made.parent < 0) continue;
     const int parent = arrival->made.parent;
     const int place = classes_[static_cast<std::size_t>(parent)].state;
+    const auto beyond = [this](int at) {
+      return grows_beyond(places_[static_cast<std::size_t>(at)].state, machine_.watch());
+    };
+    if (beyond(place) && beyond(arrival->made.state)) growing_on_.emplace_back(parent, arrival->number);
+    if (!keep_edges_) continue;
     const Move* first = places_[static_cast<std::size_t>(place)].moves.data();
     edges_.push_back({parent, arrival->number, arrival->made.timer, static_cast<int>(arrival->move - first)});
   }

@@ -68,7 +68,8 @@ struct Findings {
   bool passed = false;         // what is watched happens in some run
   std::optional<Peak> beyond;  // the first value greater than the cap
   bool over_cap = false;
-  bool never_answered = false;  // a value grows beyond the cap, or for ever
+  /// A value grows for ever: it is beyond the cap, and the skill need not end before it is measured.
+  bool never_answered = false;
   bool outgrown = false;        // a count outgrew the machine: nothing may be concluded
   bool relaxed = false;         // some action with a time that is not fixed preempted others
 
@@ -151,12 +152,14 @@ class ZoneGraph {
   const Machine& machine_;
   Nanoseconds cap_;
   bool keep_edges_;
+  bool may_end_;  // some statement ends the skill
   std::vector<ZoneClass> classes_;
   std::vector<Place> places_;
   std::unordered_map<State, int, StateHash> index_;
   std::vector<KnownZones> known_;  // by place
   std::deque<int> open_;
   std::vector<Edge> edges_;
+  std::vector<std::pair<int, int>> growing_on_;  // edges along which a value grows that is beyond the cap
   std::vector<Move> first_moves_;
   // Of the batch in work.
   std::vector<Expansion> expansions_;

@@ -447,3 +447,55 @@ END
     if (asked <= most) CHECK(analysis.standstill.has_value());
   }
 }
+
+TEST_CASE("what is not answered when the skill ends is not counted, however long it has grown") {
+  // The event of MC1 is unanswered for eight rounds of 70 ms, more than is followed exactly; then the skill
+  // ends, in every run.
+  const auto skill = pal::test::any_skill(cell(
+      "RESPONSE FROM motion OF MC1 TO early IN SM1", R"(Machine Controller: MC1
+BEGIN
+  REPEAT
+    WTM( request motion from SM1 )
+    TXM( motion to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY early
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+  early
+  TXM( request motion from MC1 )
+  WTM( motion from MC1 )
+  REPEAT
+    work
+    CASE
+      ( NOT a ):
+        SPC( a = TRUE )
+      ( a AND NOT b ):
+        SPC( b = TRUE )
+        SPC( a = FALSE )
+      ( a AND b AND NOT c ):
+        SPC( c = TRUE )
+        SPC( b = FALSE )
+        SPC( a = FALSE )
+      ( a AND b AND c ):
+        SPC( d = TRUE )
+    END CASE
+  UNTIL( d )
+  TXM( Completion Protocol 0 )
+END
+CONDITION a
+CONDITION b
+CONDITION d
+)",
+      "  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n  TIME early : 1 ms\n"
+      "  TIME work : 70 ms\n"));
+  INFO(pal::test::messages(skill->diagnostics));
+  REQUIRE(skill->problem);
+  Problem problem = *skill->problem;
+  problem.requirements.front().limit = 20'000'000;
+  const Verdict verdict = analyze(problem).verdicts.front();
+  INFO(verdict.explanation);
+  CHECK(verdict.state == Verdict::State::never);
+}

@@ -314,3 +314,191 @@ END
   LATENCY BETWEEN PROCESSORS 20 ms
 )")) == 65);
 }
+
+TEST_CASE("a stopped block's message is withdrawn before or after somebody else has stopped waiting for it") {
+  // At 3 ms the inner loop is cancelled, for which X was there and which has not had the processor yet. What it
+  // asked for is withdrawn: either SM1.1 never knows of X, and gives up at 6 ms, before c is set; or it stops
+  // waiting for it, finds it withdrawn, and waits 5 ms more.
+  CHECK(bound(program("MESSAGE X : SIGNAL\nCONDITION c\n", R"(
+Machine Controller: MC1
+  ACTIVITY busy
+BEGIN
+  WTM( request X from SM1 )
+  TXM( X to SM1 )
+  busy
+  SPC( c = TRUE )
+END
+Machine Controller: MC2
+BEGIN
+  WTM( X from SM1 )
+END
+Skill Module: SM1
+  ACTIVITY short
+  ACTIVITY pause
+  ACTIVITY slow
+BEGIN
+  WTM( Coordinator )
+  CONCURRENT
+  BEGIN
+    short
+    WTM( X from MC1 ) WITHIN 5 ms
+      Do Nothing
+    ELSE
+      CASE
+        ( c ):
+          Do Nothing
+        ( NOT c ):
+          slow
+      END CASE
+    END WTM
+  END
+  BEGIN
+    CONCURRENT
+    BEGIN
+      REPEAT
+        TXM( request X from MC1 )
+        WTM( X from MC1 )
+      UNTIL( forever )
+    END
+    BEGIN
+      pause
+    END
+    END CONCURRENT
+  END
+  END CONCURRENT
+  TXM( X to MC2 )
+  TXM( Completion Protocol 0 )
+END
+)",
+                      R"(  PROCESSOR P
+  PROCESSOR Q
+  PROCESSOR R
+  PLACE MC1 ON P PRIORITY 2
+  PLACE MC2 ON R PRIORITY 1
+  PLACE SM1 ON Q PRIORITY 1
+  PLACE SM1.2 ON R PRIORITY 1
+  PLACE SM1.3 ON P PRIORITY 1
+  PLACE SM1.4 ON R PRIORITY 1
+  TIME busy : 7 ms
+  TIME short : 1 ms
+  TIME pause : 3 ms
+  TIME slow : 50 ms
+)")) == 56);
+}
+
+TEST_CASE("of two stopped blocks one has asked for the message that the other was to take") {
+  // As before; but the block that X was there for, SM1.3, is not the one that has asked for it, SM1.4.
+  CHECK(bound(program("MESSAGE X : SIGNAL\nMESSAGE Y : SIGNAL\nCONDITION c\n", R"(
+Machine Controller: MC1
+  ACTIVITY busy
+BEGIN
+  WTM( request X from SM1 )
+  TXM( X to SM1 )
+  busy
+  SPC( c = TRUE )
+END
+Machine Controller: MC2
+BEGIN
+  WTM( X from SM1 )
+  TXM( Y to SM1 )
+END
+Skill Module: SM1
+  ACTIVITY short
+  ACTIVITY pause
+  ACTIVITY slow
+BEGIN
+  WTM( Coordinator )
+  CONCURRENT
+  BEGIN
+    short
+    WTM( X from MC1 ) WITHIN 5 ms
+      Do Nothing
+    ELSE
+      CASE
+        ( c ):
+          Do Nothing
+        ( NOT c ):
+          slow
+      END CASE
+    END WTM
+  END
+  BEGIN
+    CONCURRENT
+    BEGIN
+      REPEAT
+        WTM( X from MC1 )
+      UNTIL( forever )
+    END
+    BEGIN
+      TXM( request X from MC1 )
+      REPEAT
+        WTM( Y from MC2 )
+      UNTIL( forever )
+    END
+    BEGIN
+      pause
+    END
+    END CONCURRENT
+  END
+  END CONCURRENT
+  TXM( X to MC2 )
+  TXM( Completion Protocol 0 )
+END
+)",
+                      R"(  PROCESSOR P
+  PROCESSOR Q
+  PROCESSOR R
+  PLACE MC1 ON P PRIORITY 2
+  PLACE MC2 ON R PRIORITY 1
+  PLACE SM1 ON Q PRIORITY 1
+  PLACE SM1.2 ON R PRIORITY 1
+  PLACE SM1.3 ON P PRIORITY 1
+  PLACE SM1.4 ON P PRIORITY 1
+  PLACE SM1.5 ON R PRIORITY 1
+  TIME busy : 7 ms
+  TIME short : 1 ms
+  TIME pause : 3 ms
+  TIME slow : 50 ms
+)")) == 56);
+}
+
+TEST_CASE("blocks behind blocks that are over at once share a queue with modules from the beginning") {
+  // MC1 goes on to its second CONCURRENT at once. Its block may come to the queue of SM1 before SM1.
+  CHECK(bound(program("MESSAGE go : SIGNAL\n", R"(
+Machine Controller: MC1
+  ACTIVITY work
+BEGIN
+  CONCURRENT
+  BEGIN
+    Do Nothing
+  END
+  END CONCURRENT
+  CONCURRENT
+  BEGIN
+    work
+  END
+  END CONCURRENT
+END
+Machine Controller: MC2
+BEGIN
+  WTM( go from SM1 )
+END
+Skill Module: SM1
+  ACTIVITY short
+BEGIN
+  WTM( Coordinator )
+  TXM( go to MC2 )
+  short
+  TXM( Completion Protocol 0 )
+END
+)",
+                      R"(  PROCESSOR P
+  PROCESSOR Q
+  PLACE MC1 ON Q PRIORITY 1
+  PLACE MC1.2 ON P PRIORITY 1
+  PLACE MC2 ON Q PRIORITY 2
+  PLACE SM1 ON P PRIORITY 1
+  TIME work : 5 ms
+  TIME short : 7 ms
+)")) == 12);
+}

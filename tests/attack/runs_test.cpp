@@ -10,6 +10,7 @@
 #include "tests/support/random_cell.hpp"
 #include "tests/support/runs/all_runs.hpp"
 #include "tests/support/setting.hpp"
+#include "tests/support/stopped_blocks.hpp"
 #include "tests/support/timed_skill.hpp"
 
 using namespace pal;
@@ -188,5 +189,13 @@ TEST_CASE("no run of a skill with mistakes in it exceeds what was proved") {
                                   : test::RandomCell(seed, 4, deep, test::RandomCell::Asks::all).text();
     attack(test::Mutant(seed, right, accepts).text(1 + static_cast<int>(seed % 5)), seed, tally);
   }
+  say(tally);
+}
+
+TEST_CASE("no run in which blocks are stopped exceeds what was proved") {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  Tally tally;
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 150); ++seed)
+    attack(test::StoppedBlocks(seed).text(), seed, tally);
   say(tally);
 }
