@@ -145,3 +145,56 @@ TEST_CASE("each request that is withdrawn while it is being taken costs a receiv
   // In a round that never ends MC1 receives for 1 ms, for nothing, every 6.5 ms at the least.
   CHECK(bound.bound->count() >= 150'000'000);
 }
+
+TEST_CASE("a condition is as it was left by a block that was cancelled in the CONCURRENT before") {
+  const Shown shown = show(R"(MESSAGE raw : SIGNAL
+CONDITION c
+SKILL left
+  LOGICAL SENSOR LS1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT r : AGE OF c AT act AT MOST 1 s
+END SKILL
+Logical Sensor: LS1
+Skill Module: SM1
+  ACTIVITY act
+  ACTIVITY spin
+  ACTIVITY rest
+BEGIN
+  WTM( Coordinator )
+  CONCURRENT
+  BEGIN
+    REPEAT
+      TXM( request raw from LS1 )
+      WTM( raw from LS1 )
+      SPC( c )
+    UNTIL( forever )
+  END
+  BEGIN
+    spin
+  END
+  END CONCURRENT
+  CONCURRENT
+  BEGIN
+    rest
+    RPC( c )
+    act
+  END
+  END CONCURRENT
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PROCESSOR P1
+  PLACE SM1   ON P0 PRIORITY 1
+  PLACE SM1.1 ON P1 PRIORITY 1
+  TIME act  : 1 ms
+  TIME spin : 30 ms
+  TIME rest : 300 ms
+  DEVICE LS1 ON REQUEST 4 ms
+END ENVIRONMENT
+)");
+  CHECK(shown.greatest > 300'000'000);
+  if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
+}

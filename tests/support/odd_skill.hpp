@@ -279,6 +279,25 @@ class OddSkill {
     return before + blocks(all, indent);
   }
 
+  /// Blocks, of which one is cancelled that sets what is read in the next ones.
+  std::string one_after_the_other(const Module& in) {
+    const std::string deep = "      ";
+    const std::string set = deep + "SPC( c" + in.name + " )\n";
+    const std::string paced =
+        in.calls.empty() ? say(in, "p" + in.name, deep)
+                         : ask(in, in.calls.front(), deep) + say(in, answer_of(in.calls.front()), deep);
+    std::string out =
+        blocks({forever(paced + set, "    "), work(in, "    ") + say(in, "p" + in.name, "    ")}, "  ");
+    out += blocks({say(in, "p" + in.name, "    ") + "    RPC( c" + in.name + " )\n" + work(in, "    "),
+                   small(in, "    ")},
+                  "  ");
+    ages_.push_back("c" + in.name + " AT " + said_[said_.size() - 1].second + " IN " + in.name);
+    return out;
+  }
+  static std::string answer_of(const Call& call) {
+    return "WTM( " + call.message + " from " + call.server + " )";
+  }
+
   std::string body(Module& in) {
     std::string out = in.kind + ": " + in.name + "\n";
     for (int i = 1; i <= 3; ++i) out += "  ACTIVITY w" + std::to_string(i) + in.name + "\n";
@@ -287,6 +306,7 @@ class OddSkill {
     if (chance(6) == 0) out += small(in, "  ");
     if (!in.sends.empty() && chance(5) == 0) out += say(in, in.sends.front(), "  ");
     if (!in.calls.empty() && chance(8) == 0) out += asks(in, in.calls.front(), "  ");
+    if (odd(Odd::leaves, 2)) out += one_after_the_other(in);
     out += rounds(in, "  ");
     if (in.name == "SM1") out += work(in, "  ") + "  TXM( Completion Protocol 0 )\n";
     return out + "END\n";
@@ -332,6 +352,10 @@ class OddSkill {
       const bool asks = statement.rfind("TXM( request", 0) == 0;
       add("RESPONSE FROM " + statement.substr(5, statement.find(asks ? " from " : " to ") - 5) + " OF " + in +
           " TO " + at() + most);
+    }
+    for (const std::string& age : ages_) {
+      add("AGE OF " + age + most);
+      add("REACTION OF " + age + most);
     }
     add("LOSS OF sensor AT MOST 1 IN 3");
     add("LOSS OF robot NONE");
@@ -404,6 +428,7 @@ class OddSkill {
   std::vector<std::string> messages_;
   std::vector<std::string> blocks_;
   std::vector<std::pair<std::string, std::string>> said_;  // module and statement
+  std::vector<std::string> ages_;                          // "condition AT statement IN module"
   bool second_ = false;
   bool contingency_ = false;
 };
