@@ -21,11 +21,17 @@ class Planter {
       : problem_(problem), forest_(forest), sequence_(problem), sequential_(sequential_requests(problem)) {
     takers_.resize(problem.channels.size());
     limited_.assign(problem.steps.size(), false);
+    forest.counts_anew.assign(problem.steps.size(), false);
+    const std::vector<bool> withdrawn = withdrawn_requests(problem);
     for (std::size_t s = 0; s < problem.steps.size(); ++s) {
       const Step& step = problem.steps[s];
       const int thread = forest.segments.owner(static_cast<int>(s));
       if (step.kind != Kind::wait || thread < 0) continue;
-      limited_[s] = step.within && !goes_round_by_limits(static_cast<int>(s));
+      const bool anew = std::any_of(step.channels.begin(), step.channels.end(), [&withdrawn](int channel) {
+        return withdrawn[static_cast<std::size_t>(channel)];
+      });
+      forest.counts_anew[s] = step.within && anew;
+      limited_[s] = step.within && !anew && !goes_round_by_limits(static_cast<int>(s));
       for (std::size_t arm = 0; arm < step.channels.size(); ++arm) {
         takers_[static_cast<std::size_t>(step.channels[arm])].push_back(
             {thread, static_cast<int>(s), static_cast<int>(arm)});

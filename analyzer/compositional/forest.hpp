@@ -54,6 +54,9 @@ struct Forest {
   std::vector<Node> nodes;  // a cause stands before its effects
   /// Why there is no forest: in words for the reader, or nothing.
   std::string refusal;
+  /// By step: a wait whose limit may count anew, since what its thread is about to take may be withdrawn. So
+  /// nothing bounds how long it waits, nor how often it begins to take.
+  std::vector<bool> counts_anew;
 
   explicit Forest(const Problem& problem) : segments(problem) {}
   const Segment& segment_of(const Node& node) const { return segments[node.segment]; }
@@ -73,6 +76,10 @@ bool ends_straight(const Problem& problem, int block);
 /// By channel of requests: whether blocks of one CONCURRENT send it, or wait for its answer, beside one
 /// another. So one may take what another asked for, or withdraw what another is about to take.
 std::vector<bool> shared_requests(const Problem& problem);
+
+/// By channel of requests: whether one may be withdrawn before it is taken, by who gives up waiting for the
+/// answer or is cancelled.
+std::vector<bool> withdrawn_requests(const Problem& problem);
 
 /// By channel of requests: whether each is sent only when the answer to the one before has been taken, or
 /// given up, and is answered once, before its server takes the next. So an answer that is taken is that to

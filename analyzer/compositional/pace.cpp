@@ -53,6 +53,8 @@ class Loop {
   /// When what leads to the next round is there.
   Due latest(const Source::Feed& feed) const {
     if (feed.wait >= 0) {
+      if (ground_.forest.counts_anew[static_cast<std::size_t>(feed.wait)])
+        return {never, Due::By::arrival, feed.node, feed.wait};
       const Nanoseconds limit = ground_.step_at(feed.wait).within.value_or(0);
       const Nanoseconds arrival = latest_arrival(ground_, times_.nodes, feed.node, feed.wait);
       return {plus(arrival, limit), Due::By::arrival, feed.node, feed.wait, limit};

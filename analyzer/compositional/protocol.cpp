@@ -219,6 +219,40 @@ bool side_by_side(const Problem& problem, const std::vector<int>& started_by, in
 
 }  // namespace
 
+std::vector<bool> withdrawn_requests(const Problem& problem) {
+  std::vector<bool> withdrawn(problem.channels.size());
+  for (const Step& step : problem.steps) {
+    if (step.kind != Kind::wait || !step.within) continue;
+    for (int channel : step.channels) {
+      const int request = problem.channels[static_cast<std::size_t>(channel)].answers;
+      if (request >= 0) withdrawn[static_cast<std::size_t>(request)] = true;
+    }
+  }
+  for (const Step& fork : problem.steps) {
+    const auto ends = [&problem](int block) {
+      return problem.threads[static_cast<std::size_t>(block)].can_end;
+    };
+    if (std::none_of(fork.threads.begin(), fork.threads.end(), ends)) continue;
+    std::set<int> seen;
+    std::vector<int> open;
+    for (int block : fork.threads) {
+      if (!ends(block)) open.push_back(problem.threads[static_cast<std::size_t>(block)].entry);
+    }
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      if (!seen.insert(at).second) continue;
+      const Step& step = problem.steps[static_cast<std::size_t>(at)];
+      if (step.kind == Kind::send &&
+          problem.channels[static_cast<std::size_t>(step.channels.front())].answer >= 0)
+        withdrawn[static_cast<std::size_t>(step.channels.front())] = true;
+      for (int block : step.threads) open.push_back(problem.threads[static_cast<std::size_t>(block)].entry);
+      open.insert(open.end(), step.next.begin(), step.next.end());
+    }
+  }
+  return withdrawn;
+}
+
 std::vector<bool> shared_requests(const Problem& problem) {
   std::vector<std::set<int>> users(problem.channels.size());
   for (std::size_t t = 0; t < problem.threads.size(); ++t) {

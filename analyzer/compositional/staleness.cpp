@@ -115,6 +115,18 @@ class Staleness {
 
 }  // namespace
 
+namespace {
+
+/// Whether two threads are blocks of one CONCURRENT.
+bool beside(const Problem& problem, int one, int other) {
+  return std::any_of(problem.steps.begin(), problem.steps.end(), [one, other](const Step& step) {
+    return std::count(step.threads.begin(), step.threads.end(), one) > 0 &&
+           std::count(step.threads.begin(), step.threads.end(), other) > 0;
+  });
+}
+
+}  // namespace
+
 bool outlasts(const View& view, int thread, int reader) {
   if (!goes_on(view, thread)) return false;
   if (thread == reader || view.steady) return true;
@@ -124,8 +136,8 @@ bool outlasts(const View& view, int thread, int reader) {
   if (!conduct(thread).may_be_cancelled) return true;
   const Thread& lasting = view.problem.threads[static_cast<std::size_t>(thread)];
   const Thread& reads = view.problem.threads[static_cast<std::size_t>(reader)];
-  // Blocks that end are over before their siblings are cancelled.
-  if (lasting.parent < 0 || lasting.parent != reads.parent || lasting.can_end || !reads.can_end) return false;
+  // Blocks that end are over before those beside them are cancelled.
+  if (lasting.can_end || !reads.can_end || !beside(view.problem, thread, reader)) return false;
   return !conduct(lasting.parent).may_be_cancelled;
 }
 

@@ -1,0 +1,200 @@
+// Programs that break what the compositional analysis might take for granted.
+#include <catch2/catch.hpp>
+
+#include "analyzer/compositional/compositional.hpp"
+#include "analyzer/simulate.hpp"
+#include "tests/support/any_skill.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+
+namespace {
+
+/// The greatest value that a few runs show of the first requirement, and the compositional bound; nothing:
+/// there is none.
+struct Shown {
+  Nanoseconds greatest = 0;
+  std::optional<Duration> bound;
+  std::string why;
+};
+
+Shown show(const std::string& text) {
+  const auto skill = test::any_skill(text);
+  INFO(text << test::messages(skill->diagnostics));
+  REQUIRE(skill->problem);
+  Shown shown;
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  shown.bound = analysis.verdicts.front().bound;
+  shown.why = analysis.verdicts.front().explanation;
+  const Watch watch = watch_of(*skill->problem, skill->problem->requirements.front());
+  const Machine machine(*skill->problem, watch);
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SimulationOptions options;
+    options.times = seed % 2 == 0 ? SimulationOptions::Times::extremes : SimulationOptions::Times::random;
+    options.seed = seed;
+    options.until = 2'000'000'000;
+    options.record = false;
+    for (const Measurement& measured : simulate(machine, options).measured)
+      shown.greatest = std::max(shown.greatest, measured.value);
+  }
+  return shown;
+}
+
+/// A controller that looks for a request after each tick, and a method.
+std::string looks(const std::string& limited, const std::string& method, const std::string& measure) {
+  return R"(DEVICE robot
+MESSAGE tick  : SIGNAL
+MESSAGE state : SIGNAL
+SKILL looks
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT r : )" +
+         measure + R"(
+END SKILL
+Machine Controller: MC1
+  ACTIVITY work
+BEGIN
+  REPEAT
+    WTM( tick from robot )
+    )" + limited +
+         R"(
+    work
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY rest
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+)" + method +
+         R"(  UNTIL( forever )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PROCESSOR P1
+  PROCESSOR P2
+  PLACE MC1 ON P0 PRIORITY 1
+  PLACE SM1 ON P1 PRIORITY 1
+)" + std::string(method.find("BEGIN") == std::string::npos ? "" : "  PLACE SM1.1 ON P2 PRIORITY 1\n") +
+         R"(  TIME work : 1 ms
+  TIME rest : 3 TO 6 ms
+  COST RECEIVE 1 ms
+  DEVICE robot EVENT tick EVERY 100 ms
+END ENVIRONMENT
+)";
+}
+
+const std::string answer_in_time = R"(WTM( request state from SM1 ) WITHIN 5 ms
+      TXM( state to SM1 )
+    ELSE
+      Do Nothing
+    END WTM)";
+
+const std::string gives_up = R"(    rest
+    TXM( request state from MC1 )
+    WTM( state from MC1 ) WITHIN 0.5 ms
+      Do Nothing
+    ELSE
+      Do Nothing
+    END WTM
+)";
+
+const std::string is_cancelled = R"(    CONCURRENT
+    BEGIN
+      REPEAT
+        rest
+        TXM( request state from MC1 )
+        WTM( state from MC1 )
+      UNTIL( forever )
+    END
+    BEGIN
+      rest
+    END
+    END CONCURRENT
+)";
+
+}  // namespace
+
+TEST_CASE("a limit counts anew when a request is withdrawn while it is being taken") {
+  // MC1 has begun to receive the request when SM1 gives up: it comes to its wait once more, as often as SM1
+  // asks.
+  const std::string measure = "RESPONSE FROM tick OF robot TO work AT MOST 100 ms";
+  for (const std::string& method : {gives_up, is_cancelled}) {
+    const Shown shown = show(looks(answer_in_time, method, measure));
+    CHECK(shown.greatest > 8'000'000);
+    INFO(shown.why);
+    CHECK_FALSE(shown.bound);
+  }
+}
+
+TEST_CASE("a request that is not withdrawn is taken within the limit") {
+  const std::string patient = "    rest\n    TXM( request state from MC1 )\n    WTM( state from MC1 )\n";
+  const Shown shown =
+      show(looks(answer_in_time, patient, "RESPONSE FROM tick OF robot TO work AT MOST 100 ms"));
+  REQUIRE(shown.bound);
+  CHECK(*shown.bound >= Duration(shown.greatest));
+}
+
+TEST_CASE("each request that is withdrawn while it is being taken costs a receive") {
+  const auto skill = test::any_skill(looks(answer_in_time, gives_up, "LOAD OF P0 AT MOST 10 %"));
+  REQUIRE(skill->problem);
+  const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
+  REQUIRE(bound.bound);
+  // In a round that never ends MC1 receives for 1 ms, for nothing, every 6.5 ms at the least.
+  CHECK(bound.bound->count() >= 150'000'000);
+}
+
+TEST_CASE("a condition is as it was left by a block that was cancelled in the CONCURRENT before") {
+  const Shown shown = show(R"(MESSAGE raw : SIGNAL
+CONDITION c
+SKILL left
+  LOGICAL SENSOR LS1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT r : AGE OF c AT act AT MOST 1 s
+END SKILL
+Logical Sensor: LS1
+Skill Module: SM1
+  ACTIVITY act
+  ACTIVITY spin
+  ACTIVITY rest
+BEGIN
+  WTM( Coordinator )
+  CONCURRENT
+  BEGIN
+    REPEAT
+      TXM( request raw from LS1 )
+      WTM( raw from LS1 )
+      SPC( c )
+    UNTIL( forever )
+  END
+  BEGIN
+    spin
+  END
+  END CONCURRENT
+  CONCURRENT
+  BEGIN
+    rest
+    RPC( c )
+    act
+  END
+  END CONCURRENT
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PROCESSOR P1
+  PLACE SM1   ON P0 PRIORITY 1
+  PLACE SM1.1 ON P1 PRIORITY 1
+  TIME act  : 1 ms
+  TIME spin : 30 ms
+  TIME rest : 300 ms
+  DEVICE LS1 ON REQUEST 4 ms
+END ENVIRONMENT
+)");
+  CHECK(shown.greatest > 300'000'000);
+  if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
+}
