@@ -46,6 +46,7 @@ void Referee::follow(std::optional<Nanoseconds> until) {
 
 void Referee::handle(const Event& event) {
   const int threads = static_cast<int>(threads_.size());
+  if (midway_ >= 0 && event.actor != midway_) check_between(event);
   if (event.actor >= threads) {
     device_event(event, event.actor - threads);
     return;
@@ -100,6 +101,20 @@ void Referee::handle(const Event& event) {
       break;
   }
   broken(std::string("a thread has no event ") + trace::name(event.kind));
+}
+
+/// Between what a statement does and that it is done: nothing after it has set or read a condition. Else whoever
+/// that frees may go on, and the device that it sends to takes that, but no other statement has its effect.
+void Referee::check_between(const Event& event) const {
+  const int threads = static_cast<int>(threads_.size());
+  const Step::Kind kind = step_of(midway_).kind;
+  const bool device = event.actor >= threads;
+  const bool taken = kind == Step::Kind::send && (event.kind == Kind::busy || event.kind == Kind::take);
+  const bool message = kind == Step::Kind::wait || kind == Step::Kind::send;
+  const bool acts = event.kind == Kind::put || event.kind == Kind::take || event.kind == Kind::set ||
+                    event.kind == Kind::read || event.kind == Kind::complete;
+  const bool effect = event.actor >= 0 && !device && acts && party(event.actor).mode == Mode::running;
+  demand(message && !effect && (!device || taken), name(midway_) + " is interrupted in its effect");
 }
 
 /// What must be so before time goes on to `next`.

@@ -113,6 +113,7 @@ class Referee {
 
   // The run, and what must be so whenever time goes on (referee.cpp).
   void handle(const Event& event);
+  void check_between(const Event& event) const;
   void leave_instant(Nanoseconds next) const;
   void check_thread(int thread, Nanoseconds next) const;
   void check_processor(int processor) const;
@@ -198,6 +199,7 @@ class Referee {
   bool beginning_ = true;
   bool withdrawing_ = false;     // who goes on otherwise may come before or after who goes on now
   Nanoseconds dropped_at_ = -1;  // when a message was withdrawn last
+  int midway_ = -1;              // the thread whose effect has begun and is not done; -1: none
   bool completed_ = false;
   bool ended_ = false;
   std::vector<Party> threads_;

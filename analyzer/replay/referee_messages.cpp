@@ -86,6 +86,7 @@ void Referee::put(const Event& event) {
            name(thread) + " sends what it does not send here");
     if (of.mode != Mode::sending) check_work(thread);
     of.acted = true;
+    if (of.mode == Mode::running) midway_ = thread;
     along = true;
   }
   gauge_.puts(thread, event.subject, along);
@@ -101,6 +102,7 @@ void Referee::take(const Event& event) {
          name(event.actor) + " takes a message that is not its own");
   gauge_.takes(event.actor, event.subject);
   of.acted = true;
+  midway_ = event.actor;
   empty(event.subject);
 }
 

@@ -143,6 +143,7 @@ int Referee::next_of_test(int thread) const {
 
 void Referee::done(const Event& event) {
   const int thread = event.actor;
+  if (thread == midway_) midway_ = -1;
   Party& of = party(thread);
   const Step& step = step_of(thread);
   demand(of.mode == Mode::sending || of.mode == Mode::running,
@@ -262,6 +263,7 @@ void Referee::condition(const Event& event) {
   check_work(event.actor);
   const auto condition = static_cast<std::size_t>(event.subject);
   const bool value = event.value != 0;
+  midway_ = event.actor;
   if (event.kind == Kind::set) {
     demand(step.kind == Step::Kind::set && step.condition == event.subject && !of.acted,
            name(event.actor) + " sets what it does not set here");
@@ -279,6 +281,7 @@ void Referee::condition(const Event& event) {
     of.acted = true;
   } else {
     demand(step.kind == Step::Kind::test, name(event.actor) + " reads what it does not read here");
+    demand(!of.reads.contains(event.subject), name(event.actor) + " reads a condition twice");
     of.reads[event.subject] = value;
   }
   gauge_.reads(event.actor, event.subject);
