@@ -146,6 +146,7 @@ class Run {
     const Nanoseconds at = clockwork_.now() + least;
     if (first.empty() || at > options_.until) {
       made_.end = options_.until;
+      made_.still = first.empty();
       return false;
     }
     while (!first.empty()) {

@@ -33,6 +33,7 @@ struct Simulation {
   bool ended = false;                       // the skill did
   bool failed = false;                      // an event of what is watched can have no response
   Nanoseconds end = 0;                      // all that happens up to then is known
+  bool still = false;                       // nothing happens after the end, ever
   Nanoseconds grown = 0;                    // the greatest value that still grows at the end
 };
 

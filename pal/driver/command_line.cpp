@@ -182,8 +182,9 @@ void add_simulate(CLI::App& app, SimulateOptions& options) {
   command->footer(
       "Runs prove nothing: pal check does. Exit status: 0 no run breaks a requirement; 1 the specification "
       "is "
-      "wrong; 2 bad usage, or a file could not be read or written; 3 a run breaks one, or a script cannot be "
-      "followed.");
+      "wrong; 2 bad usage, or a file could not be read or written; 3 a run breaks one or leaves one open, or "
+      "a "
+      "script cannot be followed.");
 }
 
 void add_what_if(CLI::App& app, WhatIfOptions& options) {

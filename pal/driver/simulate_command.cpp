@@ -122,7 +122,7 @@ std::string chart_of(const Study& study, std::size_t index, const KnownRun& run)
   chart::ChartOptions options;
   options.caption.requirement = requirement.name;
   options.caption.measure = measure_text(problem, index) + "; " + study.runs.names[seen.run];
-  options.caption.verdict = seen.breaking > 0 ? "broken" : "kept";
+  options.caption.verdict = seen.breaking > 0 ? "broken" : seen.open > 0 ? "open" : "kept";
   options.caption.limit_ns = requirement.limit;
   if (requirement.measure != analyzer::Requirement::Measure::loss &&
       requirement.measure != analyzer::Requirement::Measure::load)
@@ -207,7 +207,7 @@ ExitStatus simulate(const SimulateOptions& options, const Console& console) {
     const Simulated& simulated = study->simulated;
     good = good && simulated.refused.empty() &&
            std::all_of(simulated.seen.begin(), simulated.seen.end(),
-                       [](const Seen& seen) { return seen.breaking == 0; });
+                       [](const Seen& seen) { return seen.breaking == 0 && seen.open == 0; });
   }
   for (const auto& study : studies) {
     if (options.format == Format::text) console.out << text(study->simulated);

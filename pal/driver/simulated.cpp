@@ -17,6 +17,7 @@ using Measure = analyzer::Requirement::Measure;
 std::string state_text(const Simulated& simulated, std::size_t r) {
   const Seen& seen = simulated.seen[r];
   if (seen.breaking > 0) return "broken";
+  if (seen.open > 0) return "open";
   if (!seen.extreme) return "not seen";
   return simulated.problem.requirements[r].measure == Measure::load ? "seen" : "kept";
 }
@@ -40,6 +41,9 @@ std::string count_text(const Simulated& simulated, std::size_t r) {
                                 simulated.problem.requirements[r].at_least ? "least" : "greatest",
                                 count(seen.values, "value", "values"), simulated.run_names[seen.run]));
   if (seen.breaking > 0) parts.push_back(count(seen.breaking, "run breaks it", "runs break it"));
+  if (seen.open > 0)
+    parts.push_back(count(seen.open, "run ends", "runs end") +
+                    " with a value over the limit that may yet not count");
   if (seen.unanswered > 0) parts.push_back(count(seen.unanswered, "event", "events") + " without a response");
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -55,6 +59,7 @@ Json row(const Simulated& simulated, std::size_t r) {
           {"grows", seen.grows},
           {"run", seen.extreme ? Json(simulated.run_names[seen.run]) : Json()},
           {"broken_runs", seen.breaking},
+          {"open_runs", seen.open},
           {"unanswered_runs", seen.unanswered}};
 }
 
