@@ -56,7 +56,7 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
   }
   if (!options.depfile.empty())
     files.push_back({options.depfile, depfile_text(files, options.depfile_target, session.sources)});
-  return write_and_list(files, console);
+  return write_and_list(files, inputs_of(session), console);
 }
 
 }  // namespace pal::driver

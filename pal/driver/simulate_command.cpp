@@ -138,7 +138,7 @@ std::string chart_of(const Study& study, std::size_t index, const KnownRun& run)
 }
 
 ExitStatus write_run(const SimulateOptions& options, const std::vector<std::unique_ptr<Study>>& studies,
-                     const Console& console) {
+                     const std::vector<std::string>& inputs, const Console& console) {
   const auto chosen = choose(studies, options.requirement, console.err);
   if (!chosen) return ExitStatus::usage;
   const auto& [study, index] = *chosen;
@@ -150,7 +150,7 @@ ExitStatus write_run(const SimulateOptions& options, const std::vector<std::uniq
     files.push_back({options.trace, text.str()});
   }
   if (!options.chart.empty()) files.push_back({options.chart, chart_of(*study, index, *run)});
-  return write_and_list(files, console);
+  return write_and_list(files, inputs, console);
 }
 
 /// Nothing, if some skill has a requirement of that name; else what there is.
@@ -191,6 +191,9 @@ ExitStatus simulate(const SimulateOptions& options, const Console& console) {
   if (!witnesses) return ExitStatus::usage;
   Session session;
   if (!read(options.selection, console, session)) return ExitStatus::usage;
+  std::vector<std::string> inputs = inputs_of(session);
+  if (!options.script.empty()) inputs.push_back(options.script);
+  if (!may_write({options.trace, options.chart}, inputs, console)) return ExitStatus::usage;
   std::vector<std::unique_ptr<Study>> studies;
   if (!session.diagnostics.has_errors()) studies = studies_of(options, *witnesses, session);
   show_findings(session, console);
@@ -215,7 +218,7 @@ ExitStatus simulate(const SimulateOptions& options, const Console& console) {
   }
   if (options.format == Format::json) console.out << json(simulations);
   if (!options.trace.empty() || !options.chart.empty()) {
-    const ExitStatus written = write_run(options, studies, console);
+    const ExitStatus written = write_run(options, studies, inputs, console);
     if (written != ExitStatus::all_hold) return written;
   }
   return good ? ExitStatus::all_hold : ExitStatus::not_met;
