@@ -27,10 +27,14 @@ analyzer::Options options_of(const ProofLimits& limits) {
   options.addends = limits.addends;
   options.clock = [begin] { return seconds_since(begin); };
   if (limits.peak_memory) options.peak_memory = peak_memory;
-  options.stop = [begin, seconds = limits.seconds] {
+  options.stop = end_after(limits.seconds);
+  return options;
+}
+
+std::function<bool()> end_after(double seconds) {
+  return [begin = Clock::now(), seconds] {
     return Interruption::asked_for() || (seconds > 0 && seconds_since(begin) > seconds);
   };
-  return options;
 }
 
 std::vector<Proof> prove(Session& session, const ProofLimits& limits) {

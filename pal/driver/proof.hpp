@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct ProofLimits {
 
 /// The limits as an analysis wants them, from now on: also Ctrl-C ends it, as long as an Interruption lives.
 analyzer::Options options_of(const ProofLimits& limits);
+
+/// Whether it is time to end: `seconds` (0: never) after now, or after Ctrl-C, as long as an Interruption
+/// lives.
+std::function<bool()> end_after(double seconds);
 
 /// Proves every skill of the session in every one of its environments. Ctrl-C leaves what is not decided by
 /// then undecided. What keeps a model from being built is added to the session's findings.

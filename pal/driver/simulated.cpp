@@ -48,6 +48,11 @@ std::string count_text(const Simulated& simulated, std::size_t r) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+std::string runs_text(const Simulated& simulated) {
+  if (simulated.runs == simulated.asked) return count(simulated.runs, "run", "runs");
+  return fmt::format("{} of {} runs, then --timeout or Ctrl-C ended it", simulated.runs, simulated.asked);
+}
+
 Json row(const Simulated& simulated, std::size_t r) {
   const analyzer::Requirement& requirement = simulated.problem.requirements[r];
   const Seen& seen = simulated.seen[r];
@@ -66,9 +71,9 @@ Json row(const Simulated& simulated, std::size_t r) {
 }  // namespace
 
 std::string text(const Simulated& simulated) {
-  std::string made = fmt::format("{} in {}: {} ({}); the skill completed in {}\n", simulated.problem.skill,
-                                 simulated.problem.environment, count(simulated.runs, "run", "runs"),
-                                 simulated.how, simulated.completed);
+  std::string made =
+      fmt::format("{} in {}: {} ({}); the skill completed in {}\n", simulated.problem.skill,
+                  simulated.problem.environment, runs_text(simulated), simulated.how, simulated.completed);
   std::size_t name_width = 0, measure_width = 0;
   for (std::size_t r = 0; r < simulated.seen.size(); ++r) {
     name_width = std::max(name_width, simulated.problem.requirements[r].name.size());
@@ -90,8 +95,9 @@ std::string json(const std::vector<Simulated>& simulations) {
   document["simulations"] = Json::array();
   for (const Simulated& simulated : simulations) {
     Json made{{"skill", simulated.problem.skill}, {"environment", simulated.problem.environment},
-              {"runs", simulated.runs},           {"completed", simulated.completed},
-              {"refused", simulated.refused},     {"requirements", Json::array()}};
+              {"asked", simulated.asked},         {"runs", simulated.runs},
+              {"completed", simulated.completed}, {"refused", simulated.refused},
+              {"requirements", Json::array()}};
     for (std::size_t r = 0; r < simulated.seen.size(); ++r) made["requirements"].push_back(row(simulated, r));
     document["simulations"].push_back(std::move(made));
   }

@@ -1,5 +1,6 @@
 // pal simulate: runs by chance and by script.
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -293,4 +294,26 @@ TEST_CASE("what grows where nothing happens any more counts") {
 TEST_CASE("a busy period with very many pauses of no length takes no more memory than another") {
   const Json made = simulated(never_idle, "20s", ExitStatus::not_met);
   CHECK(requirement(made, "b").at("broken_runs") == 5);
+}
+
+TEST_CASE("runs end in the time that is given") {
+  const auto begin = std::chrono::steady_clock::now();
+  const pal::MemoryFileSystem files = in_memory(never_idle);
+  const Answer answer = pal::test::pal(
+      {"simulate", "s.pal", "--until", "1min", "--runs", "1000000", "--timeout", "500ms", "--format", "json"},
+      files);
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
+  CHECK(answer.status == ExitStatus::not_met);
+  const Json made = Json::parse(answer.out).at("simulations").at(0);
+  CHECK(made.at("asked") == 1'000'000);
+  CHECK(made.at("runs") < 1'000'000);
+  CHECK(pal::test::pal({"simulate", "s.pal", "--runs", "1000000", "--timeout", "100ms"}, files)
+            .out.find("of 1000000 runs, then --timeout or Ctrl-C ended it") != std::string::npos);
+
+  // A run that is written is whole.
+  const std::string trace = temporary("simulate_timeout");
+  pal::test::pal({"simulate", touch, "-e", cell, "--runs", "1000000", "--timeout", "300ms", "-r",
+                  "answer-alter", "--trace", trace});
+  CHECK(std::filesystem::file_size(trace) > 1'000);
+  std::filesystem::remove(trace);
 }
