@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,11 @@ struct ProofLimits {
   bool peak_memory = false;  // count it
   bool addends = false;      // find what adds up to bounds
 };
+
+/// The model of `skill` in `environment`, which must have all that the skill needs; nothing, and findings in
+/// the session, if it has not.
+std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
+                                            Session& session);
 
 /// The limits as an analysis wants them, from now on: also Ctrl-C ends it, as long as an Interruption lives.
 analyzer::Options options_of(const ProofLimits& limits);

@@ -83,7 +83,7 @@ std::vector<std::unique_ptr<Study>> studies_of(const SimulateOptions& options,
   std::vector<std::unique_ptr<Study>> studies;
   for (const pan::Network& skill : session.specification.skills) {
     for (const pan::Environment& environment : session.specification.environments) {
-      auto problem = analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
+      auto problem = problem_of(skill, environment, session);
       if (!problem) continue;
       auto study = std::make_unique<Study>();
       study->simulated.problem = std::move(*problem);

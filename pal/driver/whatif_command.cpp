@@ -34,7 +34,7 @@ class Question {
   /// False: the changes are wrong.
   bool answer(const pan::Network& skill, const pan::Environment& environment, WhatIfAnswer& answer,
               std::ostream& err) {
-    auto problem = analyzer::make_problem(skill, environment, session_.diagnostics, &session_.sources);
+    auto problem = problem_of(skill, environment, session_);
     if (!problem) return true;
     answer.skill = problem->skill;
     answer.environment = problem->environment;
