@@ -187,8 +187,8 @@ pattern
   : WTM source                                                                        # waitPattern
   | TXM LEFT message TO party RIGHT                                                   # sendPattern
   | TXM LEFT message FROM party RIGHT                                                 # askPattern
-  | SPC LEFT name RIGHT                                                               # setPattern
-  | RPC LEFT name RIGHT                                                               # readPattern
+  | set                                                                               # setPattern
+  | read                                                                              # readPattern
   | activityName                                                                      # activityPattern
   ;
 

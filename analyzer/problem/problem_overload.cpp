@@ -10,7 +10,9 @@ namespace pal::analyzer {
 namespace {
 
 __extension__ using Wide = __int128;
-constexpr Wide most_asked = 1'000'000'000;  // millionths: a thousand times the time that there is
+// Of the time that there is: so fine that a nanosecond in the longest period counts as far as numbers go.
+constexpr Wide whole_time = 1'000'000'000'000;
+constexpr Wide most_asked = 1'000 * whole_time;
 
 /// By channel: whether it brings the events of a device.
 std::vector<bool> event_channels(const Problem& problem) {
@@ -56,8 +58,9 @@ struct Taker {
   std::optional<Nanoseconds> round;
 };
 
-std::string percent(Nanoseconds millionths) {
-  return std::to_string(millionths / 10'000) + "." + std::to_string(millionths / 1'000 % 10) + " %";
+std::string percent(Wide part) {
+  const auto tenths = static_cast<Nanoseconds>(part * 1'000 / whole_time);
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " %";
 }
 
 }  // namespace
@@ -79,7 +82,7 @@ void ProblemBuilder::overload() {
       }
     }
   }
-  std::vector<Nanoseconds> asked(problem_.processors.size());  // millionths of the time
+  std::vector<Wide> asked(problem_.processors.size());
   std::vector<std::string> by(problem_.processors.size());
   for (const Device& device : problem_.devices) {
     const auto* event = std::get_if<pan::EventDevice>(&device.behaviour);
@@ -87,15 +90,16 @@ void ProblemBuilder::overload() {
     const Taker& taker = takers[static_cast<std::size_t>(device.event)];
     // Which of several threads takes how many events is open.
     if (!taker.alone || !taker.round || *taker.round == 0) continue;
-    const Wide share = static_cast<Wide>(*taker.round) * 1'000'000 / event->period.count();
-    const auto part = static_cast<Nanoseconds>(std::min(share, most_asked));
+    const Wide part =
+        std::min(static_cast<Wide>(*taker.round) * whole_time / event->period.count(), most_asked);
     const auto processor = static_cast<std::size_t>(taker.thread->processor);
     asked[processor] += part;
     by[processor] += (by[processor].empty() ? "" : ", ") + taker.thread->name + " " + percent(part) +
                      " for " + problem_.channels[static_cast<std::size_t>(device.event)].message;
   }
   for (std::size_t p = 0; p < asked.size(); ++p) {
-    if (asked[p] <= 1'000'000) continue;
+    if (asked[p] <= whole_time) continue;
+    problem_.overloaded.push_back(static_cast<int>(p));
     const pan::Processor& processor = problem_.processors[p];
     diagnostics_.report(
         Code::PAL0820, processor.where,

@@ -34,7 +34,9 @@ struct Ruling {
 /// load, nothing is. The run may end at any instant; with `until` nothing may have to happen before that.
 /// What arrives or becomes ready at one instant without an event of its own in the trace may have come in any
 /// order.
+/// A busy period is measured once for each instant from which it can be counted: from its beginning, and from
+/// each pause of no length in it; with `longest`, from its beginning only.
 Ruling check_run(const Problem& problem, const Requirement* requirement, const trace::Trace& run,
-                 std::optional<Nanoseconds> until = std::nullopt);
+                 std::optional<Nanoseconds> until = std::nullopt, bool longest = false);
 
 }  // namespace pal::analyzer::rules

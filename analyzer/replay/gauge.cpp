@@ -4,9 +4,10 @@
 
 namespace pal::analyzer::rules {
 
-Gauge::Gauge(const Problem& problem, const Requirement* requirement)
+Gauge::Gauge(const Problem& problem, const Requirement* requirement, bool longest)
     : problem_(problem),
       requirement_(requirement),
+      longest_(longest),
       threads_(problem.threads.size(), none),
       channels_(problem.channels.size(), none),
       serving_(problem.channels.size(), none),
@@ -121,7 +122,7 @@ void Gauge::busy(int processor) {
   working_[index] = true;
   std::vector<Nanoseconds>& since = busy_since_[index];
   if (paused_[index] != now_) since.clear();
-  if (since.empty() || since.back() != now_) since.push_back(now_);
+  if (since.empty() || (since.back() != now_ && !longest_)) since.push_back(now_);
 }
 
 void Gauge::idle(int processor) {

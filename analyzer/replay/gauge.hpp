@@ -15,7 +15,8 @@ namespace pal::analyzer::rules {
 class Gauge {
  public:
   /// Without a requirement, or of a load, nothing is measured.
-  Gauge(const Problem& problem, const Requirement* requirement);
+  /// `longest`: of a busy period only from its beginning, not also from each pause of no length in it.
+  Gauge(const Problem& problem, const Requirement* requirement, bool longest);
 
   void at(Nanoseconds now) { now_ = now; }
 
@@ -70,6 +71,7 @@ class Gauge {
 
   const Problem& problem_;
   const Requirement* requirement_;
+  bool longest_;
   Nanoseconds now_ = 0;
   std::vector<Nanoseconds> births_;
   std::vector<bool> answered_;   // events

@@ -21,7 +21,9 @@ class Broken : public std::runtime_error {
 
 class Referee {
  public:
-  Referee(const Problem& problem, const Requirement* requirement, const std::vector<trace::Event>& events);
+  /// `longest`: see check_run.
+  Referee(const Problem& problem, const Requirement* requirement, const std::vector<trace::Event>& events,
+          bool longest);
 
   /// Everything up to the end, and on to `until` without a further event; throws Broken.
   void follow(std::optional<Nanoseconds> until);

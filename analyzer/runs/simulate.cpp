@@ -61,7 +61,7 @@ class Run {
 
   Simulation make() {
     begin();
-    while (made_.script.size() < options_.max_events && !over() && go_on()) draw_durations();
+    while (made_.script.size() < options_.max_events && !over() && !stopped() && go_on()) draw_durations();
     made_.ended = clockwork_.state().ended;
     made_.failed = clockwork_.state().failed;
     made_.measured = clockwork_.measured();
@@ -74,6 +74,7 @@ class Run {
   }
 
  private:
+  bool stopped() const { return options_.stop && options_.stop(); }
   bool over() const { return clockwork_.state().ended || clockwork_.state().failed; }
 
   Clockwork::Timer& timer(int index) { return clockwork_.timers()[static_cast<std::size_t>(index)]; }
@@ -146,6 +147,7 @@ class Run {
     const Nanoseconds at = clockwork_.now() + least;
     if (first.empty() || at > options_.until) {
       made_.end = options_.until;
+      made_.still = first.empty();
       return false;
     }
     while (!first.empty()) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "analyzer/runs/clockwork.hpp"
@@ -17,6 +18,7 @@ struct SimulationOptions {
   std::uint64_t seed = 1;
   Nanoseconds until = 1'000'000'000;
   std::size_t max_events = 1'000'000;
+  std::function<bool()> stop;  // asked at each event; where it says so the run is known no further
   bool record = true;
   /// By device, where not empty: the instant of its first event or frame, counted from its opening; -1:
   /// drawn.
@@ -33,6 +35,7 @@ struct Simulation {
   bool ended = false;                       // the skill did
   bool failed = false;                      // an event of what is watched can have no response
   Nanoseconds end = 0;                      // all that happens up to then is known
+  bool still = false;                       // nothing happens after the end, ever
   Nanoseconds grown = 0;                    // the greatest value that still grows at the end
 };
 

@@ -283,6 +283,9 @@ std::optional<Witness> replay(const Machine& machine, const std::vector<Scripted
   witness.script = script;
   witness.trace = clockwork.trace();
   witness.failed = clockwork.state().failed;
+  const auto& left = clockwork.timers();
+  witness.still = std::none_of(left.begin(), left.end(),
+                               [](const Clockwork::Timer& timer) { return timer.active && !timer.frozen; });
   const bool least = machine.watch().least;
   bool any = false;
   for (const Measurement& made : clockwork.measured()) {

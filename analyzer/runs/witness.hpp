@@ -18,6 +18,7 @@ struct Witness {
   bool failed = false;   // the run ends with an event that has no response
   bool grows =
       false;  // nothing is measured: the value has grown so far at the end of the run, and still does
+  bool still = false;  // nothing happens after the end, ever
 };
 
 /// Runs `script` in the concrete domain. Nothing, if some timer would fire too early, too late or in the

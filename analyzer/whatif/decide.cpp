@@ -13,11 +13,43 @@ namespace {
 using Measure = Requirement::Measure;
 using Is = Verdict::State;
 
+/// Where more is to be done than there is time a skill has mostly too many classes to be explored, unless it
+/// ends soon.
+constexpr std::size_t overloaded_classes = 20'000;
+
 /// Requirements that one watch decides, and for which growing beyond the limit is failing.
 bool has_cap(const Requirement& requirement) {
   const bool timed = requirement.measure == Measure::age || requirement.measure == Measure::response ||
                      requirement.measure == Measure::reaction || requirement.measure == Measure::duration;
   return timed && !requirement.at_least;
+}
+
+/// Whether the flow of `thread` leads to one of the steps `at`.
+bool comes_to(const Problem& problem, const Thread& thread, const std::vector<bool>& at) {
+  if (at.empty()) return false;
+  std::vector<bool> seen(problem.steps.size());
+  std::vector<int> open{thread.entry};
+  while (!open.empty()) {
+    const auto here = static_cast<std::size_t>(open.back());
+    open.pop_back();
+    if (seen[here]) continue;
+    if (at[here]) return true;
+    seen[here] = true;
+    open.insert(open.end(), problem.steps[here].next.begin(), problem.steps[here].next.end());
+  }
+  return false;
+}
+
+/// Whether it is of a processor that has more to do than there is time, or of statements that run there.
+bool is_overloaded(const Problem& problem, const Requirement& requirement) {
+  const auto overloaded = [&problem](int processor) {
+    return std::find(problem.overloaded.begin(), problem.overloaded.end(), processor) !=
+           problem.overloaded.end();
+  };
+  if (std::any_of(requirement.processors.begin(), requirement.processors.end(), overloaded)) return true;
+  return std::any_of(problem.threads.begin(), problem.threads.end(), [&](const Thread& thread) {
+    return overloaded(thread.processor) && comes_to(problem, thread, requirement.at);
+  });
 }
 
 /// Whether one run can be played again with other figures, and break it again.
@@ -75,22 +107,46 @@ class Search {
   Nanoseconds tried_ = -1;
 };
 
-/// Whether one of a few runs by chance with worst times breaks the requirement: cheap, and often enough.
-bool simulated_break(const Requirement& requirement, const Machine& machine) {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    SimulationOptions how;
-    how.times = SimulationOptions::Times::worst;
-    how.seed = seed;
-    how.until = Range::unbounded;
-    how.max_events = 1'500;
-    how.record = false;
-    const Simulation run = simulate(machine, how);
-    if (run.failed) return true;
-    for (const Measurement& made : run.measured) {
-      if (made.value > requirement.limit) return true;
-    }
+/// Whether a run by chance with worst times, of so many events at most, breaks the requirement.
+bool simulated_break(const Requirement& requirement, const Machine& machine, std::uint64_t seed,
+                     std::size_t events, const Options& options) {
+  SimulationOptions how;
+  how.times = SimulationOptions::Times::worst;
+  how.seed = seed;
+  how.until = Range::unbounded;
+  how.max_events = events;
+  how.stop = options.stop;
+  how.record = false;
+  const Simulation run = simulate(machine, how);
+  if (run.failed) return true;
+  // What keeps a processor busy counts however the run goes on.
+  if (requirement.measure == Measure::busy && run.grown > requirement.limit) return true;
+  return std::any_of(run.measured.begin(), run.measured.end(), [&requirement](const Measurement& made) {
+    return requirement.at_least ? made.value < requirement.limit : made.value > requirement.limit;
+  });
+}
+
+/// A few short runs: cheap, and often enough. Where more is to be done than there is time, a long one, in
+/// which what is left over adds up; the skill has very many states there.
+bool simulated_break(const Problem& problem, const Requirement& requirement, int processor,
+                     const Options& options) {
+  constexpr std::uint64_t runs = 6;
+  constexpr std::size_t events = 1'500;
+  constexpr std::size_t many_events = 200'000;
+  const Watch watch = watch_of(problem, requirement, processor);
+  const Machine machine(problem, watch);
+  for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+    if (simulated_break(requirement, machine, seed, events, options)) return true;
   }
-  return false;
+  return !problem.overloaded.empty() && simulated_break(requirement, machine, 1, many_events, options);
+}
+
+bool simulated_break(const Problem& problem, const Requirement& requirement, const Options& options) {
+  if (requirement.measure == Measure::load || requirement.measure == Measure::loss) return false;
+  if (requirement.measure != Measure::busy) return simulated_break(problem, requirement, -1, options);
+  return std::any_of(requirement.processors.begin(), requirement.processors.end(), [&](int processor) {
+    return simulated_break(problem, requirement, processor, options);
+  });
 }
 
 Decision by_analysis(const Problem& problem, std::size_t requirement, const Options& options) {
@@ -133,10 +189,10 @@ Decision decide_by_time(const Problem& problem, std::size_t index, const Options
   const Requirement& requirement = problem.requirements[index];
   if (auto decision = holds_by_bound(problem, index)) return *decision;
   if (requirement.measure == Measure::load) return load_decision(problem, index, options, workers);
+  if (simulated_break(problem, requirement, options)) return {Is::fails, {}, {}};
   if (!has_cap(requirement)) return by_analysis(problem, index, options);
   const Watch watch = watch_of(problem, requirement);
   const Machine machine(problem, watch);
-  if (simulated_break(requirement, machine)) return {Is::fails, {}, {}};
   Search search(requirement, machine);
   ZoneGraph graph(machine, requirement.limit, false);
   const bool complete =
@@ -153,7 +209,10 @@ Decision decide_by_time(const Problem& problem, std::size_t index, const Options
 
 }  // namespace
 
-Decision decide(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
+Decision decide(const Problem& problem, std::size_t index, const Options& given, Workers& workers) {
+  Options options = given;
+  if (is_overloaded(problem, problem.requirements[index]))
+    options.max_states = std::min(given.max_states, overloaded_classes);
   Decision decision = decide_by_time(problem, index, options, workers);
   const Limits limits{options.max_states, options.stop, {}, &workers};
   if (decision.state == Is::holds && standstill(problem, limits).found) return {};

@@ -42,8 +42,9 @@ class Loader {
 
  private:
   std::optional<FileId> open(const std::string& path, SourceSpan named_at) {
-    if (const auto known = opened_.find(path); known != opened_.end()) return known->second;
-    auto& entry = opened_[path];
+    const std::string identity = files_.identity(path);
+    if (const auto known = opened_.find(identity); known != opened_.end()) return known->second;
+    auto& entry = opened_[identity];
     auto read = files_.read(path);
     if (const auto* error = std::get_if<FileError>(&read)) {
       diagnostics_.report(Code::PAL0111, named_at, "cannot read " + shown(path) + ": " + error->reason,
@@ -107,7 +108,7 @@ class Loader {
   SourceManager& sources_;
   Diagnostics& diagnostics_;
   std::vector<syntax::Tree> trees_;
-  std::map<std::string, std::optional<FileId>> opened_;
+  std::map<std::string, std::optional<FileId>> opened_;  // by identity
 };
 
 }  // namespace

@@ -167,6 +167,7 @@ class RequirementBuilder {
     std::optional<pan::MessageId> message;
     std::optional<pan::Party> party;
     std::optional<pan::ConditionId> condition;
+    std::optional<bool> value;
     std::string name;
 
     bool is(const pan::Content& content, const pan::Network& network) const {
@@ -187,7 +188,7 @@ class RequirementBuilder {
         }
         case syntax::Step::Kind::set: {
           const auto* set = std::get_if<pan::Set>(&content);
-          return set != nullptr && set->condition == *condition;
+          return set != nullptr && set->condition == *condition && (!value || set->value == value);
         }
         case syntax::Step::Kind::read: {
           const auto* read = std::get_if<pan::Read>(&content);
@@ -203,7 +204,7 @@ class RequirementBuilder {
   };
 
   std::optional<Matcher> matcher(const syntax::Step& step) {
-    Matcher result{step.kind, {}, {}, {}, step.name.text};
+    Matcher result{step.kind, {}, {}, {}, step.value, step.name.text};
     if (step.kind == syntax::Step::Kind::wait || step.kind == syntax::Step::Kind::send) {
       result.message = names_.message(step.message);
       result.party = names_.party(step.party);

@@ -73,6 +73,9 @@ std::optional<trace::Trace> read_trace(const std::string& path, const Console& c
 ExitStatus draw_atc(const AtcOptions& options, const Console& console) {
   Session session;
   const bool chosen = read(options.selection, console, session);
+  std::vector<std::string> inputs = inputs_of(session);
+  if (!options.measured.empty()) inputs.push_back(options.measured);
+  if (!may_write({options.output, options.trace}, inputs, console)) return ExitStatus::usage;
   std::vector<Proof> proofs;
   if (chosen && !session.diagnostics.has_errors()) proofs = prove(session, options.limits);
   show_findings(session, console);
@@ -105,7 +108,7 @@ ExitStatus draw_atc(const AtcOptions& options, const Console& console) {
   std::vector<OutputFile> files{{path, std::move(picture)}};
   if (!options.trace.empty())
     files.push_back({options.trace, trace_text(verdict.witness->trace, options.chrome)});
-  return write_and_list(files, console);
+  return write_and_list(files, inputs, console);
 }
 
 }  // namespace pal::driver

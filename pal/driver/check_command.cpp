@@ -7,6 +7,7 @@
 #include "pal/driver/sarif.hpp"
 #include "pal/driver/statistics.hpp"
 #include "pal/driver/witness.hpp"
+#include "pal/driver/write.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/output.hpp"
 #include "pal/syntax/print.hpp"
@@ -51,6 +52,7 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
   if (options.emit == Stage::tree) return emit_tree(options.selection, console);
   Session session;
   if (!read(options.selection, console, session)) return ExitStatus::usage;
+  if (!may_write({options.witness}, inputs_of(session), console)) return ExitStatus::usage;
   if (options.emit == Stage::pan) emit_pan(session.specification, console.out);
 
   std::vector<Proof> proofs;

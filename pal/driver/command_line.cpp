@@ -76,19 +76,24 @@ Duration duration_of(const std::string& text, const char* option) {
   throw CLI::ValidationError(option, "'" + text + "' is no length of time, as 90 s or 500 ms is");
 }
 
+void add_timeout(CLI::App& command, double& seconds, const char* description) {
+  command
+      .add_option_function<std::string>(
+          "--timeout",
+          [&seconds](const std::string& text) {
+            seconds = std::chrono::duration<double>(duration_of(text, "--timeout")).count();
+          },
+          description)
+      ->type_name("DURATION");
+}
+
 void add_limits(CLI::App& command, ProofLimits& limits) {
   command
       .add_option("--max-states", limits.max_states, "give up a requirement after so many states (undecided)")
       ->capture_default_str()
       ->check(whole_number());
-  command
-      .add_option_function<std::string>(
-          "--timeout",
-          [&limits](const std::string& text) {
-            limits.seconds = std::chrono::duration<double>(duration_of(text, "--timeout")).count();
-          },
-          "give up after so long (undecided): 90 s, 2min, 500ms; a number alone is seconds, 0: never")
-      ->type_name("DURATION");
+  add_timeout(command, limits.seconds,
+              "give up after so long (undecided): 90 s, 2min, 500ms; a number alone is seconds, 0: never");
   command.add_option("--threads", limits.threads, "threads at work; 0: one a core")
       ->capture_default_str()
       ->check(whole_number());
@@ -170,6 +175,8 @@ void add_simulate(CLI::App& app, SimulateOptions& options) {
           "a run's length in its own time, if the skill does not complete before (10 s)")
       ->type_name("DURATION")
       ->excludes(script);
+  add_timeout(*command, options.seconds,
+              "make no more runs after so long: 90 s, 2min, 500ms; a number alone is seconds, 0: never");
   command
       ->add_option("-r,--requirement", options.requirement,
                    "whose run to write; without it the first that is broken, else the tightest")
@@ -182,8 +189,9 @@ void add_simulate(CLI::App& app, SimulateOptions& options) {
   command->footer(
       "Runs prove nothing: pal check does. Exit status: 0 no run breaks a requirement; 1 the specification "
       "is "
-      "wrong; 2 bad usage, or a file could not be read or written; 3 a run breaks one, or a script cannot be "
-      "followed.");
+      "wrong; 2 bad usage, or a file could not be read or written; 3 a run breaks one or leaves one open, or "
+      "a "
+      "script cannot be followed.");
 }
 
 void add_what_if(CLI::App& app, WhatIfOptions& options) {

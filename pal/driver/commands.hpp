@@ -43,6 +43,7 @@ struct SimulateOptions {
   std::size_t runs = 100;
   std::uint64_t seed = 1;                     // of the first run; each next one has the next
   Duration until = std::chrono::seconds(10);  // of each run at most, in its own time
+  double seconds = 0;                         // of all runs together; 0: as long as they take
   std::string script;       // a file that check --witness wrote: its scripts, instead of chance
   std::string requirement;  // of trace and chart; empty: the most interesting
   std::string trace;        // where to write the trace of the run that shows the requirement's value

@@ -57,7 +57,7 @@ ExitStatus write_doc(const DocOptions& options, const Console& console) {
     return ExitStatus::all_hold;
   }
   files.push_back({options.output, text});
-  return write_and_list(files, console);
+  return write_and_list(files, inputs_of(session), console);
 }
 
 }  // namespace pal::driver

@@ -43,7 +43,7 @@ class FormatCommand {
   }
 
   void format_file(const std::string& path) {
-    if (!seen_.insert(resolve_path({}, path)).second) return;
+    if (!seen_.insert(console_.files.identity(path)).second) return;
     const bool input = path == standard_input;
     auto read = console_.files.read(input ? "/dev/stdin" : path);
     if (const auto* error = std::get_if<FileError>(&read)) {

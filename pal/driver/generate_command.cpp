@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include "codegen/generate.hpp"
+#include "pal/check/resources.hpp"
 #include "pal/driver/commands.hpp"
 #include "pal/driver/write.hpp"
 
@@ -42,6 +43,8 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
       is_one(session.specification.environments.size(), "environment", "give one with --environment FILE",
              "choose with --environment-name NAME", console.err);
   if (one) {
+    frontend::check_listed(session.specification.skills.front(), session.specification.environments.front(),
+                           session.diagnostics);
     generated =
         codegen::generate(session.specification.skills.front(), session.specification.environments.front(),
                           session.sources, session.diagnostics);
@@ -56,7 +59,7 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
   }
   if (!options.depfile.empty())
     files.push_back({options.depfile, depfile_text(files, options.depfile_target, session.sources)});
-  return write_and_list(files, console);
+  return write_and_list(files, inputs_of(session), console);
 }
 
 }  // namespace pal::driver

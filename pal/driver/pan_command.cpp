@@ -68,7 +68,7 @@ ExitStatus draw_pan(const PanOptions& options, const Console& console) {
   for (const pan::Network& network : session.specification.skills) add_pictures(network, options, files);
   for (const pan::Network& network : session.specification.sketches) add_pictures(network, options, files);
   if (files.empty()) return no_module(options, console);
-  return write_and_list(files, console);
+  return write_and_list(files, inputs_of(session), console);
 }
 
 }  // namespace pal::driver

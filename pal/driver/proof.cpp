@@ -19,6 +19,12 @@ double seconds_since(Clock::time_point begin) {
 
 }  // namespace
 
+std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
+                                            Session& session) {
+  frontend::check_listed(skill, environment, session.diagnostics);
+  return analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
+}
+
 analyzer::Options options_of(const ProofLimits& limits) {
   const auto begin = Clock::now();
   analyzer::Options options;
@@ -27,10 +33,14 @@ analyzer::Options options_of(const ProofLimits& limits) {
   options.addends = limits.addends;
   options.clock = [begin] { return seconds_since(begin); };
   if (limits.peak_memory) options.peak_memory = peak_memory;
-  options.stop = [begin, seconds = limits.seconds] {
+  options.stop = end_after(limits.seconds);
+  return options;
+}
+
+std::function<bool()> end_after(double seconds) {
+  return [begin = Clock::now(), seconds] {
     return Interruption::asked_for() || (seconds > 0 && seconds_since(begin) > seconds);
   };
-  return options;
 }
 
 std::vector<Proof> prove(Session& session, const ProofLimits& limits) {
@@ -39,8 +49,7 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits) {
   std::vector<Proof> proofs;
   for (const pan::Network& skill : session.specification.skills) {
     for (const pan::Environment& environment : session.specification.environments) {
-      frontend::check_listed(skill, environment, session.diagnostics);
-      auto problem = analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
+      auto problem = problem_of(skill, environment, session);
       if (!problem) continue;
       analyzer::Analysis analysis = analyzer::analyze(*problem, limits.analysis, options);
       const bool explored =

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,8 +30,17 @@ struct ProofLimits {
   bool addends = false;      // find what adds up to bounds
 };
 
+/// The model of `skill` in `environment`, which must have all that the skill needs; nothing, and findings in
+/// the session, if it has not.
+std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
+                                            Session& session);
+
 /// The limits as an analysis wants them, from now on: also Ctrl-C ends it, as long as an Interruption lives.
 analyzer::Options options_of(const ProofLimits& limits);
+
+/// Whether it is time to end: `seconds` (0: never) after now, or after Ctrl-C, as long as an Interruption
+/// lives.
+std::function<bool()> end_after(double seconds);
 
 /// Proves every skill of the session in every one of its environments. Ctrl-C leaves what is not decided by
 /// then undecided. What keeps a model from being built is added to the session's findings.

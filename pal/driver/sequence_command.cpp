@@ -175,7 +175,7 @@ ExitStatus draw_sequences(const SequenceOptions& options, const Console& console
     console.out << "no run stands still, or leaves a command undelivered\n";
     return ExitStatus::all_hold;
   }
-  return write_and_list(files, console);
+  return write_and_list(files, inputs_of(session), console);
 }
 
 }  // namespace pal::driver

@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <ostream>
 #include <sstream>
 
 #include "analyzer/chart/chart.hpp"
 #include "pal/driver/commands.hpp"
+#include "pal/driver/interruption.hpp"
 #include "pal/driver/runs.hpp"
 #include "pal/driver/simulated.hpp"
 #include "pal/driver/witness.hpp"
@@ -18,11 +20,12 @@ namespace {
 
 using analyzer::rules::FiledWitness;
 
-analyzer::SimulationOptions simulation_of(const SimulateOptions& options) {
+analyzer::SimulationOptions simulation_of(const SimulateOptions& options, const std::function<bool()>& stop) {
   analyzer::SimulationOptions made;
   made.times = options.times;
   made.seed = options.seed;
   made.until = options.until.count();
+  made.stop = stop;
   return made;
 }
 
@@ -52,19 +55,22 @@ std::string refusal_of(FiledWitness witness, const std::optional<KnownRun>& run,
   return refusal(witness, session);
 }
 
-void survey(Study& study, Session& session) {
+/// A run that is not whole when it is time to stop is not looked at: what is said is of whole runs.
+void survey(Study& study, Session& session, const std::function<bool()>& stop) {
   Simulated& simulated = study.simulated;
   simulated.run_names = study.runs.names;
+  simulated.asked = study.runs.names.size();
   Survey survey(simulated.problem);
-  for (std::size_t number = 0; number < study.runs.names.size(); ++number) {
+  for (std::size_t number = 0; number < simulated.asked; ++number) {
     const auto run = study.runs.make(number);
+    if (stop()) break;
+    ++simulated.runs;
     if (!study.witnesses.empty()) {
       const std::string why = refusal_of(study.witnesses[number], run, session);
       if (!why.empty()) simulated.refused.push_back(study.runs.names[number] + ": " + why);
     }
     if (run) survey.add(*run, number);
   }
-  simulated.runs = study.runs.names.size();
   simulated.completed = survey.completed();
   simulated.seen = survey.seen();
   for (const std::string& refused : survey.refused()) simulated.refused.push_back(refused);
@@ -72,11 +78,12 @@ void survey(Study& study, Session& session) {
 
 /// The studies stay where they are: runs point into them.
 std::vector<std::unique_ptr<Study>> studies_of(const SimulateOptions& options,
-                                               const std::vector<FiledWitness>& witnesses, Session& session) {
+                                               const std::vector<FiledWitness>& witnesses, Session& session,
+                                               const std::function<bool()>& stop) {
   std::vector<std::unique_ptr<Study>> studies;
   for (const pan::Network& skill : session.specification.skills) {
     for (const pan::Environment& environment : session.specification.environments) {
-      auto problem = analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
+      auto problem = problem_of(skill, environment, session);
       if (!problem) continue;
       auto study = std::make_unique<Study>();
       study->simulated.problem = std::move(*problem);
@@ -87,7 +94,7 @@ std::vector<std::unique_ptr<Study>> studies_of(const SimulateOptions& options,
       }
       if (!options.script.empty() && study->witnesses.empty()) continue;
       const analyzer::Problem& known = study->simulated.problem;
-      study->runs = options.script.empty() ? runs_by_chance(known, simulation_of(options), options.runs)
+      study->runs = options.script.empty() ? runs_by_chance(known, simulation_of(options, stop), options.runs)
                                            : scripted_runs(known, study->witnesses);
       studies.push_back(std::move(study));
     }
@@ -122,7 +129,7 @@ std::string chart_of(const Study& study, std::size_t index, const KnownRun& run)
   chart::ChartOptions options;
   options.caption.requirement = requirement.name;
   options.caption.measure = measure_text(problem, index) + "; " + study.runs.names[seen.run];
-  options.caption.verdict = seen.breaking > 0 ? "broken" : "kept";
+  options.caption.verdict = seen.breaking > 0 ? "broken" : seen.open > 0 ? "open" : "kept";
   options.caption.limit_ns = requirement.limit;
   if (requirement.measure != analyzer::Requirement::Measure::loss &&
       requirement.measure != analyzer::Requirement::Measure::load)
@@ -138,7 +145,7 @@ std::string chart_of(const Study& study, std::size_t index, const KnownRun& run)
 }
 
 ExitStatus write_run(const SimulateOptions& options, const std::vector<std::unique_ptr<Study>>& studies,
-                     const Console& console) {
+                     const std::vector<std::string>& inputs, const Console& console) {
   const auto chosen = choose(studies, options.requirement, console.err);
   if (!chosen) return ExitStatus::usage;
   const auto& [study, index] = *chosen;
@@ -150,7 +157,7 @@ ExitStatus write_run(const SimulateOptions& options, const std::vector<std::uniq
     files.push_back({options.trace, text.str()});
   }
   if (!options.chart.empty()) files.push_back({options.chart, chart_of(*study, index, *run)});
-  return write_and_list(files, console);
+  return write_and_list(files, inputs, console);
 }
 
 /// Nothing, if some skill has a requirement of that name; else what there is.
@@ -189,10 +196,17 @@ ExitStatus simulate(const SimulateOptions& options, const Console& console) {
   std::optional<std::vector<FiledWitness>> witnesses{std::in_place};
   if (!options.script.empty()) witnesses = read_witness_file(options.script, console);
   if (!witnesses) return ExitStatus::usage;
+  const Interruption interruption;
+  const std::function<bool()> late = end_after(options.seconds);
+  bool writes = false;  // a run that is to be written is made again, and whole
+  const auto stop = [&] { return !writes && late(); };
   Session session;
   if (!read(options.selection, console, session)) return ExitStatus::usage;
+  std::vector<std::string> inputs = inputs_of(session);
+  if (!options.script.empty()) inputs.push_back(options.script);
+  if (!may_write({options.trace, options.chart}, inputs, console)) return ExitStatus::usage;
   std::vector<std::unique_ptr<Study>> studies;
-  if (!session.diagnostics.has_errors()) studies = studies_of(options, *witnesses, session);
+  if (!session.diagnostics.has_errors()) studies = studies_of(options, *witnesses, session, stop);
   show_findings(session, console);
   if (session.diagnostics.has_errors()) return status_of_findings(session);
   const std::string wrong = obstacle(options, session, studies);
@@ -203,11 +217,11 @@ ExitStatus simulate(const SimulateOptions& options, const Console& console) {
   bool good = true;
   std::vector<Simulated> simulations;
   for (const auto& study : studies) {
-    survey(*study, session);
+    survey(*study, session, stop);
     const Simulated& simulated = study->simulated;
-    good = good && simulated.refused.empty() &&
+    good = good && simulated.runs == simulated.asked && simulated.refused.empty() &&
            std::all_of(simulated.seen.begin(), simulated.seen.end(),
-                       [](const Seen& seen) { return seen.breaking == 0; });
+                       [](const Seen& seen) { return seen.breaking == 0 && seen.open == 0; });
   }
   for (const auto& study : studies) {
     if (options.format == Format::text) console.out << text(study->simulated);
@@ -215,7 +229,8 @@ ExitStatus simulate(const SimulateOptions& options, const Console& console) {
   }
   if (options.format == Format::json) console.out << json(simulations);
   if (!options.trace.empty() || !options.chart.empty()) {
-    const ExitStatus written = write_run(options, studies, console);
+    writes = true;
+    const ExitStatus written = write_run(options, studies, inputs, console);
     if (written != ExitStatus::all_hold) return written;
   }
   return good ? ExitStatus::all_hold : ExitStatus::not_met;

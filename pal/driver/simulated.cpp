@@ -17,6 +17,7 @@ using Measure = analyzer::Requirement::Measure;
 std::string state_text(const Simulated& simulated, std::size_t r) {
   const Seen& seen = simulated.seen[r];
   if (seen.breaking > 0) return "broken";
+  if (seen.open > 0) return "open";
   if (!seen.extreme) return "not seen";
   return simulated.problem.requirements[r].measure == Measure::load ? "seen" : "kept";
 }
@@ -40,8 +41,16 @@ std::string count_text(const Simulated& simulated, std::size_t r) {
                                 simulated.problem.requirements[r].at_least ? "least" : "greatest",
                                 count(seen.values, "value", "values"), simulated.run_names[seen.run]));
   if (seen.breaking > 0) parts.push_back(count(seen.breaking, "run breaks it", "runs break it"));
+  if (seen.open > 0)
+    parts.push_back(count(seen.open, "run ends", "runs end") +
+                    " with a value over the limit that may yet not count");
   if (seen.unanswered > 0) parts.push_back(count(seen.unanswered, "event", "events") + " without a response");
   return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string runs_text(const Simulated& simulated) {
+  if (simulated.runs == simulated.asked) return count(simulated.runs, "run", "runs");
+  return fmt::format("{} of {} runs, then --timeout or Ctrl-C ended it", simulated.runs, simulated.asked);
 }
 
 Json row(const Simulated& simulated, std::size_t r) {
@@ -55,15 +64,16 @@ Json row(const Simulated& simulated, std::size_t r) {
           {"grows", seen.grows},
           {"run", seen.extreme ? Json(simulated.run_names[seen.run]) : Json()},
           {"broken_runs", seen.breaking},
+          {"open_runs", seen.open},
           {"unanswered_runs", seen.unanswered}};
 }
 
 }  // namespace
 
 std::string text(const Simulated& simulated) {
-  std::string made = fmt::format("{} in {}: {} ({}); the skill completed in {}\n", simulated.problem.skill,
-                                 simulated.problem.environment, count(simulated.runs, "run", "runs"),
-                                 simulated.how, simulated.completed);
+  std::string made =
+      fmt::format("{} in {}: {} ({}); the skill completed in {}\n", simulated.problem.skill,
+                  simulated.problem.environment, runs_text(simulated), simulated.how, simulated.completed);
   std::size_t name_width = 0, measure_width = 0;
   for (std::size_t r = 0; r < simulated.seen.size(); ++r) {
     name_width = std::max(name_width, simulated.problem.requirements[r].name.size());
@@ -85,8 +95,9 @@ std::string json(const std::vector<Simulated>& simulations) {
   document["simulations"] = Json::array();
   for (const Simulated& simulated : simulations) {
     Json made{{"skill", simulated.problem.skill}, {"environment", simulated.problem.environment},
-              {"runs", simulated.runs},           {"completed", simulated.completed},
-              {"refused", simulated.refused},     {"requirements", Json::array()}};
+              {"asked", simulated.asked},         {"runs", simulated.runs},
+              {"completed", simulated.completed}, {"refused", simulated.refused},
+              {"requirements", Json::array()}};
     for (std::size_t r = 0; r < simulated.seen.size(); ++r) made["requirements"].push_back(row(simulated, r));
     document["simulations"].push_back(std::move(made));
   }

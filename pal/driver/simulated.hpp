@@ -12,8 +12,9 @@ namespace pal::driver {
 
 struct Simulated {
   analyzer::Problem problem;
-  std::string how;  // "random times, seeds 1 to 100, of at most 10 s each"
-  std::size_t runs = 0;
+  std::string how;        // "random times, seeds 1 to 100, of at most 10 s each"
+  std::size_t asked = 0;  // so many runs
+  std::size_t runs = 0;   // so many were made; less, if it was time to stop
   std::size_t completed = 0;
   std::vector<Seen> seen;  // by requirement
   std::vector<std::string> run_names;

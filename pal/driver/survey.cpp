@@ -23,6 +23,19 @@ bool further(const Requirement& requirement, Nanoseconds value, const std::optio
   return requirement.at_least ? value < extreme->value : value > extreme->value;
 }
 
+/// The same of a value that may be `open`: one that breaks the requirement says more than any that may.
+bool further(const Requirement& requirement, Nanoseconds value, bool open, const Seen& seen) {
+  const bool breaks = !open && beyond(requirement, value);
+  const bool broken = !seen.extreme_is_open && seen.extreme && beyond(requirement, seen.extreme->value);
+  return breaks == broken ? further(requirement, value, seen.extreme) : breaks;
+}
+
+/// Whether a value that grows at the end of `run` counts, however the run goes on: it is measured when the
+/// skill ends, or grows for ever.
+bool counts(const Requirement& requirement, const KnownRun& run) {
+  return requirement.measure == Requirement::Measure::busy || run.still;
+}
+
 Nanoseconds busy_time(const std::vector<trace::Slice>& slices, const trace::Trace& run,
                       const std::string& processor) {
   Nanoseconds sum = 0;
@@ -58,13 +71,16 @@ void Survey::add(const KnownRun& run, std::size_t number) {
 void Survey::measure(std::size_t index, const KnownRun& run, std::size_t number) {
   const Requirement& requirement = problem_.requirements[index];
   Seen& seen = seen_[index];
-  const auto ruling = analyzer::rules::check_run(problem_, &requirement, run.trace);
+  const auto ruling = analyzer::rules::check_run(problem_, &requirement, run.trace, std::nullopt, true);
   bool breaks = ruling.failed;
+  bool open = false;
   const auto note = [&](const Measured& measured, bool grows) {
-    breaks = breaks || beyond(requirement, measured.value);
-    if (!further(requirement, measured.value, seen.extreme)) return;
+    const bool may = grows && !counts(requirement, run);
+    if (beyond(requirement, measured.value)) (may ? open : breaks) = true;
+    if (!further(requirement, measured.value, may, seen)) return;
     seen.extreme = measured;
     seen.grows = grows;
+    seen.extreme_is_open = may;
     seen.run = number;
   };
   for (const Measured& measured : ruling.measured) note(measured, false);
@@ -72,6 +88,7 @@ void Survey::measure(std::size_t index, const KnownRun& run, std::size_t number)
   seen.values += ruling.measured.size();
   seen.unanswered += ruling.failed ? 1 : 0;
   seen.breaking += breaks ? 1 : 0;
+  seen.open += open && !breaks ? 1 : 0;
 }
 
 void Survey::measure_load(std::size_t index, const KnownRun& run, std::size_t number) {

@@ -14,6 +14,7 @@ struct KnownRun {
   trace::Trace trace;
   analyzer::Nanoseconds end = 0;  // nothing more happens up to then
   bool completed = false;         // the skill ended
+  bool still = false;             // nothing happens after the end, ever
 };
 
 /// What the runs show of one requirement.
@@ -22,10 +23,14 @@ struct Seen {
   /// The greatest value, also of those that still grew at the end of a run (the least, of a requirement that
   /// says at least). Of a load: the nanoseconds in a second that a processor was busy, of a whole run.
   std::optional<analyzer::rules::Measured> extreme;
-  bool grows = false;          // the extreme did
-  std::size_t run = 0;         // that shows it
-  std::size_t breaking = 0;    // runs with a value beyond the limit, or with an event that has no response
-  std::size_t unanswered = 0;  // runs with an event that has no response
+  bool grows = false;            // the extreme did
+  bool extreme_is_open = false;  // … and need not count
+  std::size_t run = 0;           // that shows it
+  std::size_t breaking = 0;      // runs with a value beyond the limit, or with an event that has no response
+  std::size_t unanswered = 0;    // runs with an event that has no response
+  /// Runs that break nothing, and end with a value beyond the limit that still grows. It need not count: the
+  /// skill may end before it is measured, or a message be withdrawn.
+  std::size_t open = 0;
 };
 
 /// Collects what run after run shows. A load is a fraction in the long run, so no run breaks it.

@@ -34,7 +34,7 @@ class Question {
   /// False: the changes are wrong.
   bool answer(const pan::Network& skill, const pan::Environment& environment, WhatIfAnswer& answer,
               std::ostream& err) {
-    auto problem = analyzer::make_problem(skill, environment, session_.diagnostics, &session_.sources);
+    auto problem = problem_of(skill, environment, session_);
     if (!problem) return true;
     answer.skill = problem->skill;
     answer.environment = problem->environment;
@@ -82,7 +82,7 @@ class Question {
 };
 
 ExitStatus write_witnesses(const std::vector<WhatIfAnswer>& answers, const std::string& path,
-                           const Console& console) {
+                           const Session& session, const Console& console) {
   std::vector<analyzer::rules::FiledWitness> all;
   std::size_t refuted = 0;
   for (const WhatIfAnswer& answer : answers) {
@@ -95,7 +95,7 @@ ExitStatus write_witnesses(const std::vector<WhatIfAnswer>& answers, const std::
   }
   std::ostringstream text;
   analyzer::rules::write_witnesses(all, text);
-  return write_and_list({{path, text.str()}}, console);
+  return write_and_list({{path, text.str()}}, inputs_of(session), console);
 }
 
 }  // namespace
@@ -111,6 +111,7 @@ bool good(const WhatIfAnswer& answer) {
 ExitStatus what_if(const WhatIfOptions& options, const Console& console) {
   Session session;
   if (!read(options.selection, console, session)) return ExitStatus::usage;
+  if (!may_write({options.witness}, inputs_of(session), console)) return ExitStatus::usage;
   if (!session.diagnostics.has_errors() && session.specification.environments.empty()) {
     console.err << "pal: what if needs times: give an environment with --environment FILE\n";
     return ExitStatus::usage;
@@ -137,7 +138,7 @@ ExitStatus what_if(const WhatIfOptions& options, const Console& console) {
     for (const WhatIfAnswer& answer : answers) console.out << text(answer);
   }
   if (!options.witness.empty()) {
-    const ExitStatus written = write_witnesses(answers, options.witness, console);
+    const ExitStatus written = write_witnesses(answers, options.witness, session, console);
     if (written != ExitStatus::all_hold) return written;
   }
   // What the end of the time left open was not answered.

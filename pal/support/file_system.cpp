@@ -1,5 +1,7 @@
 #include "pal/support/file_system.hpp"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
@@ -63,6 +65,17 @@ std::optional<std::vector<std::string>> DiskFileSystem::list(const std::string& 
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+std::string FileSystem::identity(const std::string& path) const {
+  return resolve_path({}, path);
+}
+
+/// Of what is no file, a pipe say, each reading may give something else.
+std::string DiskFileSystem::identity(const std::string& path) const {
+  struct stat found {};
+  if (stat(path.c_str(), &found) != 0 || !S_ISREG(found.st_mode)) return FileSystem::identity(path);
+  return "file " + std::to_string(found.st_dev) + " " + std::to_string(found.st_ino);
 }
 
 std::optional<std::vector<std::string>> MemoryFileSystem::list(const std::string& path,

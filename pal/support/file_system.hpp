@@ -32,6 +32,9 @@ class FileSystem {
                                                        std::string_view /*ending*/) const {
     return std::nullopt;
   }
+
+  /// Equal for two paths that lead to one file, by links or otherwise, and for no others. Never throws.
+  virtual std::string identity(const std::string& path) const;
 };
 
 /// The real one. Refuses directories and files above `largest_file` without reading them.
@@ -40,6 +43,7 @@ class DiskFileSystem : public FileSystem {
   std::variant<std::string, FileError> read(const std::string& path) const override;
   std::optional<std::vector<std::string>> list(const std::string& path,
                                                std::string_view ending) const override;
+  std::string identity(const std::string& path) const override;
 };
 
 /// Files that are strings.

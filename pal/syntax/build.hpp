@@ -43,6 +43,7 @@ class Builder {
   // statements: build_statements.cpp
   Statements statements(Parser::StatementsContext* context);
   std::optional<Statement> statement(Parser::StatementContext* context);
+  Set set(Parser::SetContext* context);
   std::optional<Statement> wait(Parser::WaitContext* context);
   std::optional<Statement> send(Parser::SendContext* context);
   void report_no_else(SourceSpan wait, antlr4::tree::TerminalNode* end);

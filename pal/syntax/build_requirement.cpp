@@ -142,13 +142,15 @@ std::optional<Step> Builder::step(Parser::StepContext* context) {
     return result;
   }
   if (auto* c = dynamic_cast<Parser::SetPatternContext*>(pattern)) {
+    const Set written = set(c->set());
     result.kind = Step::Kind::set;
-    result.name = name(c->name());
+    result.name = written.condition;
+    result.value = written.value;
     return result;
   }
   if (auto* c = dynamic_cast<Parser::ReadPatternContext*>(pattern)) {
     result.kind = Step::Kind::read;
-    result.name = name(c->name());
+    result.name = name(c->read()->name());
     return result;
   }
   if (auto* c = dynamic_cast<Parser::ActivityPatternContext*>(pattern)) {

@@ -14,6 +14,12 @@ Statements Builder::statements(Parser::StatementsContext* context) {
   return result;
 }
 
+Set Builder::set(Parser::SetContext* context) {
+  Set made{name(context->name()), std::nullopt};
+  if (context->truth() != nullptr) made.value = context->truth()->TRUE() != nullptr;
+  return made;
+}
+
 std::optional<Statement> Builder::statement(Parser::StatementContext* context) {
   const auto where = span(context);
   if (auto* c = context->wait()) return wait(c);
@@ -21,11 +27,7 @@ std::optional<Statement> Builder::statement(Parser::StatementContext* context) {
   if (auto* c = context->choose()) return choose(c);
   if (auto* c = context->repeat()) return repeat(c);
   if (auto* c = context->concurrent()) return concurrent(c);
-  if (auto* c = context->set()) {
-    Set set{name(c->name()), std::nullopt};
-    if (c->truth() != nullptr) set.value = c->truth()->TRUE() != nullptr;
-    return Statement{std::move(set), where, {}};
-  }
+  if (auto* c = context->set()) return Statement{set(c), where, {}};
   if (auto* c = context->read()) return Statement{Read{name(c->name())}, where, {}};
   if (auto* c = context->execute()) {
     const auto called = name(c->name());

@@ -26,7 +26,7 @@ std::string text_of(const Step& step) {
              spelling(step.party) + " )";
       break;
     case Step::Kind::set:
-      text = "SPC( " + step.name.text + " )";
+      text = "SPC( " + step.name.text + (!step.value ? "" : *step.value ? " = TRUE" : " = FALSE") + " )";
       break;
     case Step::Kind::read:
       text = "RPC( " + step.name.text + " )";

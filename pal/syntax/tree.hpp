@@ -117,9 +117,10 @@ struct Completion {
 struct Step {
   enum class Kind { wait, send, set, read, perform };
   Kind kind = Kind::send;
-  MessageName message;  // wait, send
-  PartyName party;      // wait: the sender; send: the receiver
-  Name name;            // set, read: the condition; perform: the activity
+  MessageName message;        // wait, send
+  PartyName party;            // wait: the sender; send: the receiver
+  Name name;                  // set, read: the condition; perform: the activity
+  std::optional<bool> value;  // set: only those to this value; without it all
   std::optional<PartyName> in;
   SourceSpan where;
 };

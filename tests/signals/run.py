@@ -1,4 +1,4 @@
-"""Interrupts `pal check` at work, and gives it nowhere to write: run.py PAL. What it knows by then must be reported, and files be whole or as they were."""
+"""Interrupts `pal check` and `pal simulate` at work, and gives it nowhere to write: run.py PAL. What it knows by then must be reported, and files be whole or as they were."""
 import json
 import pathlib
 import signal
@@ -60,10 +60,13 @@ def is_at_work(process):
     return int(fields[11]) > 30  # clock ticks in user mode: a start takes one or two
 
 
-def interrupted(pal, folder, signals):
-    """Status, report and error text of a check that gets `signals` when it is at work."""
-    command = [pal, "check", "drivers.pal", "--analysis", "exact", "--max-states", "1000000000", "--format", "json",
-               "--witness", "runs.json"]
+CHECK = ["check", "drivers.pal", "--analysis", "exact", "--max-states", "1000000000", "--format", "json", "--witness", "runs.json"]
+SIMULATE = ["simulate", "drivers.pal", "--runs", "1000000", "--format", "json"]
+
+
+def interrupted(pal, folder, signals, arguments=CHECK):
+    """Status and report of a command that gets `signals` when it is at work."""
+    command = [pal, *arguments]
     with open(folder / "report", "wb") as out, open(folder / "errors", "wb") as err:
         process = subprocess.Popen(command, cwd=folder, stdout=out, stderr=err)
         deadline = time.monotonic() + 60
@@ -92,6 +95,18 @@ def check_one_signal(pal, which):
         assert "witnesses" in json.loads((folder / "runs.json").read_text())
 
 
+def check_simulation(pal):
+    """What the runs made by then show is said."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "drivers.pal").write_text(specification())
+        status, report = interrupted(pal, folder, [signal.SIGINT], SIMULATE)
+        assert status == 3, f"simulate: status {status}"
+        made = json.loads(report)["simulations"][0]
+        assert made["asked"] == 1000000 and made["runs"] < 1000000, "simulate: all runs were made"
+        assert len(made["requirements"]) == len(PERIODS), "simulate: a requirement is missing"
+
+
 def check_two_signals(pal):
     """The second ends it at once, if it has not ended by then; the file is the old one or a whole new one."""
     with tempfile.TemporaryDirectory() as name:
@@ -118,6 +133,7 @@ def main():
     check_full_output(pal)
     for which in (signal.SIGINT, signal.SIGTERM):
         check_one_signal(pal, which)
+    check_simulation(pal)
     check_two_signals(pal)
 
 

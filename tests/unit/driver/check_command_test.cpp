@@ -188,3 +188,42 @@ TEST_CASE("a search for loops in no time that is cut short ends as any other") {
     CHECK(answer.status == ExitStatus::all_hold);
   }
 }
+
+TEST_CASE("a requirement may name the sets of one value") {
+  pal::MemoryFileSystem files;
+  files.add("s.pal", R"(
+CONDITION c
+SKILL s
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 2 ERROR
+  REQUIREMENT any : INTERVAL OF SPC( c ) AT MOST 1 s
+  REQUIREMENT yes : INTERVAL OF SPC( c = TRUE ) AT MOST 1 s
+  REQUIREMENT no  : INTERVAL OF SPC( c = FALSE ) IN SM1 AT MOST 1 s
+END SKILL
+Skill Module: SM1
+  ACTIVITY a
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    a
+    SPC( c = TRUE )
+    a
+    SPC( c = FALSE )
+    SPC( c = FALSE )
+  UNTIL( forever )
+END
+ENVIRONMENT e
+  PROCESSOR P0
+  PLACE SM1 ON P0 PRIORITY 1
+  TIME a : 5 ms
+  COST SET 1 ms
+END ENVIRONMENT
+)");
+  const Answer answer = pal::test::pal({"check", "s.pal", "--format", "json"}, files);
+  INFO(answer.out);
+  const auto rows = Json::parse(answer.out).at("requirements");
+  CHECK(rows.at(0).at("bound_ns") == 6'000'000);
+  CHECK(rows.at(1).at("bound_ns") == 13'000'000);
+  CHECK(rows.at(2).at("bound_ns") == 12'000'000);
+}

@@ -64,3 +64,74 @@ TEST_CASE("no file of the user's is in the way of a draft, nor written by way of
   CHECK(fs::file_size(target) == 7);
   fs::remove_all(folder);
 }
+
+namespace {
+
+/// A folder of its own with the skill touch in it, and links to it.
+struct Folder {
+  Folder() {
+    fs::remove_all(path);
+    fs::create_directories(path);
+    fs::copy_file(pal::test::skill("workcell.pal"), cell);
+    fs::create_symlink(cell, link);
+    fs::create_hard_link(cell, hard);
+  }
+  ~Folder() { fs::remove_all(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  fs::path path = fs::temp_directory_path() / pal::test::own_name("pal-inputs-and-outputs");
+  std::string cell = (path / "cell.pal").string();
+  std::string link = (path / "link").string();
+  std::string hard = (path / "hard.json").string();
+};
+
+}  // namespace
+
+TEST_CASE("no command writes over what it has read, nor what is no PAL to a file that is called so") {
+  const Folder folder;
+  const auto size = fs::file_size(folder.cell);
+  const std::string touch = pal::test::skill("touch/touch.pal");
+  const std::string runs = (folder.path / "runs.json").string();
+  const std::string picture = (folder.path / "picture.svg").string();
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& why) {
+    for (const char* more : {touch.c_str(), "-e", folder.cell.c_str()}) arguments.emplace_back(more);
+    const pal::test::Answer answer = pal::test::pal(arguments);
+    INFO(answer.err);
+    CHECK(answer.status == pal::driver::ExitStatus::usage);
+    CHECK(answer.out.empty());
+    CHECK(answer.err.find(why) != std::string::npos);
+    CHECK(fs::file_size(folder.cell) == size);
+  };
+  const std::string was_read = "it is one of the files that were read";
+  for (const std::string& input : {folder.cell, folder.link, folder.hard}) {
+    refused({"check", "--witness", input}, "cannot write " + input + ": " + was_read);
+    refused({"atc", "-o", input}, was_read);
+    refused({"atc", "-o", picture, "--trace", input}, was_read);
+    refused({"simulate", "--runs", "1", "--trace", input}, was_read);
+    refused({"simulate", "--runs", "1", "--chart", input}, was_read);
+    refused({"whatif", "--place", "1", "--witness", input}, was_read);
+    refused({"generate", "-o", folder.path.string(), "--depfile", input}, was_read);
+  }
+  const std::string other = (folder.path / "other.pal").string();
+  refused({"check", "--witness", other}, "cannot write " + other + ": a file of that name is PAL");
+  refused({"atc", "-o", other}, "a file of that name is PAL");
+  CHECK_FALSE(fs::exists(other));
+  CHECK(pal::test::pal({"doc", touch, "-o", other}).status == pal::driver::ExitStatus::usage);
+
+  CHECK(pal::test::pal({"check", touch, "-e", folder.cell, "--witness", runs}).status ==
+        pal::driver::ExitStatus::all_hold);
+  refused({"simulate", "--script", runs, "--trace", runs}, was_read);
+}
+
+TEST_CASE("a file is read once, under whatever names it is given") {
+  const Folder folder;
+  const std::string touch = pal::test::skill("touch/touch.pal");
+  for (const std::string& again : {folder.cell, folder.link, folder.hard,
+                                   (folder.path / ".." / folder.path.filename() / "cell.pal").string()}) {
+    const pal::test::Answer answer = pal::test::pal({"check", touch, "-e", folder.cell, "-e", again});
+    INFO(answer.err);
+    CHECK(answer.status == pal::driver::ExitStatus::all_hold);
+    CHECK(answer.err.empty());
+  }
+}

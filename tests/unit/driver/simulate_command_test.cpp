@@ -1,5 +1,6 @@
 // pal simulate: runs by chance and by script.
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -125,4 +126,194 @@ TEST_CASE("what cannot be simulated is said") {
   said({"simulate", touch, "-e", cell, "--until", "0", "-r", "answer-alter", "--trace", "/tmp/x"},
        "no run shows a value of 'answer-alter'");
   said({"simulate", cell}, "there is no skill to simulate");
+}
+
+namespace {
+
+/// The skill ends after 50 ms; MC1 answers the event of 4 ms after 84.
+const char* const ends_before_the_answer = R"(
+MESSAGE y : REAL
+DEVICE d1
+SKILL s
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 2 ERROR
+  REQUIREMENT x : RESPONSE FROM y OF d1 TO w IN MC1 AT MOST 4 ms
+  REQUIREMENT b : BUSY PERIOD OF P0 AT MOST 20 ms
+END SKILL
+Machine Controller: MC1
+  ACTIVITY w
+BEGIN
+  WTM( y from d1 )
+  w
+END
+Skill Module: SM1
+  ACTIVITY a
+BEGIN
+  WTM( Coordinator )
+  a
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT e
+  PROCESSOR P0
+  PROCESSOR P1
+  DEVICE d1 EVENT y EVERY 500 ms PHASE 4 ms
+  PLACE MC1 ON P0 PRIORITY 1
+  PLACE SM1 ON P1 PRIORITY 1
+  TIME a OF SM1 : 50 ms
+  TIME w OF MC1 : 80 ms
+END ENVIRONMENT
+)";
+
+/// LS1 does not wait for the second request, so that nothing happens any more once it has come.
+const char* const stands_still = R"(
+MESSAGE a : SIGNAL
+MESSAGE b : SIGNAL
+SKILL s
+  LOGICAL SENSOR LS1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 2 ERROR
+  REQUIREMENT x : RESPONSE FROM request b OF SM1 TO TXM( b to SM1 ) AT MOST 4 ms
+END SKILL
+Logical Sensor: LS1
+  ACTIVITY look
+BEGIN
+  WTM( request a from SM1 )
+  TXM( a to SM1 )
+  WTM( request b from SM1 ) WITHIN 1 ms
+    TXM( b to SM1 )
+  ELSE
+    look
+  END WTM
+END
+Skill Module: SM1
+  ACTIVITY think
+BEGIN
+  WTM( Coordinator )
+  TXM( request a from LS1 )
+  WTM( a from LS1 )
+  think
+  TXM( request b from LS1 )
+  WTM( b from LS1 )
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT e
+  PROCESSOR P0
+  PROCESSOR P1
+  PLACE LS1 ON P0 PRIORITY 1
+  PLACE SM1 ON P1 PRIORITY 1
+  TIME look  : 1 ms
+  TIME think : 10 ms
+END ENVIRONMENT
+)";
+
+/// Each time that MC1 is done its next event is there.
+const char* const never_idle = R"(
+MESSAGE y : SIGNAL
+DEVICE d1
+SKILL s
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 2 ERROR
+  REQUIREMENT b : BUSY PERIOD OF P0 AT MOST 5 ms
+END SKILL
+Machine Controller: MC1
+  ACTIVITY w
+BEGIN
+  REPEAT
+    WTM( y from d1 )
+    w
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY a
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    a
+  UNTIL( forever )
+END
+ENVIRONMENT e
+  PROCESSOR P0
+  PROCESSOR P1
+  DEVICE d1 EVENT y EVERY 1 ms
+  PLACE MC1 ON P0 PRIORITY 1
+  PLACE SM1 ON P1 PRIORITY 1
+  TIME a OF SM1 : 50 ms
+  TIME w OF MC1 : 1 ms
+END ENVIRONMENT
+)";
+
+pal::MemoryFileSystem in_memory(const char* text) {
+  pal::MemoryFileSystem files;
+  files.add("s.pal", text);
+  return files;
+}
+
+Json simulated(const char* text, const std::string& until, ExitStatus status) {
+  const Answer answer = pal::test::pal(
+      {"simulate", "s.pal", "--until", until, "--runs", "5", "--format", "json"}, in_memory(text));
+  INFO(answer.err);
+  CHECK(answer.status == status);
+  return Json::parse(answer.out).at("simulations").at(0);
+}
+
+}  // namespace
+
+TEST_CASE("a run that is cut breaks nothing by what need not count") {
+  const pal::MemoryFileSystem files = in_memory(ends_before_the_answer);
+  CHECK(pal::test::pal({"check", "s.pal"}, files).out.find("  never      x") != std::string::npos);
+
+  const Json cut = simulated(ends_before_the_answer, "20ms", ExitStatus::not_met);
+  CHECK(requirement(cut, "x").at("broken_runs") == 0);
+  CHECK(requirement(cut, "x").at("open_runs") == 5);
+  CHECK(requirement(cut, "x").at("extreme_ns") == 16'000'000);
+  CHECK(pal::test::pal({"simulate", "s.pal", "--until", "20ms"}, files).out.find("  open      x") !=
+        std::string::npos);
+
+  // A busy period counts whatever comes.
+  CHECK(requirement(cut, "b").at("broken_runs") == 0);
+  const Json later = simulated(ends_before_the_answer, "25ms", ExitStatus::not_met);
+  CHECK(requirement(later, "b").at("broken_runs") == 5);
+
+  const Json whole = simulated(ends_before_the_answer, "1s", ExitStatus::not_met);
+  CHECK(requirement(whole, "x").at("open_runs") == 0);
+  CHECK(requirement(whole, "x").at("extreme_ns").is_null());
+}
+
+TEST_CASE("what grows where nothing happens any more counts") {
+  const Json made = simulated(stands_still, "30ms", ExitStatus::not_met);
+  CHECK(requirement(made, "x").at("broken_runs") == 5);
+  CHECK(requirement(made, "x").at("open_runs") == 0);
+  CHECK(requirement(made, "x").at("extreme_ns") == 20'000'000);
+}
+
+TEST_CASE("a busy period with very many pauses of no length takes no more memory than another") {
+  const Json made = simulated(never_idle, "20s", ExitStatus::not_met);
+  CHECK(requirement(made, "b").at("broken_runs") == 5);
+}
+
+TEST_CASE("runs end in the time that is given") {
+  const auto begin = std::chrono::steady_clock::now();
+  const pal::MemoryFileSystem files = in_memory(never_idle);
+  const Answer answer = pal::test::pal(
+      {"simulate", "s.pal", "--until", "1min", "--runs", "1000000", "--timeout", "500ms", "--format", "json"},
+      files);
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
+  CHECK(answer.status == ExitStatus::not_met);
+  const Json made = Json::parse(answer.out).at("simulations").at(0);
+  CHECK(made.at("asked") == 1'000'000);
+  CHECK(made.at("runs") < 1'000'000);
+  CHECK(pal::test::pal({"simulate", "s.pal", "--runs", "1000000", "--timeout", "100ms"}, files)
+            .out.find("of 1000000 runs, then --timeout or Ctrl-C ended it") != std::string::npos);
+
+  // A run that is written is whole.
+  const std::string trace = temporary("simulate_timeout");
+  pal::test::pal({"simulate", touch, "-e", cell, "--runs", "1000000", "--timeout", "300ms", "-r",
+                  "answer-alter", "--trace", trace});
+  CHECK(std::filesystem::file_size(trace) > 1'000);
+  std::filesystem::remove(trace);
 }

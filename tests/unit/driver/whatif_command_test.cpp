@@ -1,6 +1,7 @@
 #include "tests/unit/driver/program.hpp"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 using pal::driver::ExitStatus;
 using pal::test::Answer;
@@ -55,4 +56,91 @@ TEST_CASE("what an option cannot be is refused with what it can be") {
   refused({"simulate", touch, "-e", cell, "--seed", "-1"}, "'-1' is no whole number from 0 on");
   refused({"simulate", touch, "-e", cell, "--times", "odd"},
           "'odd' is none of best, extremes, random, worst");
+}
+
+namespace {
+
+/// Two drivers share P0. Its load reaches 100 % where w takes 50/7 ms, v 4.9 ms, or each take 29/17 ms more.
+const char* const two_drivers = R"(
+MESSAGE y : SIGNAL
+MESSAGE z : SIGNAL
+DEVICE d1
+DEVICE d2
+SKILL s
+  MACHINE CONTROLLER MC1, MC2
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 2 ERROR
+  REQUIREMENT r : RESPONSE FROM y OF d1 TO w IN MC1 AT MOST 20 ms
+  REQUIREMENT b : BUSY PERIOD OF P0 AT MOST 50 ms
+END SKILL
+Machine Controller: MC1
+  ACTIVITY w
+BEGIN
+  REPEAT
+    WTM( y from d1 )
+    w
+  UNTIL( forever )
+END
+Machine Controller: MC2
+  ACTIVITY v
+BEGIN
+  REPEAT
+    WTM( z from d2 )
+    v
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY a
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    a
+  UNTIL( forever )
+END
+ENVIRONMENT e
+  PROCESSOR P0
+  PROCESSOR P1
+  DEVICE d1 EVENT y EVERY 10 ms
+  DEVICE d2 EVENT z EVERY 7 ms
+  PLACE MC1 ON P0 PRIORITY 1
+  PLACE MC2 ON P0 PRIORITY 2
+  PLACE SM1 ON P1 PRIORITY 1
+  TIME a OF SM1 : 50 ms
+  TIME w OF MC1 : 1 TO 3 ms
+  TIME v OF MC2 : 1 TO 2 ms
+END ENVIRONMENT
+)";
+
+}  // namespace
+
+TEST_CASE("where a growth leaves no time for all, its slack is found all the same") {
+  pal::MemoryFileSystem files;
+  files.add("s.pal", two_drivers);
+  const Answer answer = pal::test::pal({"whatif", "s.pal", "--timeout", "60s", "--format", "json"}, files);
+  INFO(answer.out);
+  CHECK(answer.status == ExitStatus::all_hold);
+  const auto slack = nlohmann::json::parse(answer.out).at("what_if").at(0).at("slack");
+  const auto row = [&](const std::string& name) {
+    for (const auto& each : slack) {
+      if (each.at("figure") == name) return each;
+    }
+    FAIL(name << " is missing");
+    return slack.at(0);
+  };
+  // With work of 7 ms in 10 and of 2 in 7 the processor does not pause in 50 ms.
+  CHECK(row("w OF MC1").at("holds_with_ns") == 3'999'999);
+  CHECK(row("w OF MC1").at("fails_with_ns") == 4'000'000);
+  CHECK(row("RECEIVE").at("exact") == true);
+  CHECK(row("a OF SM1").at("unlimited") == true);
+}
+
+TEST_CASE("an environment that lacks what the skill needs is refused by all that ask of it") {
+  const std::string lacking = std::string(PAL_SOURCE_DIR) + "/tests/golden/check/fail_not_listed.pal";
+  for (const char* command : {"check", "whatif", "simulate", "atc", "generate"}) {
+    const Answer answer = pal::test::pal({command, lacking});
+    INFO(command);
+    CHECK(answer.status == ExitStatus::wrong_specification);
+    CHECK(answer.err.find("PAL0740") != std::string::npos);
+  }
 }
