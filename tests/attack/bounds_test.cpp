@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/compositional/compositional.hpp"
-#include "analyzer/simulate.hpp"
+#include "analyzer/runs/simulate.hpp"
 #include "tests/support/any_skill.hpp"
 
 using namespace pal;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/replay/check_run.hpp"
-#include "analyzer/simulate.hpp"
+#include "analyzer/runs/simulate.hpp"
 #include "tests/support/any_skill.hpp"
 
 using namespace pal;
