@@ -104,8 +104,9 @@ void Referee::handle(const Event& event) {
   broken(std::string("a thread has no event ") + trace::name(event.kind));
 }
 
-/// Between what a statement does and that it is done: nothing after it has set or read a condition. Else whoever
-/// that frees may go on, and the device that it sends to takes that, but no other statement has its effect.
+/// Between what a statement does and that it is done: nothing after it has set or read a condition. Else
+/// whoever that frees may go on, and the device that it sends to takes that, but no other statement has its
+/// effect.
 void Referee::check_between(const Event& event) const {
   const int threads = static_cast<int>(threads_.size());
   const Step::Kind kind = step_of(midway_).kind;

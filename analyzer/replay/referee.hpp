@@ -52,7 +52,8 @@ class Referee {
   struct Party {
     Mode mode = Mode::off;
     int step = -1;
-    Nanoseconds reached = 0;
+    Nanoseconds reached = 0;     // the statement
+    std::size_t reached_by = 0;  // with this event
     Nanoseconds work = 0;
     Nanoseconds since = 0;  // running: since when
     bool gives_up = false;
@@ -85,6 +86,8 @@ class Referee {
     Arrival arrival[2];  // at threads on the sender's processor; on others
     int from = -1;       // the sender's processor; -1: a device
     Nanoseconds put = 0;
+    std::size_t put_by = 0;      // the event
+    std::size_t emptied_by = 0;  // the event that freed it last
     std::vector<Asked> asked;    // of a request: those whose answer was not taken yet, the oldest first
     bool answers = false;        // of an answer: the message in the slot answers the oldest of those
     bool to_be_dropped = false;  // the message in the slot was withdrawn

@@ -62,6 +62,7 @@ void Referee::fill(int channel, int processor) {
   to.claimed = false;
   to.from = processor;
   to.put = now_;
+  to.put_by = at_;
   const Range none{0, 0};
   const bool flies = processor >= 0;
   const Range latency[2] = {flies ? problem_.within_processor : none,
@@ -113,6 +114,7 @@ void Referee::empty(int channel) {
     slot(channel_of(channel).answers).asked.erase(slot(channel_of(channel).answers).asked.begin());
   of.full = of.claimed = of.answers = of.to_be_dropped = false;
   of.from = -1;
+  of.emptied_by = at_;
   gauge_.empties(channel);
 }
 

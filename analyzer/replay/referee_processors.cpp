@@ -41,7 +41,11 @@ void Referee::resolve(int thread) {
     const int channel = message_of(thread, candidates);
     for (int earlier : at.channels) {
       if (earlier == channel) break;
-      if (!waited) not_there_yet(earlier, thread);
+      // A sender that became free after the thread had chosen may have filled the slot meanwhile.
+      const bool came_after = slot(earlier).put_by > of.reached_by &&
+                              slot(earlier).emptied_by <= of.reached_by &&
+                              slot(channel).put_by < of.reached_by;
+      if (!waited && !came_after) not_there_yet(earlier, thread);
     }
     Arrival& there = arrival(channel, thread);
     if (waited) there.lo = now_;

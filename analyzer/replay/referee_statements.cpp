@@ -35,6 +35,7 @@ void Referee::reach(int thread, int step) {
   Party& of = party(thread);
   of.step = step;
   of.reached = now_;
+  of.reached_by = at_;
   of.work = 0;
   of.gives_up = of.withdrawn = of.acted = false;
   of.claim = -1;

@@ -214,3 +214,58 @@ TEST_CASE("a thread that has taken a message comes to its next wait before anoth
   between.say(Kind::done, "MC1", first).say(Kind::start, "MC1", second);
   CHECK(between.broken() == "at 1000000 ns: MC1 is interrupted in its effect");
 }
+
+TEST_CASE("a message of a freed sender comes after its receiver has chosen the next one") {
+  // MC1 takes m, and finds a tick at its next wait; then SM1, which was blocked, puts the next m.
+  const auto skill = test::any_skill(R"(MESSAGE m : SIGNAL
+MESSAGE tick : SIGNAL
+DEVICE d
+SKILL odd
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 2 ERROR
+  REQUIREMENT r : LOAD OF P AT MOST 100 %
+END SKILL
+Machine Controller: MC1
+BEGIN
+  REPEAT
+    WTM FIRST
+      ( m from SM1 ):
+        Do Nothing
+      ( tick from d ):
+        Do Nothing
+    END WTM
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    TXM( m to MC1 )
+    TXM( m to MC1 )
+    work
+  UNTIL( forever )
+END
+ENVIRONMENT cell
+  PROCESSOR P
+  PLACE SM1 ON P PRIORITY 1
+  PLACE MC1 ON P PRIORITY 1
+  DEVICE d EVENT tick EVERY 2 ms
+  TIME work : 1 ms
+END ENVIRONMENT
+)");
+  INFO(test::messages(skill->diagnostics));
+  REQUIRE(skill->problem);
+  const Watch nothing;
+  const Machine machine(*skill->problem, nothing);
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SimulationOptions options;
+    options.times = SimulationOptions::Times::random;
+    options.seed = seed;
+    options.until = 60'000'000;
+    const trace::Trace run = simulate(machine, options).trace;
+    INFO("seed " << seed);
+    CHECK(rules::check_run(*skill->problem, &skill->problem->requirements.front(), run).broken == "");
+  }
+}
