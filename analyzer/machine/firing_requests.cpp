@@ -94,8 +94,8 @@ bool Firing::answers_to(int channel, int owner) const {
 }
 
 /// A stopped thread leaves nothing behind: what it was to take is there for others, what it asked for is not.
-/// If that is one message it goes to somebody else before it is withdrawn, or it does not. admit() is still to
-/// be called for the channels that are free now.
+/// If that is one message it goes to somebody else before it is withdrawn, or it does not. admit() is still
+/// to be called for the channels that are free now.
 std::vector<int> Firing::abandon(int thread) {
   const ThreadState& state = state_of(thread);
   // A block that is stopped before it has begun is at no step yet; one with a choice is at a wait.

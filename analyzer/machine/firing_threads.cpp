@@ -38,8 +38,8 @@ void Firing::begin() {
   settle();
 }
 
-/// The queues that a thread, or its blocks, may come to as it begins at `step`: none if it waits. Blocks that are
-/// over at once lead on to what is behind them.
+/// The queues that a thread, or its blocks, may come to as it begins at `step`: none if it waits. Blocks that
+/// are over at once lead on to what is behind them.
 void Firing::first_queues(int thread, int step, std::set<int>& seen,
                           std::set<std::pair<int, int>>& queues) const {
   if (!seen.insert(step).second) return;

@@ -27,6 +27,19 @@ bool around(const ZoneClass& outer, const ZoneClass& inner) {
   return (!outer.relaxed || inner.relaxed) && outer.zone.includes(inner.zone);
 }
 
+bool anything_grows(const State& state, const Watch& watch) {
+  if (!watch.grows()) return false;
+  return watch.kind == Watch::Kind::response ? !state.pending.empty() : state.reference != tag::none;
+}
+
+/// Whether nothing ever has to happen: no timer is left, or only those of sporadic events.
+bool may_stay(const Dbm& zone, std::size_t timers) {
+  for (std::size_t k = 1; k <= timers; ++k) {
+    if (zone.at(k, 0) < Dbm::unbounded) return false;
+  }
+  return true;
+}
+
 /// Whether a value that still grows is known to be beyond the cap.
 bool grows_beyond(const State& state, const Watch& watch) {
   if (!watch.grows()) return false;
@@ -192,8 +205,7 @@ void ZoneGraph::expand(int index, Expansion& expansion) {
   Place& here = places_[static_cast<std::size_t>(from.state)];
   expansion.begin();
   if (here.state.ended) return;
-  if (here.timers.empty() && machine_.watch().grows() && here.state.observers > 0 &&
-      (machine_.watch().kind == Watch::Kind::response || here.state.reference != tag::none)) {
+  if (anything_grows(here.state, machine_.watch()) && may_stay(from.zone, here.timers.size())) {
     expansion.findings.stuck = index;
     expansion.findings.never_answered = true;
   }

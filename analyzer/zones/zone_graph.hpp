@@ -64,7 +64,7 @@ struct Findings {
   std::optional<Peak> failure;
   /// The first firing after which a value that still grows can be greater than the limit.
   std::optional<Peak> growing;
-  int stuck = -1;              // a class in which nothing happens any more while a value grows
+  int stuck = -1;              // a class in which nothing has to happen any more while a value grows
   bool passed = false;         // what is watched happens in some run
   std::optional<Peak> beyond;  // the first value greater than the cap
   bool over_cap = false;

@@ -499,3 +499,98 @@ CONDITION d
   INFO(verdict.explanation);
   CHECK(verdict.state == Verdict::State::never);
 }
+
+TEST_CASE("what waits for an event that need not come grows for ever") {
+  // After motion SM1 waits for a tick, then ends the skill without an answer. The tick may never come.
+  const auto skill = pal::test::any_skill(cell(
+      "RESPONSE FROM motion OF MC1 TO early IN SM1", R"(Machine Controller: MC1
+BEGIN
+  WTM( request motion from SM1 )
+  TXM( motion to SM1 )
+  WTM( request correction from SM1 )
+  WTM( tick from robot )
+  TXM( correction to SM1 )
+END
+Skill Module: SM1
+  ACTIVITY early
+BEGIN
+  WTM( Coordinator )
+  early
+  TXM( request motion from MC1 )
+  WTM( motion from MC1 )
+  TXM( request correction from MC1 )
+  WTM( correction from MC1 )
+  TXM( Completion Protocol 0 )
+END
+)",
+      "  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n  TIME early : 1 ms\n"
+      "  DEVICE robot EVENT tick SPORADIC 10 ms\n"));
+  INFO(pal::test::messages(skill->diagnostics));
+  REQUIRE(skill->problem);
+  const Verdict verdict = analyze(*skill->problem).verdicts.front();
+  INFO(verdict.explanation);
+  CHECK(verdict.state == Verdict::State::fails);
+}
+
+TEST_CASE("what has grown beyond all that is followed when a skill stands still grows for ever") {
+  // SM1 goes round eight times, and then waits for an answer that the device has lost.
+  const auto skill = pal::test::any_skill(cell(
+      "RESPONSE FROM motion OF MC1 TO early IN SM1", R"(Machine Controller: MC1
+  ACTIVITY sleep
+BEGIN
+  REPEAT
+    WTM FIRST
+      ( request motion from SM1 ):
+        TXM( motion to SM1 )
+      ( request correction from SM1 ):
+        TXM( request correction from robot )
+        TXM( request correction from robot )
+        sleep
+        WTM( correction from robot )
+        WTM( correction from robot )
+        TXM( correction to SM1 )
+    END WTM
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY early
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+  early
+  TXM( request motion from MC1 )
+  WTM( motion from MC1 )
+  REPEAT
+    work
+    CASE
+      ( NOT a ):
+        SPC( a = TRUE )
+      ( a AND NOT b ):
+        SPC( b = TRUE )
+        SPC( a = FALSE )
+      ( a AND b AND NOT c ):
+        SPC( c = TRUE )
+        SPC( b = FALSE )
+        SPC( a = FALSE )
+      ( a AND b AND c ):
+        SPC( d = TRUE )
+    END CASE
+  UNTIL( d )
+  TXM( request correction from MC1 )
+  WTM( correction from MC1 )
+  TXM( Completion Protocol 0 )
+END
+CONDITION a
+CONDITION b
+CONDITION d
+)",
+      "  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n  TIME early : 1 ms\n"
+      "  TIME work : 70 ms\n  TIME sleep : 9 ms\n  DEVICE robot ON REQUEST 1 ms\n"));
+  INFO(pal::test::messages(skill->diagnostics));
+  REQUIRE(skill->problem);
+  Problem problem = *skill->problem;
+  problem.requirements.front().limit = 20'000'000;
+  const Verdict verdict = analyze(problem).verdicts.front();
+  INFO(verdict.explanation);
+  CHECK(verdict.state == Verdict::State::fails);
+}
