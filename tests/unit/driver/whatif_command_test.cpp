@@ -183,3 +183,26 @@ TEST_CASE("a time that cannot be is one error, not an interval that runs backwar
     CHECK(answer.err.find("1 error") != std::string::npos);
   }
 }
+
+TEST_CASE("changed figures are refused as written ones are, and activities found by any name") {
+  std::string text = two_drivers;
+  for (std::size_t at = 0; (at = text.find(" w", at)) != std::string::npos;) {
+    if (text[at + 2] == ' ' || text[at + 2] == '\n') text.replace(at, 2, " SEND");
+    ++at;
+  }
+  pal::MemoryFileSystem files;
+  files.add("s.pal", text);
+  const auto with = [&](const std::string& change) {
+    return pal::test::pal({"whatif", "s.pal", "--set", change, "--timeout", "20s"}, files);
+  };
+  CHECK(with("d1.phase = 9 ms").status == ExitStatus::all_hold);
+  CHECK(with("d1.phase = 10 ms").err.find("PAL0709") != std::string::npos);
+  CHECK(with("d1.jitter = 10 ms").err.find("PAL0726") != std::string::npos);
+  CHECK(with("d1.period = 0 ms").err.find("PAL0708") != std::string::npos);
+  CHECK(with("SEND OF MC1 = 3 TO 1 ms").status == ExitStatus::usage);
+
+  CHECK(says(with("SEND = 4 ms"), "holds              5 ms    holds              5 ms"));
+  for (const char* name : {"SEND OF MC1", "ACTIVITY SEND"}) {
+    CHECK(says(with(std::string(name) + " = 4 ms"), "holds              5 ms    holds              6 ms"));
+  }
+}
