@@ -64,8 +64,8 @@ void ProblemBuilder::phase(const std::optional<Duration>& value, Duration period
                            const std::string& device) {
   if (!value) return;
   time(*value, timing.where, "the phase of " + device);
-  if (*value <= period) return;
-  diagnostics_.report(Code::PAL0709, timing.where, "the phase of " + device + " is longer than its period",
+  if (*value < period) return;
+  diagnostics_.report(Code::PAL0709, timing.where, "the phase of " + device + " is not below its period",
                       "write the phase within one period");
 }
 

@@ -7,6 +7,8 @@
 namespace pal::analyzer {
 namespace {
 
+const std::string activity_mark = "ACTIVITY ";
+
 std::optional<Duration> length(const std::string& number, const std::string& unit) {
   const auto parsed = parse_duration(number, unit);
   const auto* value = std::get_if<Duration>(&parsed);
@@ -98,8 +100,13 @@ std::string change(pan::Environment& environment, const std::string& text) {
     known = true;
     if (time) *figure = *time;
   }
+  // One that is called as a cost is has the word before its name.
+  const bool marked = name.starts_with(activity_mark) && is_common_figure(name.substr(activity_mark.size()));
+  const std::string activity = marked                   ? name.substr(activity_mark.size())
+                               : is_common_figure(name) ? ""
+                                                        : name;
   for (pan::ActivityTime& each : environment.activities) {
-    if (each.activity != name || is_common_figure(name)) continue;
+    if (each.activity != activity) continue;
     known = true;
     if (time) each.time = *time;
   }

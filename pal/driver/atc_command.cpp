@@ -78,9 +78,13 @@ ExitStatus draw_atc(const AtcOptions& options, const Console& console) {
   if (!may_write({options.output, options.trace}, inputs, console)) return ExitStatus::usage;
   std::vector<Proof> proofs;
   if (chosen && !session.diagnostics.has_errors()) proofs = prove(session, options.limits);
+  const ExitStatus found = status_of_findings(session);
+  for (const Proof& proof : proofs) {
+    if (proof.analysis.standstill) report_standstill(proof.problem, *proof.analysis.standstill, session);
+  }
   show_findings(session, console);
   if (!chosen) return ExitStatus::usage;
-  if (session.diagnostics.has_errors()) return status_of_findings(session);
+  if (found != ExitStatus::all_hold) return found;
   if (session.specification.environments.empty()) {
     console.err << "pal: a chart needs times: give an environment with --environment FILE\n";
     return ExitStatus::usage;

@@ -49,6 +49,13 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits);
 /// Whether every verdict is `holds`.
 bool all_hold(const std::vector<Proof>& proofs);
 
+/// Adds the finding that time stands still in some run (PAL0821).
+void report_standstill(const analyzer::Problem& problem, const analyzer::Standstill& standstill,
+                       Session& session);
+
+/// Looks for such a run in a few classes, adds the finding, and says whether there is one.
+bool look_for_standstill(const analyzer::Problem& problem, Session& session);
+
 /// Adds a finding for every requirement that fails or is undecided: where it stands, which statement uses how
 /// old a value or answers how late, and what the time was spent on.
 void report_unmet(const std::vector<Proof>& proofs, Session& session);

@@ -207,14 +207,18 @@ ExitStatus simulate(const SimulateOptions& options, const Console& console) {
   if (!may_write({options.trace, options.chart}, inputs, console)) return ExitStatus::usage;
   std::vector<std::unique_ptr<Study>> studies;
   if (!session.diagnostics.has_errors()) studies = studies_of(options, *witnesses, session, stop);
+  const ExitStatus found = status_of_findings(session);
+  bool good = true;
+  for (const auto& study : studies) {
+    if (found == ExitStatus::all_hold) good = !look_for_standstill(study->simulated.problem, session) && good;
+  }
   show_findings(session, console);
-  if (session.diagnostics.has_errors()) return status_of_findings(session);
+  if (found != ExitStatus::all_hold) return found;
   const std::string wrong = obstacle(options, session, studies);
   if (!wrong.empty()) {
     console.err << "pal: " << wrong << "\n";
     return ExitStatus::usage;
   }
-  bool good = true;
   std::vector<Simulated> simulations;
   for (const auto& study : studies) {
     survey(*study, session, stop);

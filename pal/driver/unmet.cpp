@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "analyzer/exact/standstill.hpp"
 #include "analyzer/verdict/explain.hpp"
 #include "pal/driver/measure_text.hpp"
 #include "pal/driver/proof.hpp"
@@ -117,25 +118,34 @@ void report(const Proof& proof, std::size_t index, Session& session) {
   }
 }
 
-void report_standstill(const Proof& proof, Session& session) {
-  const std::vector<int>& statements = proof.analysis.standstill->statements;
-  const auto where = [&proof](int statement) {
-    return proof.problem.statements[static_cast<std::size_t>(statement)].where;
+}  // namespace
+
+void report_standstill(const analyzer::Problem& problem, const analyzer::Standstill& standstill,
+                       Session& session) {
+  const std::vector<int>& statements = standstill.statements;
+  const auto where = [&problem](int statement) {
+    return problem.statements[static_cast<std::size_t>(statement)].where;
   };
   Diagnostic& finding = session.diagnostics.report(
       Code::PAL0821, statements.empty() ? SourceSpan{} : where(statements.front()),
-      "no time passes any more in some run in " + proof.problem.environment +
+      "no time passes any more in some run in " + problem.environment +
           ": a loop goes round for ever at one instant",
       "give something in the loop a time, in the environment, or let it wait for something that takes time");
   for (std::size_t i = 1; i < statements.size(); ++i)
     finding.notes.push_back({where(statements[i]), "this is in the loop, too"});
 }
 
-}  // namespace
+bool look_for_standstill(const analyzer::Problem& problem, Session& session) {
+  constexpr std::size_t classes = 5'000;
+  if (!analyzer::fits_exploration(problem)) return false;
+  const auto found = analyzer::standstill(problem, {classes, {}}).found;
+  if (found) report_standstill(problem, *found, session);
+  return found.has_value();
+}
 
 void report_unmet(const std::vector<Proof>& proofs, Session& session) {
   for (const Proof& proof : proofs) {
-    if (proof.analysis.standstill) report_standstill(proof, session);
+    if (proof.analysis.standstill) report_standstill(proof.problem, *proof.analysis.standstill, session);
     for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
       const State state = proof.analysis.verdicts[i].state;
       if (state == State::never) report_never(proof, i, session);

@@ -81,6 +81,19 @@ class Question {
   const analyzer::Options& analysis_;
 };
 
+/// With the figures as they are asked for: no verdict says `holds` where time stands still.
+void look_for_standstills(const std::vector<std::string>& changes, Session& session) {
+  std::ostringstream known;
+  for (const pan::Network& skill : session.specification.skills) {
+    for (const pan::Environment& environment : session.specification.environments) {
+      Diagnostics ignored;
+      const auto other = changed(environment, changes, known);
+      const auto problem = other ? analyzer::make_problem(skill, *other, ignored) : std::nullopt;
+      if (problem) look_for_standstill(*problem, session);
+    }
+  }
+}
+
 ExitStatus write_witnesses(const std::vector<WhatIfAnswer>& answers, const std::string& path,
                            const Session& session, const Console& console) {
   std::vector<analyzer::rules::FiledWitness> all;
@@ -129,9 +142,11 @@ ExitStatus what_if(const WhatIfOptions& options, const Console& console) {
       }
     }
   }
+  const ExitStatus found = status_of_findings(session);
+  if (found == ExitStatus::all_hold && sound_changes) look_for_standstills(options.changes, session);
   show_findings(session, console);
   if (!sound_changes) return ExitStatus::usage;
-  if (session.diagnostics.has_errors()) return status_of_findings(session);
+  if (found != ExitStatus::all_hold) return found;
   if (options.format == Format::json) {
     console.out << json(answers);
   } else {

@@ -87,9 +87,10 @@ std::optional<Requirement> Builder::passes(Requirement result, Parser::StepConte
   auto built = step(at);
   if (!built) return std::nullopt;
   Requirement::Passes passes{std::move(*built), {}, {}};
+  const std::size_t wrong = diagnostics_.errors();
   if (least != nullptr) passes.least = duration(least);
   if (most != nullptr) passes.most = duration(most);
-  if (passes.least && passes.most && *passes.least > *passes.most) {
+  if (diagnostics_.errors() == wrong && passes.least && passes.most && *passes.least > *passes.most) {
     diagnostics_.report(Code::PAL0705, span(span(least), span(most)),
                         "the least interval is longer than the greatest", "write the shorter time first");
   }

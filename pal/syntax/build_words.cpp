@@ -178,8 +178,9 @@ Interval Builder::interval(Parser::IntervalContext* context) {
   }
   // 0.1 TO 0.2 ms: one unit stands for both.
   auto* last = context->NAME(1) != nullptr ? context->NAME(1) : unit;
+  const std::size_t wrong = diagnostics_.errors();
   const Interval result{duration(best, unit), duration(worst, last)};
-  if (result.best > result.worst) {
+  if (diagnostics_.errors() == wrong && result.best > result.worst) {
     const auto turned = to_text(Interval{result.worst, result.best});
     diagnostics_
         .report(Code::PAL0705, span(context), "this interval runs backwards", "write the best time first")

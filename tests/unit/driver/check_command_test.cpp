@@ -227,3 +227,75 @@ END ENVIRONMENT
   CHECK(rows.at(1).at("bound_ns") == 13'000'000);
   CHECK(rows.at(2).at("bound_ns") == 12'000'000);
 }
+
+namespace {
+
+/// The skill counts 2^bits rounds of 1 ms with its conditions, and ends. MC1 would answer after that.
+std::string counts_and_ends(int bits) {
+  std::string conditions, clear, count, end;
+  for (int bit = 0; bit <= bits; ++bit) {
+    const std::string name = "b" + std::to_string(bit);
+    conditions += "CONDITION " + name + "\n";
+    clear += "  SPC( " + name + " = FALSE )\n";
+    if (bit == bits) break;
+    count += "CASE\n( NOT " + name + " ):\nSPC( " + name + " = TRUE )\n( " + name + " ):\nSPC( " + name +
+             " = FALSE )\n";
+    end += "END CASE\n";
+  }
+  const std::string last = "b" + std::to_string(bits);
+  return "MESSAGE y : SIGNAL\nMESSAGE go : SIGNAL\nDEVICE d1\n" + conditions + R"(
+SKILL s
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 2 ERROR
+  REQUIREMENT x : RESPONSE FROM y OF d1 TO w IN MC1 AT MOST 4 ms
+  REQUIREMENT i : INTERVAL OF v IN MC1 AT MOST 4 ms
+END SKILL
+Machine Controller: MC1
+  ACTIVITY w
+  ACTIVITY v
+BEGIN
+  TXM( request y from d1 )
+  WTM( y from d1 )
+  v
+  WTM( go from SM1 )
+  w
+  v
+END
+Skill Module: SM1
+  ACTIVITY a
+BEGIN
+  WTM( Coordinator )
+)" + clear +
+         "  REPEAT\n  a\n" + count + "SPC( " + last + " = TRUE )\n" + end + "UNTIL( " + last + R"( )
+  TXM( go to MC1 )
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT e
+  PROCESSOR P0
+  PROCESSOR P1
+  DEVICE d1 ON REQUEST 1 ms
+  PLACE MC1 ON P0 PRIORITY 1
+  PLACE SM1 ON P1 PRIORITY 1
+  TIME a : 1 ms
+  TIME v : 1 ms
+  TIME w : 1 ms
+END ENVIRONMENT
+)";
+}
+
+}  // namespace
+
+TEST_CASE("what grows for long and ends with the skill breaks nothing") {
+  for (const int bits : {3, 8, 10}) {
+    pal::MemoryFileSystem files;
+    files.add("s.pal", counts_and_ends(bits));
+    const Answer answer = pal::test::pal({"check", "s.pal", "--format", "json"}, files);
+    INFO(answer.out);
+    const auto rows = Json::parse(answer.out).at("requirements");
+    REQUIRE(rows.size() == 2);
+    CHECK(rows.at(0).at("verdict") == "never");
+    CHECK(rows.at(1).at("verdict") == "never");
+  }
+}

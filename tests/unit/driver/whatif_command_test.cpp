@@ -144,3 +144,65 @@ TEST_CASE("an environment that lacks what the skill needs is refused by all that
     CHECK(answer.err.find("PAL0740") != std::string::npos);
   }
 }
+
+TEST_CASE("a loop in which no time passes is said to be one by all that reckon with times") {
+  std::string text = two_drivers;
+  const std::string time = "a OF SM1 : 50 ms";
+  text.replace(text.find(time), time.size(), "a OF SM1 : 0 ms");
+  pal::MemoryFileSystem files;
+  files.add("s.pal", text);
+  const std::vector<std::vector<std::string>> commands{{"check", "s.pal"},
+                                                       {"whatif", "s.pal"},
+                                                       {"whatif", "s.pal", "--place", "1"},
+                                                       {"whatif", "s.pal", "--set", "v OF MC2 = 1 ms"},
+                                                       {"simulate", "s.pal", "--timeout", "1s"},
+                                                       {"atc", "s.pal"}};
+  for (const std::vector<std::string>& command : commands) {
+    const Answer answer = pal::test::pal(command, files);
+    INFO(command.front() << answer.err);
+    CHECK(answer.status != ExitStatus::all_hold);
+    CHECK(answer.status != ExitStatus::wrong_specification);
+    CHECK(answer.err.find("PAL0821") != std::string::npos);
+  }
+  // With a time it is none.
+  const Answer mended = pal::test::pal({"whatif", "s.pal", "--set", "a OF SM1 = 1 ms"}, files);
+  CHECK(mended.err.find("PAL0821") == std::string::npos);
+}
+
+TEST_CASE("a time that cannot be is one error, not an interval that runs backwards as well") {
+  for (const char* time : {"1 TO -3 ms", "1 TO 9223372036854775808 ns", "1 TO 1.5 ns"}) {
+    std::string text = two_drivers;
+    const std::string before = "w OF MC1 : 1 TO 3 ms";
+    text.replace(text.find(before), before.size(), std::string("w OF MC1 : ") + time);
+    pal::MemoryFileSystem files;
+    files.add("s.pal", text);
+    const Answer answer = pal::test::pal({"check", "s.pal"}, files);
+    INFO(answer.err);
+    CHECK(answer.status == ExitStatus::wrong_specification);
+    CHECK(answer.err.find("PAL0705") == std::string::npos);
+    CHECK(answer.err.find("1 error") != std::string::npos);
+  }
+}
+
+TEST_CASE("changed figures are refused as written ones are, and activities found by any name") {
+  std::string text = two_drivers;
+  for (std::size_t at = 0; (at = text.find(" w", at)) != std::string::npos;) {
+    if (text[at + 2] == ' ' || text[at + 2] == '\n') text.replace(at, 2, " SEND");
+    ++at;
+  }
+  pal::MemoryFileSystem files;
+  files.add("s.pal", text);
+  const auto with = [&](const std::string& change) {
+    return pal::test::pal({"whatif", "s.pal", "--set", change, "--timeout", "20s"}, files);
+  };
+  CHECK(with("d1.phase = 9 ms").status == ExitStatus::all_hold);
+  CHECK(with("d1.phase = 10 ms").err.find("PAL0709") != std::string::npos);
+  CHECK(with("d1.jitter = 10 ms").err.find("PAL0726") != std::string::npos);
+  CHECK(with("d1.period = 0 ms").err.find("PAL0708") != std::string::npos);
+  CHECK(with("SEND OF MC1 = 3 TO 1 ms").status == ExitStatus::usage);
+
+  CHECK(says(with("SEND = 4 ms"), "holds              5 ms    holds              5 ms"));
+  for (const char* name : {"SEND OF MC1", "ACTIVITY SEND"}) {
+    CHECK(says(with(std::string(name) + " = 4 ms"), "holds              5 ms    holds              6 ms"));
+  }
+}
