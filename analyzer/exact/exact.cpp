@@ -95,10 +95,7 @@ class Analyzer {
       // A greater cap may find a bound; of what fails already it is asked only where there is likely to be
       // one.
       const bool measured = graph.peak().value >= 0;
-      // What grows beyond the limit need not count: the skill may end, or the message be withdrawn, beyond
-      // this cap. A processor that is busy is so until it pauses or the skill ends.
-      const bool grows = graph.growing() && watch.kind == Watch::Kind::busy;
-      const bool broken = (measured && breaks(requirement, graph.peak().value)) || grows;
+      const bool broken = (measured && breaks(requirement, graph.peak().value)) || graph.growing();
       const bool decided =
           graph.failure() || graph.stuck() >= 0 || (broken && watch.kind != Watch::Kind::age);
       if (complete && beyond && !decided && attempt < 2) continue;
