@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analyzer/exact/growth.hpp"
 #include "analyzer/load/load.hpp"
 #include "analyzer/load/load_account.hpp"
 #include "analyzer/verdict/explain.hpp"
@@ -142,10 +143,11 @@ class Analyzer {
              Nanoseconds cap, Verdict& verdict) {
     if (graph.failure()) return judge_failure(requirement, machine, graph, verdict);
     const bool any = graph.peak().value >= 0;
-    const bool beyond = graph.over_cap() || graph.never_answered();
     if (any) verdict.witness = witness_of(machine, graph, graph.peak());
     const bool shown = verdict.witness && breaks(requirement, verdict.witness->measured.value);
-    if (!shown && beyond && !requirement.at_least) find_growth(requirement, machine, graph, verdict);
+    const Growth grown = shown ? Growth::open : growth_of(machine, graph, complete, cap);
+    const bool beyond = graph.over_cap() || (graph.never_answered() && grown != Growth::ends);
+    if (!requirement.at_least && grown == Growth::counts) find_growth(requirement, machine, graph, verdict);
     const Peak& certain = graph.findings().certain;
     if (!verdict.witness && certain.value >= 0) verdict.witness = witness_of(machine, graph, certain);
     if (verdict.witness) verdict.reasons = reasons(problem_, requirement, *verdict.witness);
@@ -186,6 +188,16 @@ class Analyzer {
     }
     verdict.witness.reset();
     verdict.explanation = "an event may stay without a response, but no run was found that shows it";
+  }
+
+  /// What becomes of the values that grow beyond the cap.
+  Growth growth_of(const Machine& machine, const ZoneGraph& graph, bool complete, Nanoseconds cap) {
+    const bool beyond = graph.over_cap() || graph.never_answered();
+    if (!beyond && (complete || !graph.growing())) return Growth::ends;
+    // A busy period is measured even if it ends with the skill.
+    const bool busy = machine.watch().kind == Watch::Kind::busy;
+    if (busy || graph.stuck() >= 0 || (graph.over_cap() && !graph.relaxed())) return Growth::counts;
+    return growth(problem_, machine.watch(), cap, limits());
   }
 
   /// A run in which the value is over the limit and still grows.

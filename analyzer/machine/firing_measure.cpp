@@ -151,6 +151,7 @@ std::uint8_t Firing::new_event() {
 
 /// It is answered, or withdrawn: nobody waits for its response any more.
 void Firing::forget_event(std::uint8_t event) {
+  outcome_.over_gone = outcome_.over_gone || state_.pending[event] == Pending::over;
   state_.pending.erase(state_.pending.begin() + event);
   pending_origin_.erase(pending_origin_.begin() + event);
   const auto move = [event](std::uint8_t& carries) {

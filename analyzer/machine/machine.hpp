@@ -68,6 +68,7 @@ struct Outcome {
   int lost = -1;        // losses: the greatest number in a row of Watch::in, if it may have grown
   bool passed = false;  // what the watch is about has happened
   std::vector<trace::Event> events;  // without times and serial numbers; only if recorded
+  bool over_gone = false;            // what grew beyond the cap does so no more
   bool too_many = false;             // a count outgrew the machine: nothing may be concluded
 };
 

@@ -23,8 +23,9 @@ std::size_t arrival_of(int number) {
   return static_cast<std::size_t>(-2 - number);
 }
 
-bool around(const ZoneClass& outer, const ZoneClass& inner) {
-  return (!outer.relaxed || inner.relaxed) && outer.zone.includes(inner.zone);
+bool around(const ZoneClass& outer, const ZoneClass& inner, ZoneGraph::Merging merging) {
+  const bool equal = merging == ZoneGraph::Merging::within || inner.zone.includes(outer.zone);
+  return (!outer.relaxed || inner.relaxed) && equal && outer.zone.includes(inner.zone);
 }
 
 bool anything_grows(const State& state, const Watch& watch) {
@@ -45,36 +46,6 @@ bool grows_beyond(const State& state, const Watch& watch) {
   if (!watch.grows()) return false;
   if (watch.kind != Watch::Kind::response) return state.reference == tag::over;
   return std::find(state.pending.begin(), state.pending.end(), Pending::over) != state.pending.end();
-}
-
-/// Whether some statement ends the skill.
-bool may_end(const Problem& problem) {
-  return std::any_of(problem.steps.begin(), problem.steps.end(), [](const Step& step) {
-    const bool no_arm = step.kind == Step::Kind::test && step.next.size() == step.guards.size();
-    return step.kind == Step::Kind::complete || no_arm;
-  });
-}
-
-/// Whether there is a way round (A. B. Kahn, Topological sorting of large networks, 1962).
-bool goes_round(const std::vector<std::pair<int, int>>& links) {
-  std::unordered_map<int, int> entering;
-  std::unordered_map<int, std::vector<int>> leaving;
-  for (const auto& [from, to] : links) {
-    entering.try_emplace(from, 0);
-    ++entering[to];
-    leaving[from].push_back(to);
-  }
-  std::vector<int> free;
-  for (const auto& [node, count] : entering) {
-    if (count == 0) free.push_back(node);
-  }
-  std::size_t done = 0;
-  for (; done < free.size(); ++done) {
-    for (const int to : leaving[free[done]]) {
-      if (--entering[to] == 0) free.push_back(to);
-    }
-  }
-  return done < entering.size();
 }
 
 }  // namespace
@@ -98,6 +69,7 @@ void Findings::add(const Findings& later, bool least) {
   passed = passed || later.passed;
   over_cap = over_cap || later.over_cap;
   never_answered = never_answered || later.never_answered;
+  grows_on = grows_on || later.grows_on;
   outgrown = outgrown || later.outgrown;
   relaxed = relaxed || later.relaxed;
 }
@@ -110,8 +82,8 @@ void ZoneGraph::in_parts(const Limits& limits, std::size_t count, std::size_t gr
   for (std::size_t i = 0; i < count; ++i) part(i);
 }
 
-ZoneGraph::ZoneGraph(const Machine& machine, Nanoseconds cap, bool keep_edges)
-    : machine_(machine), cap_(cap), keep_edges_(keep_edges), may_end_(may_end(machine.problem())) {}
+ZoneGraph::ZoneGraph(const Machine& machine, Nanoseconds cap, bool keep_edges, Merging merging)
+    : machine_(machine), cap_(cap), keep_edges_(keep_edges), merging_(merging) {}
 
 int ZoneGraph::current(int index) const {
   while (classes_[static_cast<std::size_t>(index)].replaced_by >= 0) {
@@ -141,14 +113,36 @@ bool ZoneGraph::explore(const Limits& limits) {
     edge.from = current(edge.from);
     edge.to = current(edge.to);
   }
-  for (auto& [from, to] : growing_on_) {
-    from = current(from);
-    to = current(to);
-  }
   // If the skill ends on every way on, what has grown is not counted.
-  findings_.never_answered = findings_.never_answered || goes_round(growing_on_);
+  findings_.never_answered = findings_.never_answered || goes_round(growing_);
+  findings_.grows_on = findings_.grows_on || goes_round(growing_on_);
+  growing_ = {};
   growing_on_ = {};
   return complete;
+}
+
+/// Whether there is a way round (A. B. Kahn, Topological sorting of large networks, 1962).
+bool ZoneGraph::goes_round(const std::vector<std::pair<int, int>>& edges) const {
+  std::unordered_map<int, int> entering;
+  std::unordered_map<int, std::vector<int>> leaving;
+  for (const auto& [parent, made] : edges) {
+    const int from = current(parent);
+    const int to = current(made);
+    entering.try_emplace(from, 0);
+    ++entering[to];
+    leaving[from].push_back(to);
+  }
+  std::vector<int> free;
+  for (const auto& [node, count] : entering) {
+    if (count == 0) free.push_back(node);
+  }
+  std::size_t done = 0;
+  for (; done < free.size(); ++done) {
+    for (const int to : leaving[free[done]]) {
+      if (--entering[to] == 0) free.push_back(to);
+    }
+  }
+  return done < entering.size();
 }
 
 bool ZoneGraph::grow(const Limits& limits) {
@@ -208,6 +202,7 @@ void ZoneGraph::expand(int index, Expansion& expansion) {
   if (anything_grows(here.state, machine_.watch()) && may_stay(from.zone, here.timers.size())) {
     expansion.findings.stuck = index;
     expansion.findings.never_answered = true;
+    expansion.findings.grows_on = true;
   }
   int fired_timer = -1;
   bool possible = false;
@@ -309,8 +304,6 @@ void ZoneGraph::split(Arrival& arrival, Expansion& expansion) const {
     derive(whole, expansion.sources, beyond.zone);
     Arrival& later = expansion.arrival(move);
     later.passed = passed ? *passed : move.outcome.state;
-    if (!may_end_ && grows(*later.passed, machine_.watch(), static_cast<int>(variable - first)))
-      expansion.findings.never_answered = true;
     pass_cap(*later.passed, machine_.watch(), static_cast<int>(variable - first));
     later.made = std::move(beyond);
     split(later, expansion);
@@ -388,10 +381,10 @@ void ZoneGraph::compare(const Landing& landing) {
     Arrival& arrival = *arrivals_[index];
     outline.of(arrival.made.zone);
     arrival.held_by =
-        known.first_around(outline, [&](int id) { return around(zone_class(id), arrival.made); });
+        known.first_around(outline, [&](int id) { return around(zone_class(id), arrival.made, merging_); });
     if (arrival.held_by != -1) continue;
     known.erase_within(outline, [&](int id) {
-      if (!around(arrival.made, zone_class(id))) return false;
+      if (!around(arrival.made, zone_class(id), merging_)) return false;
       arrival.replaces.push_back(id);
       return true;
     });
@@ -413,7 +406,10 @@ void ZoneGraph::enter() {
     const auto beyond = [this](int at) {
       return grows_beyond(places_[static_cast<std::size_t>(at)].state, machine_.watch());
     };
-    if (beyond(place) && beyond(arrival->made.state)) growing_on_.emplace_back(parent, arrival->number);
+    if (beyond(place) && beyond(arrival->made.state)) {
+      growing_.emplace_back(parent, arrival->number);
+      if (!arrival->move->outcome.over_gone) growing_on_.push_back(growing_.back());
+    }
     if (!keep_edges_) continue;
     const Move* first = places_[static_cast<std::size_t>(place)].moves.data();
     edges_.push_back({parent, arrival->number, arrival->made.timer, static_cast<int>(arrival->move - first)});

@@ -68,10 +68,11 @@ struct Findings {
   bool passed = false;         // what is watched happens in some run
   std::optional<Peak> beyond;  // the first value greater than the cap
   bool over_cap = false;
-  /// A value grows for ever: it is beyond the cap, and the skill need not end before it is measured.
+  /// Values grow beyond the cap round a way of classes, or where nothing has to happen any more.
   bool never_answered = false;
-  bool outgrown = false;        // a count outgrew the machine: nothing may be concluded
-  bool relaxed = false;         // some action with a time that is not fixed preempted others
+  bool grows_on = false;  // the same, and all the time one and the same value
+  bool outgrown = false;  // a count outgrew the machine: nothing may be concluded
+  bool relaxed = false;   // some action with a time that is not fixed preempted others
 
   /// Of two like values the first counts. `least`: the least is looked for.
   void add(const Findings& later, bool least);
@@ -83,8 +84,11 @@ struct Findings {
 /// new classes follow the order of the old: so the graph is the same for any number of threads.
 class ZoneGraph {
  public:
+  /// Which class is not followed: one that lies within another, or only one that is equal to another.
+  enum class Merging { within, equal };
+
   /// Observed values up to `cap` are followed exactly; beyond, only that they are greater is known.
-  ZoneGraph(const Machine& machine, Nanoseconds cap, bool keep_edges);
+  ZoneGraph(const Machine& machine, Nanoseconds cap, bool keep_edges, Merging merging = Merging::within);
 
   /// Explores everything. False: a limit was met, or the machine outgrown.
   bool explore(const Limits& limits);
@@ -100,6 +104,7 @@ class ZoneGraph {
   bool over_cap() const { return findings_.over_cap; }
   const std::optional<Peak>& failure() const { return findings_.failure; }
   bool never_answered() const { return findings_.never_answered; }
+  bool grows_on() const { return findings_.grows_on; }
   const std::optional<Peak>& growing() const { return findings_.growing; }
   int stuck() const { return findings_.stuck; }
   bool passed() const { return findings_.passed; }
@@ -138,6 +143,7 @@ class ZoneGraph {
   void in_parts(const Limits& limits, std::size_t count, std::size_t grain,
                 const std::function<void(std::size_t)>& part) const;
   bool try_all(const std::vector<int>& untried, const Limits& limits);
+  bool goes_round(const std::vector<std::pair<int, int>>& edges) const;
   bool grow(const Limits& limits);
   void expand(int index, Expansion& expansion);
   void measure(int from, const Move& move, const Dbm& fired, std::size_t timers, Findings& findings) const;
@@ -152,14 +158,16 @@ class ZoneGraph {
   const Machine& machine_;
   Nanoseconds cap_;
   bool keep_edges_;
-  bool may_end_;  // some statement ends the skill
+  Merging merging_;
   std::vector<ZoneClass> classes_;
   std::vector<Place> places_;
   std::unordered_map<State, int, StateHash> index_;
   std::vector<KnownZones> known_;  // by place
   std::deque<int> open_;
   std::vector<Edge> edges_;
-  std::vector<std::pair<int, int>> growing_on_;  // edges along which a value grows that is beyond the cap
+  // Edges from and to where a value grows that is beyond the cap; the second, where none of these goes.
+  std::vector<std::pair<int, int>> growing_;
+  std::vector<std::pair<int, int>> growing_on_;
   std::vector<Move> first_moves_;
   // Of the batch in work.
   std::vector<Expansion> expansions_;

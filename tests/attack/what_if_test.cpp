@@ -7,6 +7,7 @@
 #include "analyzer/whatif/placement.hpp"
 #include "analyzer/whatif/slack.hpp"
 #include "tests/support/any_skill.hpp"
+#include "tests/support/confirm.hpp"
 #include "tests/support/random_cell.hpp"
 #include "tests/support/runs/all_runs.hpp"
 #include "tests/support/setting.hpp"
@@ -105,6 +106,18 @@ std::string broken(const Tight& skill, const pan::Environment& environment) {
   return "";
 }
 
+/// Whether a run shows a response that grows beyond the limit and that the exact analysis takes for one that
+/// never comes. The enumeration counts only those that come.
+bool never_comes(const Tight& skill, const pan::Environment& environment, const Requirement& requirement) {
+  auto problem = skill.problem(environment);
+  REQUIRE(problem);
+  problem->requirements = {requirement};
+  const Analysis analysis = analyze(*problem, few_states());
+  const auto& witness = analysis.verdicts.front().witness;
+  return requirement.measure == Requirement::Measure::response && witness && witness->grows &&
+         test::unconfirmed(*problem, analysis).empty();
+}
+
 pan::Environment grown(const Tight& skill, const std::string& figure, Duration extra) {
   pan::Environment there = skill.environment;
   Interval& time = *find_figure(there, figure);
@@ -136,8 +149,9 @@ TEST_CASE("with a slack no run breaks anything, and with a nanosecond more some 
       REQUIRE(slack.requirement >= 0);
       const Requirement& named = problem->requirements[static_cast<std::size_t>(slack.requirement)];
       INFO(named.name << " fails with " << slack.fails->count());
-      const Kept seen = kept(skill, grown(skill, slack.figure, *slack.fails), named);
-      CHECK(seen != Kept::yes);
+      const pan::Environment there = grown(skill, slack.figure, *slack.fails);
+      const Kept seen = kept(skill, there, named);
+      CHECK((seen != Kept::yes || never_comes(skill, there, named)));
       failed += seen == Kept::no ? 1 : 0;
     }
   }
@@ -169,8 +183,9 @@ TEST_CASE("what meets everything in some places no run breaks there, and what is
     for (const Placed& each : on.refuted) {
       const Requirement& named = problem->requirements[static_cast<std::size_t>(each.ruling.requirement)];
       INFO(named.name);
-      const Kept seen = kept(skill, placed(skill.environment, each.seats), named);
-      CHECK(seen != Kept::yes);
+      const pan::Environment there = placed(skill.environment, each.seats);
+      const Kept seen = kept(skill, there, named);
+      CHECK((seen != Kept::yes || never_comes(skill, there, named)));
       refuted += seen == Kept::no ? 1 : 0;
     }
   }

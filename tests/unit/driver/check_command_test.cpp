@@ -230,7 +230,8 @@ END ENVIRONMENT
 
 namespace {
 
-/// The skill counts 2^bits rounds of 1 ms with its conditions, and ends. MC1 would answer after that.
+/// The skill counts 2^bits rounds of 1 ms with its conditions, waits for what comes within 28 ms, 10 ms at a
+/// time, and ends. MC1 would answer after that.
 std::string counts_and_ends(int bits) {
   std::string conditions, clear, count, end;
   for (int bit = 0; bit <= bits; ++bit) {
@@ -243,8 +244,11 @@ std::string counts_and_ends(int bits) {
     end += "END CASE\n";
   }
   const std::string last = "b" + std::to_string(bits);
-  return "MESSAGE y : SIGNAL\nMESSAGE go : SIGNAL\nDEVICE d1\n" + conditions + R"(
+  return "MESSAGE y : SIGNAL\nMESSAGE go : SIGNAL\nMESSAGE late : SIGNAL\nMESSAGE arise : SIGNAL\n"
+         "CONDITION came\nDEVICE d1\n" +
+         conditions + R"(
 SKILL s
+  LOGICAL SENSOR LS1
   MACHINE CONTROLLER MC1
   SKILL METHOD SM1
   COMPLETION 0 NORMAL
@@ -263,12 +267,28 @@ BEGIN
   w
   v
 END
+Logical Sensor: LS1
+  ACTIVITY later
+BEGIN
+  WTM( arise from SM1 )
+  later
+  TXM( late to SM1 )
+END
 Skill Module: SM1
   ACTIVITY a
 BEGIN
   WTM( Coordinator )
+  SPC( came = FALSE )
 )" + clear +
          "  REPEAT\n  a\n" + count + "SPC( " + last + " = TRUE )\n" + end + "UNTIL( " + last + R"( )
+  TXM( arise to LS1 )
+  REPEAT
+    WTM( late from LS1 ) WITHIN 10 ms
+      SPC( came = TRUE )
+    ELSE
+      Do Nothing
+    END WTM
+  UNTIL( came )
   TXM( go to MC1 )
   TXM( Completion Protocol 0 )
 END
@@ -278,6 +298,9 @@ ENVIRONMENT e
   DEVICE d1 ON REQUEST 1 ms
   PLACE MC1 ON P0 PRIORITY 1
   PLACE SM1 ON P1 PRIORITY 1
+  PROCESSOR P2
+  PLACE LS1 ON P2 PRIORITY 1
+  TIME later : 0 TO 28 ms
   TIME a : 1 ms
   TIME v : 1 ms
   TIME w : 1 ms
