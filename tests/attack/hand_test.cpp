@@ -451,8 +451,8 @@ END
 TEST_CASE("what is not answered when the skill ends is not counted, however long it has grown") {
   // The event of MC1 is unanswered for eight rounds of 70 ms, more than is followed exactly; then the skill
   // ends, in every run.
-  const auto skill = pal::test::any_skill(cell(
-      "RESPONSE FROM motion OF MC1 TO early IN SM1", R"(Machine Controller: MC1
+  const auto skill = pal::test::any_skill(
+      cell("RESPONSE FROM motion OF MC1 TO early IN SM1", R"(Machine Controller: MC1
 BEGIN
   REPEAT
     WTM( request motion from SM1 )
@@ -489,8 +489,8 @@ CONDITION a
 CONDITION b
 CONDITION d
 )",
-      "  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n  TIME early : 1 ms\n"
-      "  TIME work : 70 ms\n"));
+           "  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n  TIME early : 1 ms\n"
+           "  TIME work : 70 ms\n"));
   INFO(pal::test::messages(skill->diagnostics));
   REQUIRE(skill->problem);
   Problem problem = *skill->problem;
@@ -502,8 +502,8 @@ CONDITION d
 
 TEST_CASE("what waits for an event that need not come grows for ever") {
   // After motion SM1 waits for a tick, then ends the skill without an answer. The tick may never come.
-  const auto skill = pal::test::any_skill(cell(
-      "RESPONSE FROM motion OF MC1 TO early IN SM1", R"(Machine Controller: MC1
+  const auto skill = pal::test::any_skill(
+      cell("RESPONSE FROM motion OF MC1 TO early IN SM1", R"(Machine Controller: MC1
 BEGIN
   WTM( request motion from SM1 )
   TXM( motion to SM1 )
@@ -523,8 +523,8 @@ BEGIN
   TXM( Completion Protocol 0 )
 END
 )",
-      "  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n  TIME early : 1 ms\n"
-      "  DEVICE robot EVENT tick SPORADIC 10 ms\n"));
+           "  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n  TIME early : 1 ms\n"
+           "  DEVICE robot EVENT tick SPORADIC 10 ms\n"));
   INFO(pal::test::messages(skill->diagnostics));
   REQUIRE(skill->problem);
   const Verdict verdict = analyze(*skill->problem).verdicts.front();
@@ -534,8 +534,8 @@ END
 
 TEST_CASE("what has grown beyond all that is followed when a skill stands still grows for ever") {
   // SM1 goes round eight times, and then waits for an answer that the device has lost.
-  const auto skill = pal::test::any_skill(cell(
-      "RESPONSE FROM motion OF MC1 TO early IN SM1", R"(Machine Controller: MC1
+  const auto skill = pal::test::any_skill(
+      cell("RESPONSE FROM motion OF MC1 TO early IN SM1", R"(Machine Controller: MC1
   ACTIVITY sleep
 BEGIN
   REPEAT
@@ -584,8 +584,8 @@ CONDITION a
 CONDITION b
 CONDITION d
 )",
-      "  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n  TIME early : 1 ms\n"
-      "  TIME work : 70 ms\n  TIME sleep : 9 ms\n  DEVICE robot ON REQUEST 1 ms\n"));
+           "  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n  PLACE MC1 ON P PRIORITY 1\n  TIME early : 1 ms\n"
+           "  TIME work : 70 ms\n  TIME sleep : 9 ms\n  DEVICE robot ON REQUEST 1 ms\n"));
   INFO(pal::test::messages(skill->diagnostics));
   REQUIRE(skill->problem);
   Problem problem = *skill->problem;

@@ -244,8 +244,9 @@ END
 }
 
 TEST_CASE("a thread that is to stop does so before or after whoever is freed at that instant") {
-  // At 15 ms SM1.2 gives up. That lets SM1.1 put its second request and end, which cancels SM1.2; and it frees
-  // MC2, which is blocked in a second answer. SM1 may go on before MC2 comes to the queue and sets its condition.
+  // At 15 ms SM1.2 gives up. That lets SM1.1 put its second request and end, which cancels SM1.2; and it
+  // frees MC2, which is blocked in a second answer. SM1 may go on before MC2 comes to the queue and sets its
+  // condition.
   CHECK(bound(program("MESSAGE X : SIGNAL\nMESSAGE Y : SIGNAL\nCONDITION one\n", R"(
 Machine Controller: MC1
   ACTIVITY late
@@ -316,9 +317,9 @@ END
 }
 
 TEST_CASE("a stopped block's message is withdrawn before or after somebody else has stopped waiting for it") {
-  // At 3 ms the inner loop is cancelled, for which X was there and which has not had the processor yet. What it
-  // asked for is withdrawn: either SM1.1 never knows of X, and gives up at 6 ms, before c is set; or it stops
-  // waiting for it, finds it withdrawn, and waits 5 ms more.
+  // At 3 ms the inner loop is cancelled, for which X was there and which has not had the processor yet. What
+  // it asked for is withdrawn: either SM1.1 never knows of X, and gives up at 6 ms, before c is set; or it
+  // stops waiting for it, finds it withdrawn, and waits 5 ms more.
   CHECK(bound(program("MESSAGE X : SIGNAL\nCONDITION c\n", R"(
 Machine Controller: MC1
   ACTIVITY busy

@@ -68,14 +68,19 @@ std::string contradiction(const test::Wanted& wanted, const test::Seen& seen, co
   if (wanted.kind == Kind::least) return contradiction_of_least(seen, verdict, cap);
   const bool number = wanted.kind == Kind::loss;
   const Nanoseconds greatest = seen.greatest * (number ? 1 : millisecond.count());
-  if (seen.failed && (verdict.bound || verdict.state == Verdict::State::holds))
-    return "an event stays without a response";
+  const bool fine = verdict.bound || verdict.state == Verdict::State::holds;
+  if (seen.failed && fine) return "an event stays without a response";
+  if (seen.unanswered && (fine || verdict.state == Verdict::State::never))
+    return "an event waits for its response for ever";
   if (seen.least >= 0 && verdict.state == Verdict::State::never)
     return "a run measures " + std::to_string(seen.least);
   if (verdict.bound && seen.greatest <= cap && greatest > verdict.bound->count())
     return "a run attains " + std::to_string(seen.greatest);
   if (verdict.state == Verdict::State::holds && greatest > verdict.limit.count())
     return "a run exceeds the limit";
+  const bool kept =
+      !seen.failed && !seen.unanswered && seen.greatest < cap && greatest <= verdict.limit.count();
+  if (seen.complete && kept && verdict.state == Verdict::State::fails) return "no run breaks it";
   if (!seen.complete || !verdict.exact || seen.greatest >= cap) return {};
   if (verdict.bound && std::max<Nanoseconds>(greatest, 0) != verdict.bound->count())
     return "no run attains more than " + std::to_string(seen.greatest);

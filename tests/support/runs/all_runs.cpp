@@ -68,7 +68,10 @@ Seen AllRuns::enumerate(std::size_t most) {
   std::vector<Stretch> stretches;       // load: between states; the work is told by who was busy
   std::vector<std::vector<bool>> busy;  // load: by state and processor
   std::deque<std::pair<State, std::size_t>> todo;
-  std::optional<Arrival> best;  // of what was measured last as the greatest (the least), or failed
+  bool long_before = false;
+  std::optional<Arrival> best;   // of what was measured last as the greatest (the least), or failed
+  std::vector<Stretch> waiting;  // between states in which one event waits long; work is time
+  bool unanswered = false;
   const bool loads = wanted_.kind == Wanted::Kind::load;
   std::int64_t before = -1;
   std::int64_t before_least = -1;
@@ -81,6 +84,8 @@ Seen AllRuns::enumerate(std::size_t most) {
     if (s_.ended || s_.failed) return;
     const auto [entry, fresh] = known.emplace(key(s_), arrivals.size());
     if (loads && from != start) stretches.push_back({from, entry->second, 0, passed_});
+    if (long_before && !old_gone_ && waits_long(s_))
+      waiting.push_back({from, entry->second, passed_, passed_});
     if (!fresh) return;
     arrivals.push_back({from, every.decided()});
     if (loads) {
@@ -99,11 +104,16 @@ Seen AllRuns::enumerate(std::size_t most) {
     while (!todo.empty() && known.size() <= most) {
       const auto [from, index] = std::move(todo.front());
       todo.pop_front();
+      long_before = waits_long(from);
       Every each;
       decisions_ = &each;
       do {
         s_ = from;
-        if (!step()) break;
+        old_gone_ = false;
+        if (!step()) {
+          unanswered = unanswered || (wanted_.kind == Wanted::Kind::response && !from.births.empty());
+          break;
+        }
         arrived(index, each);
       } while (each.next());
     }
@@ -111,6 +121,7 @@ Seen AllRuns::enumerate(std::size_t most) {
   } catch (const TooMuch&) {
     seen.complete = false;
   }
+  seen.unanswered = unanswered || greatest_ratio(arrivals.size(), waiting).work > 0;
   seen.greatest = greatest_;
   seen.least = least_;
   seen.states = known.size();

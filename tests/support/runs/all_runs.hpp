@@ -26,6 +26,7 @@ struct Seen {
   std::int64_t least = -1;     // of what was measured at an effect
   Ratio load;                  // the greatest of the processors'
   bool failed = false;         // an event can stay without a response
+  bool unanswered = false;     // an event can wait for its response for ever
   bool complete = false;       // every run was followed
   std::size_t states = 0;
 };
@@ -159,6 +160,7 @@ class AllRuns {
   void has_withdrawn(int channel);
   void count_losses();
   bool live() const;
+  bool waits_long(const State& state) const;
   void forget(State& state) const;
 
   Ratio load(const std::vector<Stretch>& stretches, const std::vector<std::vector<bool>>& busy) const;
@@ -184,6 +186,7 @@ class AllRuns {
   int passed_ = 0;  // until what happened last
   int turns_ = 0;
   bool new_sample_ = false;
+  bool old_gone_ = false;  // an event that has waited long is answered or withdrawn
   bool telling_ = false;
 };
 

@@ -83,6 +83,7 @@ void AllRuns::respond(Thread& of) {
 }
 
 void AllRuns::forget(int event) {
+  old_gone_ = old_gone_ || s_.births[ix(event)] >= cap_;
   s_.births.erase(s_.births.begin() + event);
   const auto renumber = [event](int& carries) {
     if (carries == event) {
@@ -197,6 +198,12 @@ void AllRuns::count_losses() {
     record(
         std::count(begin + static_cast<std::ptrdiff_t>(from), begin + static_cast<std::ptrdiff_t>(to), true));
   }
+}
+
+/// Whether some event has waited for its response for as long as is told apart.
+bool AllRuns::waits_long(const State& state) const {
+  return wanted_.kind == Wanted::Kind::response &&
+         std::any_of(state.births.begin(), state.births.end(), [this](int age) { return age >= cap_; });
 }
 
 // What need not be remembered.
