@@ -147,6 +147,7 @@ class Solver : private Ground {
       for (Nanoseconds& each : mine.effects) each = each == NodeTimes::unknown ? each : never;
       mine.worked = mine.effects;
       mine.arrivals.assign(mine.arrivals.size(), never);
+      demand_.announce(static_cast<int>(n), mine);
     }
   }
 
