@@ -150,12 +150,16 @@ void Demand::announce(int node, const NodeTimes& times) {
                       std::min(jitter, greatest_jitter(node)));
 }
 
-void Demand::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& home_again) {
+/// Who was held in a send may find what it asked for before that when it comes home, and go on for one round
+/// more.
+void Demand::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& home_again,
+                         const std::vector<bool>& blocked) {
   burst_.assign(ground_.problem.threads.size(), 0);
   for (std::size_t t = 0; t < burst_.size(); ++t) {
     const int processor = ground_.problem.threads[t].processor;
-    if (!ground_.problem.processors[static_cast<std::size_t>(processor)].preemptive)
-      burst_[t] = burst(static_cast<int>(t), nodes, home_again[t] && pauses_[t]);
+    if (ground_.problem.processors[static_cast<std::size_t>(processor)].preemptive) continue;
+    const Nanoseconds found = burst(static_cast<int>(t), nodes, home_again[t] && pauses_[t]);
+    burst_[t] = blocked[t] ? plus(found, found) : found;
   }
 }
 

@@ -21,8 +21,10 @@ class Demand {
   /// of one thread do not delay one another then.
   void find_order(const std::vector<bool>& home_again);
   /// How long threads keep a processor that is not preemptive once they have it, as releases are announced.
-  /// `home_again`, by thread: no round is due before the one before is over.
-  void find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& home_again);
+  /// By thread: `home_again`, no round is due before the one before is over; `blocked`, it may have to wait
+  /// in a send.
+  void find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& home_again,
+                   const std::vector<bool>& blocked);
   /// The longest that threads of lower priority keep the node's processor, if it is not preemptive.
   Nanoseconds blocking(int node) const;
   /// How long after the source's nominal instant, or the node's release, the first `part` of the node's work

@@ -157,6 +157,8 @@ class Reliability {
       const auto b = static_cast<std::size_t>(block);
       if (!problem_.threads[b].can_end) continue;
       if (!ends_straight(problem_, block) || !times_.trouble[b].empty()) return false;
+      // What comes by itself need not come.
+      if (conduct_.threads[b].home >= 0) return false;
       if (!servers(block, relies) || !joins(block, relies)) return false;
     }
     return true;
@@ -196,15 +198,20 @@ class Reliability {
     const Channel& channel = problem_.channels[static_cast<std::size_t>(answer)];
     if (channel.answers < 0 || !conduct_.sequential[static_cast<std::size_t>(channel.answers)]) return false;
     if (!surely_asked(thread, wait, channel.answers, answer)) return false;
-    if (channel.sender_device >= 0) {
-      return !std::holds_alternative<pan::EventDevice>(
-          problem_.devices[static_cast<std::size_t>(channel.sender_device)].behaviour);
-    }
+    if (channel.sender_device >= 0)
+      return serves_all(problem_.devices[static_cast<std::size_t>(channel.sender_device)]);
     if (!conduct_.never_full[static_cast<std::size_t>(answer)]) return false;
     const int server = taker_of(channel.answers);
     if (server < 0) return false;
     relies.push_back(server);
     return true;
+  }
+
+  /// Whether a device serves each request sooner or later. One that takes any of several that wait may leave
+  /// one of them for ever.
+  static bool serves_all(const Device& device) {
+    if (std::holds_alternative<pan::RequestDevice>(device.behaviour)) return device.requests.size() == 1;
+    return std::holds_alternative<pan::FrameDevice>(device.behaviour);
   }
 
   bool goes_on_by_itself(const ThreadConduct& of) const {
@@ -231,12 +238,30 @@ class Reliability {
     return server;
   }
 
-  /// Whether the thread has sent the request, and not taken the answer, whenever it comes to the wait.
+  /// Whether a wait of a block, or of one below it, may take the message, or give it up.
+  bool may_take(int block, int message) const {
+    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+      const Step& step = problem_.steps[s];
+      if (step.kind != Kind::wait) continue;
+      if (std::find(step.channels.begin(), step.channels.end(), message) == step.channels.end()) continue;
+      for (int at = forest_.segments.owner(static_cast<int>(s)); at >= 0;
+           at = problem_.threads[static_cast<std::size_t>(at)].parent) {
+        if (at == block) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Whether the thread has sent the request, and neither it nor a block of it has taken the answer, whenever
+  /// it comes to the wait.
   bool surely_asked(int thread, int wait, int request, int answer) const {
     std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
     for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
       const Step& step = problem_.steps[s];
-      if (forest_.segments.owner(static_cast<int>(s)) != thread || step.kind != Kind::wait) continue;
+      if (forest_.segments.owner(static_cast<int>(s)) != thread) continue;
+      const auto takes = [&](int block) { return may_take(block, answer); };
+      if (std::any_of(step.threads.begin(), step.threads.end(), takes)) open.push_back(step.next.front());
+      if (step.kind != Kind::wait) continue;
       for (std::size_t arm = 0; arm < step.channels.size(); ++arm) {
         if (step.channels[arm] != answer) continue;
         open.push_back(step.next[arm]);

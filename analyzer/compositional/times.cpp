@@ -147,6 +147,7 @@ class Solver : private Ground {
       for (Nanoseconds& each : mine.effects) each = each == NodeTimes::unknown ? each : never;
       mine.worked = mine.effects;
       mine.arrivals.assign(mine.arrivals.size(), never);
+      demand_.announce(static_cast<int>(n), mine);
     }
   }
 
@@ -157,7 +158,7 @@ class Solver : private Ground {
                            (of.rounds.empty() || at_home_again(*this, nodes_, of.rounds.front())));
     }
     demand_.find_order(home_again);
-    demand_.find_bursts(nodes_, home_again);
+    demand_.find_bursts(nodes_, home_again, times_.blocked);
   }
 
   /// Whether something is found that the times do not count with yet.

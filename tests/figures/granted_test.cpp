@@ -51,6 +51,12 @@ TEST_CASE("a thread that finds each answer there keeps a processor that is not p
   compare(granted("hogging"), {{-1, -1}});
 }
 
+TEST_CASE("a thread that was held in a send finds its answer there and keeps the processor for one round more") {
+  // SD1 is freed and tidies for 3 ms, takes what it asked for before, thinks for 5, finds the slot free, and
+  // tidies for 3 more.
+  compare(granted("freed"), {{17, 12}});
+}
+
 TEST_CASE("an answer that another block waits for begins work") {
   // SM1.1 asks, SM1.2 takes the answer and works for 10 ms.
   compare(granted("passed_on"), {{11, 10}});

@@ -15,10 +15,12 @@ namespace pal::test {
 /// as one of several, in a block beside, or before its rounds. Clients give up or are cancelled while they
 /// are answered; blocks leave their rounds and end the skill; a module is executed in several places; slots
 /// are filled before anybody takes from them.
+/// Calm ones have one trigger a module and little that is odd, so that more is bounded: clients that wait for
+/// one another, or a sensor that asks before it has finished what it does, and sends to a slow method.
 class OddSkill {
  public:
-  explicit OddSkill(std::uint64_t seed) : engine_(seed) {
-    for (int& each : odd_) each = chance(3);
+  explicit OddSkill(std::uint64_t seed, bool calm = false) : engine_(seed), calm_(calm) {
+    for (int& each : odd_) each = chance(calm ? 15 : 3);
   }
 
   std::string text() {
@@ -93,6 +95,7 @@ class OddSkill {
     module(second_ ? "MC2" : "MC1").triggers.push_back({"tock from hand", ""});
     serves("SD1", "LS1", "raw");
     module("SD1").calls.push_back({"value", "sensor"});
+    if (calm_) return calm_links();
     if (chance(3) != 0) {
       serves("LS1", "SM1", "force");
     } else {
@@ -104,6 +107,27 @@ class OddSkill {
     if (chance(2) == 0) sends("SM1", "MC1", "stop");
     if (second_ && chance(2) == 0) serves("MC2", "SM1", "grip");
     if (second_ && chance(3) == 0) sends("SM1", "MC2", "halt");
+  }
+
+  void calm_links() {
+    switch (chance(4)) {
+      case 0:
+        serves("LS1", "SM1", "force");
+        serves("SM1", "MC1", "motion");
+        break;
+      case 1:
+        serves("LS1", "SM1", "force");
+        sends("MC1", "SM1", "go");
+        break;
+      case 2:
+        serves("LS1", "SM1", "force");
+        polls_ = "SM1";
+        break;
+      default:
+        sends("LS1", "SM1", "force");
+        polls_ = "LS1";
+    }
+    if (second_ && chance(2) == 0 && module("SM1").triggers.empty()) sends("MC2", "SM1", "halt");
   }
 
   std::string say(const Module& in, const std::string& statement, const std::string& indent) {
@@ -218,6 +242,8 @@ class OddSkill {
         parts.push_back(blocks({indent + "  Execute CM1\n", small(in, indent + "  ")}, indent));
     }
     for (int i = between(0, 2); i > 0; --i) parts.push_back(small(in, indent));
+    if (calm_ && chance(2) == 0) parts.push_back(say(in, "SPC( c" + in.name + " )", indent));
+    if (calm_ && chance(2) == 0) parts.push_back(say(in, "RPC( c" + module_name() + " )", indent));
     std::shuffle(parts.begin(), parts.end(), engine_);
     std::string out;
     for (const std::string& part : parts) out += part;
@@ -228,6 +254,18 @@ class OddSkill {
     if (!odd(Odd::leaves, 3)) return forever(inside, indent);
     return indent + "REPEAT\n" + inside + indent + "  SPC( c" + in.name + " )\n" + indent + "UNTIL( c" +
            in.name + " )\n";
+  }
+
+  /// What is asked for in one round is taken in the next.
+  std::string polling(const Module& in, const std::string& indent) {
+    const std::string more = indent + "  ";
+    const Call& call = in.calls.front();
+    std::vector<std::string> after = in.sends;
+    if (chance(3) != 0) after.push_back("w" + std::to_string(between(1, 3)) + in.name);
+    std::shuffle(after.begin(), after.end(), engine_);
+    std::string inside = say(in, answer_of(call), more) + work(in, more) + ask(in, call, more);
+    for (const std::string& each : after) inside += say(in, each, more);
+    return ask(in, call, indent) + forever(inside, indent);
   }
 
   /// One of the triggers begins a round; the others are taken elsewhere.
@@ -254,6 +292,7 @@ class OddSkill {
         arms.push_back(trigger);
       }
     }
+    if (polls_ == in.name && triggers.empty()) return polling(in, indent);
     const std::string work_of_round = stuff(in, more);
     if (triggers.empty()) {
       inside = say(in, "p" + in.name, more) + within + work_of_round;
@@ -305,7 +344,7 @@ class OddSkill {
     if (in.name == "SM1") out += "  WTM( Coordinator )\n";
     if (chance(6) == 0) out += small(in, "  ");
     if (!in.sends.empty() && chance(5) == 0) out += say(in, in.sends.front(), "  ");
-    if (!in.calls.empty() && chance(8) == 0) out += asks(in, in.calls.front(), "  ");
+    if (!in.calls.empty() && polls_ != in.name && chance(8) == 0) out += asks(in, in.calls.front(), "  ");
     if (odd(Odd::leaves, 2)) out += one_after_the_other(in);
     out += rounds(in, "  ");
     if (in.name == "SM1") out += work(in, "  ") + "  TXM( Completion Protocol 0 )\n";
@@ -352,6 +391,14 @@ class OddSkill {
       const bool asks = statement.rfind("TXM( request", 0) == 0;
       add("RESPONSE FROM " + statement.substr(5, statement.find(asks ? " from " : " to ") - 5) + " OF " + in +
           " TO " + at() + most);
+    }
+    for (const auto& [in, statement] : said_) {
+      if (!calm_ || chance(2) == 0) continue;
+      const std::string there = statement + " IN " + in + most;
+      add("RESPONSE FROM tick OF robot TO " + there);
+      add("REACTION OF value FROM sensor AT " + there);
+      add("REACTION OF c" + module_name() + " AT " + there);
+      add("INTERVAL OF " + there);
     }
     for (const std::string& age : ages_) {
       add("AGE OF " + age + most);
@@ -403,7 +450,7 @@ class OddSkill {
       out += "  DEVICE sensor ON REQUEST " + interval(chance(4) == 0 ? 0 : 1, 4) + "\n";
     }
     const auto event = [&](const std::string& device, const std::string& message) {
-      const int period = chance(3) == 0 ? between(15, 40) : between(40, 150);
+      const int period = chance(3) == 0 && !calm_ ? between(15, 40) : between(40, 150);
       out += "  DEVICE " + device + " EVENT " + message + (chance(5) == 0 ? " SPORADIC " : " EVERY ") +
              std::to_string(period) + " ms";
       if (chance(3) == 0) out += " JITTER " + std::to_string(between(1, period - 1)) + " ms";
@@ -429,6 +476,8 @@ class OddSkill {
   std::vector<std::string> blocks_;
   std::vector<std::pair<std::string, std::string>> said_;  // module and statement
   std::vector<std::string> ages_;                          // "condition AT statement IN module"
+  bool calm_;
+  std::string polls_;  // the module that asks before it has finished; nothing: there is none
   bool second_ = false;
   bool contingency_ = false;
 };
