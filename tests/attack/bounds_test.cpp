@@ -198,3 +198,46 @@ END ENVIRONMENT
   CHECK(shown.greatest > 300'000'000);
   if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
 }
+
+TEST_CASE("the load of an activity of many seconds is that of one of as many milliseconds") {
+  // 20 s in every 100 s. In nanoseconds of work for each second that is a product beyond 64 bits.
+  for (const std::string unit : {"ms", "s", "min"}) {
+    const auto skill = test::any_skill(R"(DEVICE robot
+MESSAGE tick : SIGNAL
+MESSAGE done : SIGNAL
+SKILL slow
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 1 ERROR
+  REQUIREMENT r : LOAD OF P0 AT MOST 10 %
+END SKILL
+Machine Controller: MC1
+  ACTIVITY work
+BEGIN
+  REPEAT
+    WTM( tick from robot )
+    work
+    TXM( done to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    WTM( done from MC1 )
+  UNTIL( forever )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PLACE MC1 ON P0 PRIORITY 1
+  PLACE SM1 ON P0 PRIORITY 2
+  TIME work : 20 )" + unit + "\n  DEVICE robot EVENT tick EVERY 100 " + unit +
+                                       "\nEND ENVIRONMENT\n");
+    INFO(unit << test::messages(skill->diagnostics));
+    REQUIRE(skill->problem);
+    const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
+    REQUIRE(bound.bound);
+    CHECK(bound.bound->count() == 200'000'000);
+    CHECK(bound.state != Verdict::State::holds);
+  }
+}
