@@ -232,8 +232,8 @@ ENVIRONMENT cell
   PROCESSOR P0
   PLACE MC1 ON P0 PRIORITY 1
   PLACE SM1 ON P0 PRIORITY 2
-  TIME work : 20 )" + unit + "\n  DEVICE robot EVENT tick EVERY 100 " + unit +
-                                       "\nEND ENVIRONMENT\n");
+  TIME work : 20 )" + unit + "\n  DEVICE robot EVENT tick EVERY 100 " +
+                                       unit + "\nEND ENVIRONMENT\n");
     INFO(unit << test::messages(skill->diagnostics));
     REQUIRE(skill->problem);
     const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
