@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/measures.hpp"
+#include "analyzer/load/fraction.hpp"
 #include "analyzer/verdict/explain.hpp"
 
 namespace pal::analyzer::compositional {
@@ -18,11 +19,9 @@ Bound load_bound(const View& view, const Requirement& requirement) {
     if (source.period == never || segment.worst == 0) continue;
     const auto thread = static_cast<std::size_t>(segment.beginning.thread);
     Sum& sum = busy[static_cast<std::size_t>(view.problem.threads[thread].processor)];
-    // Rounded up; more than the whole time is the whole time.
-    const Nanoseconds times = source.period / segment.worst;
+    // More than the whole time is the whole time.
     const Nanoseconds share =
-        times < 1 ? second
-                  : static_cast<Nanoseconds>((segment.worst * second + source.period - 1) / source.period);
+        segment.worst < source.period ? per_second({segment.worst, source.period}) : second;
     const std::string what =
         "runs " + milliseconds(segment.worst) + " in each " + milliseconds(source.period);
     sum = sum + Sum(share, {Term::Kind::said, static_cast<int>(n), -1, -1, what});

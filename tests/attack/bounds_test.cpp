@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/compositional/compositional.hpp"
+#include "analyzer/exact/exact.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "tests/support/any_skill.hpp"
 
@@ -197,4 +198,97 @@ END ENVIRONMENT
 )");
   CHECK(shown.greatest > 300'000'000);
   if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
+}
+
+TEST_CASE("the load of an activity of many seconds is that of one of as many milliseconds") {
+  // 20 s in every 100 s. In nanoseconds of work for each second that is a product beyond 64 bits.
+  for (const std::string unit : {"ms", "s", "min"}) {
+    const auto skill = test::any_skill(R"(DEVICE robot
+MESSAGE tick : SIGNAL
+MESSAGE done : SIGNAL
+SKILL slow
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 1 ERROR
+  REQUIREMENT r : LOAD OF P0 AT MOST 10 %
+END SKILL
+Machine Controller: MC1
+  ACTIVITY work
+BEGIN
+  REPEAT
+    WTM( tick from robot )
+    work
+    TXM( done to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    WTM( done from MC1 )
+  UNTIL( forever )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PLACE MC1 ON P0 PRIORITY 1
+  PLACE SM1 ON P0 PRIORITY 2
+  TIME work : 20 )" + unit + "\n  DEVICE robot EVENT tick EVERY 100 " +
+                                       unit + "\nEND ENVIRONMENT\n");
+    INFO(unit << test::messages(skill->diagnostics));
+    REQUIRE(skill->problem);
+    const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
+    REQUIRE(bound.bound);
+    CHECK(bound.bound->count() == 200'000'000);
+    CHECK(bound.state != Verdict::State::holds);
+  }
+}
+
+TEST_CASE("a load whose round has a thousand actions and more ends in time") {
+  // Its linear program has a round of more terms than Z3 minds its limit on time for: it went on for more
+  // than ten minutes.
+  std::string works;
+  for (int n = 0; n < 1400; ++n) works += "    work\n";
+  const auto skill = test::any_skill(R"(DEVICE robot
+MESSAGE tick : SIGNAL
+MESSAGE done : SIGNAL
+MESSAGE go   : SIGNAL
+SKILL long
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 1 ERROR
+  REQUIREMENT r : LOAD OF P0 AT MOST 60 %
+END SKILL
+Machine Controller: MC1
+  ACTIVITY work
+BEGIN
+  REPEAT
+    WTM( go from SM1 )
+    WTM( tick from robot ) WITHIN 1000000 s
+      DO NOTHING
+    ELSE
+      DO NOTHING
+    END WTM
+)" + works + R"(    TXM( done to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    TXM( go to MC1 )
+    WTM( done from MC1 )
+  UNTIL( forever )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PLACE MC1 ON P0 PRIORITY 1
+  PLACE SM1 ON P0 PRIORITY 2
+  TIME work : 1000000 s
+  LATENCY WITHIN PROCESSOR 1000000 s
+  DEVICE robot EVENT tick EVERY 1000000 s
+END ENVIRONMENT
+)");
+  INFO(test::messages(skill->diagnostics));
+  REQUIRE(skill->problem);
+  CHECK(analyze(*skill->problem).verdicts.front().state != Verdict::State::holds);
 }
