@@ -138,8 +138,8 @@ Segment Segments::make(const Beginning& beginning) const {
   for (int step : order.order) {
     const Step& here = step_at(step);
     Range at = reached.at(step);
-    at.best += here.cost.best;
-    at.worst += here.cost.worst;
+    at.best = plus(at.best, here.cost.best);
+    at.worst = plus(at.worst, here.cost.worst);
     segment.steps.push_back({step, at.best, at.worst});
     segment.worst = std::max(segment.worst, at.worst);
     for (int next : here.next) reach(next, at);
