@@ -16,6 +16,7 @@ namespace pal::frontend::deadlock {
 namespace {
 
 constexpr std::size_t most_nearby = 10'000;
+constexpr std::size_t most_on_ways = 1'000'000;  // in all searches of one kind together
 
 class Explorer {
  public:
@@ -77,15 +78,16 @@ class Explorer {
     if (!found.way) return;
     total_length_ = found.way->length;
     result_.total = DeadEnd{true, found.way->length.timely > 0, found.way->run, found.way->run.size(), {}, 0};
-    WaysOn ways(automata_, moves_, plain_, most_);
+    WaysOn ways(automata_, moves_, plain_, most_, most_on_ways);
     describe(*result_.total, found.way->state, ways);
   }
 
   void find_partial() {
-    WaysOn ways(automata_, moves_, plain_, most_);
+    WaysOn ways(automata_, moves_, plain_, most_, most_on_ways);
     Goal goal;
     goal.state = [&](const State& state, const Enabled&) { return ways.dead(state); };
     goal.needed = [&](const State& state, const Enabled& enabled) {
+      if (ways.exhausted()) return Threads();
       const auto needed = ways.in_the_way(state);
       for (const auto& moves : choose_moves(state, enabled, needed)) ways.inherit(state, *moves);
       return needed;
@@ -114,9 +116,11 @@ class Explorer {
   /// Of those channels, as far as there is a run. False: there may be one where none was found.
   bool find_undelivered(const std::vector<bool>& channels, std::size_t most) {
     bool complete = true;
+    auto left = most_on_ways;
     for (std::size_t c = 0; c < channels.size(); ++c) {
       if (!channels[c]) continue;
-      const auto found = find_undelivered(pan::ChannelId(c), most);
+      const auto found = find_undelivered(pan::ChannelId(c), std::min(most, left));
+      left -= std::min(left, found.states);
       complete = complete && found.complete;
       if (found.way)
         result_.undelivered.push_back({pan::ChannelId(c), found.way->length.timely > 0, found.way->run});

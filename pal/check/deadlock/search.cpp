@@ -27,23 +27,28 @@ class Searcher {
       : moves_(moves), independence_(independence), threads_(threads), goal_(goal), most_(most) {}
 
   Found run(const State& from) {
+    auto found = found_from(from);
+    found.states = nodes_.size();
+    return found;
+  }
+
+ private:
+  Found found_from(const State& from) {
     reach(from, none, {}, {});
     while (!open_.empty()) {
       const auto at = std::get<1>(open_.top());
       open_.pop();
       if (nodes_[at].done) continue;
       nodes_[at].done = true;
-      if (nodes_[at].state == nullptr) return {way_to(at, goal_state_), true};
+      if (nodes_[at].state == nullptr) return {way_to(at, goal_state_)};
       if (nodes_.size() > most_) return {std::nullopt, false};
       const Enabled enabled(moves_, *nodes_[at].state, threads_);
-      if (goal_.state && goal_.state(*nodes_[at].state, enabled))
-        return {way_to(at, *nodes_[at].state), true};
+      if (goal_.state && goal_.state(*nodes_[at].state, enabled)) return {way_to(at, *nodes_[at].state)};
       expand(at, enabled);
     }
     return {std::nullopt, complete_};
   }
 
- private:
   void reach(const State& state, std::uint32_t from, const Length& length, const Deed& deed) {
     const auto [entry, fresh] = seen_.emplace(state, static_cast<std::uint32_t>(nodes_.size()));
     if (fresh) {

@@ -42,7 +42,8 @@ struct Way {
 
 struct Found {
   std::optional<Way> way;
-  bool complete = true;  // false: the limit was reached; what was not found may be there
+  bool complete = true;    // false: the limit was reached; what was not found may be there
+  std::size_t states = 0;  // looked at
 };
 
 /// Looks in the order of length; `independence` must not absorb.

@@ -59,7 +59,9 @@ const WaysOn::Way& WaysOn::way(const State& state, std::size_t thread) {
     return moves_thread(before, move, thread) || move.ended;
   };
   goal.needed = [&](const State&, const Enabled&) { return Threads().set(thread); };
-  auto found = search(moves_, independence_, automata_.threads.size(), state, goal, most_states_);
+  auto found =
+      search(moves_, independence_, automata_.threads.size(), state, goal, std::min(most_states_, left_));
+  left_ -= std::min(left_, found.states);
   complete_ = complete_ && found.complete;
   std::vector<Deed> run;
   if (found.way) run = std::move(found.way->run);

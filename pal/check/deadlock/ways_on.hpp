@@ -16,9 +16,14 @@ namespace pal::frontend::deadlock {
 /// a state without one must at some time get into the way of the way on that there is now.
 class WaysOn {
  public:
+  /// `most_states`: that each search for a way may look at, and `most_in_all` that all of them together may.
   WaysOn(const Automata& automata, const Moves& moves, const Independence& independence,
-         std::size_t most_states)
-      : automata_(automata), moves_(moves), independence_(independence), most_states_(most_states) {}
+         std::size_t most_states, std::size_t most_in_all)
+      : automata_(automata),
+        moves_(moves),
+        independence_(independence),
+        most_states_(most_states),
+        left_(most_in_all) {}
 
   /// The thread can never move again. False if that was not found out.
   bool never_moves(const State& state, std::size_t thread);
@@ -31,6 +36,8 @@ class WaysOn {
 
   /// Some way was not found, nor found to be missing.
   bool complete() const { return complete_; }
+  /// No more will be looked at.
+  bool exhausted() const { return left_ == 0; }
 
  private:
   struct Way {
@@ -48,6 +55,7 @@ class WaysOn {
   const Moves& moves_;
   const Independence& independence_;
   std::size_t most_states_;
+  std::size_t left_;
   bool complete_ = true;
   std::unordered_map<State, ByThread> ways_;
 };
