@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "analyzer/exact/exact.hpp"
+#include "tests/attack/contradiction.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/mutant.hpp"
 #include "tests/support/random_cell.hpp"
@@ -29,68 +30,6 @@ struct Counts {
   std::size_t equal = 0;
 };
 
-std::string ms(std::int64_t value) {
-  return std::to_string(value) + " ms";
-}
-
-/// Long-run fractions, in nanoseconds of work in a second, rounded up.
-std::string contradiction_of_load(const test::Seen& seen, const Verdict& verdict) {
-  const std::int64_t load = (seen.load.work * 1'000'000'000 + seen.load.time - 1) / seen.load.time;
-  const std::string what = std::to_string(seen.load.work) + " in " + std::to_string(seen.load.time);
-  if (verdict.bound && load > verdict.bound->count()) return "a run is busy for " + what;
-  if (verdict.state == Verdict::State::holds && load > verdict.limit.count())
-    return "a run exceeds the limit";
-  if (!seen.complete || !verdict.exact) return {};
-  if (verdict.bound && load != verdict.bound->count()) return "no run is busy for more than " + what;
-  return {};
-}
-
-/// Of `cap` and beyond it is not known how much it is.
-std::string contradiction_of_least(const test::Seen& seen, const Verdict& verdict, int cap) {
-  const Nanoseconds least = seen.least * millisecond.count();
-  if (seen.least >= 0 && verdict.state == Verdict::State::never) return "a run measures " + ms(seen.least);
-  if (seen.least >= cap) return {};
-  if (seen.least >= 0 && verdict.bound && least < verdict.bound->count())
-    return "a run comes down to " + ms(seen.least);
-  if (seen.least >= 0 && verdict.state == Verdict::State::holds && least < verdict.limit.count())
-    return "a run falls below the limit";
-  if (!seen.complete || !verdict.exact) return {};
-  if (verdict.bound && least != verdict.bound->count())
-    return "no run comes further down than " + ms(seen.least);
-  return {};
-}
-
-/// `seen` of the requirement against its verdict; what contradicts, or nothing.
-std::string contradiction(const test::Wanted& wanted, const test::Seen& seen, const Verdict& verdict,
-                          int cap) {
-  using Kind = test::Wanted::Kind;
-  if (wanted.kind == Kind::load) return contradiction_of_load(seen, verdict);
-  if (wanted.kind == Kind::least) return contradiction_of_least(seen, verdict, cap);
-  const bool number = wanted.kind == Kind::loss;
-  const Nanoseconds greatest = seen.greatest * (number ? 1 : millisecond.count());
-  const bool fine = verdict.bound || verdict.state == Verdict::State::holds;
-  if (seen.failed && fine) return "an event stays without a response";
-  if (seen.unanswered && (fine || verdict.state == Verdict::State::never))
-    return "an event waits for its response for ever";
-  if (seen.least >= 0 && verdict.state == Verdict::State::never)
-    return "a run measures " + std::to_string(seen.least);
-  if (verdict.bound && seen.greatest <= cap && greatest > verdict.bound->count())
-    return "a run attains " + std::to_string(seen.greatest);
-  if (verdict.state == Verdict::State::holds && greatest > verdict.limit.count())
-    return "a run exceeds the limit";
-  const bool kept =
-      !seen.failed && !seen.unanswered && seen.greatest < cap && greatest <= verdict.limit.count();
-  if (seen.complete && kept && verdict.state == Verdict::State::fails) return "no run breaks it";
-  if (!seen.complete || !verdict.exact || seen.greatest >= cap) return {};
-  if (verdict.bound && std::max<Nanoseconds>(greatest, 0) != verdict.bound->count())
-    return "no run attains more than " + std::to_string(seen.greatest);
-  const bool responds = wanted.kind == Kind::response;
-  if (!verdict.bound && responds && !seen.failed) return "no run leaves an event without a response";
-  if (!verdict.bound && !responds && verdict.state != Verdict::State::never)
-    return "no run exceeds " + std::to_string(seen.greatest);
-  return {};
-}
-
 constexpr int cap = 100;
 
 /// What was compared, by measure, of how many skills; and why others were refused.
@@ -106,7 +45,7 @@ std::string contradiction(test::AllRuns& runs, const test::Wanted& wanted, const
   const std::uint64_t states = setting("PAL_STATES", 20'000);
   const bool load = wanted.kind == test::Wanted::Kind::load;
   const test::Seen seen = runs.enumerate(verdict.exact || load ? states : 0);
-  std::string wrong = contradiction(wanted, seen, verdict, cap);
+  std::string wrong = test::contradiction(wanted, seen, verdict, millisecond, cap);
   counts.complete += seen.complete ? 1 : 0;
   counts.equal += seen.complete && verdict.exact ? 1 : 0;
   if (!wrong.empty()) {
@@ -119,7 +58,7 @@ std::string contradiction(test::AllRuns& runs, const test::Wanted& wanted, const
     test::Lottery lottery(seed * 1000 + walk);
     test::Seen one = runs.walk(lottery, 1500);
     one.complete = false;
-    wrong = contradiction(wanted, one, verdict, cap);
+    wrong = test::contradiction(wanted, one, verdict, millisecond, cap);
     if (wrong.empty()) continue;
     test::Lottery again(seed * 1000 + walk);
     runs.tell = true;

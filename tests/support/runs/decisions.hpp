@@ -24,6 +24,22 @@ class Lottery final : public Decisions {
   std::mt19937_64 engine_;
 };
 
+/// As a lottery, but one that likes the first or the last: times come at their ends, phases together.
+class Gambler final : public Decisions {
+ public:
+  explicit Gambler(std::uint64_t seed) : engine_(seed), habit_(static_cast<int>(engine_() % 4)) {}
+  int pick(int n) override {
+    const int any = static_cast<int>(engine_() % static_cast<std::uint64_t>(n));
+    const bool by_habit = engine_() % 8 != 0;
+    if (habit_ == 0 || !by_habit) return any;
+    return habit_ == 1 || (habit_ == 2 && engine_() % 2 == 0) ? n - 1 : 0;
+  }
+
+ private:
+  std::mt19937_64 engine_;
+  int habit_;
+};
+
 /// Goes through all sequences of decisions.
 class Every final : public Decisions {
  public:

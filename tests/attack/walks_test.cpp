@@ -1,0 +1,124 @@
+// Both analyses against single runs of larger skills that are made without the analyzer
+// (tests/support/runs/all_runs.hpp).
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <string>
+
+#include "analyzer/compositional/compositional.hpp"
+#include "analyzer/exact/exact.hpp"
+#include "tests/attack/contradiction.hpp"
+#include "tests/support/any_skill.hpp"
+#include "tests/support/command_skill.hpp"
+#include "tests/support/condition_chain.hpp"
+#include "tests/support/held_skill.hpp"
+#include "tests/support/odd_skill.hpp"
+#include "tests/support/random_skill.hpp"
+#include "tests/support/setting.hpp"
+#include "tests/support/stopped_blocks.hpp"
+#include "tests/support/timed_skill.hpp"
+#include "tests/support/woven_skill.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+using pal::test::setting;
+
+namespace {
+
+/// All times of the skills are multiples of it.
+constexpr Duration unit{500'000};
+constexpr int cap = 2'000;
+
+using Text = std::function<std::string(std::uint64_t)>;
+
+const std::map<std::string, Text>& kinds() {
+  static const std::map<std::string, Text> all = {
+      {"chance", [](std::uint64_t seed) { return test::RandomSkill(seed, seed % 2 == 0 ? 9 : 40).text(); }},
+      {"pace", [](std::uint64_t seed) { return test::TimedSkill(seed).text(); }},
+      {"conditions", [](std::uint64_t seed) { return test::ConditionChain(seed).text(); }},
+      {"held", [](std::uint64_t seed) { return test::HeldSkill(seed).text(); }},
+      {"commands", [](std::uint64_t seed) { return test::CommandSkill(seed).text(); }},
+      {"stopped", [](std::uint64_t seed) { return test::StoppedBlocks(seed).text(); }},
+      {"woven", [](std::uint64_t seed) { return test::WovenSkill(seed, seed % 2 == 0).text(); }},
+      {"odd", [](std::uint64_t seed) { return test::OddSkill(seed, seed % 2 == 1).text(); }},
+  };
+  return all;
+}
+
+struct Tally {
+  std::size_t skills = 0;
+  std::size_t requirements = 0;
+  std::size_t exact = 0;     // bounds of the exact analysis
+  std::size_t bounded = 0;   // of the compositional one
+  std::size_t measured = 0;  // requirements of which some run has a value
+};
+
+const Verdict* of(const Analysis& analysis, const std::string& requirement) {
+  for (const Verdict& each : analysis.verdicts) {
+    if (each.requirement == requirement) return &each;
+  }
+  return nullptr;
+}
+
+void attack(const std::string& text, std::uint64_t seed, Tally& tally) {
+  const auto skill = test::any_skill(text);
+  if (!skill->problem) return;
+  ++tally.skills;
+  const pan::Network& network = skill->specification.skills.front();
+  const pan::Environment& environment = skill->specification.environments.front();
+  Options options;
+  options.max_states = setting("PAL_CLASSES", 500);
+  const Analysis exact = analyze(*skill->problem, options);
+  const Analysis compositional = analyze_compositionally(*skill->problem);
+  for (const test::Wanted& wanted : test::wanted(network, environment)) {
+    if (wanted.kind == test::Wanted::Kind::load) continue;
+    const Verdict* verdicts[] = {of(exact, wanted.name), of(compositional, wanted.name)};
+    REQUIRE((verdicts[0] != nullptr && verdicts[1] != nullptr));
+    ++tally.requirements;
+    tally.exact += verdicts[0]->bound ? 1 : 0;
+    tally.bounded += verdicts[1]->bound ? 1 : 0;
+    test::AllRuns runs(network, environment, wanted, unit, cap);
+    bool measured = false;
+    for (std::uint64_t walk = 0; walk < setting("PAL_WALKS", 20); ++walk) {
+      const auto seen = [&] {
+        test::Gambler gambler(seed * 1000 + walk);
+        return runs.walk(gambler, static_cast<int>(setting("PAL_THINGS", 800)));
+      };
+      const test::Seen one = seen();
+      measured = measured || one.greatest >= 0 || one.least >= 0;
+      for (const Verdict* verdict : verdicts) {
+        const std::string wrong = test::contradiction(wanted, one, *verdict, unit, cap);
+        if (wrong.empty()) continue;
+        runs.tell = true;
+        seen();
+        std::string story;
+        for (const std::string& line : runs.story) story += line + "\n";
+        FAIL("seed " << seed << " walk " << walk << " " << wanted.name << ": " << name(verdict->state) << " "
+                     << (verdict->bound ? verdict->bound->count() : -1) << " "
+                     << (verdict == verdicts[0] ? "exact, " : "compositional, ") << verdict->explanation
+                     << "\n"
+                     << wrong << "\n"
+                     << text << story);
+      }
+    }
+    tally.measured += measured ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("no run of a larger skill exceeds what either analysis proved") {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  const char* only = std::getenv("PAL_KIND");
+  for (const auto& [kind, text] : kinds()) {
+    if (only != nullptr && kind != only) continue;
+    Tally tally;
+    for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 5); ++seed)
+      attack(text(seed), seed, tally);
+    std::cout << kind << ": " << tally.skills << " skills, " << tally.requirements << " requirements, "
+              << tally.exact << " bounded exactly, " << tally.bounded << " compositionally, "
+              << tally.measured << " measured\n";
+  }
+}
