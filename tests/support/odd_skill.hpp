@@ -1,12 +1,12 @@
 // Skills by chance whose modules take what others send in the middle of their rounds, and give up.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "tests/support/chance.hpp"
 
 namespace pal::test {
 
@@ -19,8 +19,8 @@ namespace pal::test {
 /// one another, or a sensor that asks before it has finished what it does, and sends to a slow method.
 class OddSkill {
  public:
-  explicit OddSkill(std::uint64_t seed, bool calm = false) : engine_(seed), calm_(calm) {
-    for (int& each : odd_) each = chance(calm ? 15 : 3);
+  explicit OddSkill(std::uint64_t seed, bool calm = false) : chance_(seed), calm_(calm) {
+    for (int& each : odd_) each = chance_(calm ? 15 : 3);
   }
 
   std::string text() {
@@ -59,10 +59,8 @@ class OddSkill {
 
   enum class Odd { tests, limits, asks, twice, arms, beside, before, within, leaves, executes };
 
-  int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-  int between(int low, int high) { return low + chance(high - low + 1); }
   /// Of what is odd only some is in one skill, so that something is bounded.
-  bool odd(Odd what, int one_in) { return odd_[static_cast<std::size_t>(what)] == 0 && chance(one_in) == 0; }
+  bool odd(Odd what, int one_in) { return odd_[static_cast<std::size_t>(what)] == 0 && chance_(one_in) == 0; }
 
   Module& module(const std::string& name) {
     for (Module& each : modules_) {
@@ -83,7 +81,7 @@ class OddSkill {
   }
 
   void draw() {
-    second_ = chance(2) == 0;
+    second_ = chance_(2) == 0;
     contingency_ = odd(Odd::executes, 1);
     modules_.push_back({"Sensor Driver", "SD1", {}, {}, {}});
     modules_.push_back({"Logical Sensor", "LS1", {}, {}, {}});
@@ -96,21 +94,21 @@ class OddSkill {
     serves("SD1", "LS1", "raw");
     module("SD1").calls.push_back({"value", "sensor"});
     if (calm_) return calm_links();
-    if (chance(3) != 0) {
+    if (chance_(3) != 0) {
       serves("LS1", "SM1", "force");
     } else {
       sends("LS1", "SM1", "force");
     }
-    if (chance(3) == 0) serves("SM1", "MC1", "motion");
-    if (chance(2) == 0) serves("MC1", "SM1", "state");
-    if (chance(3) == 0) sends("MC1", "SM1", "go");
-    if (chance(2) == 0) sends("SM1", "MC1", "stop");
-    if (second_ && chance(2) == 0) serves("MC2", "SM1", "grip");
-    if (second_ && chance(3) == 0) sends("SM1", "MC2", "halt");
+    if (chance_(3) == 0) serves("SM1", "MC1", "motion");
+    if (chance_(2) == 0) serves("MC1", "SM1", "state");
+    if (chance_(3) == 0) sends("MC1", "SM1", "go");
+    if (chance_(2) == 0) sends("SM1", "MC1", "stop");
+    if (second_ && chance_(2) == 0) serves("MC2", "SM1", "grip");
+    if (second_ && chance_(3) == 0) sends("SM1", "MC2", "halt");
   }
 
   void calm_links() {
-    switch (chance(4)) {
+    switch (chance_(4)) {
       case 0:
         serves("LS1", "SM1", "force");
         serves("SM1", "MC1", "motion");
@@ -127,7 +125,7 @@ class OddSkill {
         sends("LS1", "SM1", "force");
         polls_ = "LS1";
     }
-    if (second_ && chance(2) == 0 && module("SM1").triggers.empty()) sends("MC2", "SM1", "halt");
+    if (second_ && chance_(2) == 0 && module("SM1").triggers.empty()) sends("MC2", "SM1", "halt");
   }
 
   std::string say(const Module& in, const std::string& statement, const std::string& indent) {
@@ -135,20 +133,18 @@ class OddSkill {
     return indent + statement + "\n";
   }
   std::string work(const Module& in, const std::string& indent) {
-    return say(in, "w" + std::to_string(between(1, 3)) + in.name, indent);
+    return say(in, "w" + std::to_string(chance_.between(1, 3)) + in.name, indent);
   }
   std::string condition(const Module& in) {
-    return "c" + (chance(3) == 0
-                      ? modules_[static_cast<std::size_t>(chance(static_cast<int>(modules_.size())))].name
-                      : in.name);
+    return "c" + (chance_(3) == 0 ? chance_.one_of(modules_).name : in.name);
   }
 
   /// Takes no message, and sends none.
   std::string small(const Module& in, const std::string& indent) {
-    switch (chance(7)) {
+    switch (chance_(7)) {
       case 0:
-        if (chance(2) == 0)
-          return indent + "SPC( c" + in.name + (chance(2) == 0 ? " = TRUE )\n" : " = FALSE )\n");
+        if (chance_(2) == 0)
+          return indent + "SPC( c" + in.name + (chance_(2) == 0 ? " = TRUE )\n" : " = FALSE )\n");
         return say(in, "SPC( c" + in.name + " )", indent);
       case 1:
         return say(in, "RPC( " + condition(in) + " )", indent);
@@ -169,7 +165,7 @@ class OddSkill {
     return indent + "CASE\n" + indent + "  ( " + c + " ):\n" + yes + indent + "  ( " + other + " ):\n" + no +
            indent + "END CASE\n";
   }
-  std::string limit() { return std::to_string(chance(4) == 0 ? 0 : between(1, 8)) + " ms"; }
+  std::string limit() { return std::to_string(chance_(4) == 0 ? 0 : chance_.between(1, 8)) + " ms"; }
 
   std::string limited(const Module& in, const std::string& wait, const std::string& then,
                       const std::string& indent) {
@@ -179,9 +175,9 @@ class OddSkill {
            indent + "END WTM\n";
   }
   std::string serve(const Module& in, const Trigger& trigger, const std::string& indent) {
-    std::string out = chance(2) == 0 ? small(in, indent) : "";
+    std::string out = chance_(2) == 0 ? small(in, indent) : "";
     if (!trigger.reply.empty()) out += say(in, trigger.reply, indent);
-    if (out.empty() || chance(4) == 0) out += small(in, indent);
+    if (out.empty() || chance_(4) == 0) out += small(in, indent);
     return out;
   }
 
@@ -204,7 +200,7 @@ class OddSkill {
 
   std::string asks(const Module& in, const Call& call, const std::string& indent) {
     const std::string more = indent + "  ";
-    switch (odd(Odd::asks, 2) ? chance(5) : 5) {
+    switch (odd(Odd::asks, 2) ? chance_(5) : 5) {
       case 0:
         // What is asked for is taken beside, or after.
         return ask(in, call, indent) + blocks({small(in, more), take(in, call, more)}, indent);
@@ -222,7 +218,7 @@ class OddSkill {
       case 4:
         return take(in, call, indent) + small(in, indent) + ask(in, call, indent);
       default:
-        return ask(in, call, indent) + (chance(2) == 0 ? small(in, indent) : "") + take(in, call, indent);
+        return ask(in, call, indent) + (chance_(2) == 0 ? small(in, indent) : "") + take(in, call, indent);
     }
   }
 
@@ -232,19 +228,19 @@ class OddSkill {
     for (const Call& call : in.calls) parts.push_back(asks(in, call, indent));
     for (const std::string& send : in.sends) {
       const std::string deep = indent + "    ";
-      parts.push_back(chance(3) == 0 ? choice(in, say(in, send, deep), deep + "Do Nothing\n", indent)
-                                     : say(in, send, indent));
+      parts.push_back(chance_(3) == 0 ? choice(in, say(in, send, deep), deep + "Do Nothing\n", indent)
+                                      : say(in, send, indent));
       if (odd(Odd::twice, 3)) parts.push_back(say(in, send, indent));
     }
     if (in.name == "SM1" && contingency_) {
       parts.push_back(indent + "Execute CM1\n");
-      if (chance(2) == 0)
+      if (chance_(2) == 0)
         parts.push_back(blocks({indent + "  Execute CM1\n", small(in, indent + "  ")}, indent));
     }
-    for (int i = between(0, 2); i > 0; --i) parts.push_back(small(in, indent));
-    if (calm_ && chance(2) == 0) parts.push_back(say(in, "SPC( c" + in.name + " )", indent));
-    if (calm_ && chance(2) == 0) parts.push_back(say(in, "RPC( c" + module_name() + " )", indent));
-    std::shuffle(parts.begin(), parts.end(), engine_);
+    for (int i = chance_.between(0, 2); i > 0; --i) parts.push_back(small(in, indent));
+    if (calm_ && chance_(2) == 0) parts.push_back(say(in, "SPC( c" + in.name + " )", indent));
+    if (calm_ && chance_(2) == 0) parts.push_back(say(in, "RPC( c" + module_name() + " )", indent));
+    chance_.shuffle(parts);
     std::string out;
     for (const std::string& part : parts) out += part;
     return out;
@@ -261,8 +257,8 @@ class OddSkill {
     const std::string more = indent + "  ";
     const Call& call = in.calls.front();
     std::vector<std::string> after = in.sends;
-    if (chance(3) != 0) after.push_back("w" + std::to_string(between(1, 3)) + in.name);
-    std::shuffle(after.begin(), after.end(), engine_);
+    if (chance_(3) != 0) after.push_back("w" + std::to_string(chance_.between(1, 3)) + in.name);
+    chance_.shuffle(after);
     std::string inside = say(in, answer_of(call), more) + work(in, more) + ask(in, call, more);
     for (const std::string& each : after) inside += say(in, each, more);
     return ask(in, call, indent) + forever(inside, indent);
@@ -271,7 +267,7 @@ class OddSkill {
   /// One of the triggers begins a round; the others are taken elsewhere.
   std::string rounds(Module& in, const std::string& indent) {
     std::vector<Trigger> triggers = in.triggers;
-    std::shuffle(triggers.begin(), triggers.end(), engine_);
+    chance_.shuffle(triggers);
     const std::string more = indent + "  ";
     const std::string deep = more + "    ";
     std::string inside;
@@ -299,7 +295,8 @@ class OddSkill {
     } else if (!arms.empty() || odd(Odd::arms, 2)) {
       arms.push_back(triggers.front());
       const bool gives_up = odd(Odd::arms, 2);
-      inside = more + "WTM FIRST" + (gives_up ? " WITHIN " + std::to_string(between(2, 30)) + " ms\n" : "\n");
+      inside = more + "WTM FIRST" +
+               (gives_up ? " WITHIN " + std::to_string(chance_.between(2, 30)) + " ms\n" : "\n");
       for (const Trigger& arm : arms) inside += more + "  ( " + arm.wait + " ):\n" + serve(in, arm, deep);
       if (gives_up) inside += more + "ELSE\n" + small(in, deep);
       inside += more + "END WTM\n" + within + work_of_round;
@@ -307,13 +304,13 @@ class OddSkill {
       const Trigger& trigger = triggers.front();
       inside = say(in, "WTM( " + trigger.wait + " )", more);
       const std::string answer = serve(in, trigger, more);
-      inside += chance(2) == 0 ? answer + within + work_of_round : within + work_of_round + answer;
+      inside += chance_(2) == 0 ? answer + within + work_of_round : within + work_of_round + answer;
     }
     const std::string main = loop(in, inside, indent);
     if (beside.empty() && (in.name != "SM1" || !odd(Odd::leaves, 1))) return before + main;
     std::vector<std::string> all = beside;
     all.push_back(main);
-    if (chance(4) == 0) all.push_back(work(in, more));
+    if (chance_(4) == 0) all.push_back(work(in, more));
     for (std::size_t i = 0; i < all.size(); ++i) blocks_.push_back(in.name + "." + std::to_string(i + 1));
     return before + blocks(all, indent);
   }
@@ -342,9 +339,9 @@ class OddSkill {
     for (int i = 1; i <= 3; ++i) out += "  ACTIVITY w" + std::to_string(i) + in.name + "\n";
     out += "  ACTIVITY p" + in.name + "\nBEGIN\n";
     if (in.name == "SM1") out += "  WTM( Coordinator )\n";
-    if (chance(6) == 0) out += small(in, "  ");
-    if (!in.sends.empty() && chance(5) == 0) out += say(in, in.sends.front(), "  ");
-    if (!in.calls.empty() && polls_ != in.name && chance(8) == 0) out += asks(in, in.calls.front(), "  ");
+    if (chance_(6) == 0) out += small(in, "  ");
+    if (!in.sends.empty() && chance_(5) == 0) out += say(in, in.sends.front(), "  ");
+    if (!in.calls.empty() && polls_ != in.name && chance_(8) == 0) out += asks(in, in.calls.front(), "  ");
     if (odd(Odd::leaves, 2)) out += one_after_the_other(in);
     out += rounds(in, "  ");
     if (in.name == "SM1") out += work(in, "  ") + "  TXM( Completion Protocol 0 )\n";
@@ -355,18 +352,16 @@ class OddSkill {
     Module in{"Contingency Module", "CM1", {}, {}, {}};
     std::string out = "Contingency Module: CM1\n";
     for (int i = 1; i <= 3; ++i) out += "  ACTIVITY w" + std::to_string(i) + "CM1\n";
-    const std::string inside = chance(2) == 0 ? "  w1CM1\n" : blocks({"    w1CM1\n", "    w2CM1\n"}, "  ");
+    const std::string inside = chance_(2) == 0 ? "  w1CM1\n" : blocks({"    w1CM1\n", "    w2CM1\n"}, "  ");
     said_.emplace_back("CM1", "w1CM1");
     return out + "BEGIN\n" + inside + "END\n";
   }
 
   std::string at() {
-    const auto& [in, statement] = said_[static_cast<std::size_t>(chance(static_cast<int>(said_.size())))];
+    const auto& [in, statement] = chance_.one_of(said_);
     return statement + " IN " + in;
   }
-  std::string module_name() {
-    return modules_[static_cast<std::size_t>(chance(static_cast<int>(modules_.size())))].name;
-  }
+  std::string module_name() { return chance_.one_of(modules_).name; }
 
   std::string requirements() {
     std::string out;
@@ -387,13 +382,13 @@ class OddSkill {
       add("INTERVAL OF " + at() + " AT LEAST 1 ms");
     }
     for (const auto& [in, statement] : said_) {
-      if (statement.rfind("TXM( ", 0) != 0 || chance(2) == 0) continue;
+      if (statement.rfind("TXM( ", 0) != 0 || chance_(2) == 0) continue;
       const bool asks = statement.rfind("TXM( request", 0) == 0;
       add("RESPONSE FROM " + statement.substr(5, statement.find(asks ? " from " : " to ") - 5) + " OF " + in +
           " TO " + at() + most);
     }
     for (const auto& [in, statement] : said_) {
-      if (!calm_ || chance(2) == 0) continue;
+      if (!calm_ || chance_(2) == 0) continue;
       const std::string there = statement + " IN " + in + most;
       add("RESPONSE FROM tick OF robot TO " + there);
       add("REACTION OF value FROM sensor AT " + there);
@@ -412,64 +407,58 @@ class OddSkill {
     return out;
   }
 
-  std::string interval(int low, int high) {
-    const int best = between(low, high);
-    const int worst = chance(2) != 0 ? best : between(best, high);
-    return best == worst ? std::to_string(best) + " ms"
-                         : std::to_string(best) + " TO " + std::to_string(worst) + " ms";
-  }
-
   std::string environment() {
     std::string out = "ENVIRONMENT cell\n";
-    const int processors = between(1, 3);
+    const int processors = chance_.between(1, 3);
     for (int p = 1; p <= processors; ++p)
-      out += "  PROCESSOR P" + std::to_string(p) + (chance(4) == 0 ? " NONPREEMPTIVE\n" : "\n");
+      out += "  PROCESSOR P" + std::to_string(p) + (chance_(4) == 0 ? " NONPREEMPTIVE\n" : "\n");
     const auto place = [&](const std::string& thread) {
-      out += "  PLACE " + thread + " ON P" + std::to_string(between(1, processors)) + " PRIORITY " +
-             std::to_string(between(1, 4)) + "\n";
+      out += "  PLACE " + thread + " ON P" + std::to_string(chance_.between(1, processors)) + " PRIORITY " +
+             std::to_string(chance_.between(1, 4)) + "\n";
     };
     for (const Module& module : modules_) {
       place(module.name);
       for (int i = 1; i <= 3; ++i)
-        out +=
-            "  TIME w" + std::to_string(i) + module.name + " : " + interval(chance(4) == 0 ? 0 : 1, 2) + "\n";
+        out += "  TIME w" + std::to_string(i) + module.name + " : " +
+               chance_.interval(chance_(4) == 0 ? 0 : 1, 2) + "\n";
     }
     for (const Module& module : modules_)
-      out += "  TIME p" + module.name + " : " + interval(chance(4) == 0 ? 1 : 10, 50) + "\n";
+      out += "  TIME p" + module.name + " : " + chance_.interval(chance_(4) == 0 ? 1 : 10, 50) + "\n";
     if (contingency_) {
-      for (int i = 1; i <= 3; ++i) out += "  TIME w" + std::to_string(i) + "CM1 : " + interval(0, 2) + "\n";
+      for (int i = 1; i <= 3; ++i)
+        out += "  TIME w" + std::to_string(i) + "CM1 : " + chance_.interval(0, 2) + "\n";
     }
     for (const std::string& block : blocks_) {
-      if (chance(2) == 0) place(block);
+      if (chance_(2) == 0) place(block);
     }
-    if (chance(3) == 0) {
-      const int period = between(4, 12);
+    if (chance_(3) == 0) {
+      const int period = chance_.between(4, 12);
       out += "  DEVICE sensor FRAMES EVERY " + std::to_string(period) + " ms COLLECTING " +
-             std::to_string(between(1, period)) + " ms\n";
+             std::to_string(chance_.between(1, period)) + " ms\n";
     } else {
-      out += "  DEVICE sensor ON REQUEST " + interval(chance(4) == 0 ? 0 : 1, 4) + "\n";
+      out += "  DEVICE sensor ON REQUEST " + chance_.interval(chance_(4) == 0 ? 0 : 1, 4) + "\n";
     }
     const auto event = [&](const std::string& device, const std::string& message) {
-      const int period = chance(3) == 0 && !calm_ ? between(15, 40) : between(40, 150);
-      out += "  DEVICE " + device + " EVENT " + message + (chance(5) == 0 ? " SPORADIC " : " EVERY ") +
+      const int period = chance_(3) == 0 && !calm_ ? chance_.between(15, 40) : chance_.between(40, 150);
+      out += "  DEVICE " + device + " EVENT " + message + (chance_(5) == 0 ? " SPORADIC " : " EVERY ") +
              std::to_string(period) + " ms";
-      if (chance(3) == 0) out += " JITTER " + std::to_string(between(1, period - 1)) + " ms";
-      if (chance(4) == 0 && out.rfind(" SPORADIC ") < out.rfind(" DEVICE "))
-        out += " PHASE " + std::to_string(between(0, period - 1)) + " ms";
+      if (chance_(3) == 0) out += " JITTER " + std::to_string(chance_.between(1, period - 1)) + " ms";
+      if (chance_(4) == 0 && out.rfind(" SPORADIC ") < out.rfind(" DEVICE "))
+        out += " PHASE " + std::to_string(chance_.between(0, period - 1)) + " ms";
       out += "\n";
     };
     event("robot", "tick");
     event("hand", "tock");
     for (const char* cost : {"SEND", "RECEIVE", "SET", "READ", "TEST"}) {
-      if (chance(3) == 0)
-        out += "  COST " + std::string(cost) + (chance(2) == 0 ? " 0.5 ms\n" : " 0 TO 1 ms\n");
+      if (chance_(3) == 0)
+        out += "  COST " + std::string(cost) + (chance_(2) == 0 ? " 0.5 ms\n" : " 0 TO 1 ms\n");
     }
-    if (chance(3) == 0) out += "  LATENCY WITHIN PROCESSOR " + interval(0, 1) + "\n";
-    if (chance(3) == 0) out += "  LATENCY BETWEEN PROCESSORS " + interval(0, 3) + "\n";
+    if (chance_(3) == 0) out += "  LATENCY WITHIN PROCESSOR " + chance_.interval(0, 1) + "\n";
+    if (chance_(3) == 0) out += "  LATENCY BETWEEN PROCESSORS " + chance_.interval(0, 3) + "\n";
     return out + "END ENVIRONMENT\n";
   }
 
-  std::mt19937_64 engine_;
+  Chance chance_;
   int odd_[10] = {};  // by Odd; 0: it is
   std::vector<Module> modules_;
   std::vector<std::string> messages_;

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/chance.hpp"
+
 namespace pal::test {
 
 /// The text of a skill and its environment; all times are whole milliseconds, none above `longest`. The same
@@ -18,7 +20,7 @@ class RandomCell {
   enum class Asks { little, all };
 
   RandomCell(std::uint64_t seed, int longest, int deep = 2, Asks asks = Asks::little)
-      : engine_(seed),
+      : chance_(seed),
         required_(seed),
         executed_(~seed),
         longest_(longest),
@@ -27,9 +29,10 @@ class RandomCell {
         asks_events_(seed % 4 == 1) {}
 
   std::string text() {
-    sensor_ = chance(5);  // 0 answers, 1 frames, 2 event, 3 a body that asks a device, 4 two kinds of request
-    controller_ = chance(4) != 0;
-    lonely_ = chance(6) == 0;  // no logical sensor
+    sensor_ =
+        chance_(5);  // 0 answers, 1 frames, 2 event, 3 a body that asks a device, 4 two kinds of request
+    controller_ = chance_(4) != 0;
+    lonely_ = chance_(6) == 0;  // no logical sensor
     const std::string limit = std::to_string(2 * longest_) + " ms\n";
     std::string out =
         "MESSAGE force : SIGNAL\nMESSAGE raw : SIGNAL\nMESSAGE extra : SIGNAL\nMESSAGE motion : SIGNAL\n"
@@ -62,17 +65,7 @@ class RandomCell {
  private:
   using Lines = std::vector<std::string>;
 
-  int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-  int between(int low, int high) { return low + chance(high - low + 1); }
   std::string ms(int time) { return std::to_string(time) + " ms"; }
-  std::string interval(int low, int high) {
-    const int best = between(low, high);
-    const int worst = chance(3) != 0 ? best : between(best, high);
-    return best == worst ? ms(best) : std::to_string(best) + " TO " + ms(worst);
-  }
-  const std::string& one_of(const Lines& lines) {
-    return lines[static_cast<std::size_t>(chance(static_cast<int>(lines.size())))];
-  }
 
   /// Some requirements of the other measures; drawn apart, so that the skill is the same without them.
   std::string requirements() {
@@ -117,7 +110,7 @@ class RandomCell {
   }
 
   std::string guard() {
-    switch (chance(5)) {
+    switch (chance_(5)) {
       case 0:
         return "c AND NOT ( d )";
       case 1:
@@ -133,82 +126,83 @@ class RandomCell {
 
   /// WTM( what ) in one of its forms.
   std::string wait(const std::string& what, int deeper) {
-    if (chance(4) != 0) return "WTM( " + what + " )\n";
-    const int limit = chance(3) == 0 ? 0 : between(0, longest_);
+    if (chance_(4) != 0) return "WTM( " + what + " )\n";
+    const int limit = chance_(3) == 0 ? 0 : chance_.between(0, longest_);
     return "WTM( " + what + " ) WITHIN " + ms(limit) + "\n" + few(deeper) + "ELSE\n" + few(deeper) +
            "END WTM\n";
   }
 
   std::string few(int deeper) {
     std::string out;
-    for (int count = chance(3); count > 0; --count) out += statement(deeper);
+    for (int count = chance_(3); count > 0; --count) out += statement(deeper);
     return out;
   }
 
   /// A statement of the module that is being written.
   std::string statement(int deeper) {
-    const int kind = chance(deeper <= 0 ? 8 : 14);
+    const int kind = chance_(deeper <= 0 ? 8 : 14);
     switch (kind) {
       case 0:
         return "Do Nothing\n";
       case 1:
       case 2:
-        return one_of(activities_) + "\n";
+        return chance_.one_of(activities_) + "\n";
       case 3:
-        return sets_ ? one_of({"SPC( c )\n", "SPC( d )\n", "SPC( c = TRUE )\n"}) : one_of(activities_) + "\n";
+        return sets_ ? chance_.one_of({"SPC( c )\n", "SPC( d )\n", "SPC( c = TRUE )\n"})
+                     : chance_.one_of(activities_) + "\n";
       case 4:
-        return one_of({"RPC( c )\n", "RPC( d )\n"});
+        return chance_.one_of({"RPC( c )\n", "RPC( d )\n"});
       case 5:
-        return "TXM( " + one_of(sends_) + " )\n";
+        return "TXM( " + chance_.one_of(sends_) + " )\n";
       case 6:
-        return wait(one_of(waits_), deeper - 1);
+        return wait(chance_.one_of(waits_), deeper - 1);
       case 7:
-        return executes_ ? "Execute CM1\n" : one_of(activities_) + "\n";
+        return executes_ ? "Execute CM1\n" : chance_.one_of(activities_) + "\n";
       case 8: {
         const std::string out = "CASE\n( " + guard() + " ):\n" + few(deeper - 1);
-        const bool total = chance(4) != 0;
+        const bool total = chance_(4) != 0;
         return out + (total ? "( c OR NOT ( c ) ):\nDo Nothing\n" : "") + "END CASE\n";
       }
       case 9:
-        return "REPEAT\n" + few(deeper - 1) + one_of(activities_) + "\nUNTIL( " + guard() + " )\n";
+        return "REPEAT\n" + few(deeper - 1) + chance_.one_of(activities_) + "\nUNTIL( " + guard() + " )\n";
       case 10:
       case 11: {
         std::string out = "CONCURRENT\n";
-        for (int blocks = between(1, 2 + chance(2)); blocks > 0; --blocks) {
-          const bool forever = chance(3) == 0;
+        for (int blocks = chance_.between(1, 2 + chance_(2)); blocks > 0; --blocks) {
+          const bool forever = chance_(3) == 0;
           out += "BEGIN\n" + std::string(forever ? "REPEAT\n" : "") + few(deeper - 1) +
-                 (forever ? one_of(activities_) + "\n" : "") +
-                 (chance(2) == 0 && !backbone_.empty() ? one_of(backbone_) : "") +
+                 (forever ? chance_.one_of(activities_) + "\n" : "") +
+                 (chance_(2) == 0 && !backbone_.empty() ? chance_.one_of(backbone_) : "") +
                  (forever ? "UNTIL( forever )\n" : "") + "END\n";
         }
         return out + "END CONCURRENT\n";
       }
       case 12: {
         if (waits_.size() < 2) return wait(waits_.front(), deeper - 1);
-        const bool limited = chance(2) == 0;
+        const bool limited = chance_(2) == 0;
         std::string out =
-            "WTM FIRST" + (limited ? " WITHIN " + ms(between(0, longest_)) : std::string()) + "\n";
+            "WTM FIRST" + (limited ? " WITHIN " + ms(chance_.between(0, longest_)) : std::string()) + "\n";
         Lines each = waits_;
-        if (each.size() > 2 && chance(2) == 0)
-          each.erase(each.begin() + chance(static_cast<int>(each.size())));
-        std::shuffle(each.begin(), each.end(), engine_);
+        if (each.size() > 2 && chance_(2) == 0)
+          each.erase(each.begin() + chance_(static_cast<int>(each.size())));
+        chance_.shuffle(each);
         for (const std::string& what : each) out += "( " + what + " ):\n" + few(deeper - 1);
         return out + (limited ? "ELSE\n" + few(deeper - 1) : "") + "END WTM\n";
       }
       default:
-        return backbone_.empty() ? std::string("Do Nothing\n") : one_of(backbone_);
+        return backbone_.empty() ? std::string("Do Nothing\n") : chance_.one_of(backbone_);
     }
   }
 
   /// The backbone, with statements thrown in and a few of its own out of order.
   std::string mixed(Lines lines) {
-    if (chance(6) == 0 && lines.size() > 1) std::swap(lines[0], lines[1]);
+    if (chance_(6) == 0 && lines.size() > 1) std::swap(lines[0], lines[1]);
     std::string out;
     for (const std::string& line : lines) {
-      if (chance(4) == 0) out += statement(deep_);
+      if (chance_(4) == 0) out += statement(deep_);
       out += line;
     }
-    if (chance(5) == 0) out += statement(deep_);
+    if (chance_(5) == 0) out += statement(deep_);
     return out;
   }
 
@@ -239,8 +233,8 @@ class RandomCell {
             "from SD1 )\n";
       }
       backbone_ = {get, "extract\n"};
-      Lines lines = chance(3) == 0 ? Lines{get, "WTM( request force from SM1 )\n", "TXM( force to SM1 )\n"}
-                                   : Lines{"WTM( request force from SM1 )\n", get, "TXM( force to SM1 )\n"};
+      Lines lines = chance_(3) == 0 ? Lines{get, "WTM( request force from SM1 )\n", "TXM( force to SM1 )\n"}
+                                    : Lines{"WTM( request force from SM1 )\n", get, "TXM( force to SM1 )\n"};
       out +=
           "Logical Sensor: LS1\nACTIVITY extract\nBEGIN\nREPEAT\n" + mixed(lines) + "UNTIL( forever )\nEND\n";
     }
@@ -257,8 +251,8 @@ class RandomCell {
     sets_ = executes_ = true;
     begin({"think", "prepare"}, {"motion to MC1"}, {"request motion from MC1"});
     const std::string act =
-        std::string(chance(2) == 0 ? "RPC( c )\n" : "") + "WTM( request motion from MC1 )\n" +
-        (chance(2) == 0 ? "CASE\n( c ):\nSPC( d = TRUE )\n( c = FALSE ):\nDo Nothing\nEND CASE\n" : "") +
+        std::string(chance_(2) == 0 ? "RPC( c )\n" : "") + "WTM( request motion from MC1 )\n" +
+        (chance_(2) == 0 ? "CASE\n( c ):\nSPC( d = TRUE )\n( c = FALSE ):\nDo Nothing\nEND CASE\n" : "") +
         "TXM( motion to MC1 )\n";
     std::string sense = "SPC( c )\n";
     if (!lonely_) {
@@ -274,7 +268,7 @@ class RandomCell {
     executes_ = true;
     activities_ = {"think", "prepare"};
     std::string method;
-    if (chance(2) == 0) {
+    if (chance_(2) == 0) {
       method = "CONCURRENT\nBEGIN\nREPEAT\n" + mixed({sense}) + call() +
                "UNTIL( forever )\nEND\nBEGIN\nREPEAT\n" + call() + mixed({act, "SPC( d )\n"}) +
                "UNTIL( d )\nEND\nEND CONCURRENT\n";
@@ -283,12 +277,12 @@ class RandomCell {
     }
     if (blocks_ && executed_() % 2 == 0)
       method += "CONCURRENT\nBEGIN\n" + call() + "think\nEND\nBEGIN\nExecute CM1\nEND\nEND CONCURRENT\n";
-    if (chance(3) == 0) method = few(deep_) + method;
-    if (chance(3) == 0) method += few(deep_);
+    if (chance_(3) == 0) method = few(deep_) + method;
+    if (chance_(3) == 0) method += few(deep_);
     out += executed +
            "Skill Module: SM1\nACTIVITY think\nACTIVITY prepare\nBEGIN\nWTM( Coordinator )\nExecute "
            "CM1\nthink\n" +
-           method + (chance(5) != 0 ? "TXM( Completion Protocol 0 )\n" : "") + "END\n";
+           method + (chance_(5) != 0 ? "TXM( Completion Protocol 0 )\n" : "") + "END\n";
     return out;
   }
 
@@ -322,45 +316,45 @@ class RandomCell {
   }
 
   std::string place(const std::string& thread, int processors) {
-    return "  PLACE " + thread + " ON P" + std::to_string(chance(processors)) + " PRIORITY " +
-           std::to_string(between(1, 3)) + "\n";
+    return "  PLACE " + thread + " ON P" + std::to_string(chance_(processors)) + " PRIORITY " +
+           std::to_string(chance_.between(1, 3)) + "\n";
   }
 
   std::string event(const std::string& device, const std::string& message, bool answer) {
-    const int period = between(longest_ / 2 + 1, longest_);
+    const int period = chance_.between(longest_ / 2 + 1, longest_);
     const bool odd = asks_ == Asks::all;
-    const bool sporadic = chance(8) == 0 || (odd && required_() % 5 == 0);
+    const bool sporadic = chance_(8) == 0 || (odd && required_() % 5 == 0);
     std::string out =
         "  DEVICE " + device + " EVENT " + message + (sporadic ? " SPORADIC " : " EVERY ") + ms(period);
     int jitter = 0;
     if (period > 1 && odd && required_() % 6 == 0) {
       jitter = period - 1;
-    } else if (chance(4) == 0 && period > 1) {
-      jitter = between(1, period - 1);
+    } else if (chance_(4) == 0 && period > 1) {
+      jitter = chance_.between(1, period - 1);
     }
     if (jitter > 0) out += " JITTER " + ms(jitter);
-    if (!sporadic && chance(3) == 0) out += " PHASE " + ms(between(0, period - 1));
-    if (answer && chance(3) == 0) out += " ANSWER correction WITHIN " + ms(period - jitter);
+    if (!sporadic && chance_(3) == 0) out += " PHASE " + ms(chance_.between(0, period - 1));
+    if (answer && chance_(3) == 0) out += " ANSWER correction WITHIN " + ms(period - jitter);
     return out + "\n";
   }
 
   std::string environment() {
     std::string out = "ENVIRONMENT cell\n";
-    const int processors = between(1, 3);
+    const int processors = chance_.between(1, 3);
     for (int p = 0; p < processors; ++p)
-      out += "  PROCESSOR P" + std::to_string(p) + (chance(4) == 0 ? " NONPREEMPTIVE\n" : "\n");
+      out += "  PROCESSOR P" + std::to_string(p) + (chance_(4) == 0 ? " NONPREEMPTIVE\n" : "\n");
     if (!lonely_) {
       if (sensor_ == 2) {
         out += event("SD1", "raw", false);
       } else {
         const std::string device = sensor_ == 3 ? "gauge" : "SD1";
-        if (sensor_ == 1 || chance(3) == 0) {
-          const int period = between(1, longest_);
+        if (sensor_ == 1 || chance_(3) == 0) {
+          const int period = chance_.between(1, longest_);
           out += "  DEVICE " + device + " FRAMES EVERY " + ms(period) + " COLLECTING " +
-                 ms(between(1, period)) +
-                 (chance(3) == 0 ? " PHASE " + ms(between(0, period - 1)) : std::string()) + "\n";
+                 ms(chance_.between(1, period)) +
+                 (chance_(3) == 0 ? " PHASE " + ms(chance_.between(0, period - 1)) : std::string()) + "\n";
         } else {
-          out += "  DEVICE " + device + " ON REQUEST " + interval(0, longest_ / 2) + "\n";
+          out += "  DEVICE " + device + " ON REQUEST " + chance_.interval(0, longest_ / 2, 3) + "\n";
         }
       }
     }
@@ -379,17 +373,17 @@ class RandomCell {
       if (activity[0] == 'e' && lonely_) continue;
       if (activity[0] == 'f' && (lonely_ || sensor_ != 3)) continue;
       if (activity[0] == 'o' && !controller_) continue;
-      out += std::string("  TIME ") + activity + " : " + interval(0, 2) + "\n";
+      out += std::string("  TIME ") + activity + " : " + chance_.interval(0, 2, 3) + "\n";
     }
     for (const char* cost : {"SEND", "RECEIVE", "SET", "READ", "TEST"}) {
-      if (chance(3) == 0) out += std::string("  COST ") + cost + " " + interval(0, 1) + "\n";
+      if (chance_(3) == 0) out += std::string("  COST ") + cost + " " + chance_.interval(0, 1, 3) + "\n";
     }
-    if (chance(3) == 0) out += "  LATENCY WITHIN PROCESSOR " + interval(0, 1) + "\n";
-    if (chance(2) == 0) out += "  LATENCY BETWEEN PROCESSORS " + interval(0, 2) + "\n";
+    if (chance_(3) == 0) out += "  LATENCY WITHIN PROCESSOR " + chance_.interval(0, 1, 3) + "\n";
+    if (chance_(2) == 0) out += "  LATENCY BETWEEN PROCESSORS " + chance_.interval(0, 2, 3) + "\n";
     return out + "END ENVIRONMENT\n";
   }
 
-  std::mt19937_64 engine_;
+  Chance chance_;
   std::mt19937_64 required_;
   std::mt19937_64 executed_;
   int longest_;

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/chance.hpp"
+
 namespace pal::test {
 
 /// Two to six modules with events of several periods, on one to three processors of both kinds. A module has
@@ -17,7 +19,7 @@ class WovenSkill {
  public:
   /// `calm`: events are far apart, and more is set and read, so that more is bounded.
   explicit WovenSkill(std::uint64_t seed, bool calm = false)
-      : engine_(seed), messages_asked_(seed), calm_(calm) {}
+      : chance_(seed), messages_asked_(seed), calm_(calm) {}
 
   std::string text() {
     draw();
@@ -63,9 +65,6 @@ class WovenSkill {
     std::size_t sent = 0;
   };
 
-  int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-  int between(int low, int high) { return low + chance(high - low + 1); }
-
   static std::string upper(std::string text) {
     for (char& c : text) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
     return text;
@@ -92,9 +91,9 @@ class WovenSkill {
   }
 
   void draw() {
-    drives_ = chance(3) == 0;
-    const bool second_sensor = chance(3) == 0;
-    const bool second_machine = chance(2) == 0;
+    drives_ = chance_(3) == 0;
+    const bool second_sensor = chance_(3) == 0;
+    const bool second_machine = chance_(2) == 0;
     if (drives_) modules_.push_back({"Sensor Driver", "SD1", {}, {}, {}});
     modules_.push_back({"Logical Sensor", "LS1", {}, {}, {}});
     if (second_sensor) modules_.push_back({"Logical Sensor", "LS2", {}, {}, {}});
@@ -102,10 +101,11 @@ class WovenSkill {
     if (second_machine) modules_.push_back({"Machine Controller", "MC2", {}, {}, {}});
     modules_.push_back({"Skill Module", "SM1", {}, {}, {}});
     messages_ = {"tick", "tock", "correction"};
-    module("MC1").triggers.push_back({"tick from robot", chance(3) != 0 ? "TXM( correction to robot )" : ""});
+    module("MC1").triggers.push_back(
+        {"tick from robot", chance_(3) != 0 ? "TXM( correction to robot )" : ""});
     if (second_machine) {
       module("MC2").triggers.push_back({"tock from hand", ""});
-    } else if (chance(2) == 0) {
+    } else if (chance_(2) == 0) {
       module("MC1").triggers.push_back({"tock from hand", ""});
     }
     if (drives_) {
@@ -116,13 +116,13 @@ class WovenSkill {
       messages_.push_back("raw");
       module("LS1").calls.push_back({"raw", "SD1"});
     }
-    if (chance(4) != 0) {
+    if (chance_(4) != 0) {
       serves("LS1", "SM1", "force");
     } else {
       sends("LS1", "SM1", "force");
     }
     if (second_sensor) serves("LS2", "SM1", "slide");
-    switch (chance(4)) {
+    switch (chance_(4)) {
       case 0:
         serves("SM1", "MC1", "motion");
         break;
@@ -138,9 +138,9 @@ class WovenSkill {
         break;
     }
     if (second_machine) {
-      if (chance(2) == 0) {
+      if (chance_(2) == 0) {
         serves("MC2", "SM1", "state");
-      } else if (chance(2) == 0) {
+      } else if (chance_(2) == 0) {
         sends("SM1", "MC2", "halt");
       } else {
         sends("MC2", "SM1", "touch");
@@ -154,13 +154,11 @@ class WovenSkill {
   }
 
   std::string work(const Module& in, const std::string& indent) {
-    return say(in, "w" + std::to_string(between(1, 3)) + in.name, indent);
+    return say(in, "w" + std::to_string(chance_.between(1, 3)) + in.name, indent);
   }
 
   std::string condition(const Module& in) {
-    return "c" + (chance(4) == 0
-                      ? modules_[static_cast<std::size_t>(chance(static_cast<int>(modules_.size())))].name
-                      : in.name);
+    return "c" + (chance_(4) == 0 ? chance_.one_of(modules_).name : in.name);
   }
 
   std::string ask(const Module& in, const Call& call, const std::string& indent) {
@@ -168,27 +166,28 @@ class WovenSkill {
   }
   std::string take(const Module& in, const Call& call, const std::string& indent) {
     const std::string wait = "WTM( " + call.message + " from " + call.server + " )";
-    if (chance(8) != 0) return say(in, wait, indent);
-    return indent + wait + " WITHIN " + std::to_string(chance(3) == 0 ? 0 : between(1, 12)) + " ms\n" +
-           small(in, indent + "  ") + indent + "ELSE\n" + small(in, indent + "  ") + indent + "END WTM\n";
+    if (chance_(8) != 0) return say(in, wait, indent);
+    return indent + wait + " WITHIN " + std::to_string(chance_(3) == 0 ? 0 : chance_.between(1, 12)) +
+           " ms\n" + small(in, indent + "  ") + indent + "ELSE\n" + small(in, indent + "  ") + indent +
+           "END WTM\n";
   }
 
   std::string set_or_read(const Module& in, const std::string& indent) {
-    if (chance(2) == 0) return indent + "SPC( c" + in.name + " )\n";
-    const Module& other = modules_[static_cast<std::size_t>(chance(static_cast<int>(modules_.size())))];
+    if (chance_(2) == 0) return indent + "SPC( c" + in.name + " )\n";
+    const Module& other = chance_.one_of(modules_);
     read_.emplace_back(in.name, "c" + other.name);
     return indent + "RPC( c" + other.name + " )\n";
   }
 
   /// Takes no message, and sends none.
   std::string small(const Module& in, const std::string& indent) {
-    if (calm_ && chance(2) == 0) return set_or_read(in, indent);
-    switch (chance(6)) {
+    if (calm_ && chance_(2) == 0) return set_or_read(in, indent);
+    switch (chance_(6)) {
       case 0:
         return indent + "SPC( c" + in.name +
-               (chance(2) == 0   ? ""
-                : chance(2) == 0 ? " = TRUE"
-                                 : " = FALSE") +
+               (chance_(2) == 0   ? ""
+                : chance_(2) == 0 ? " = TRUE"
+                                  : " = FALSE") +
                " )\n";
       case 1:
         return indent + "RPC( " + condition(in) + " )\n";
@@ -213,7 +212,7 @@ class WovenSkill {
 
   std::string asks(const Module& in, const Call& call, const std::string& indent, int depth) {
     const std::string more = indent + "  ";
-    switch (depth > 1 ? chance(7) : chance(18)) {
+    switch (depth > 1 ? chance_(7) : chance_(18)) {
       case 7:
         return blocks(ask(in, call, more) + small(in, more),
                       small(in, more) + take(in, call, more) + work(in, more), indent);
@@ -234,32 +233,32 @@ class WovenSkill {
       case 11:
         return blocks(ask(in, call, more) + take(in, call, more), work(in, more), indent);
       default:
-        return ask(in, call, indent) + (chance(2) == 0 ? small(in, indent) : "") + take(in, call, indent);
+        return ask(in, call, indent) + (chance_(2) == 0 ? small(in, indent) : "") + take(in, call, indent);
     }
   }
 
   /// What a round does, or what is done once; calls and sends that are not in the text yet come first.
   std::string stuff(Module& in, const std::string& indent, int depth = 0) {
     std::string out;
-    for (int i = between(1, 3); i > 0; --i) {
-      const bool calls = in.called < in.calls.size() || (!in.calls.empty() && chance(6) == 0);
-      const bool sends = in.sent < in.sends.size() || (!in.sends.empty() && chance(8) == 0);
-      if (calls && chance(2) == 0) {
+    for (int i = chance_.between(1, 3); i > 0; --i) {
+      const bool calls = in.called < in.calls.size() || (!in.calls.empty() && chance_(6) == 0);
+      const bool sends = in.sent < in.sends.size() || (!in.sends.empty() && chance_(8) == 0);
+      if (calls && chance_(2) == 0) {
         out += asks(in,
                     in.calls[in.called < in.calls.size()
                                  ? in.called++
-                                 : static_cast<std::size_t>(chance(static_cast<int>(in.calls.size())))],
+                                 : static_cast<std::size_t>(chance_(static_cast<int>(in.calls.size())))],
                     indent, depth);
-      } else if (sends && chance(2) == 0) {
+      } else if (sends && chance_(2) == 0) {
         out += say(in,
                    in.sends[in.sent < in.sends.size()
                                 ? in.sent++
-                                : static_cast<std::size_t>(chance(static_cast<int>(in.sends.size())))],
+                                : static_cast<std::size_t>(chance_(static_cast<int>(in.sends.size())))],
                    indent);
-      } else if (depth == 0 && chance(10) == 0) {
+      } else if (depth == 0 && chance_(10) == 0) {
         const std::string yes = stuff(in, indent + "    ", 2);
         out += choice(in, yes, small(in, indent + "    "), indent);
-      } else if (depth == 0 && chance(14) == 0) {
+      } else if (depth == 0 && chance_(14) == 0) {
         out += blocks(work(in, indent + "  ") + small(in, indent + "  "), small(in, indent + "  "), indent);
       } else {
         out += small(in, indent);
@@ -281,8 +280,8 @@ class WovenSkill {
     if (last) out += rest(in, indent, depth);
     if (!trigger.reply.empty()) {
       out += say(in, trigger.reply, indent);
-      if (chance(4) == 0) out += small(in, indent);
-    } else if (chance(3) == 0) {
+      if (chance_(4) == 0) out += small(in, indent);
+    } else if (chance_(3) == 0) {
       out += work(in, indent);
     }
     return out;
@@ -290,7 +289,7 @@ class WovenSkill {
 
   std::string loop(const std::string& inside, const std::string& indent, const Module& in) {
     return indent + "REPEAT\n" + inside + indent +
-           (chance(10) == 0 ? "UNTIL( " + condition(in) + " )\n" : "UNTIL( forever )\n");
+           (chance_(10) == 0 ? "UNTIL( " + condition(in) + " )\n" : "UNTIL( forever )\n");
   }
 
   std::string body(Module& in) {
@@ -299,9 +298,9 @@ class WovenSkill {
     out += "BEGIN\n";
     const bool method = in.name == "SM1";
     if (method) out += "  WTM( Coordinator )\n";
-    if (chance(5) == 0) out += stuff(in, "  ", 0);
+    if (chance_(5) == 0) out += stuff(in, "  ", 0);
     const std::size_t count = in.triggers.size();
-    const int form = count == 0 ? 3 : count == 1 ? (chance(4) == 0 ? 2 : 0) : chance(3);
+    const int form = count == 0 ? 3 : count == 1 ? (chance_(4) == 0 ? 2 : 0) : chance_(3);
     std::string loops;
     if (form == 3) {
       // It goes on by itself.
@@ -338,17 +337,17 @@ class WovenSkill {
                  "  END\n";
         blocks_.push_back(in.name + "." + std::to_string(i + 1));
       }
-      if (chance(3) == 0) loops += "  BEGIN\n" + work(in, "    ") + small(in, "    ") + "  END\n";
+      if (chance_(3) == 0) loops += "  BEGIN\n" + work(in, "    ") + small(in, "    ") + "  END\n";
       loops += "  END CONCURRENT\n";
     }
     out += loops;
-    if (method) out += (chance(2) == 0 ? work(in, "  ") : "") + "  TXM( Completion Protocol 0 )\n";
+    if (method) out += (chance_(2) == 0 ? work(in, "  ") : "") + "  TXM( Completion Protocol 0 )\n";
     return out + "END\n";
   }
 
   std::string at() {
     if (said_.empty()) return "w1SM1 IN SM1";
-    const auto& [in, statement] = said_[static_cast<std::size_t>(chance(static_cast<int>(said_.size())))];
+    const auto& [in, statement] = chance_.one_of(said_);
     return statement + " IN " + in;
   }
 
@@ -379,12 +378,9 @@ class WovenSkill {
     const std::string most = " AT MOST 1 s";
     add("RESPONSE FROM tick OF robot TO " + at() + most);
     add("RESPONSE FROM tick OF robot TO " + at() + most);
-    add("AGE OF c" + modules_[static_cast<std::size_t>(chance(static_cast<int>(modules_.size())))].name +
-        " AT " + at() + most);
-    add("AGE OF c" + modules_[static_cast<std::size_t>(chance(static_cast<int>(modules_.size())))].name +
-        " AT " + at() + most);
-    add("REACTION OF c" + modules_[static_cast<std::size_t>(chance(static_cast<int>(modules_.size())))].name +
-        " AT " + at() + most);
+    add("AGE OF c" + chance_.one_of(modules_).name + " AT " + at() + most);
+    add("AGE OF c" + chance_.one_of(modules_).name + " AT " + at() + most);
+    add("REACTION OF c" + chance_.one_of(modules_).name + " AT " + at() + most);
     const std::string sample = drives_ ? "value FROM sensor" : "raw FROM SD1";
     add("AGE OF " + sample + " AT " + at() + most);
     add("AGE OF " + sample + " AT " + at() + most);
@@ -406,7 +402,7 @@ class WovenSkill {
     for (std::size_t i = 0; i < read_.size() && i < 4; ++i) {
       const auto& [in, condition] = read_[i];
       for (const auto& [module, statement] : said_) {
-        if (module != in || chance(3) != 0) continue;
+        if (module != in || chance_(3) != 0) continue;
         add("AGE OF " + condition + " AT " + statement + " IN " + in + most);
         add("REACTION OF " + condition + " AT " + statement + " IN " + in + most);
         break;
@@ -415,59 +411,54 @@ class WovenSkill {
     return out;
   }
 
-  std::string interval(int low, int high) {
-    const int best = between(low, high);
-    const int worst = chance(2) != 0 ? best : between(best, high);
-    return best == worst ? std::to_string(best) + " ms"
-                         : std::to_string(best) + " TO " + std::to_string(worst) + " ms";
-  }
-
   std::string environment() {
     std::string out = "ENVIRONMENT cell\n";
-    const int processors = between(1, 3);
+    const int processors = chance_.between(1, 3);
     for (int p = 1; p <= processors; ++p)
-      out += "  PROCESSOR P" + std::to_string(p) + (chance(3) == 0 ? " NONPREEMPTIVE\n" : "\n");
+      out += "  PROCESSOR P" + std::to_string(p) + (chance_(3) == 0 ? " NONPREEMPTIVE\n" : "\n");
     const auto place = [&](const std::string& thread) {
-      out += "  PLACE " + thread + " ON P" + std::to_string(between(1, processors)) + " PRIORITY " +
-             std::to_string(between(1, 5)) + "\n";
+      out += "  PLACE " + thread + " ON P" + std::to_string(chance_.between(1, processors)) + " PRIORITY " +
+             std::to_string(chance_.between(1, 5)) + "\n";
     };
     for (const Module& module : modules_) {
       place(module.name);
       for (int i = 1; i <= 3; ++i)
         out += "  TIME w" + std::to_string(i) + module.name + " : " +
-               interval(chance(8) == 0 ? 0 : 1, chance(6) == 0 ? 8 : 2) + "\n";
+               chance_.interval(chance_(8) == 0 ? 0 : 1, chance_(6) == 0 ? 8 : 2) + "\n";
     }
     for (const std::string& block : blocks_) {
-      if (chance(2) == 0) place(block);
+      if (chance_(2) == 0) place(block);
     }
     const std::string sensor = drives_ ? "sensor" : "SD1";
-    if (chance(4) == 0) {
-      const int period = between(5, 15);
+    if (chance_(4) == 0) {
+      const int period = chance_.between(5, 15);
       out += "  DEVICE " + sensor + " FRAMES EVERY " + std::to_string(period) + " ms COLLECTING " +
-             std::to_string(between(1, period)) + " ms\n";
+             std::to_string(chance_.between(1, period)) + " ms\n";
     } else {
       out += "  DEVICE " + sensor + " ON REQUEST " +
-             interval(chance(8) == 0 ? 0 : 1, chance(3) == 0 ? 12 : 4) + "\n";
+             chance_.interval(chance_(8) == 0 ? 0 : 1, chance_(3) == 0 ? 12 : 4) + "\n";
     }
     const auto event = [&](const std::string& device, const std::string& message) {
-      const int period = calm_ ? between(50, 250) : chance(3) == 0 ? between(8, 30) : between(25, 120);
-      out += "  DEVICE " + device + " EVENT " + message + (chance(6) == 0 ? " SPORADIC " : " EVERY ") +
+      const int period = calm_             ? chance_.between(50, 250)
+                         : chance_(3) == 0 ? chance_.between(8, 30)
+                                           : chance_.between(25, 120);
+      out += "  DEVICE " + device + " EVENT " + message + (chance_(6) == 0 ? " SPORADIC " : " EVERY ") +
              std::to_string(period) + " ms";
-      if (chance(3) == 0) out += " JITTER " + std::to_string(between(1, period - 1)) + " ms";
+      if (chance_(3) == 0) out += " JITTER " + std::to_string(chance_.between(1, period - 1)) + " ms";
       out += "\n";
     };
     event("robot", "tick");
     event("hand", "tock");
     for (const char* cost : {"SEND", "RECEIVE", "SET", "READ", "TEST"}) {
-      if (chance(3) == 0)
-        out += "  COST " + std::string(cost) + (chance(2) == 0 ? " 0.5 ms\n" : " 0 TO 1 ms\n");
+      if (chance_(3) == 0)
+        out += "  COST " + std::string(cost) + (chance_(2) == 0 ? " 0.5 ms\n" : " 0 TO 1 ms\n");
     }
-    if (chance(3) == 0) out += "  LATENCY WITHIN PROCESSOR " + interval(0, 1) + "\n";
-    if (chance(3) == 0) out += "  LATENCY BETWEEN PROCESSORS " + interval(0, 3) + "\n";
+    if (chance_(3) == 0) out += "  LATENCY WITHIN PROCESSOR " + chance_.interval(0, 1) + "\n";
+    if (chance_(3) == 0) out += "  LATENCY BETWEEN PROCESSORS " + chance_.interval(0, 3) + "\n";
     return out + "END ENVIRONMENT\n";
   }
 
-  std::mt19937_64 engine_;
+  Chance chance_;
   std::mt19937_64 messages_asked_;  // apart, so that the skills of seeds stay what they are
   std::vector<Module> modules_;
   std::vector<std::string> messages_;
