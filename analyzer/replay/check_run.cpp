@@ -85,7 +85,7 @@ std::string misnumbered(const trace::Trace& run) {
 }  // namespace
 
 Ruling check_run(const Problem& problem, const Requirement* requirement, const trace::Trace& run,
-                 std::optional<Nanoseconds> until, bool longest) {
+                 std::optional<Nanoseconds> until, BusyFrom busy_from) {
   Ruling ruling;
   ruling.broken = tables_differ(problem, run);
   if (ruling.broken.empty()) ruling.broken = unsound(run);
@@ -93,7 +93,7 @@ Ruling check_run(const Problem& problem, const Requirement* requirement, const t
   if (ruling.broken.empty() && until && (*until < 0 || *until > latest_instant))
     ruling.broken = "it ends at no instant of a run";
   if (!ruling.broken.empty()) return ruling;
-  Referee referee(problem, requirement, run.events, longest);
+  Referee referee(problem, requirement, run.events, busy_from);
   try {
     referee.follow(until);
   } catch (const Broken& rule) {

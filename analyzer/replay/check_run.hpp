@@ -30,13 +30,18 @@ struct Ruling {
   std::optional<Nanoseconds> growing_since;
 };
 
+/// From which instants a busy period is measured.
+enum class BusyFrom {
+  each_pause,  // from its beginning, and from each pause of no length in it
+  beginning,   // from its beginning only
+};
+
 /// Holds `run` against every rule. `requirement`, of `problem`, says what to measure; without it, or for a
 /// load, nothing is. The run may end at any instant; with `until` nothing may have to happen before that.
 /// What arrives or becomes ready at one instant without an event of its own in the trace may have come in any
 /// order.
-/// A busy period is measured once for each instant from which it can be counted: from its beginning, and from
-/// each pause of no length in it; with `longest`, from its beginning only.
+/// A busy period is measured once for each instant that `busy_from` names.
 Ruling check_run(const Problem& problem, const Requirement* requirement, const trace::Trace& run,
-                 std::optional<Nanoseconds> until = std::nullopt, bool longest = false);
+                 std::optional<Nanoseconds> until = std::nullopt, BusyFrom busy_from = BusyFrom::each_pause);
 
 }  // namespace pal::analyzer::rules

@@ -4,10 +4,10 @@
 
 namespace pal::analyzer::rules {
 
-Gauge::Gauge(const Problem& problem, const Requirement* requirement, bool longest)
+Gauge::Gauge(const Problem& problem, const Requirement* requirement, BusyFrom busy_from)
     : problem_(problem),
       requirement_(requirement),
-      longest_(longest),
+      busy_from_(busy_from),
       threads_(problem.threads.size(), none),
       channels_(problem.channels.size(), none),
       serving_(problem.channels.size(), none),
@@ -122,7 +122,8 @@ void Gauge::busy(int processor) {
   working_[index] = true;
   std::vector<Nanoseconds>& since = busy_since_[index];
   if (paused_[index] != now_) since.clear();
-  if (since.empty() || (since.back() != now_ && !longest_)) since.push_back(now_);
+  const bool anew = since.empty() || (busy_from_ == BusyFrom::each_pause && since.back() != now_);
+  if (anew) since.push_back(now_);
 }
 
 void Gauge::idle(int processor) {

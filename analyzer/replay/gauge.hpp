@@ -15,8 +15,7 @@ namespace pal::analyzer::rules {
 class Gauge {
  public:
   /// Without a requirement, or of a load, nothing is measured.
-  /// `longest`: of a busy period only from its beginning, not also from each pause of no length in it.
-  Gauge(const Problem& problem, const Requirement* requirement, bool longest);
+  Gauge(const Problem& problem, const Requirement* requirement, BusyFrom busy_from);
 
   void at(Nanoseconds now) { now_ = now; }
 
@@ -71,7 +70,7 @@ class Gauge {
 
   const Problem& problem_;
   const Requirement* requirement_;
-  bool longest_;
+  BusyFrom busy_from_;
   Nanoseconds now_ = 0;
   std::vector<Nanoseconds> births_;
   std::vector<bool> answered_;   // events

@@ -6,7 +6,7 @@
 namespace pal::analyzer::rules {
 
 Referee::Referee(const Problem& problem, const Requirement* requirement, const std::vector<Event>& events,
-                 bool longest)
+                 BusyFrom busy_from)
     : problem_(problem),
       events_(events),
       threads_(problem.threads.size()),
@@ -15,7 +15,7 @@ Referee::Referee(const Problem& problem, const Requirement* requirement, const s
       holders_(problem.processors.size(), -1),
       preempted_(problem.processors.size(), -1),
       conditions_(problem.conditions.size()),
-      gauge_(problem, requirement, longest) {}
+      gauge_(problem, requirement, busy_from) {}
 
 void Referee::follow(std::optional<Nanoseconds> until) {
   for (std::size_t d = 0; d < devices_.size(); ++d) {

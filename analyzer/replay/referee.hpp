@@ -21,9 +21,8 @@ class Broken : public std::runtime_error {
 
 class Referee {
  public:
-  /// `longest`: see check_run.
   Referee(const Problem& problem, const Requirement* requirement, const std::vector<trace::Event>& events,
-          bool longest);
+          BusyFrom busy_from);
 
   /// Everything up to the end, and on to `until` without a further event; throws Broken.
   void follow(std::optional<Nanoseconds> until);

@@ -71,7 +71,8 @@ void Survey::add(const KnownRun& run, std::size_t number) {
 void Survey::measure(std::size_t index, const KnownRun& run, std::size_t number) {
   const Requirement& requirement = problem_.requirements[index];
   Seen& seen = seen_[index];
-  const auto ruling = analyzer::rules::check_run(problem_, &requirement, run.trace, std::nullopt, true);
+  const auto ruling = analyzer::rules::check_run(problem_, &requirement, run.trace, std::nullopt,
+                                                 analyzer::rules::BusyFrom::beginning);
   bool breaks = ruling.failed;
   bool open = false;
   const auto note = [&](const Measured& measured, bool grows) {

@@ -5,11 +5,24 @@
 #include "analyzer/exact/exact.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "tests/support/any_skill.hpp"
+#include "tests/support/project_file.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
 
 namespace {
+
+/// The text of a skill in tests/attack/bounds.
+std::string program(const std::string& name) {
+  return test::project_file("tests/attack/bounds/" + name + ".pal");
+}
+
+/// `text` with `other` wherever it has `part`.
+std::string replaced(std::string text, const std::string& part, const std::string& other) {
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + other.size()))
+    text.replace(at, part.size(), other);
+  return text;
+}
 
 /// The greatest value that a few runs show of the first requirement, and the compositional bound; nothing:
 /// there is none.
@@ -20,9 +33,7 @@ struct Shown {
 };
 
 Shown show(const std::string& text) {
-  const auto skill = test::any_skill(text);
-  INFO(text << test::messages(skill->diagnostics));
-  REQUIRE(skill->problem);
+  const auto skill = test::meaningful_skill(text);
   Shown shown;
   const Analysis analysis = analyze_compositionally(*skill->problem);
   shown.bound = analysis.verdicts.front().bound;
@@ -139,8 +150,7 @@ TEST_CASE("a request that is not withdrawn is taken within the limit") {
 }
 
 TEST_CASE("each request that is withdrawn while it is being taken costs a receive") {
-  const auto skill = test::any_skill(looks(answer_in_time, gives_up, "LOAD OF P0 AT MOST 10 %"));
-  REQUIRE(skill->problem);
+  const auto skill = test::meaningful_skill(looks(answer_in_time, gives_up, "LOAD OF P0 AT MOST 10 %"));
   const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
   REQUIRE(bound.bound);
   // In a round that never ends MC1 receives for 1 ms, for nothing, every 6.5 ms at the least.
@@ -148,54 +158,7 @@ TEST_CASE("each request that is withdrawn while it is being taken costs a receiv
 }
 
 TEST_CASE("a condition is as it was left by a block that was cancelled in the CONCURRENT before") {
-  const Shown shown = show(R"(MESSAGE raw : SIGNAL
-CONDITION c
-SKILL left
-  LOGICAL SENSOR LS1
-  SKILL METHOD SM1
-  COMPLETION 0 NORMAL
-  COMPLETION 1 ERROR
-  REQUIREMENT r : AGE OF c AT act AT MOST 1 s
-END SKILL
-Logical Sensor: LS1
-Skill Module: SM1
-  ACTIVITY act
-  ACTIVITY spin
-  ACTIVITY rest
-BEGIN
-  WTM( Coordinator )
-  CONCURRENT
-  BEGIN
-    REPEAT
-      TXM( request raw from LS1 )
-      WTM( raw from LS1 )
-      SPC( c )
-    UNTIL( forever )
-  END
-  BEGIN
-    spin
-  END
-  END CONCURRENT
-  CONCURRENT
-  BEGIN
-    rest
-    RPC( c )
-    act
-  END
-  END CONCURRENT
-  TXM( Completion Protocol 0 )
-END
-ENVIRONMENT cell
-  PROCESSOR P0
-  PROCESSOR P1
-  PLACE SM1   ON P0 PRIORITY 1
-  PLACE SM1.1 ON P1 PRIORITY 1
-  TIME act  : 1 ms
-  TIME spin : 30 ms
-  TIME rest : 300 ms
-  DEVICE LS1 ON REQUEST 4 ms
-END ENVIRONMENT
-)");
+  const Shown shown = show(program("left"));
   CHECK(shown.greatest > 300'000'000);
   if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
 }
@@ -203,39 +166,8 @@ END ENVIRONMENT
 TEST_CASE("the load of an activity of many seconds is that of one of as many milliseconds") {
   // 20 s in every 100 s. In nanoseconds of work for each second that is a product beyond 64 bits.
   for (const std::string unit : {"ms", "s", "min"}) {
-    const auto skill = test::any_skill(R"(DEVICE robot
-MESSAGE tick : SIGNAL
-MESSAGE done : SIGNAL
-SKILL slow
-  MACHINE CONTROLLER MC1
-  SKILL METHOD SM1
-  COMPLETION 1 ERROR
-  REQUIREMENT r : LOAD OF P0 AT MOST 10 %
-END SKILL
-Machine Controller: MC1
-  ACTIVITY work
-BEGIN
-  REPEAT
-    WTM( tick from robot )
-    work
-    TXM( done to SM1 )
-  UNTIL( forever )
-END
-Skill Module: SM1
-BEGIN
-  WTM( Coordinator )
-  REPEAT
-    WTM( done from MC1 )
-  UNTIL( forever )
-END
-ENVIRONMENT cell
-  PROCESSOR P0
-  PLACE MC1 ON P0 PRIORITY 1
-  PLACE SM1 ON P0 PRIORITY 2
-  TIME work : 20 )" + unit + "\n  DEVICE robot EVENT tick EVERY 100 " +
-                                       unit + "\nEND ENVIRONMENT\n");
-    INFO(unit << test::messages(skill->diagnostics));
-    REQUIRE(skill->problem);
+    INFO(unit);
+    const auto skill = test::meaningful_skill(replaced(program("slow"), " ms", " " + unit));
     const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
     REQUIRE(bound.bound);
     CHECK(bound.bound->count() == 200'000'000);
@@ -248,47 +180,6 @@ TEST_CASE("a load whose round has a thousand actions and more ends in time") {
   // than ten minutes.
   std::string works;
   for (int n = 0; n < 1400; ++n) works += "    work\n";
-  const auto skill = test::any_skill(R"(DEVICE robot
-MESSAGE tick : SIGNAL
-MESSAGE done : SIGNAL
-MESSAGE go   : SIGNAL
-SKILL long
-  MACHINE CONTROLLER MC1
-  SKILL METHOD SM1
-  COMPLETION 1 ERROR
-  REQUIREMENT r : LOAD OF P0 AT MOST 60 %
-END SKILL
-Machine Controller: MC1
-  ACTIVITY work
-BEGIN
-  REPEAT
-    WTM( go from SM1 )
-    WTM( tick from robot ) WITHIN 1000000 s
-      DO NOTHING
-    ELSE
-      DO NOTHING
-    END WTM
-)" + works + R"(    TXM( done to SM1 )
-  UNTIL( forever )
-END
-Skill Module: SM1
-BEGIN
-  WTM( Coordinator )
-  REPEAT
-    TXM( go to MC1 )
-    WTM( done from MC1 )
-  UNTIL( forever )
-END
-ENVIRONMENT cell
-  PROCESSOR P0
-  PLACE MC1 ON P0 PRIORITY 1
-  PLACE SM1 ON P0 PRIORITY 2
-  TIME work : 1000000 s
-  LATENCY WITHIN PROCESSOR 1000000 s
-  DEVICE robot EVENT tick EVERY 1000000 s
-END ENVIRONMENT
-)");
-  INFO(test::messages(skill->diagnostics));
-  REQUIRE(skill->problem);
+  const auto skill = test::meaningful_skill(replaced(program("long"), "    work\n", works));
   CHECK(analyze(*skill->problem).verdicts.front().state != Verdict::State::holds);
 }

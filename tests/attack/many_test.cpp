@@ -1,29 +1,32 @@
 // Of one thing more than anybody would have.
 #include "analyzer/analysis.hpp"
 #include "tests/attack/by_hand.hpp"
+#include "tests/support/any_skill.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
-using pal::test::any_skill;
 using pal::test::bound;
+using pal::test::meaningful_skill;
 
 namespace {
 
-constexpr const char* skill = R"(Skill Module: SM1
+/// SM1 calls MC1, and waits for its answer.
+constexpr const char* calls = R"(Skill Module: SM1
 BEGIN
   WTM( Coordinator )
   TXM( go to MC1 )
   WTM( go from MC1 )
   TXM( Completion Protocol 0 )
 END
-SKILL many
-  MACHINE CONTROLLER MC1
-  SKILL METHOD SM1
-  COMPLETION 0 NORMAL
-  COMPLETION 2 ERROR
-  REQUIREMENT r : DURATION TO COMPLETION 0 AT MOST 1 s
-END SKILL
 )";
+
+/// A skill of these controllers whose duration is asked for.
+std::string skill_of(const std::string& controllers, const std::string& limit = "1 s") {
+  return "SKILL many\n  MACHINE CONTROLLER " + controllers +
+         "\n  SKILL METHOD SM1\n  COMPLETION 0 NORMAL\n  COMPLETION 2 ERROR\n"
+         "  REQUIREMENT r : DURATION TO COMPLETION 0 AT MOST " +
+         limit + "\nEND SKILL\n";
+}
 
 /// What `each` says of 0 … n-1.
 template <class Each>
@@ -44,10 +47,8 @@ std::string on_one_processor(const std::string& items) {
 }
 
 Analysis analysis_of(const std::string& text) {
-  const auto made = any_skill(text);
-  INFO(text << pal::test::messages(made->diagnostics));
-  REQUIRE(made->problem);
-  return analyze(*made->problem);
+  INFO(text);
+  return analyze(*meaningful_skill(text)->problem);
 }
 
 }  // namespace
@@ -57,7 +58,7 @@ TEST_CASE("messages within the 201st processor take as long as within the first"
       std::string(
           "MESSAGE go : SIGNAL\nMachine Controller: MC1\nBEGIN\n  WTM( go from SM1 )\n  TXM( go to SM1 )\n"
           "END\n") +
-      skill + "ENVIRONMENT cell\n" +
+      calls + skill_of("MC1") + "ENVIRONMENT cell\n" +
       all(201, [](const std::string& i) { return "  PROCESSOR P" + i + "\n"; }) +
       "  PLACE SM1 ON P200 PRIORITY 1\n  PLACE MC1 ON P200 PRIORITY 1\n  LATENCY WITHIN PROCESSOR 3 ms\n"
       "  LATENCY BETWEEN PROCESSORS 4 ms\nEND ENVIRONMENT\n";
@@ -75,7 +76,8 @@ TEST_CASE("a device that answers 33 messages answers what it was asked") {
           [](const std::string& i) {
             return "  TXM( request a" + i + " from d )\n  WTM( a" + i + " from d )\n";
           }) +
-      "END\n" + skill + on_one_processor("  DEVICE d ON REQUEST 10 ms\n  TIME slow : 100 ms\n");
+      "END\n" + calls + skill_of("MC1") +
+      on_one_processor("  DEVICE d ON REQUEST 10 ms\n  TIME slow : 100 ms\n");
   CHECK(bound(text) == 115);
 }
 
@@ -85,7 +87,7 @@ TEST_CASE("the order of answers that nobody waits for is not asked about") {
       messages_of_a_device(20) + "Machine Controller: MC1\nBEGIN\n  WTM( go from SM1 )\n" +
       all(20, [](const std::string& i) { return "  TXM( request a" + i + " from d )\n"; }) +
       all(20, [](const std::string& i) { return "  WTM( a" + i + " from d )\n"; }) +
-      "  TXM( go to SM1 )\nEND\n" + skill +
+      "  TXM( go to SM1 )\nEND\n" + calls + skill_of("MC1") +
       on_one_processor("  DEVICE d FRAMES EVERY 10 ms COLLECTING 9 ms PHASE 5 ms\n  COST SEND 1 us\n");
   const Analysis analysis = analysis_of(text);
   CHECK(analysis.verdicts.front().exact);
@@ -104,10 +106,9 @@ TEST_CASE("the order of answers is not asked about if those who wait do not meet
   const std::string text =
       messages_of_a_device(10) + all(10, module) + "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n" +
       all(10, [](const std::string& i) { return "  WTM( go from M" + i + " )\n"; }) +
-      "  TXM( Completion Protocol 0 )\nEND\nSKILL many\n  MACHINE CONTROLLER M0" +
-      all(9, [](const std::string& i) { return ", M" + std::to_string(std::stoi(i) + 1); }) +
-      "\n  SKILL METHOD SM1\n  COMPLETION 0 NORMAL\n  COMPLETION 2 ERROR\n"
-      "  REQUIREMENT r : DURATION TO COMPLETION 0 AT MOST 1 s\nEND SKILL\nENVIRONMENT cell\n"
+      "  TXM( Completion Protocol 0 )\nEND\n" +
+      skill_of("M0" + all(9, [](const std::string& i) { return ", M" + std::to_string(std::stoi(i) + 1); })) +
+      "ENVIRONMENT cell\n"
       "  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n" +
       all(10, place) +
       "  DEVICE d FRAMES EVERY 10 ms COLLECTING 9 ms PHASE 5 ms\n  COST SEND 1 us\nEND ENVIRONMENT\n";
@@ -131,11 +132,9 @@ TEST_CASE("a skill that can begin in more orders than can be tried is given up")
   }
   const Analysis analysis =
       analysis_of("MESSAGE go : SIGNAL\n" + bodies + "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n" +
-                  waits + "  TXM( Completion Protocol 0 )\nEND\nSKILL many\n  MACHINE CONTROLLER " + names +
-                  "\n  SKILL METHOD SM1\n  COMPLETION 0 NORMAL\n  COMPLETION 2 ERROR\n"
-                  "  REQUIREMENT r : DURATION TO COMPLETION 0 AT MOST 1 s\nEND SKILL\n"
-                  "ENVIRONMENT cell\n  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n" +
-                  places + "  COST SEND 1 us\nEND ENVIRONMENT\n");
+                  waits + "  TXM( Completion Protocol 0 )\nEND\n" + skill_of(names) +
+                  "ENVIRONMENT cell\n  PROCESSOR P\n  PLACE SM1 ON P PRIORITY 1\n" + places +
+                  "  COST SEND 1 us\nEND ENVIRONMENT\n");
   CHECK(analysis.verdicts.front().state == Verdict::State::undecided);
   CHECK(analysis.verdicts.front().gave_up);
 }
@@ -174,17 +173,9 @@ BEGIN
   UNTIL( c )
   TXM( Completion Protocol 0 )
 END
-SKILL many
-  MACHINE CONTROLLER MC1
-  SKILL METHOD SM1
-  COMPLETION 0 NORMAL
-  COMPLETION 2 ERROR
-  REQUIREMENT r : DURATION TO COMPLETION 0 AT MOST 30 ms
-END SKILL
-)" + on_one_processor("  TIME work : 10 ms\n  TIME late : 50 ms\n");
-  const auto made = any_skill(text);
-  REQUIRE(made->problem);
-  const Analysis analysis = analyze(*made->problem, AnalysisChoice::automatic, {});
+)" + skill_of("MC1", "30 ms") +
+      on_one_processor("  TIME work : 10 ms\n  TIME late : 50 ms\n");
+  const Analysis analysis = analyze(*meaningful_skill(text)->problem, AnalysisChoice::automatic, {});
   CHECK(analysis.verdicts.front().state == Verdict::State::undecided);
   CHECK_FALSE(analysis.verdicts.front().witness);
 }

@@ -5,6 +5,7 @@
 #include "analyzer/replay/check_run.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "tests/support/any_skill.hpp"
+#include "tests/support/project_file.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
@@ -12,84 +13,16 @@ using trace::Kind;
 
 namespace {
 
-/// MC1 sets c1 and then c2; SM1 tests both on another processor. Nothing takes time.
-const char* const two_conditions = R"(MESSAGE m : SIGNAL
-CONDITION c1
-CONDITION c2
-SKILL odd
-  MACHINE CONTROLLER MC1
-  SKILL METHOD SM1
-  COMPLETION 0 NORMAL
-  COMPLETION 2 ERROR
-  REQUIREMENT r : DURATION TO COMPLETION 0 AT MOST 1 s
-END SKILL
-Machine Controller: MC1
-BEGIN
-  SPC( c1 = TRUE )
-  SPC( c2 = TRUE )
-  WTM( m from SM1 )
-END
-Skill Module: SM1
-BEGIN
-  WTM( Coordinator )
-  CASE
-    ( c2 AND NOT c1 ):
-      TXM( Completion Protocol 2 )
-    ( NOT c2 OR c1 ):
-      TXM( m to MC1 )
-      TXM( Completion Protocol 0 )
-  END CASE
-END
-ENVIRONMENT cell
-  PROCESSOR P
-  PROCESSOR Q
-  PLACE SM1 ON P PRIORITY 1
-  PLACE MC1 ON Q PRIORITY 1
-END ENVIRONMENT
-)";
-
-/// MC1 receives for 1 ms; a tick comes each 1 ms.
-const char* const two_waits = R"(MESSAGE m : SIGNAL
-MESSAGE tick : SIGNAL
-DEVICE d
-SKILL odd
-  MACHINE CONTROLLER MC1
-  SKILL METHOD SM1
-  COMPLETION 0 NORMAL
-  COMPLETION 2 ERROR
-  REQUIREMENT r : DURATION TO COMPLETION 0 AT MOST 1 s
-END SKILL
-Machine Controller: MC1
-BEGIN
-  WTM( tick from d )
-  WTM( tick from d ) WITHIN 0 ms
-    Do Nothing
-  ELSE
-    Do Nothing
-  END WTM
-  TXM( m to SM1 )
-END
-Skill Module: SM1
-BEGIN
-  WTM( Coordinator )
-  WTM( m from MC1 )
-  TXM( Completion Protocol 0 )
-END
-ENVIRONMENT cell
-  PROCESSOR P
-  PLACE SM1 ON P PRIORITY 1
-  PLACE MC1 ON P PRIORITY 1
-  DEVICE d EVENT tick EVERY 1 ms PHASE 0 ms
-  COST RECEIVE 1 ms
-END ENVIRONMENT
-)";
+/// The skill in tests/attack/referee of this name.
+std::unique_ptr<test::Skill> referee(const std::string& name) {
+  return test::meaningful_skill(test::project_file("tests/attack/referee/" + name + ".pal"));
+}
 
 /// Runs of a skill that are told by hand.
 class Told {
  public:
-  explicit Told(const std::string& text) : skill_(test::any_skill(text)) {
-    INFO(test::messages(skill_->diagnostics));
-    REQUIRE(skill_->problem);
+  /// `name`: of a program in tests/attack/referee.
+  explicit Told(const std::string& name) : skill_(referee(name)) {
     const Watch nothing;
     run_ = simulate(Machine(*skill_->problem, nothing), {}).trace;
     run_.events.clear();
@@ -161,8 +94,9 @@ void complete(Told& run, const std::string& code) {
 
 }  // namespace
 
+// MC1 sets c1 and then c2; SM1 tests both on another processor. Nothing takes time.
 TEST_CASE("a test reads all its conditions at one instant: nobody sets one between") {
-  Told before(two_conditions);
+  Told before("two_conditions");
   before.say(Kind::start, "SM1", "CASE").say(Kind::read, "SM1", "CASE", "c1", 0);
   before.say(Kind::read, "SM1", "CASE", "c2", 0).say(Kind::done, "SM1", "CASE");
   before.say(Kind::start, "SM1", "TXM( m to MC1 )");
@@ -170,7 +104,7 @@ TEST_CASE("a test reads all its conditions at one instant: nobody sets one betwe
   CHECK(before.broken() == "");
 
   // c2 is set after c1, so whoever reads TRUE of c2 reads TRUE of c1.
-  Told between(two_conditions);
+  Told between("two_conditions");
   between.say(Kind::start, "SM1", "CASE").say(Kind::read, "SM1", "CASE", "c1", 0);
   set_both(between);
   between.say(Kind::read, "SM1", "CASE", "c2", 1).say(Kind::done, "SM1", "CASE");
@@ -179,7 +113,7 @@ TEST_CASE("a test reads all its conditions at one instant: nobody sets one betwe
 }
 
 TEST_CASE("a test reads each condition once") {
-  Told twice(two_conditions);
+  Told twice("two_conditions");
   twice.say(Kind::start, "SM1", "CASE").say(Kind::read, "SM1", "CASE", "c1", 0);
   twice.say(Kind::read, "SM1", "CASE", "c1", 0).say(Kind::read, "SM1", "CASE", "c2", 0);
   twice.say(Kind::done, "SM1", "CASE");
@@ -187,11 +121,12 @@ TEST_CASE("a test reads each condition once") {
   CHECK(twice.broken() == "at 0 ns: SM1 reads a condition twice");
 }
 
+// MC1 receives for 1 ms; a tick comes each 1 ms.
 TEST_CASE("a thread that has taken a message comes to its next wait before another one can be there") {
   const std::string first = "WTM( tick from d )";
   const std::string second = "WTM( tick from d ) WITHIN 0 ms";
   const auto begun = [&] {
-    Told run(two_waits);
+    Told run("two_waits");
     run.say(Kind::block, "MC1", first, "tick").say(Kind::block, "SM1", "WTM( m from MC1 )", "m");
     run.say(Kind::put, "d", {}, "tick", 1).say(Kind::start, "MC1", first).at(1);
     return run;
@@ -217,46 +152,7 @@ TEST_CASE("a thread that has taken a message comes to its next wait before anoth
 
 TEST_CASE("a message of a freed sender comes after its receiver has chosen the next one") {
   // MC1 takes m, and finds a tick at its next wait; then SM1, which was blocked, puts the next m.
-  const auto skill = test::any_skill(R"(MESSAGE m : SIGNAL
-MESSAGE tick : SIGNAL
-DEVICE d
-SKILL odd
-  MACHINE CONTROLLER MC1
-  SKILL METHOD SM1
-  COMPLETION 2 ERROR
-  REQUIREMENT r : LOAD OF P AT MOST 100 %
-END SKILL
-Machine Controller: MC1
-BEGIN
-  REPEAT
-    WTM FIRST
-      ( m from SM1 ):
-        Do Nothing
-      ( tick from d ):
-        Do Nothing
-    END WTM
-  UNTIL( forever )
-END
-Skill Module: SM1
-  ACTIVITY work
-BEGIN
-  WTM( Coordinator )
-  REPEAT
-    TXM( m to MC1 )
-    TXM( m to MC1 )
-    work
-  UNTIL( forever )
-END
-ENVIRONMENT cell
-  PROCESSOR P
-  PLACE SM1 ON P PRIORITY 1
-  PLACE MC1 ON P PRIORITY 1
-  DEVICE d EVENT tick EVERY 2 ms
-  TIME work : 1 ms
-END ENVIRONMENT
-)");
-  INFO(test::messages(skill->diagnostics));
-  REQUIRE(skill->problem);
+  const auto skill = referee("freed_sender");
   const Watch nothing;
   const Machine machine(*skill->problem, nothing);
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {

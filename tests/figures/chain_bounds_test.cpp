@@ -1,213 +1,18 @@
 // Bounds of cause-effect chains, by numbers that can be reckoned by hand.
 #include <catch2/catch.hpp>
+#include <string>
 
 #include "tests/figures/bounds_by_hand.hpp"
+#include "tests/support/project_file.hpp"
 
 using pal::test::compare;
 
 namespace {
 
-constexpr const char* declarations = R"(
-MESSAGE force : REAL N
-MESSAGE raw : REAL N
-MESSAGE motion : dz : REAL mm
-CONDITION pc-force FROM force "touching"
-DEVICE sensor "raw forces"
-SKILL chain
-  SENSOR DRIVER      SD1
-  LOGICAL SENSOR     LS1
-  MACHINE CONTROLLER MC1
-  MODEL DATA         NONE
-  SKILL METHOD       SM1
-  COMPLETION 0 NORMAL "done"
-  COMPLETION 1 ERROR  "any other error"
-)";
-
-/// A sensor sends every 10 ms, its force is there 2 ms later, and a robot asks for a motion every 25 ms.
-/// Nobody shares a processor.
-const std::string sensor_and_robot = std::string(declarations) + R"(
-  REQUIREMENT value  : AGE OF pc-force AT TXM( motion to MC1 ) IN SM1 AT MOST 1 s
-  REQUIREMENT sample : AGE OF raw FROM sensor AT TXM( motion to MC1 ) IN SM1 AT MOST 1 s
-  REQUIREMENT set    : REACTION OF pc-force AT TXM( motion to MC1 ) IN SM1 AT MOST 1 s
-  REQUIREMENT world  : REACTION OF raw FROM sensor AT TXM( motion to MC1 ) IN SM1 AT MOST 1 s
-  REQUIREMENT most   : INTERVAL OF TXM( motion to MC1 ) IN SM1 AT MOST 1 s
-  REQUIREMENT least  : INTERVAL OF TXM( motion to MC1 ) IN SM1 AT LEAST 1 ms
-  REQUIREMENT known  : AGE OF raw FROM sensor AT SPC( pc-force ) IN SM1 AT MOST 1 s
-END SKILL
-Sensor Driver: SD1
-BEGIN
-  REPEAT
-    WTM( raw from sensor )
-    TXM( raw to LS1 )
-  UNTIL( forever )
-END
-Logical Sensor: LS1
-  ACTIVITY extract READS raw WRITES force
-BEGIN
-  REPEAT
-    WTM( raw from SD1 )
-    extract
-    TXM( force to SM1 )
-  UNTIL( forever )
-END
-Machine Controller: MC1
-Skill Module: SM1
-BEGIN
-  WTM( Coordinator )
-  CONCURRENT
-  BEGIN
-    REPEAT
-      WTM( force from LS1 )
-      SPC( pc-force )
-    UNTIL( forever )
-  END
-  BEGIN
-    REPEAT
-      WTM( motion request from MC1 )
-      RPC( pc-force )
-      TXM( motion to MC1 )
-    UNTIL( forever )
-  END
-  END CONCURRENT
-END
-ENVIRONMENT cell
-  PROCESSOR P1
-  PROCESSOR P2
-  PROCESSOR P3
-  DEVICE sensor EVENT raw EVERY 10 ms
-  DEVICE MC1 EVENT motion request EVERY 25 ms
-  PLACE SD1 ON P1 PRIORITY 1
-  PLACE LS1 ON P2 PRIORITY 1
-  PLACE SM1 ON P3 PRIORITY 1
-  TIME extract : 2 ms
-END ENVIRONMENT
-)";
-
-/// In each round two blocks: one asks for a force, which takes 4 to 6 ms, the other thinks for 5.
-const std::string blocks_in_a_round = std::string(declarations) + R"(
-  REQUIREMENT value  : AGE OF pc-force AT TXM( motion to MC1 ) IN SM1 AT MOST 1 s
-  REQUIREMENT sample : AGE OF force FROM LS1 AT SPC( pc-force ) IN SM1 AT MOST 1 s
-  REQUIREMENT answer : RESPONSE FROM motion request OF MC1 TO TXM( motion to MC1 ) AT MOST 1 s
-  REQUIREMENT most   : INTERVAL OF think IN SM1 AT MOST 1 s
-  REQUIREMENT lost   : LOSS OF LS1 NONE
-END SKILL
-Sensor Driver: SD1
-Logical Sensor: LS1
-Machine Controller: MC1
-Skill Module: SM1
-  ACTIVITY think
-BEGIN
-  WTM( Coordinator )
-  REPEAT
-    WTM( motion request from MC1 )
-    CONCURRENT
-    BEGIN
-      TXM( request force from LS1 )
-      WTM( force from LS1 )
-      SPC( pc-force )
-    END
-    BEGIN
-      think
-    END
-    END CONCURRENT
-    RPC( pc-force )
-    TXM( motion to MC1 )
-  UNTIL( forever )
-END
-ENVIRONMENT cell
-  PROCESSOR P1
-  PROCESSOR P2
-  DEVICE LS1 ON REQUEST 4 TO 6 ms
-  DEVICE MC1 EVENT motion request EVERY 25 ms
-  PLACE SM1 ON P1 PRIORITY 1
-  PLACE SM1.2 ON P2 PRIORITY 1
-  TIME think : 5 ms
-END ENVIRONMENT
-)";
-
-/// Two clocks with jitter, each for a chain of two modules on two processors, the one always before the
-/// other.
-const std::string late_events = R"(
-MESSAGE tick : SIGNAL
-MESSAGE tock : SIGNAL
-MESSAGE first : SIGNAL
-MESSAGE second : SIGNAL
-DEVICE clock
-MESSAGE stop : SIGNAL
-DEVICE other
-SKILL late
-  SENSOR DRIVER      SD1, SD2
-  LOGICAL SENSOR     LS1, LS2, LS3
-  MACHINE CONTROLLER NONE
-  MODEL DATA         NONE
-  SKILL METHOD       SM1
-  COMPLETION 0 NORMAL "done"
-  COMPLETION 1 ERROR  "any other error"
-  REQUIREMENT one   : RESPONSE FROM tick OF clock TO work IN SD1 AT MOST 1 s
-  REQUIREMENT two   : RESPONSE FROM tick OF clock TO work IN LS1 AT MOST 1 s
-  REQUIREMENT three : RESPONSE FROM tock OF other TO work IN SD2 AT MOST 1 s
-  REQUIREMENT four  : RESPONSE FROM tock OF other TO work IN LS2 AT MOST 1 s
-END SKILL
-Sensor Driver: SD1
-  ACTIVITY work
-BEGIN
-  REPEAT
-    WTM( tick from clock )
-    work
-    TXM( first to LS1 )
-  UNTIL( forever )
-END
-Logical Sensor: LS1
-  ACTIVITY work
-BEGIN
-  REPEAT
-    WTM( first from SD1 )
-    work
-  UNTIL( forever )
-END
-Sensor Driver: SD2
-  ACTIVITY work
-BEGIN
-  REPEAT
-    WTM( tock from other )
-    work
-    TXM( second to LS2 )
-  UNTIL( forever )
-END
-Logical Sensor: LS2
-  ACTIVITY work
-BEGIN
-  REPEAT
-    WTM( second from SD2 )
-    work
-  UNTIL( forever )
-END
-Logical Sensor: LS3
-Skill Module: SM1
-BEGIN
-  WTM( Coordinator )
-  WTM( stop from LS3 )
-  TXM( Completion Protocol 0 )
-END
-ENVIRONMENT cell
-  PROCESSOR P1
-  PROCESSOR P2
-  PROCESSOR idle
-  DEVICE clock EVENT tick EVERY 30 ms JITTER 6 ms
-  DEVICE other EVENT tock EVERY 50 ms JITTER 9 ms
-  DEVICE LS3 EVENT stop SPORADIC 1 ms
-  LATENCY BETWEEN PROCESSORS 1 ms
-  PLACE SD1 ON P1 PRIORITY 2
-  PLACE SD2 ON P1 PRIORITY 1
-  PLACE LS1 ON P2 PRIORITY 2
-  PLACE LS2 ON P2 PRIORITY 1
-  PLACE SM1 ON idle PRIORITY 1
-  TIME work OF SD1 : 3 ms
-  TIME work OF SD2 : 5 ms
-  TIME work OF LS1 : 2 ms
-  TIME work OF LS2 : 4 ms
-END ENVIRONMENT
-)";
+/// The text of a skill in tests/figures/chains.
+std::string chain(const std::string& name) {
+  return pal::test::project_file("tests/figures/chains/" + name + ".pal");
+}
 
 /// A module works for 2 to 3 ms every 10 and sets a condition, another works for 4 every 20 and reads it.
 std::string setter_and_reader(const std::string& kind, const std::string& place) {
@@ -274,21 +79,26 @@ END ENVIRONMENT
 }  // namespace
 
 TEST_CASE("a value goes from a sensor by messages and a condition to a robot") {
+  // A sensor sends every 10 ms, its force is there 2 ms later, and a robot asks for a motion every 25 ms.
+  // Nobody shares a processor.
   // Compositional, exact. The first set comes at 12 ms, until when the value is as old as the skill; after
   // that sets are 10 apart, and samples 2 old when they are set. A reaction waits for the next request, 25
   // later.
-  compare(sensor_and_robot, {{12, 12}, {12, 12}, {37, 37}, {37, 37}, {25, 25}, {25, 25}, {2, 2}});
+  compare(chain("sensor_and_robot"), {{12, 12}, {12, 12}, {37, 37}, {37, 37}, {25, 25}, {25, 25}, {2, 2}});
 }
 
 TEST_CASE("blocks in each round of a module") {
+  // In each round two blocks: one asks for a force, which takes 4 to 6 ms, the other thinks for 5.
   // The parent goes on when the slower block has ended. What the bound does not know is that a thinking block
   // ends 5 after the request, so that the set may be 2 old at the end at most: 6 at the latest, 4 at the
   // earliest. Rounds are 25 apart, the thinking ends 5 later in each.
-  compare(blocks_in_a_round, {{2, 1}, {6, 6}, {6, 6}, {25, 25}, {0, 0}});
+  compare(chain("blocks_in_a_round"), {{2, 1}, {6, 6}, {6, 6}, {25, 25}, {0, 0}});
 }
 
 TEST_CASE("a response does not count what its event comes late") {
-  compare(late_events, {{3, 3}, {6, 6}, {8, 8}, {15, 15}});
+  // Two clocks with jitter, each for a chain of two modules on two processors, the one always before the
+  // other.
+  compare(chain("late_events"), {{3, 3}, {6, 6}, {8, 8}, {15, 15}});
 }
 
 TEST_CASE("a reader that gives way to the setter reads nothing old while the setter is at work") {

@@ -17,8 +17,7 @@ std::string granted(const std::string& name) {
 
 /// Whether the compositional analysis says that it has no bound, and a run shows why.
 void has_none(const std::string& text) {
-  const auto skill = pal::test::any_skill(text);
-  REQUIRE(skill->problem);
+  const auto skill = pal::test::meaningful_skill(text);
   const auto compositional = pal::analyzer::analyze_compositionally(*skill->problem);
   CHECK_FALSE(compositional.verdicts.front().bound);
   const auto exact = pal::analyzer::analyze(*skill->problem);
@@ -27,8 +26,7 @@ void has_none(const std::string& text) {
 
 /// The same, where the greatest value in milliseconds is known.
 void has_age(const std::string& text, int exact_value) {
-  const auto skill = pal::test::any_skill(text);
-  REQUIRE(skill->problem);
+  const auto skill = pal::test::meaningful_skill(text);
   CHECK_FALSE(pal::analyzer::analyze_compositionally(*skill->problem).verdicts.front().bound);
   CHECK(pal::test::milliseconds(pal::analyzer::analyze(*skill->problem).verdicts.front()) == exact_value);
 }
@@ -51,7 +49,8 @@ TEST_CASE("a thread that finds each answer there keeps a processor that is not p
   compare(granted("hogging"), {{-1, -1}});
 }
 
-TEST_CASE("a thread that was held in a send finds its answer there and keeps the processor for one round more") {
+TEST_CASE(
+    "a thread that was held in a send finds its answer there and keeps the processor for one round more") {
   // SD1 is freed and tidies for 3 ms, takes what it asked for before, thinks for 5, finds the slot free, and
   // tidies for 3 more.
   compare(granted("freed"), {{17, 12}});

@@ -37,4 +37,11 @@ inline std::unique_ptr<Skill> any_skill(const std::string& text,
   return skill;
 }
 
+/// As any_skill, for texts that must have a meaning.
+inline std::unique_ptr<Skill> meaningful_skill(const std::string& text) {
+  auto skill = any_skill(text);
+  if (!skill->problem) throw std::runtime_error("no meaning: " + messages(skill->diagnostics));
+  return skill;
+}
+
 }  // namespace pal::test

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "tests/support/chance.hpp"
 
 namespace pal::test {
 
@@ -16,7 +17,7 @@ namespace pal::test {
 /// seed gives the same text.
 class CommandSkill {
  public:
-  explicit CommandSkill(std::uint64_t seed) : engine_(seed) {}
+  explicit CommandSkill(std::uint64_t seed) : chance_(seed) {}
 
   std::string text() {
     return std::string(R"(MESSAGE early : SIGNAL
@@ -45,28 +46,24 @@ END SKILL
   }
 
  private:
-  int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-  std::string one_of(const std::vector<std::string>& some) {
-    return some[static_cast<std::size_t>(chance(static_cast<int>(some.size())))];
-  }
   static std::string number(int n) { return std::to_string(n); }
   std::string time() {
-    const int least = chance(5);
-    return number(least) + (chance(2) == 0 ? " ms" : " TO " + number(least + 1 + chance(3)) + " ms");
+    const int least = chance_(5);
+    return number(least) + (chance_(2) == 0 ? " ms" : " TO " + number(least + 1 + chance_(3)) + " ms");
   }
 
   std::string statement() {
     const std::string limited = "TXM( request motion from MC1 )\nWTM( motion from MC1 ) WITHIN " +
-                                number(chance(6)) + " ms\n  pause\nELSE\n  Do Nothing\nEND WTM\n";
-    return one_of({"TXM( early to MC1 )\n", "TXM( early to MC1 )\n", "TXM( late to MC1 )\n", "pause\n",
-                   "pause\n", asked_, limited, answered_});
+                                number(chance_(6)) + " ms\n  pause\nELSE\n  Do Nothing\nEND WTM\n";
+    return chance_.one_of({"TXM( early to MC1 )\n", "TXM( early to MC1 )\n", "TXM( late to MC1 )\n",
+                           "pause\n", "pause\n", asked_, limited, answered_});
   }
 
   std::string modules() {
     std::vector<std::string> statements{"TXM( early to MC1 )\n", asked_, answered_};
-    for (int i = 1 + chance(5); i > 0; --i) statements.push_back(statement());
+    for (int i = 1 + chance_(5); i > 0; --i) statements.push_back(statement());
     for (std::size_t i = statements.size(); i > 1; --i)
-      std::swap(statements[i - 1], statements[static_cast<std::size_t>(chance(static_cast<int>(i)))]);
+      std::swap(statements[i - 1], statements[static_cast<std::size_t>(chance_(static_cast<int>(i)))]);
     std::string method;
     for (const std::string& each : statements) method += each;
     return R"(Sensor Driver: SD1
@@ -84,10 +81,10 @@ BEGIN
 REPEAT
 WTM FIRST
 ( early from SM1 ):
-)" + one_of({"work\n", "think\n", "work\nthink\n"}) +
+)" + chance_.one_of({"work\n", "think\n", "work\nthink\n"}) +
            "( late from SM1 ):\nwork\n" + "TXM( done to SM1 )\n( request motion from SM1 ):\n" +
-           one_of({"work\n", "Do Nothing\n"}) + "TXM( motion to SM1 )\n" +
-           one_of({"work\n", "think\n", "Do Nothing\n"}) + R"(END WTM
+           chance_.one_of({"work\n", "Do Nothing\n"}) + "TXM( motion to SM1 )\n" +
+           chance_.one_of({"work\n", "think\n", "Do Nothing\n"}) + R"(END WTM
 UNTIL( forever )
 END
 Skill Module: SM1
@@ -99,18 +96,18 @@ WTM( Coordinator )
   }
 
   std::string environment() {
-    return "ENVIRONMENT cell\nPROCESSOR P0" + one_of({"", " NONPREEMPTIVE"}) +
-           "\nPROCESSOR P1\nDEVICE clock EVENT tick EVERY " + one_of({"20", "30", "50"}) +
-           " ms\nPLACE SM1 ON P0 PRIORITY " + number(1 + chance(2)) + "\nPLACE MC1 ON " +
-           one_of({"P0", "P1"}) + " PRIORITY " + number(1 + chance(2)) + "\nPLACE SD1 ON " +
-           one_of({"P0", "P1"}) + " PRIORITY " + number(1 + chance(3)) + "\nTIME pause : " + time() +
+    return "ENVIRONMENT cell\nPROCESSOR P0" + chance_.one_of({"", " NONPREEMPTIVE"}) +
+           "\nPROCESSOR P1\nDEVICE clock EVENT tick EVERY " + chance_.one_of({"20", "30", "50"}) +
+           " ms\nPLACE SM1 ON P0 PRIORITY " + number(1 + chance_(2)) + "\nPLACE MC1 ON " +
+           chance_.one_of({"P0", "P1"}) + " PRIORITY " + number(1 + chance_(2)) + "\nPLACE SD1 ON " +
+           chance_.one_of({"P0", "P1"}) + " PRIORITY " + number(1 + chance_(3)) + "\nTIME pause : " + time() +
            "\nTIME work OF MC1 : " + time() + "\nTIME think : " + time() +
-           "\nTIME work OF SD1 : " + number(1 + chance(3)) + " ms\nEND ENVIRONMENT\n";
+           "\nTIME work OF SD1 : " + number(1 + chance_(3)) + " ms\nEND ENVIRONMENT\n";
   }
 
   const std::string asked_ = "TXM( request motion from MC1 )\nWTM( motion from MC1 )\n";
   const std::string answered_ = "TXM( late to MC1 )\nWTM( done from MC1 )\n";
-  std::mt19937_64 engine_;
+  Chance chance_;
 };
 
 }  // namespace pal::test

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <string>
+
+#include "tests/support/chance.hpp"
 
 namespace pal::test {
 
@@ -14,18 +15,18 @@ namespace pal::test {
 /// same text.
 class ConditionChain {
  public:
-  explicit ConditionChain(std::uint64_t seed) : engine_(seed) {}
+  explicit ConditionChain(std::uint64_t seed) : chance_(seed) {}
 
   std::string text() {
-    const int stages = between(2, 3);
-    const int processors = between(1, 2);
-    const bool phases = chance(3) == 0;
+    const int stages = chance_.between(2, 3);
+    const int processors = chance_.between(1, 2);
+    const bool phases = chance_(3) == 0;
     std::string messages = "MESSAGE stop : SIGNAL\nDEVICE button\n";
     std::string drivers;
     std::string modules;
     std::string environment = "ENVIRONMENT cell\n  PROCESSOR idle\n";
     for (int p = 0; p < processors; ++p)
-      environment += "  PROCESSOR P" + number(p) + (chance(5) == 0 ? " NONPREEMPTIVE\n" : "\n");
+      environment += "  PROCESSOR P" + number(p) + (chance_(5) == 0 ? " NONPREEMPTIVE\n" : "\n");
     for (int s = 0; s < stages; ++s) {
       const std::string me = number(s);
       messages +=
@@ -34,16 +35,17 @@ class ConditionChain {
       drivers += "SD-" + me + ", ";
       modules += stage(s, s + 1 == stages);
       if (asks_) messages += "DEVICE sensor-" + me + "\n";
-      if (asks_) environment += "  DEVICE sensor-" + me + " ON REQUEST " + interval(1, 3) + "\n";
+      if (asks_) environment += "  DEVICE sensor-" + me + " ON REQUEST " + chance_.interval(1, 3) + "\n";
       environment += clock(me, phases);
-      environment += "  PLACE SD-" + me + " ON P" + number(chance(processors)) + " PRIORITY ";
-      environment += number(between(1, 3)) + "\n  TIME work OF SD-" + me + " : " + interval(0, 2) + "\n";
+      environment += "  PLACE SD-" + me + " ON P" + number(chance_(processors)) + " PRIORITY ";
+      environment +=
+          number(chance_.between(1, 3)) + "\n  TIME work OF SD-" + me + " : " + chance_.interval(0, 2) + "\n";
     }
     for (const char* cost : {"SET", "READ", "TEST", "RECEIVE"}) {
-      if (chance(5) == 0) environment += std::string("  COST ") + cost + " " + interval(0, 1) + "\n";
+      if (chance_(5) == 0) environment += std::string("  COST ") + cost + " " + chance_.interval(0, 1) + "\n";
     }
     const std::string last = number(stages - 1);
-    environment += "  TIME done OF SD-" + last + " : " + interval(0, 2) + "\n";
+    environment += "  TIME done OF SD-" + last + " : " + chance_.interval(0, 2) + "\n";
     const std::string at = " AT done IN SD-" + last + " AT MOST 1 s\n";
     const std::string sample = "tick-0 FROM clock-0";
     const std::string condition = "c-" + number(stages - 2);
@@ -85,26 +87,19 @@ END ENVIRONMENT
   }
 
  private:
-  int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-  int between(int low, int high) { return low + chance(high - low + 1); }
   static std::string number(int n) { return std::to_string(n); }
-  std::string interval(int low, int high) {
-    const int best = between(low, high);
-    const int worst = chance(2) != 0 ? best : between(best, high);
-    return number(best) + (best == worst ? "" : " TO " + number(worst)) + " ms";
-  }
 
   std::string clock(const std::string& me, bool phases) {
-    const int period = between(6, 20);
+    const int period = chance_.between(6, 20);
     std::string out = "  DEVICE clock-" + me + " EVENT tick-" + me + " EVERY " + number(period) + " ms";
-    if (phases) return out + " PHASE " + number(chance(period)) + " ms\n";
-    return out + (chance(3) == 0 ? " JITTER 1 ms\n" : "\n");
+    if (phases) return out + " PHASE " + number(chance_(period)) + " ms\n";
+    return out + (chance_(3) == 0 ? " JITTER 1 ms\n" : "\n");
   }
 
   std::string stage(int s, bool last) {
     const std::string me = number(s);
     const std::string before = s == 0 ? "" : "c-" + number(s - 1);
-    asks_ = chance(4) == 0;
+    asks_ = chance_(4) == 0;
     const std::string ask = asks_ ? "    TXM( request v-" + me + " from sensor-" + me + " )\n    WTM( v-" +
                                         me + " from sensor-" + me + " )\n"
                                   : "";
@@ -112,9 +107,9 @@ END ENVIRONMENT
     const std::string effect = last ? "    done\n" : "    SPC( c-" + me + " )\n";
     std::string body;
     if (before.empty()) {
-      body = chance(3) == 0 ? ask + effect + work : work + ask + effect;
+      body = chance_(3) == 0 ? ask + effect + work : work + ask + effect;
     } else {
-      switch (chance(3)) {
+      switch (chance_(3)) {
         case 0:
           body = "    RPC( " + before + " )\n" + work + ask + effect;
           break;
@@ -132,7 +127,7 @@ END ENVIRONMENT
            "  UNTIL( forever )\nEND\n";
   }
 
-  std::mt19937_64 engine_;
+  Chance chance_;
   bool asks_ = false;
 };
 

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <string>
+
+#include "tests/support/chance.hpp"
 
 namespace pal::test {
 
@@ -11,7 +12,7 @@ namespace pal::test {
 /// has it. The same seed gives the same text.
 class ExecutedBlocks {
  public:
-  ExecutedBlocks(std::uint64_t seed, int one_in) : engine_(~seed), there_(chance(one_in) == 0) {}
+  ExecutedBlocks(std::uint64_t seed, int one_in) : chance_(~seed), there_(chance_(one_in) == 0) {}
 
   bool there() const { return there_; }
 
@@ -20,8 +21,8 @@ class ExecutedBlocks {
 
   /// A statement for a body or a block: executes the module, or nothing.
   std::string call() {
-    if (!there_ || chance(2) == 0) return "";
-    return chance(6) == 0 ? "      CM1\n      Execute CM1\n" : "      Execute CM1\n";
+    if (!there_ || chance_(2) == 0) return "";
+    return chance_(6) == 0 ? "      CM1\n      Execute CM1\n" : "      Execute CM1\n";
   }
 
   /// The body of the skill method, in which the module is executed somewhere.
@@ -36,17 +37,17 @@ class ExecutedBlocks {
   std::string module(const std::string& condition) {
     if (!there_) return "";
     std::string out = "Contingency Module: CM1\n  ACTIVITY mend\n  ACTIVITY tidy\nBEGIN\n";
-    if (chance(3) == 0) out += "  mend\n";
-    const std::string ends = !first_ && chance(3) == 0
+    if (chance_(3) == 0) out += "  mend\n";
+    const std::string ends = !first_ && chance_(3) == 0
                                  ? "  RPC( " + condition + " )\n  CASE\n    ( " + condition +
                                        " ): mend\n    ( NOT " + condition + " ): tidy\n  END CASE\n"
                                  : "  mend\n";
     const std::string within = "  CONCURRENT BEGIN tidy END BEGIN mend tidy END END CONCURRENT\n";
     std::string other = "  tidy\n";
-    if (chance(3) == 0) other = "  REPEAT\n    tidy\n  UNTIL( forever )\n";
-    if (chance(4) == 0) other = within;
+    if (chance_(3) == 0) other = "  REPEAT\n    tidy\n  UNTIL( forever )\n";
+    if (chance_(4) == 0) other = within;
     out += "  CONCURRENT\n  BEGIN\n" + ends + "  END\n  BEGIN\n" + other + "  END\n  END CONCURRENT\n";
-    if (chance(3) == 0) out += "  tidy\n";
+    if (chance_(3) == 0) out += "  tidy\n";
     return out + "END\n";
   }
 
@@ -55,18 +56,17 @@ class ExecutedBlocks {
     if (!there_) return "";
     std::string out = "  TIME mend : " + interval() + "\n  TIME tidy : " + interval() + "\n";
     for (const char* thread : {"CM1.1", "CM1.2", "SM1.1/CM1.1", "SM1.2/CM1.2"}) {
-      if (chance(3) == 0)
-        out += std::string("  PLACE ") + thread + " ON P" + std::to_string(chance(processors)) +
-               " PRIORITY " + std::to_string(1 + chance(4)) + "\n";
+      if (chance_(3) == 0)
+        out += std::string("  PLACE ") + thread + " ON P" + std::to_string(chance_(processors)) +
+               " PRIORITY " + std::to_string(1 + chance_(4)) + "\n";
     }
     return out;
   }
 
  private:
-  int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-  std::string interval() { return chance(3) == 0 ? "1 TO 2 ms" : std::to_string(1 + chance(2)) + " ms"; }
+  std::string interval() { return chance_(3) == 0 ? "1 TO 2 ms" : std::to_string(1 + chance_(2)) + " ms"; }
 
-  std::mt19937_64 engine_;
+  Chance chance_;
   bool there_;
   bool first_ = false;
 };

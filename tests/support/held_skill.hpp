@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <string>
+
+#include "tests/support/chance.hpp"
 
 namespace pal::test {
 
@@ -13,11 +14,11 @@ namespace pal::test {
 /// milliseconds. The same seed gives the same text.
 class HeldSkill {
  public:
-  explicit HeldSkill(std::uint64_t seed) : engine_(seed) {}
+  explicit HeldSkill(std::uint64_t seed) : chance_(seed) {}
 
   std::string text() {
-    const bool asked = chance(2) == 0;
-    const bool relayed = chance(2) == 0;
+    const bool asked = chance_(2) == 0;
+    const bool relayed = chance_(2) == 0;
     sensor_ = relayed ? "SD2" : "LS1";
     sensed_ = relayed ? "raw" : "force";
     const std::string limit = " AT MOST 1 s\n";
@@ -57,15 +58,8 @@ SKILL held
   }
 
  private:
-  int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-  int between(int low, int high) { return low + chance(high - low + 1); }
   static std::string number(int n) { return std::to_string(n); }
-  std::string interval(int low, int high) {
-    const int best = between(low, high);
-    const int worst = chance(2) != 0 ? best : between(best, high);
-    return number(best) + (best == worst ? "" : " TO " + number(worst)) + " ms";
-  }
-  std::string maybe(int n, const std::string& line) { return chance(n) == 0 ? line : ""; }
+  std::string maybe(int n, const std::string& line) { return chance_(n) == 0 ? line : ""; }
 
   std::string modules(bool asked, bool relayed) {
     const std::string request = asked ? "    TXM( request " + sensed_ + " from " + sensor_ + " )\n" : "";
@@ -85,7 +79,7 @@ SKILL held
     out += maybe(4, "  think\n");
     out += ask + "  REPEAT\n    WTM( force from LS1 )\n";
     const std::string thinks = maybe(2, "    think\n");
-    out += chance(2) == 0 ? thinks + ask : ask + thinks;
+    out += chance_(2) == 0 ? thinks + ask : ask + thinks;
     return out + "    TXM( motion to MC1 )\n  UNTIL( forever )\nEND\n";
   }
 
@@ -93,26 +87,28 @@ SKILL held
     std::string out = "ENVIRONMENT cell\n";
     out += "  PROCESSOR P1" + maybe(4, " NONPREEMPTIVE") + "\n";
     out += "  PROCESSOR P2" + maybe(4, " NONPREEMPTIVE") + "\n";
-    const int period = between(4, 9);
+    const int period = chance_.between(4, 9);
     if (asked) {
-      out += "  DEVICE " + sensor_ + " ON REQUEST " + interval(period - 1, period + 1) + "\n";
+      out += "  DEVICE " + sensor_ + " ON REQUEST " + chance_.interval(period - 1, period + 1) + "\n";
     } else {
       out += "  DEVICE " + sensor_ + " EVENT " + sensed_ + " EVERY " + number(period) + " ms";
-      out += maybe(2, " JITTER " + number(between(1, 3)) + " ms") + "\n";
+      out += maybe(2, " JITTER " + number(chance_.between(1, 3)) + " ms") + "\n";
     }
-    out += "  DEVICE clock EVENT tick EVERY " + number(between(30, 60)) + " ms";
+    out += "  DEVICE clock EVENT tick EVERY " + number(chance_.between(30, 60)) + " ms";
     out += maybe(3, " JITTER 2 ms") + "\n";
-    out += maybe(5, "  LATENCY BETWEEN PROCESSORS " + interval(0, 1) + "\n");
-    out += maybe(5, "  COST RECEIVE " + interval(0, 1) + "\n");
-    out += "  PLACE SM1 ON P" + number(chance(4) == 0 ? 2 : 1) + " PRIORITY " + number(between(1, 3)) + "\n";
-    if (sensor_ == "SD2") out += "  PLACE LS1 ON P1 PRIORITY " + number(between(1, 3)) + "\n";
-    out += "  PLACE MC1 ON P2 PRIORITY " + number(between(1, 2)) + "\n";
-    out += "  PLACE SD1 ON P" + number(chance(6) == 0 ? 1 : 2) + " PRIORITY " + number(between(2, 3)) + "\n";
-    out += "  TIME think : " + interval(0, 1) + "\n  TIME obey : " + interval(0, 2) + "\n";
-    return out + "  TIME work : " + interval(period - 2, 2 * period) + "\nEND ENVIRONMENT\n";
+    out += maybe(5, "  LATENCY BETWEEN PROCESSORS " + chance_.interval(0, 1) + "\n");
+    out += maybe(5, "  COST RECEIVE " + chance_.interval(0, 1) + "\n");
+    out += "  PLACE SM1 ON P" + number(chance_(4) == 0 ? 2 : 1) + " PRIORITY " +
+           number(chance_.between(1, 3)) + "\n";
+    if (sensor_ == "SD2") out += "  PLACE LS1 ON P1 PRIORITY " + number(chance_.between(1, 3)) + "\n";
+    out += "  PLACE MC1 ON P2 PRIORITY " + number(chance_.between(1, 2)) + "\n";
+    out += "  PLACE SD1 ON P" + number(chance_(6) == 0 ? 1 : 2) + " PRIORITY " +
+           number(chance_.between(2, 3)) + "\n";
+    out += "  TIME think : " + chance_.interval(0, 1) + "\n  TIME obey : " + chance_.interval(0, 2) + "\n";
+    return out + "  TIME work : " + chance_.interval(period - 2, 2 * period) + "\nEND ENVIRONMENT\n";
   }
 
-  std::mt19937_64 engine_;
+  Chance chance_;
   std::string sensor_;  // the device
   std::string sensed_;
 };

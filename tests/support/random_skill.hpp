@@ -5,6 +5,7 @@
 #include <random>
 #include <string>
 
+#include "tests/support/chance.hpp"
 #include "tests/support/executed_blocks.hpp"
 
 namespace pal::test {
@@ -15,12 +16,12 @@ namespace pal::test {
 class RandomSkill {
  public:
   RandomSkill(std::uint64_t seed, int longest)
-      : engine_(seed), required_(seed), executed_(seed, 4), longest_(longest) {}
+      : chance_(seed), required_(seed), executed_(seed, 4), longest_(longest) {}
 
   std::string text() {
-    const bool sensor_module = chance(2);
-    const bool controller_module = chance(3) != 0;
-    const bool concurrent = chance(3) != 0;
+    const bool sensor_module = chance_(2);
+    const bool controller_module = chance_(3) != 0;
+    const bool concurrent = chance_(3) != 0;
     std::string out = R"(
 MESSAGE force : REAL N
 MESSAGE raw : REAL N
@@ -71,9 +72,9 @@ SKILL random
       method += "  CONCURRENT\n  BEGIN\n    REPEAT\n" + sense() +
                 "    UNTIL( forever )\n  END\n  BEGIN\n    REPEAT\n" + act() +
                 "    UNTIL( pc-stop )\n  END\n" +
-                (chance(4) == 0 ? "  BEGIN\n    think\n    prepare\n  END\n" : "") + "  END CONCURRENT\n";
+                (chance_(4) == 0 ? "  BEGIN\n    think\n    prepare\n  END\n" : "") + "  END CONCURRENT\n";
     } else {
-      method += "  REPEAT\n" + (chance(2) != 0 ? sense() + act() : act() + sense()) + "  UNTIL( pc-stop )\n";
+      method += "  REPEAT\n" + (chance_(2) != 0 ? sense() + act() : act() + sense()) + "  UNTIL( pc-stop )\n";
     }
     out += executed_.executed_in(method + "  TXM( Completion Protocol 0 )\nEND\n");
     out += executed_.module("pc-force");
@@ -82,16 +83,6 @@ SKILL random
   }
 
  private:
-  int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-  int between(int low, int high) { return low + chance(high - low + 1); }
-
-  std::string interval(int low, int high) {
-    const int best = between(low, high);
-    const int worst = chance(2) != 0 ? best : between(best, high);
-    if (best == worst) return std::to_string(best) + " ms";
-    return std::to_string(best) + " TO " + std::to_string(worst) + " ms";
-  }
-
   /// Some requirements of the other measures; drawn apart, so that the skill is the same without them.
   std::string requirements(const std::string& sensor, const std::string& robot) {
     const std::string at = " AT TXM( motion to MC1 ) IN SM1 AT MOST " + std::to_string(3 * longest_) + " ms";
@@ -127,18 +118,18 @@ SKILL random
   std::string sense() { return sensed() + executed_.call(); }
   std::string sensed() {
     std::string out = "      TXM( request force from LS1 )\n";
-    if (chance(3) == 0) out += "      prepare\n";
-    if (chance(6) == 0) {
+    if (chance_(3) == 0) out += "      prepare\n";
+    if (chance_(6) == 0) {
       const std::string limit =
-          chance(2) != 0 ? "" : " WITHIN " + std::to_string(between(0, longest_)) + " ms";
+          chance_(2) != 0 ? "" : " WITHIN " + std::to_string(chance_.between(0, longest_)) + " ms";
       return out + "      WTM FIRST" + limit + "\n        ( force from LS1 ):\n          SPC( pc-force )\n" +
              "        ( motion request from MC1 ):\n          TXM( motion to MC1 )\n          WTM( force "
              "from LS1 )\n" +
              "          SPC( pc-force )\n" + (limit.empty() ? "" : "      ELSE\n        prepare\n") +
              "      END WTM\n";
     }
-    if (chance(3) == 0) {
-      return out + "      WTM( force from LS1 ) WITHIN " + std::to_string(between(0, longest_)) +
+    if (chance_(3) == 0) {
+      return out + "      WTM( force from LS1 ) WITHIN " + std::to_string(chance_.between(0, longest_)) +
              " ms\n        SPC( pc-force )\n      ELSE\n        prepare\n      END WTM\n";
     }
     return out + "      WTM( force from LS1 )\n      SPC( pc-force )\n";
@@ -147,12 +138,12 @@ SKILL random
   std::string act() { return executed_.call() + acted(); }
   std::string acted() {
     std::string out;
-    const int order = chance(3);
+    const int order = chance_(3);
     if (order == 0) out += "      RPC( pc-force )\n";
-    if (chance(4) == 0) out += "      think\n";
+    if (chance_(4) == 0) out += "      think\n";
     out += "      WTM( motion request from MC1 )\n";
     if (order == 1) out += "      RPC( pc-force )\n";
-    if (chance(2) == 0) {
+    if (chance_(2) == 0) {
       out +=
           std::string("      CASE\n        ( pc-force = TRUE ):\n          TXM( motion to MC1 )\n") +
           "        ( pc-force = FALSE ):\n          think\n          TXM( motion to MC1 )\n      END CASE\n";
@@ -168,8 +159,8 @@ SKILL random
         "  ACTIVITY obey READS motion WRITES correction\n  ACTIVITY hold WRITES correction\nBEGIN\n  "
         "REPEAT\n";
     out += "    WTM( tick from robot )\n    TXM( request motion from SM1 )\n";
-    if (chance(2) == 0) {
-      out += "    WTM( motion from SM1 ) WITHIN " + std::to_string(between(0, longest_)) +
+    if (chance_(2) == 0) {
+      out += "    WTM( motion from SM1 ) WITHIN " + std::to_string(chance_.between(0, longest_)) +
              " ms\n      obey\n    ELSE\n      hold\n    END WTM\n";
     } else {
       out += "    WTM( motion from SM1 )\n    obey\n";
@@ -178,48 +169,48 @@ SKILL random
   }
 
   std::string place(const std::string& thread, int processors) {
-    return "  PLACE " + thread + " ON P" + std::to_string(chance(processors)) + " PRIORITY " +
-           std::to_string(between(1, 3)) + "\n";
+    return "  PLACE " + thread + " ON P" + std::to_string(chance_(processors)) + " PRIORITY " +
+           std::to_string(chance_.between(1, 3)) + "\n";
   }
 
   std::string environment(bool sensor_module, bool controller_module, bool concurrent) {
     std::string out = "ENVIRONMENT cell\n";
-    const int processors = between(1, 3);
+    const int processors = chance_.between(1, 3);
     for (int p = 0; p < processors; ++p) {
-      out += "  PROCESSOR P" + std::to_string(p) + (chance(4) == 0 ? " NONPREEMPTIVE\n" : "\n");
+      out += "  PROCESSOR P" + std::to_string(p) + (chance_(4) == 0 ? " NONPREEMPTIVE\n" : "\n");
     }
     const std::string sensor = sensor_module ? "sensor" : "SD1";
-    const int frame = between(2, longest_);
-    if (chance(3) == 0) {
+    const int frame = chance_.between(2, longest_);
+    if (chance_(3) == 0) {
       out += "  DEVICE " + sensor + " FRAMES EVERY " + std::to_string(frame) + " ms COLLECTING " +
-             std::to_string(between(1, frame)) + " ms" +
-             (chance(3) == 0 ? " PHASE " + std::to_string(between(0, frame)) + " ms\n" : "\n");
+             std::to_string(chance_.between(1, frame)) + " ms" +
+             (chance_(3) == 0 ? " PHASE " + std::to_string(chance_.between(0, frame)) + " ms\n" : "\n");
     } else {
-      out += "  DEVICE " + sensor + " ON REQUEST " + interval(0, longest_ / 2) + "\n";
+      out += "  DEVICE " + sensor + " ON REQUEST " + chance_.interval(0, longest_ / 2) + "\n";
     }
     const std::string robot = controller_module ? "robot EVENT tick" : "MC1 EVENT motion request";
-    const int period = between(longest_ / 2 + 1, longest_);
-    out += "  DEVICE " + robot + (chance(6) == 0 ? " SPORADIC " : " EVERY ") + std::to_string(period) +
-           " ms" + (chance(5) == 0 ? " JITTER 1 ms" : "") +
-           (chance(5) == 0 ? " PHASE " + std::to_string(between(0, period)) + " ms\n" : "\n");
+    const int period = chance_.between(longest_ / 2 + 1, longest_);
+    out += "  DEVICE " + robot + (chance_(6) == 0 ? " SPORADIC " : " EVERY ") + std::to_string(period) +
+           " ms" + (chance_(5) == 0 ? " JITTER 1 ms" : "") +
+           (chance_(5) == 0 ? " PHASE " + std::to_string(chance_.between(0, period)) + " ms\n" : "\n");
     out += place("SM1", processors) + place("LS1", processors);
-    if (concurrent && chance(2) == 0) out += place("SM1.1", processors);
-    if (concurrent && chance(2) == 0) out += place("SM1.2", processors);
+    if (concurrent && chance_(2) == 0) out += place("SM1.1", processors);
+    if (concurrent && chance_(2) == 0) out += place("SM1.2", processors);
     out += executed_.times_and_places(processors);
     if (sensor_module) out += place("SD1", processors);
     if (controller_module) out += place("MC1", processors);
     for (const char* activity : {"extract", "think", "prepare", "obey", "hold"}) {
-      out += std::string("  TIME ") + activity + " : " + interval(0, 2) + "\n";
+      out += std::string("  TIME ") + activity + " : " + chance_.interval(0, 2) + "\n";
     }
     for (const char* cost : {"SEND", "RECEIVE", "SET", "READ", "TEST"}) {
-      if (chance(4) == 0) out += std::string("  COST ") + cost + " " + interval(0, 1) + "\n";
+      if (chance_(4) == 0) out += std::string("  COST ") + cost + " " + chance_.interval(0, 1) + "\n";
     }
-    if (chance(3) == 0) out += "  LATENCY WITHIN PROCESSOR " + interval(0, 1) + "\n";
-    if (chance(2) == 0) out += "  LATENCY BETWEEN PROCESSORS " + interval(0, 1) + "\n";
+    if (chance_(3) == 0) out += "  LATENCY WITHIN PROCESSOR " + chance_.interval(0, 1) + "\n";
+    if (chance_(2) == 0) out += "  LATENCY BETWEEN PROCESSORS " + chance_.interval(0, 1) + "\n";
     return out + "END ENVIRONMENT\n";
   }
 
-  std::mt19937_64 engine_;
+  Chance chance_;
   std::mt19937_64 required_;
   ExecutedBlocks executed_;
   int longest_;

@@ -7,16 +7,18 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/chance.hpp"
+
 namespace pal::test {
 
 /// The text of a skill with one or two sensors, a controller and a method. The same seed gives the same text.
 class RandomTalk {
  public:
-  explicit RandomTalk(std::uint64_t seed) : engine_(seed), ahead_(seed), executed_(~seed) {}
+  explicit RandomTalk(std::uint64_t seed) : chance_(seed), ahead_(seed), executed_(~seed) {}
 
   std::string text() {
-    const bool driver = chance(3) == 0;
-    two_ = chance(3) == 0;
+    const bool driver = chance_(3) == 0;
+    two_ = chance_(3) == 0;
     std::string out = R"(DEVICE robot
 MESSAGE force : SIGNAL
 MESSAGE place : SIGNAL
@@ -57,7 +59,7 @@ END SKILL
       out += talk({"WTM( request place from SM1 )", "TXM( place to SM1 )"}) + "  UNTIL( forever )\nEND\n";
     }
     out += "Machine Controller: MC1\nBEGIN\n  REPEAT\n";
-    if (chance(2) != 0) out += "    WTM( tick from robot )\n";
+    if (chance_(2) != 0) out += "    WTM( tick from robot )\n";
     out += talk({"TXM( request motion from SM1 )", waits("motion", "SM1")});
     blocks_ = executed_() % 3 == 0;
     out += "  UNTIL( forever )\nEND\nContingency Module: CM1\nBEGIN\n" +
@@ -65,7 +67,7 @@ END SKILL
     out += "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n  SPC( c )\n  SPC( d )\n  SPC( e = FALSE )\n";
     const std::uint64_t ahead = ahead_() % 6;  // drawn apart, so that the skill is the same without
     if (ahead < 2) out += "  TXM( request force from LS1 )\n";
-    switch (chance(5)) {
+    switch (chance_(5)) {
       case 0:
         out += "  REPEAT\n" + sense() + (two_ ? locate() : "") + act() + "  UNTIL( c OR d )\n";
         break;
@@ -74,15 +76,15 @@ END SKILL
                block(looped(act(), "d")) + "  END CONCURRENT\n";
         break;
       default:
-        out += "  CONCURRENT\n" + block(looped(sense(), chance(2) != 0 ? "forever" : "d")) +
-               (two_ ? block(looped(locate(), chance(2) != 0 ? "forever" : "e")) : "") +
+        out += "  CONCURRENT\n" + block(looped(sense(), chance_(2) != 0 ? "forever" : "d")) +
+               (two_ ? block(looped(locate(), chance_(2) != 0 ? "forever" : "e")) : "") +
                (ahead_() % 8 == 0 ? block(looped(sense(), "forever")) : "") + block(looped(act(), "d")) +
                "  END CONCURRENT\n";
     }
     if (ahead == 1 || ahead == 2) out += "  WTM( force from LS1 )\n";
-    if (chance(2) != 0) {
-      out += std::string(chance(3) == 0 ? "  RPC( c )\n" : "") +
-             "  CASE\n    ( c = TRUE ): Execute CM1\n    ( c = FALSE ):\n" + (chance(2) == 0 ? act() : "") +
+    if (chance_(2) != 0) {
+      out += std::string(chance_(3) == 0 ? "  RPC( c )\n" : "") +
+             "  CASE\n    ( c = TRUE ): Execute CM1\n    ( c = FALSE ):\n" + (chance_(2) == 0 ? act() : "") +
              "  END CASE\n";
     } else {
       out += "  CASE\n    ( e = TRUE ): Execute CM1\n    ( e = FALSE ): Do Nothing\n  END CASE\n";
@@ -91,8 +93,6 @@ END SKILL
   }
 
  private:
-  int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-
   static std::string block(const std::string& body) { return "  BEGIN\n" + body + "  END\n"; }
   static std::string looped(const std::string& body, const std::string& until) {
     return "  REPEAT\n" + body + "  UNTIL( " + until + " )\n";
@@ -125,7 +125,7 @@ END SKILL
   std::string sensed() { return talk({"TXM( request force from LS1 )", waits("force", "LS1"), "SPC( c )"}); }
   std::string locate() { return talk({"TXM( request place from LS2 )", waits("place", "LS2"), "SPC( e )"}); }
   std::string acted() {
-    if (chance(5) == 0) {
+    if (chance_(5) == 0) {
       return "    RPC( c )\n    WTM( request motion from MC1 )\n    CASE\n    ( c = TRUE ): SPC( d = TRUE "
              ")\n    ( NOT c ): SPC( d "
              ")\n    END CASE\n    TXM( motion to MC1 )\n";
@@ -134,35 +134,35 @@ END SKILL
   }
   /// What a block that goes on for ever does each time.
   std::string inner() {
-    if (chance(3) == 0) {
-      const bool within = chance(2) != 0;
+    if (chance_(3) == 0) {
+      const bool within = chance_(2) != 0;
       return "    TXM( request force from LS1 )\n    WTM FIRST" + std::string(within ? " WITHIN 1 ms" : "") +
              "\n      ( force from LS1 ): SPC( c )\n" + (two_ ? "      ( place from LS2 ): SPC( e )\n" : "") +
              (within ? "    ELSE\n      Do Nothing\n" : "") + "    END WTM\n" +
              (two_ ? "    TXM( request place from LS2 )\n" : "");
     }
     return "    CONCURRENT\n" + block(sense()) +
-           block(two_ ? looped(locate(), chance(2) != 0 ? "forever" : "e") : "Do Nothing\n") +
+           block(two_ ? looped(locate(), chance_(2) != 0 ? "forever" : "e") : "Do Nothing\n") +
            "    END CONCURRENT\n";
   }
 
   std::string waits(const std::string& message, const std::string& from) {
     const auto wait = "WTM( " + message + " from " + from + " )";
-    return chance(3) != 0 ? wait
-                          : wait + " WITHIN 1 ms\n      Do Nothing\n    ELSE\n      Do Nothing\n    END WTM";
+    return chance_(3) != 0 ? wait
+                           : wait + " WITHIN 1 ms\n      Do Nothing\n    ELSE\n      Do Nothing\n    END WTM";
   }
 
   /// The statements, mostly in order; now and then two change places, or one comes twice.
   std::string talk(std::vector<std::string> statements) {
-    const auto pick = [&] { return static_cast<std::size_t>(chance(static_cast<int>(statements.size()))); };
-    if (chance(4) == 0) std::swap(statements[pick()], statements[pick()]);
-    if (chance(6) == 0) statements.push_back(statements[static_cast<std::size_t>(chance(2))]);
+    const auto pick = [&] { return static_cast<std::size_t>(chance_(static_cast<int>(statements.size()))); };
+    if (chance_(4) == 0) std::swap(statements[pick()], statements[pick()]);
+    if (chance_(6) == 0) statements.push_back(statements[static_cast<std::size_t>(chance_(2))]);
     std::string out;
     for (const auto& statement : statements) out += "    " + statement + "\n";
     return out;
   }
 
-  std::mt19937_64 engine_;
+  Chance chance_;
   std::mt19937_64 ahead_;
   std::mt19937_64 executed_;
   bool two_ = false;
@@ -174,10 +174,10 @@ END SKILL
 /// no more.
 class RandomPolling {
  public:
-  explicit RandomPolling(std::uint64_t seed) : engine_(seed) {}
+  explicit RandomPolling(std::uint64_t seed) : chance_(seed) {}
 
   std::string text() {
-    const bool blocks = chance(3) == 0;
+    const bool blocks = chance_(3) == 0;
     std::string out =
         "MESSAGE force : SIGNAL\nMESSAGE place : SIGNAL\nCONDITION c\nSKILL s\n  LOGICAL SENSOR LS1, LS2\n"
         "  SKILL METHOD SM1\n  COMPLETION 0 NORMAL\n  COMPLETION 2 ERROR\nEND SKILL\n";
@@ -185,8 +185,8 @@ class RandomPolling {
     out += "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n";
     const auto polls = [&] {
       std::string some;
-      for (int i = 2 + chance(3); i > 0; --i)
-        some += chance(4) == 0 ? poll("LS2", "place") : poll("LS1", "force");
+      for (int i = 2 + chance_(3); i > 0; --i)
+        some += chance_(4) == 0 ? poll("LS2", "place") : poll("LS1", "force");
       return some;
     };
     if (blocks) {
@@ -199,14 +199,12 @@ class RandomPolling {
   }
 
  private:
-  int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-
   std::string sensor(const std::string& name, const std::string& message) {
     const std::string take = "    WTM( request " + message + " from SM1 )\n";
     const std::string give = "    TXM( " + message + " to SM1 )\n";
     static const std::vector<std::string> orders = {"wt", "wt", "wwt", "wwtt", "wtwwt", "wwwt", "wwtwt"};
     std::string body;
-    for (const char step : orders[static_cast<std::size_t>(chance(7))]) body += step == 'w' ? take : give;
+    for (const char step : orders[static_cast<std::size_t>(chance_(7))]) body += step == 'w' ? take : give;
     return "Logical Sensor: " + name + "\nBEGIN\n  REPEAT\n" + body + "  UNTIL( forever )\nEND\n";
   }
 
@@ -216,13 +214,13 @@ class RandomPolling {
 
   std::string poll(const std::string& sensor, const std::string& message) {
     const auto wait = "  WTM( " + message + " from " + sensor + " )";
-    const bool gives_up = chance(4) != 0;
-    const std::string then = chance(3) == 0 ? "    SPC( c )\n" : "    Do Nothing\n";
+    const bool gives_up = chance_(4) != 0;
+    const std::string then = chance_(3) == 0 ? "    SPC( c )\n" : "    Do Nothing\n";
     return ask(sensor, message) + wait +
            (gives_up ? " WITHIN 1 ms\n" + then + "  ELSE\n    Do Nothing\n  END WTM\n" : "\n");
   }
 
-  std::mt19937_64 engine_;
+  Chance chance_;
 };
 
 /// The text of a skill whose method asks two or three sensors from blocks within blocks, of which some end
@@ -230,14 +228,14 @@ class RandomPolling {
 /// it.
 class RandomNest {
  public:
-  explicit RandomNest(std::uint64_t seed) : engine_(seed) {}
+  explicit RandomNest(std::uint64_t seed) : chance_(seed) {}
 
   std::string text() {
-    sensors_ = 2 + (chance(3) == 0 ? 1 : 0);
-    const bool mover = chance(2) == 0;
-    gate_ = chance(3) == 0;
+    sensors_ = 2 + (chance_(3) == 0 ? 1 : 0);
+    const bool mover = chance_(2) == 0;
+    gate_ = chance_(3) == 0;
     std::string out = "CONDITION reached\nCONDITION lost\n";
-    driver_ = gate_ && chance(2) == 0;
+    driver_ = gate_ && chance_(2) == 0;
     if (gate_) out += "CONDITION gate\n";
     if (driver_) out += "MESSAGE raw : SIGNAL\n";
     std::string names;
@@ -266,8 +264,8 @@ class RandomNest {
     if (gate_) out += set_gate();
     out += "  SPC( reached = FALSE )\n  SPC( lost = FALSE )\n  CONCURRENT\n" + blocks();
     out += block(moving(mover)) + "  END CONCURRENT\n";
-    if (chance(3) == 0) out += sample(1 + chance(sensors_));
-    if (mover && chance(2) == 0) {
+    if (chance_(3) == 0) out += sample(1 + chance_(sensors_));
+    if (mover && chance_(2) == 0) {
       out +=
           "  CASE\n  ( lost = TRUE ):\n    WTM( request motion from MC1 )\n    TXM( motion to MC1 )\n  ( "
           "lost "
@@ -277,8 +275,6 @@ class RandomNest {
   }
 
  private:
-  int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-
   static std::string block(const std::string& body) { return "  BEGIN\n" + body + "  END\n"; }
   static std::string looped(const std::string& body, const std::string& until) {
     return "  REPEAT\n" + body + "  UNTIL( " + until + " )\n";
@@ -289,7 +285,7 @@ class RandomNest {
 
   std::string set_gate() {
     static const std::vector<std::string> values = {"gate", "gate = TRUE", "gate = FALSE"};
-    return "  SPC( " + values[static_cast<std::size_t>(chance(3))] + " )\n";
+    return "  SPC( " + values[static_cast<std::size_t>(chance_(3))] + " )\n";
   }
 
   /// Mostly one answer a request.
@@ -297,14 +293,14 @@ class RandomNest {
     const auto n = std::to_string(i);
     const std::string take = "    WTM( request value" + n + " from SM1 )\n";
     std::string give = "    TXM( value" + n + " to SM1 )\n";
-    if (gate_ && chance(2) == 0)
+    if (gate_ && chance_(2) == 0)
       give = "    CASE\n    ( gate = TRUE ):\n" + give + "    ( gate = FALSE ): Do Nothing\n    END CASE\n";
     else if (i == 1 && driver_)
       give =
           "    REPEAT\n    TXM( request raw from SD1 )\n    WTM( raw from SD1 )\n    UNTIL( gate )\n" + give;
     static const std::vector<std::string> orders = {"wt", "wt", "wt", "wt", "wwt", "wtwwt", "wwtt", "t"};
     std::string body;
-    for (const char step : orders[static_cast<std::size_t>(chance(8))]) body += step == 'w' ? take : give;
+    for (const char step : orders[static_cast<std::size_t>(chance_(8))]) body += step == 'w' ? take : give;
     return "Logical Sensor: LS" + n + "\nBEGIN\n  REPEAT\n" + body + "  UNTIL( forever )\nEND\n";
   }
 
@@ -312,8 +308,8 @@ class RandomNest {
     const auto n = std::to_string(i);
     const std::string wait = "  WTM( value" + n + " from LS" + n + " )";
     std::string out = "  TXM( request value" + n + " from LS" + n + " )\n" + wait;
-    out += chance(8) == 0 ? " WITHIN 1 ms\n    Do Nothing\n  ELSE\n    SPC( lost )\n  END WTM\n" : "\n";
-    switch (chance(6)) {
+    out += chance_(8) == 0 ? " WITHIN 1 ms\n    Do Nothing\n  ELSE\n    SPC( lost )\n  END WTM\n" : "\n";
+    switch (chance_(6)) {
       case 0:
         return out;
       case 1:
@@ -327,8 +323,8 @@ class RandomNest {
   /// One block or two, with each sensor in one of them.
   std::string blocks() {
     const std::string last = sensors_ == 3 ? sample(3) : "";
-    const auto ends = [&] { return chance(2) == 0 ? "forever" : any(); };
-    switch (chance(6)) {
+    const auto ends = [&] { return chance_(2) == 0 ? "forever" : any(); };
+    switch (chance_(6)) {
       case 5:  // both once
         return block(sample(1) + sample(2)) + (last.empty() ? "" : block(looped(last, ends())));
       case 0:  // two that are asked together, again and again
@@ -352,27 +348,27 @@ class RandomNest {
   }
 
   std::string any() {
-    std::string out = chance(2) == 0 ? "reached OR lost" : "lost";
+    std::string out = chance_(2) == 0 ? "reached OR lost" : "lost";
     for (int i = 1; i <= sensors_; ++i) {
-      if (chance(3) != 0) out += " OR c" + std::to_string(i);
+      if (chance_(3) != 0) out += " OR c" + std::to_string(i);
     }
     return out;
   }
 
   std::string moving(bool mover) {
     std::string body;
-    if (mover && chance(4) != 0) body += "  WTM( request motion from MC1 )\n";
-    if (chance(2) == 0)
+    if (mover && chance_(4) != 0) body += "  WTM( request motion from MC1 )\n";
+    if (chance_(2) == 0)
       body += "  CASE\n  ( c1 OR c2 ): SPC( lost )\n  ( NOT ( c1 OR c2 ) ): SPC( reached )\n  END CASE\n";
     else
       body += "  SPC( reached )\n";
     if (mover) body += "  TXM( motion to MC1 )\n";
-    if (gate_ && chance(4) == 0) body += set_gate();
-    if (mover && chance(4) == 0) return looped(body, "forever");
-    return chance(5) == 0 ? body : looped(body, any());
+    if (gate_ && chance_(4) == 0) body += set_gate();
+    if (mover && chance_(4) == 0) return looped(body, "forever");
+    return chance_(5) == 0 ? body : looped(body, any());
   }
 
-  std::mt19937_64 engine_;
+  Chance chance_;
   int sensors_ = 2;
   bool gate_ = false;
   bool driver_ = false;  // of the first sensor, which asks it until the gate is open

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "tests/support/chance.hpp"
 #include "tests/support/executed_blocks.hpp"
 
 namespace pal::test {
@@ -17,17 +17,17 @@ namespace pal::test {
 /// text.
 class TimedSkill {
  public:
-  explicit TimedSkill(std::uint64_t seed) : engine_(seed), executed_(seed, 4) {}
+  explicit TimedSkill(std::uint64_t seed) : chance_(seed), executed_(seed, 4) {}
 
   std::string text() {
-    shape_ = static_cast<Shape>(chance(7));
-    sensor_ = static_cast<Sensor>(chance(3));
-    driver_module_ = sensor_ == Sensor::sends || chance(2) == 0;
-    robot_module_ = chance(3) != 0 || straight();
+    shape_ = static_cast<Shape>(chance_(7));
+    sensor_ = static_cast<Sensor>(chance_(3));
+    driver_module_ = sensor_ == Sensor::sends || chance_(2) == 0;
+    robot_module_ = chance_(3) != 0 || straight();
     // A sensor that sends by itself is taken by a loop of its own.
     if (sensor_ == Sensor::sends && shape_ != Shape::loops && shape_ != Shape::endless_loops)
       sensor_ = Sensor::asked;
-    const std::string limit = std::to_string(between(4, 120)) + " ms";
+    const std::string limit = std::to_string(chance_.between(4, 120)) + " ms";
     // In the order of drawing: the operands of + have none.
     std::string out = messages() + "SKILL timed\n" + R"(  SENSOR DRIVER      SD1
   LOGICAL SENSOR     LS1
@@ -57,13 +57,6 @@ class TimedSkill {
   };
   enum class Sensor { asked, frames, sends };
 
-  int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-  int between(int low, int high) { return low + chance(high - low + 1); }
-  std::string interval(int low, int high) {
-    const int best = between(low, high);
-    const int worst = chance(2) != 0 ? best : between(best, high);
-    return std::to_string(best) + (best == worst ? "" : " TO " + std::to_string(worst)) + " ms";
-  }
   bool straight() const { return shape_ == Shape::straight || shape_ == Shape::straight_blocks; }
 
   static std::string messages() {
@@ -90,7 +83,7 @@ DEVICE robot "asks for corrections"
         "REACTION OF pc-force AT " + at + most,
         "REACTION OF raw FROM " + sensor + " AT " + at + most,
         "INTERVAL OF " + at + most,
-        "INTERVAL OF " + at + " AT LEAST " + std::to_string(between(1, 40)) + " ms",
+        "INTERVAL OF " + at + " AT LEAST " + std::to_string(chance_.between(1, 40)) + " ms",
         "INTERVAL OF WTM( raw from SD1 ) IN LS1 BETWEEN 2 ms AND " + limit,
         "BUSY PERIOD OF EACH PROCESSOR" + most,
         straight() ? "DURATION TO COMPLETION 0" + most : "LOSS OF " + robot + " NONE",
@@ -157,8 +150,8 @@ DEVICE robot "asks for corrections"
     out +=
         "  ACTIVITY obey READS motion WRITES correction\nBEGIN\n  REPEAT\n    WTM( tick from robot )\n    "
         "TXM( request motion from SM1 )\n";
-    if (chance(5) == 0) {
-      out += "    WTM( motion from SM1 ) WITHIN " + std::to_string(between(4, 15)) +
+    if (chance_(5) == 0) {
+      out += "    WTM( motion from SM1 ) WITHIN " + std::to_string(chance_.between(4, 15)) +
              " ms\n      obey\n    ELSE\n      hold\n    END WTM\n";
     } else {
       out += "    WTM( motion from SM1 )\n    obey\n";
@@ -170,18 +163,18 @@ DEVICE robot "asks for corrections"
   std::string sensed() {
     if (sensor_ == Sensor::sends) return "      WTM( force from LS1 )\n      SPC( pc-force )\n";
     std::string out = "      TXM( request force from LS1 )\n";
-    if (chance(4) == 0) out += "      prepare\n";
+    if (chance_(4) == 0) out += "      prepare\n";
     return out + "      WTM( force from LS1 )\n      SPC( pc-force )\n";
   }
 
   std::string decide() { return executed_.call() + decided(); }
   std::string decided() {
-    if (chance(2) == 0) {
+    if (chance_(2) == 0) {
       return "      CASE\n        ( pc-force = TRUE ):\n          TXM( motion to MC1 )\n"
              "        ( pc-force = FALSE ):\n          think\n          TXM( motion to MC1 )\n      END "
              "CASE\n";
     }
-    return std::string(chance(2) == 0 ? "      RPC( pc-force )\n      think\n" : "      RPC( pc-force )\n") +
+    return std::string(chance_(2) == 0 ? "      RPC( pc-force )\n      think\n" : "      RPC( pc-force )\n") +
            "      TXM( motion to MC1 )\n";
   }
 
@@ -196,37 +189,37 @@ DEVICE robot "asks for corrections"
     const std::string joined = "    END\n    END CONCURRENT\n";
     switch (shape_) {
       case Shape::round:
-        if (chance(3) == 0) out += sense();
+        if (chance_(3) == 0) out += sense();
         return out + "  REPEAT\n" + wait() + sense() + decide() +
-               (chance(2) == 0 ? "      SPC( pc-stop )\n  UNTIL( pc-stop )\n" + complete
-                               : "  UNTIL( forever )\nEND\n");
+               (chance_(2) == 0 ? "      SPC( pc-stop )\n  UNTIL( pc-stop )\n" + complete
+                                : "  UNTIL( forever )\nEND\n");
       case Shape::loops:
       case Shape::endless_loops: {
         const bool ends = shape_ == Shape::loops;
-        if (chance(3) == 0 && sensor_ != Sensor::sends) out += sense();
+        if (chance_(3) == 0 && sensor_ != Sensor::sends) out += sense();
         return out + blocks + "    REPEAT\n" + sense() + "    UNTIL( forever )\n" + beside + "    REPEAT\n" +
-               (chance(2) == 0 ? wait() + decide() : decide_later()) +
+               (chance_(2) == 0 ? wait() + decide() : decide_later()) +
                (ends ? "      SPC( pc-stop )\n    UNTIL( pc-stop )\n" : "    UNTIL( forever )\n") +
-               (ends && chance(4) == 0 ? beside + "      think\n" : "") + joined +
-               (ends ? std::string(chance(3) == 0 ? "      RPC( pc-force )\n" : "") + "  think\n" + complete
+               (ends && chance_(4) == 0 ? beside + "      think\n" : "") + joined +
+               (ends ? std::string(chance_(3) == 0 ? "      RPC( pc-force )\n" : "") + "  think\n" + complete
                      : "END\n");
       }
       case Shape::blocks_in_round:
         return out + "  REPEAT\n" + wait() + blocks + sense() + beside + "      think\n" +
-               (chance(3) == 0 ? beside + "      prepare\n" : "") + joined + decide() +
+               (chance_(3) == 0 ? beside + "      prepare\n" : "") + joined + decide() +
                "  UNTIL( forever )\nEND\n";
       case Shape::blocks_at_start:
         return out + blocks + sense() + beside + "      prepare\n" + joined + "  REPEAT\n" + wait() +
-               (chance(2) == 0 ? sense() : "") + decide() + "  UNTIL( forever )\nEND\n";
+               (chance_(2) == 0 ? sense() : "") + decide() + "  UNTIL( forever )\nEND\n";
       case Shape::straight:
         out += sense() + "      RPC( pc-force )\n      think\n";
-        if (chance(2) == 0) out += sense() + "      RPC( pc-force )\n      think\n";
+        if (chance_(2) == 0) out += sense() + "      RPC( pc-force )\n      think\n";
         return out + complete;
       case Shape::straight_blocks:
         return out + blocks + sense() + beside + "      prepare\n" +
-               (chance(2) == 0 ? beside + "      prepare\n" : "") + joined +
+               (chance_(2) == 0 ? beside + "      prepare\n" : "") + joined +
                "      RPC( pc-force )\n      think\n" +
-               (chance(2) == 0 ? sense() + "      RPC( pc-force )\n      think\n" : "") + complete;
+               (chance_(2) == 0 ? sense() + "      RPC( pc-force )\n      think\n" : "") + complete;
     }
     return out;
   }
@@ -239,48 +232,48 @@ DEVICE robot "asks for corrections"
   }
 
   std::string place(const std::string& thread, int processors) {
-    return "  PLACE " + thread + " ON P" + std::to_string(chance(processors)) + " PRIORITY " +
-           std::to_string(between(1, 4)) + "\n";
+    return "  PLACE " + thread + " ON P" + std::to_string(chance_(processors)) + " PRIORITY " +
+           std::to_string(chance_.between(1, 4)) + "\n";
   }
 
   std::string environment() {
     std::string out = "ENVIRONMENT cell\n";
-    const int processors = between(1, 3);
+    const int processors = chance_.between(1, 3);
     for (int p = 0; p < processors; ++p)
-      out += "  PROCESSOR P" + std::to_string(p) + (chance(4) == 0 ? " NONPREEMPTIVE\n" : "\n");
+      out += "  PROCESSOR P" + std::to_string(p) + (chance_(4) == 0 ? " NONPREEMPTIVE\n" : "\n");
     const std::string sensor = driver_module_ ? "sensor" : "SD1";
     if (sensor_ == Sensor::sends) {
-      out += "  DEVICE sensor EVENT raw EVERY " + std::to_string(between(8, 30)) + " ms" +
-             (chance(4) == 0 ? " JITTER 1 ms\n" : "\n");
+      out += "  DEVICE sensor EVENT raw EVERY " + std::to_string(chance_.between(8, 30)) + " ms" +
+             (chance_(4) == 0 ? " JITTER 1 ms\n" : "\n");
     } else if (sensor_ == Sensor::frames) {
-      const int frame = between(3, 9);
+      const int frame = chance_.between(3, 9);
       out += "  DEVICE " + sensor + " FRAMES EVERY " + std::to_string(frame) + " ms COLLECTING " +
-             std::to_string(between(1, frame)) + " ms\n";
+             std::to_string(chance_.between(1, frame)) + " ms\n";
     } else {
-      out += "  DEVICE " + sensor + " ON REQUEST " + interval(1, 6) + "\n";
+      out += "  DEVICE " + sensor + " ON REQUEST " + chance_.interval(1, 6) + "\n";
     }
     const std::string robot = robot_module_ ? "robot EVENT tick" : "MC1 EVENT motion request";
-    out += "  DEVICE " + robot + (chance(9) == 0 ? " SPORADIC " : " EVERY ") +
-           std::to_string(between(18, 60)) + " ms" + (chance(4) == 0 ? " JITTER 1 ms\n" : "\n");
+    out += "  DEVICE " + robot + (chance_(9) == 0 ? " SPORADIC " : " EVERY ") +
+           std::to_string(chance_.between(18, 60)) + " ms" + (chance_(4) == 0 ? " JITTER 1 ms\n" : "\n");
     out += place("SM1", processors) + place("LS1", processors);
     if (shape_ == Shape::loops || shape_ == Shape::endless_loops) {
-      if (chance(2) == 0) out += place("SM1.1", processors);
-      if (chance(2) == 0) out += place("SM1.2", processors);
+      if (chance_(2) == 0) out += place("SM1.1", processors);
+      if (chance_(2) == 0) out += place("SM1.2", processors);
     }
     out += executed_.times_and_places(processors);
     if (driver_module_) out += place("SD1", processors);
     if (robot_module_) out += place("MC1", processors);
     for (const char* activity : {"extract", "think", "prepare", "obey", "hold"})
-      out += std::string("  TIME ") + activity + " : " + interval(0, 2) + "\n";
+      out += std::string("  TIME ") + activity + " : " + chance_.interval(0, 2) + "\n";
     for (const char* cost : {"SEND", "RECEIVE", "SET", "READ", "TEST"}) {
-      if (chance(6) == 0) out += std::string("  COST ") + cost + " " + interval(0, 1) + "\n";
+      if (chance_(6) == 0) out += std::string("  COST ") + cost + " " + chance_.interval(0, 1) + "\n";
     }
-    if (chance(3) == 0) out += "  LATENCY WITHIN PROCESSOR " + interval(0, 1) + "\n";
-    if (chance(2) == 0) out += "  LATENCY BETWEEN PROCESSORS " + interval(0, 1) + "\n";
+    if (chance_(3) == 0) out += "  LATENCY WITHIN PROCESSOR " + chance_.interval(0, 1) + "\n";
+    if (chance_(2) == 0) out += "  LATENCY BETWEEN PROCESSORS " + chance_.interval(0, 1) + "\n";
     return out + "END ENVIRONMENT\n";
   }
 
-  std::mt19937_64 engine_;
+  Chance chance_;
   ExecutedBlocks executed_;
   Shape shape_ = Shape::round;
   Sensor sensor_ = Sensor::asked;

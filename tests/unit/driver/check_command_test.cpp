@@ -9,14 +9,6 @@ using namespace pal::test;
 using pal::driver::ExitStatus;
 using Json = nlohmann::json;
 
-namespace {
-
-const std::string cell = skill("workcell.pal");
-const std::string touch = skill("touch/touch.pal");
-const std::string read_first = skill("touch/touch_read_first.pal");
-
-}  // namespace
-
 TEST_CASE("a skill that meets its requirements") {
   const auto answer = pal::test::pal({"check", touch, "-e", cell});
   CHECK(answer.status == ExitStatus::all_hold);

@@ -11,9 +11,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string cell = skill("workcell.pal");
-const std::string touch = skill("touch/touch.pal");
-
 /// A folder that is gone when the test is.
 class Folder {
  public:

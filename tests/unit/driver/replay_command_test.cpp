@@ -13,10 +13,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-const std::string cell = skill("workcell.pal");
-const std::string touch = skill("touch/touch.pal");
-const std::string read_first = skill("touch/touch_read_first.pal");
-
 /// A file of this test that goes with it.
 class File {
  public:

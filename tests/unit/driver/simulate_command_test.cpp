@@ -13,10 +13,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-const std::string cell = skill("workcell.pal");
-const std::string touch = skill("touch/touch.pal");
-const std::string read_first = skill("touch/touch_read_first.pal");
-
 Json simulated(std::vector<std::string> arguments, ExitStatus status) {
   arguments.insert(arguments.begin(), "simulate");
   for (const char* more : {"-e", cell.c_str(), "--format", "json"}) arguments.emplace_back(more);
@@ -110,150 +106,30 @@ TEST_CASE("a run that is written shows the value that is reported") {
 }
 
 TEST_CASE("what cannot be simulated is said") {
-  const auto said = [](const std::vector<std::string>& arguments, const std::string& text) {
-    const Answer answer = pal::test::pal(arguments);
-    INFO(answer.err);
-    CHECK(answer.status == ExitStatus::usage);
-    CHECK(answer.err.find(text) != std::string::npos);
-  };
-  said({"simulate", touch}, "give an environment with --environment FILE");
-  said({"simulate", touch, "-e", cell, "--runs", "0"}, "--runs");
-  said({"simulate", touch, "-e", cell, "--until", "soon"}, "no length of time");
-  said({"simulate", touch, "-e", cell, "--script", "/nowhere.json"}, "cannot read '/nowhere.json'");
-  said({"simulate", touch, "-e", cell, "--script", touch}, "is no file of witnesses");
-  said({"simulate", touch, "-e", cell, "-r", "fresh"},
-       "no requirement is called 'fresh'; there is 'answer-alter'");
-  said({"simulate", touch, "-e", cell, "--until", "0", "-r", "answer-alter", "--trace", "/tmp/x"},
-       "no run shows a value of 'answer-alter'");
-  said({"simulate", cell}, "there is no skill to simulate");
+  is_refused({"simulate", touch}, "give an environment with --environment FILE");
+  is_refused({"simulate", touch, "-e", cell, "--runs", "0"}, "--runs");
+  is_refused({"simulate", touch, "-e", cell, "--until", "soon"}, "no length of time");
+  is_refused({"simulate", touch, "-e", cell, "--script", "/nowhere.json"}, "cannot read '/nowhere.json'");
+  is_refused({"simulate", touch, "-e", cell, "--script", touch}, "is no file of witnesses");
+  is_refused({"simulate", touch, "-e", cell, "-r", "fresh"},
+             "no requirement is called 'fresh'; there is 'answer-alter'");
+  is_refused({"simulate", touch, "-e", cell, "--until", "0", "-r", "answer-alter", "--trace", "/tmp/x"},
+             "no run shows a value of 'answer-alter'");
+  is_refused({"simulate", cell}, "there is no skill to simulate");
 }
 
 namespace {
 
 /// The skill ends after 50 ms; MC1 answers the event of 4 ms after 84.
-const char* const ends_before_the_answer = R"(
-MESSAGE y : REAL
-DEVICE d1
-SKILL s
-  MACHINE CONTROLLER MC1
-  SKILL METHOD SM1
-  COMPLETION 0 NORMAL
-  COMPLETION 2 ERROR
-  REQUIREMENT x : RESPONSE FROM y OF d1 TO w IN MC1 AT MOST 4 ms
-  REQUIREMENT b : BUSY PERIOD OF P0 AT MOST 20 ms
-END SKILL
-Machine Controller: MC1
-  ACTIVITY w
-BEGIN
-  WTM( y from d1 )
-  w
-END
-Skill Module: SM1
-  ACTIVITY a
-BEGIN
-  WTM( Coordinator )
-  a
-  TXM( Completion Protocol 0 )
-END
-ENVIRONMENT e
-  PROCESSOR P0
-  PROCESSOR P1
-  DEVICE d1 EVENT y EVERY 500 ms PHASE 4 ms
-  PLACE MC1 ON P0 PRIORITY 1
-  PLACE SM1 ON P1 PRIORITY 1
-  TIME a OF SM1 : 50 ms
-  TIME w OF MC1 : 80 ms
-END ENVIRONMENT
-)";
+const std::string ends_before_the_answer = text_of("ends_before_the_answer");
 
 /// LS1 does not wait for the second request, so that nothing happens any more once it has come.
-const char* const stands_still = R"(
-MESSAGE a : SIGNAL
-MESSAGE b : SIGNAL
-SKILL s
-  LOGICAL SENSOR LS1
-  SKILL METHOD SM1
-  COMPLETION 0 NORMAL
-  COMPLETION 2 ERROR
-  REQUIREMENT x : RESPONSE FROM request b OF SM1 TO TXM( b to SM1 ) AT MOST 4 ms
-END SKILL
-Logical Sensor: LS1
-  ACTIVITY look
-BEGIN
-  WTM( request a from SM1 )
-  TXM( a to SM1 )
-  WTM( request b from SM1 ) WITHIN 1 ms
-    TXM( b to SM1 )
-  ELSE
-    look
-  END WTM
-END
-Skill Module: SM1
-  ACTIVITY think
-BEGIN
-  WTM( Coordinator )
-  TXM( request a from LS1 )
-  WTM( a from LS1 )
-  think
-  TXM( request b from LS1 )
-  WTM( b from LS1 )
-  TXM( Completion Protocol 0 )
-END
-ENVIRONMENT e
-  PROCESSOR P0
-  PROCESSOR P1
-  PLACE LS1 ON P0 PRIORITY 1
-  PLACE SM1 ON P1 PRIORITY 1
-  TIME look  : 1 ms
-  TIME think : 10 ms
-END ENVIRONMENT
-)";
+const std::string stands_still = text_of("stands_still");
 
 /// Each time that MC1 is done its next event is there.
-const char* const never_idle = R"(
-MESSAGE y : SIGNAL
-DEVICE d1
-SKILL s
-  MACHINE CONTROLLER MC1
-  SKILL METHOD SM1
-  COMPLETION 0 NORMAL
-  COMPLETION 2 ERROR
-  REQUIREMENT b : BUSY PERIOD OF P0 AT MOST 5 ms
-END SKILL
-Machine Controller: MC1
-  ACTIVITY w
-BEGIN
-  REPEAT
-    WTM( y from d1 )
-    w
-  UNTIL( forever )
-END
-Skill Module: SM1
-  ACTIVITY a
-BEGIN
-  WTM( Coordinator )
-  REPEAT
-    a
-  UNTIL( forever )
-END
-ENVIRONMENT e
-  PROCESSOR P0
-  PROCESSOR P1
-  DEVICE d1 EVENT y EVERY 1 ms
-  PLACE MC1 ON P0 PRIORITY 1
-  PLACE SM1 ON P1 PRIORITY 1
-  TIME a OF SM1 : 50 ms
-  TIME w OF MC1 : 1 ms
-END ENVIRONMENT
-)";
+const std::string never_idle = text_of("never_idle");
 
-pal::MemoryFileSystem in_memory(const char* text) {
-  pal::MemoryFileSystem files;
-  files.add("s.pal", text);
-  return files;
-}
-
-Json simulated(const char* text, const std::string& until, ExitStatus status) {
+Json simulated(const std::string& text, const std::string& until, ExitStatus status) {
   const Answer answer = pal::test::pal(
       {"simulate", "s.pal", "--until", until, "--runs", "5", "--format", "json"}, in_memory(text));
   INFO(answer.err);

@@ -3,14 +3,11 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+using namespace pal::test;
 using pal::driver::ExitStatus;
-using pal::test::Answer;
 
 namespace {
 
-const std::string touch = pal::test::skill("touch/touch.pal");
-const std::string read_first = pal::test::skill("touch/touch_read_first.pal");
-const std::string cell = pal::test::skill("workcell.pal");
 const std::string places = std::string(PAL_SOURCE_DIR) + "/tests/figures/figure_3_6_places.pal";
 
 bool says(const Answer& answer, const std::string& text) {
@@ -41,82 +38,26 @@ TEST_CASE("how few processors do is said of the priorities that were tried") {
 }
 
 TEST_CASE("what an option cannot be is refused with what it can be") {
-  const auto refused = [](const std::vector<std::string>& arguments, const std::string& text) {
-    const Answer answer = pal::test::pal(arguments);
-    INFO(answer.err);
-    CHECK(answer.status == ExitStatus::usage);
-    CHECK(answer.err.find(text) != std::string::npos);
-  };
-  refused({"check", touch, "--format", "xml"}, "'xml' is none of json, sarif, text");
-  refused({"check", touch, "--format", "1"}, "'1' is none of json, sarif, text");
-  refused({"check", touch, "--analysis", "long"}, "'long' is none of auto, compositional, exact");
-  refused({"check", touch, "--max-states", "-1"}, "'-1' is no whole number from 0 on");
-  refused({"check", touch, "--threads", "many"}, "'many' is no whole number from 0 on");
-  refused({"check", touch, "--max-errors", "-1"}, "'-1' is no whole number from 0 on");
-  refused({"simulate", touch, "-e", cell, "--seed", "-1"}, "'-1' is no whole number from 0 on");
-  refused({"simulate", touch, "-e", cell, "--times", "odd"},
-          "'odd' is none of best, extremes, random, worst");
+  is_refused({"check", touch, "--format", "xml"}, "'xml' is none of json, sarif, text");
+  is_refused({"check", touch, "--format", "1"}, "'1' is none of json, sarif, text");
+  is_refused({"check", touch, "--analysis", "long"}, "'long' is none of auto, compositional, exact");
+  is_refused({"check", touch, "--max-states", "-1"}, "'-1' is no whole number from 0 on");
+  is_refused({"check", touch, "--threads", "many"}, "'many' is no whole number from 0 on");
+  is_refused({"check", touch, "--max-errors", "-1"}, "'-1' is no whole number from 0 on");
+  is_refused({"simulate", touch, "-e", cell, "--seed", "-1"}, "'-1' is no whole number from 0 on");
+  is_refused({"simulate", touch, "-e", cell, "--times", "odd"},
+             "'odd' is none of best, extremes, random, worst");
 }
 
 namespace {
 
 /// Two drivers share P0. Its load reaches 100 % where w takes 50/7 ms, v 4.9 ms, or each take 29/17 ms more.
-const char* const two_drivers = R"(
-MESSAGE y : SIGNAL
-MESSAGE z : SIGNAL
-DEVICE d1
-DEVICE d2
-SKILL s
-  MACHINE CONTROLLER MC1, MC2
-  SKILL METHOD SM1
-  COMPLETION 0 NORMAL
-  COMPLETION 2 ERROR
-  REQUIREMENT r : RESPONSE FROM y OF d1 TO w IN MC1 AT MOST 20 ms
-  REQUIREMENT b : BUSY PERIOD OF P0 AT MOST 50 ms
-END SKILL
-Machine Controller: MC1
-  ACTIVITY w
-BEGIN
-  REPEAT
-    WTM( y from d1 )
-    w
-  UNTIL( forever )
-END
-Machine Controller: MC2
-  ACTIVITY v
-BEGIN
-  REPEAT
-    WTM( z from d2 )
-    v
-  UNTIL( forever )
-END
-Skill Module: SM1
-  ACTIVITY a
-BEGIN
-  WTM( Coordinator )
-  REPEAT
-    a
-  UNTIL( forever )
-END
-ENVIRONMENT e
-  PROCESSOR P0
-  PROCESSOR P1
-  DEVICE d1 EVENT y EVERY 10 ms
-  DEVICE d2 EVENT z EVERY 7 ms
-  PLACE MC1 ON P0 PRIORITY 1
-  PLACE MC2 ON P0 PRIORITY 2
-  PLACE SM1 ON P1 PRIORITY 1
-  TIME a OF SM1 : 50 ms
-  TIME w OF MC1 : 1 TO 3 ms
-  TIME v OF MC2 : 1 TO 2 ms
-END ENVIRONMENT
-)";
+const std::string two_drivers = text_of("two_drivers");
 
 }  // namespace
 
 TEST_CASE("where a growth leaves no time for all, its slack is found all the same") {
-  pal::MemoryFileSystem files;
-  files.add("s.pal", two_drivers);
+  const pal::MemoryFileSystem files = in_memory(two_drivers);
   const Answer answer = pal::test::pal({"whatif", "s.pal", "--timeout", "60s", "--format", "json"}, files);
   INFO(answer.out);
   CHECK(answer.status == ExitStatus::all_hold);
@@ -149,8 +90,7 @@ TEST_CASE("a loop in which no time passes is said to be one by all that reckon w
   std::string text = two_drivers;
   const std::string time = "a OF SM1 : 50 ms";
   text.replace(text.find(time), time.size(), "a OF SM1 : 0 ms");
-  pal::MemoryFileSystem files;
-  files.add("s.pal", text);
+  const pal::MemoryFileSystem files = in_memory(text);
   const std::vector<std::vector<std::string>> commands{{"check", "s.pal"},
                                                        {"whatif", "s.pal"},
                                                        {"whatif", "s.pal", "--place", "1"},
@@ -174,8 +114,7 @@ TEST_CASE("a time that cannot be is one error, not an interval that runs backwar
     std::string text = two_drivers;
     const std::string before = "w OF MC1 : 1 TO 3 ms";
     text.replace(text.find(before), before.size(), std::string("w OF MC1 : ") + time);
-    pal::MemoryFileSystem files;
-    files.add("s.pal", text);
+    const pal::MemoryFileSystem files = in_memory(text);
     const Answer answer = pal::test::pal({"check", "s.pal"}, files);
     INFO(answer.err);
     CHECK(answer.status == ExitStatus::wrong_specification);
@@ -190,8 +129,7 @@ TEST_CASE("changed figures are refused as written ones are, and activities found
     if (text[at + 2] == ' ' || text[at + 2] == '\n') text.replace(at, 2, " SEND");
     ++at;
   }
-  pal::MemoryFileSystem files;
-  files.add("s.pal", text);
+  const pal::MemoryFileSystem files = in_memory(text);
   const auto with = [&](const std::string& change) {
     return pal::test::pal({"whatif", "s.pal", "--set", change, "--timeout", "20s"}, files);
   };
