@@ -6,6 +6,7 @@
 #include "analyzer/exact/standstill.hpp"
 #include "analyzer/runs/run_search.hpp"
 #include "analyzer/verdict/explain.hpp"
+#include "analyzer/verdict/refuted.hpp"
 #include "analyzer/verdict/story.hpp"
 
 namespace pal::analyzer {
@@ -88,10 +89,17 @@ void search_all(const Problem& problem, const Options& options, Analysis& analys
     search(problem, problem.requirements[r], options, analysis.verdicts[r]);
 }
 
-/// Its time is short, and what it is for is the case in which that of the exact one has run out.
-Analysis bounds_of(const Problem& problem, Options options) {
+/// Its time is short, and what it is for is the case in which that of the exact one has run out. `known`:
+/// from the exact one, whose runs must not contradict it.
+Analysis bounds_of(const Problem& problem, Options options, const Analysis& known) {
   options.stop = nullptr;
-  return analyze_compositionally(problem, options);
+  Analysis bounds = analyze_compositionally(problem, options);
+  for (std::size_t r = 0; r < bounds.verdicts.size(); ++r) {
+    bounds.verdicts[r].witness = known.verdicts[r].witness;
+    bounds.verdicts[r].attained_load = known.verdicts[r].attained_load;
+  }
+  withdraw_refuted(bounds.verdicts);
+  return bounds;
 }
 
 /// Explores until all runs are seen, or the limits met, what is not known exactly by now.
@@ -133,7 +141,7 @@ Analysis analyze_automatically(const Problem& problem, const Options& options) {
   const bool open = std::any_of(
       analysis.verdicts.begin(), analysis.verdicts.end(),
       [](const Verdict& verdict) { return verdict.gave_up || verdict.state == State::undecided; });
-  const Analysis bounds = open ? bounds_of(problem, options) : Analysis{};
+  const Analysis bounds = open ? bounds_of(problem, options, analysis) : Analysis{};
   for (std::size_t r = 0; r < bounds.verdicts.size(); ++r) complete(analysis.verdicts[r], bounds.verdicts[r]);
   search_all(problem, options, analysis);
   if (!(options.stop && options.stop())) explore_further(problem, options, bounds, analysis);
@@ -181,6 +189,7 @@ Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& o
   if (goes_on) look = standstill(problem, {options.max_states, options.stop});
   analysis.standstill = std::move(look.found);
   if (analysis.standstill) withhold(analysis);
+  withdraw_refuted(analysis.verdicts);
   for (Verdict& verdict : analysis.verdicts) add_up(verdict);
   return analysis;
 }

@@ -1,0 +1,53 @@
+#include "analyzer/verdict/refuted.hpp"
+
+#include <algorithm>
+
+namespace pal::analyzer {
+namespace {
+
+bool beyond(const Verdict& verdict, Duration value, Duration limit) {
+  return verdict.at_least ? value < limit : value > limit;
+}
+
+bool broken(const Verdict& verdict) {
+  if (verdict.witness && verdict.witness->failed) return true;
+  const std::optional<Duration> value = attained(verdict);
+  return value && beyond(verdict, *value, verdict.limit);
+}
+
+/// `by`: of which requirement a run was found.
+void withdraw(Verdict& verdict, const std::string& by) {
+  verdict.state = broken(verdict) ? VerdictState::fails : VerdictState::undecided;
+  verdict.bound.reset();
+  verdict.exact = false;
+  verdict.addends.clear();
+  verdict.explanation =
+      "A run was found that contradicts what the " + std::string(name(verdict.method)) +
+      " analysis proved of '" + by +
+      "': that analysis is wrong for this skill, and nothing of it is used. Please report it.";
+}
+
+}  // namespace
+
+bool is_refuted(const Verdict& verdict) {
+  const bool unanswered = verdict.witness && verdict.witness->failed;
+  const std::optional<Duration> value = attained(verdict);
+  if (verdict.state == VerdictState::never) return unanswered || value;
+  if (verdict.state == VerdictState::holds && broken(verdict)) return true;
+  return verdict.bound && (unanswered || (value && beyond(verdict, *value, *verdict.bound)));
+}
+
+void withdraw_refuted(std::vector<Verdict>& verdicts) {
+  for (const Method method : {Method::exact, Method::compositional}) {
+    const auto wrong = std::find_if(verdicts.begin(), verdicts.end(), [method](const Verdict& verdict) {
+      return verdict.method == method && is_refuted(verdict);
+    });
+    if (wrong == verdicts.end()) continue;
+    const std::string by = wrong->requirement;
+    for (Verdict& verdict : verdicts) {
+      if (verdict.method == method) withdraw(verdict, by);
+    }
+  }
+}
+
+}  // namespace pal::analyzer
