@@ -143,13 +143,14 @@ class Analyzer {
              Nanoseconds cap, Verdict& verdict) {
     if (graph.failure()) return judge_failure(requirement, machine, graph, verdict);
     const bool any = graph.peak().value >= 0;
-    if (any) verdict.witness = witness_of(machine, graph, graph.peak());
+    if (any) verdict.witness = witness_of(machine, graph, graph.peak(), false, options_.stop);
     const bool shown = verdict.witness && breaks(requirement, verdict.witness->measured.value);
     const Growth grown = shown ? Growth::open : growth_of(machine, graph, complete, cap);
     const bool beyond = graph.over_cap() || (graph.never_answered() && grown != Growth::ends);
     if (!requirement.at_least && grown == Growth::counts) find_growth(requirement, machine, graph, verdict);
     const Peak& certain = graph.findings().certain;
-    if (!verdict.witness && certain.value >= 0) verdict.witness = witness_of(machine, graph, certain);
+    if (!verdict.witness && certain.value >= 0)
+      verdict.witness = witness_of(machine, graph, certain, false, options_.stop);
     if (verdict.witness) verdict.reasons = reasons(problem_, requirement, *verdict.witness);
     const bool broken = verdict.witness && breaks(requirement, verdict.witness->measured.value);
     verdict.gave_up = !complete;
@@ -179,7 +180,7 @@ class Analyzer {
 
   void judge_failure(const Requirement& requirement, const Machine& machine, const ZoneGraph& graph,
                      Verdict& verdict) {
-    verdict.witness = witness_of(machine, graph, unmeasured(*graph.failure()));
+    verdict.witness = witness_of(machine, graph, unmeasured(*graph.failure()), false, options_.stop);
     if (verdict.witness && verdict.witness->failed) {
       verdict.state = Is::fails;
       verdict.exact = true;
@@ -205,7 +206,7 @@ class Analyzer {
                    Verdict& verdict) {
     std::optional<Witness> found;
     if (graph.stuck() >= 0) found = stuck_witness(machine, graph, graph.stuck(), requirement.limit + 1);
-    if (!found && graph.growing()) found = witness_of(machine, graph, *graph.growing());
+    if (!found && graph.growing()) found = witness_of(machine, graph, *graph.growing(), false, options_.stop);
     if (found && found->grows && found->measured.value > requirement.limit)
       verdict.witness = std::move(found);
   }

@@ -11,20 +11,23 @@ using Constraint = Difference;
 
 constexpr Nanoseconds none = Range::unbounded;
 
-/// Shortest distances from `source`; nothing if the constraints contradict one another.
+/// Shortest distances from `source`; nothing if the constraints contradict one another. They come in the
+/// order of the events, mostly: to and fro (J. Y. Yen, An algorithm for finding shortest routes from all
+/// source nodes to a given destination in general networks, 1970) few rounds suffice.
 std::optional<std::vector<Nanoseconds>> distances(const std::vector<Constraint>& constraints,
                                                   std::size_t count, std::size_t source) {
   std::vector<Nanoseconds> distance(count, none);
   distance[source] = 0;
   for (std::size_t round = 0; round <= count; ++round) {
     bool changed = false;
-    for (const Constraint& c : constraints) {
-      if (distance[c.from] >= none || c.bound >= none) continue;
-      if (distance[c.from] + c.bound < distance[c.to]) {
-        distance[c.to] = distance[c.from] + c.bound;
-        changed = true;
-      }
-    }
+    const auto keep = [&](const Constraint& c) {
+      if (distance[c.from] >= none || c.bound >= none) return;
+      if (distance[c.from] + c.bound >= distance[c.to]) return;
+      distance[c.to] = distance[c.from] + c.bound;
+      changed = true;
+    };
+    std::for_each(constraints.begin(), constraints.end(), keep);
+    std::for_each(constraints.rbegin(), constraints.rend(), keep);
     if (!changed) return distance;
   }
   return std::nullopt;
@@ -56,8 +59,9 @@ class Schedule {
 
   /// Times of all events such that what was measured at the last is as great, or as small, as it can be;
   /// nothing if impossible. A value that can grow without end is made greater than `enough`.
-  std::optional<std::vector<Nanoseconds>> solve(Aim aim, Nanoseconds enough = none) {
-    if (pin_ == Pin::open) return linear_times(count_, constraints_, works_, goal_of(aim, enough));
+  std::optional<std::vector<Nanoseconds>> solve(Aim aim, Nanoseconds enough = none,
+                                                const std::function<bool()>& stop = {}) {
+    if (pin_ == Pin::open) return linear_times(count_, constraints_, works_, goal_of(aim, enough), stop);
     std::vector<Constraint> constraints = constraints_;
     if (aim == Aim::greatest) {
       if (births_at_end_.empty()) return std::nullopt;
@@ -318,7 +322,8 @@ std::optional<Witness> stuck_witness(const Machine& machine, const ZoneGraph& gr
 }
 
 std::optional<Witness> witness_along(const Machine& machine, std::vector<ScriptedFiring> path, bool measured,
-                                     int growing, bool quick) {
+                                     int growing, bool quick, const std::function<bool()>& stop,
+                                     std::optional<Nanoseconds> known) {
   const Watch& watch = machine.watch();
   const bool timed = measured && watch.kind != Watch::Kind::loss;
   const Schedule::Aim aim = !timed        ? Schedule::Aim::any
@@ -329,7 +334,7 @@ std::optional<Witness> witness_along(const Machine& machine, std::vector<Scripte
   for (const Schedule::Pin pin : {Schedule::Pin::worst, Schedule::Pin::open, Schedule::Pin::best}) {
     Schedule schedule(machine, path, pin, growing);
     if (!schedule.feasible()) continue;
-    const auto times = schedule.solve(aim, growing >= 0 ? watch.limit + 1 : none);
+    const auto times = schedule.solve(aim, growing >= 0 ? watch.limit + 1 : none, stop);
     if (!times) continue;
     for (std::size_t k = 0; k < path.size(); ++k) path[k].at = (*times)[k];
     std::optional<Witness> made = replay(machine, path, growing >= 0);
@@ -337,15 +342,17 @@ std::optional<Witness> witness_along(const Machine& machine, std::vector<Scripte
     const bool better = !best || (watch.least ? made->measured.value < best->measured.value
                                               : made->measured.value > best->measured.value);
     if (better) best = std::move(made);
-    if (!schedule.pinned() || quick) break;
+    if (!schedule.pinned() || quick || (known && best->measured.value == *known)) break;
   }
   return best;
 }
 
 std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak,
-                                  bool quick) {
-  return witness_along(machine, path_to(graph, peak), peak.value >= 0, peak.grows ? peak.measured : -1,
-                       quick);
+                                  bool quick, const std::function<bool()>& stop) {
+  const std::optional<Nanoseconds> known =
+      peak.value >= 0 && !peak.grows ? std::optional(peak.value) : std::nullopt;
+  return witness_along(machine, path_to(graph, peak), peak.value >= 0, peak.grows ? peak.measured : -1, quick,
+                       stop, known);
 }
 
 }  // namespace pal::analyzer

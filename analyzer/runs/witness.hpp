@@ -1,6 +1,7 @@
 // From a path through the zone graph to a run with whole times, replayed to be sure.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -41,13 +42,16 @@ std::optional<Witness> stuck_witness(const Machine& machine, const ZoneGraph& gr
 /// if that is watched); any times, if nothing is `measured`. `growing`: the observer whose value is asked for
 /// instead. Nothing, if there is none, or none was confirmed by replay. The path may come from another
 /// problem. `quick`: where actions whose time is not fixed preempt others, they take their worst time, and no
-/// other times are looked for.
+/// other times are looked for; so it is once `stop`, if given, says true, and where `known`, which no run
+/// exceeds, is attained so.
 std::optional<Witness> witness_along(const Machine& machine, std::vector<ScriptedFiring> path, bool measured,
-                                     int growing = -1, bool quick = false);
+                                     int growing = -1, bool quick = false,
+                                     const std::function<bool()>& stop = {},
+                                     std::optional<Nanoseconds> known = {});
 
 /// The run along the path to `peak` in which the measured value is greatest (or least, if that is watched).
 /// Nothing, if none was confirmed by replay.
 std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak,
-                                  bool quick = false);
+                                  bool quick = false, const std::function<bool()>& stop = {});
 
 }  // namespace pal::analyzer

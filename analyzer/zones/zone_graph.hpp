@@ -27,8 +27,7 @@ class ZoneGraph;
 /// Bounds on an exploration, and who helps with it.
 struct Limits {
   std::size_t classes = 2'000'000;
-  /// If given, asked now and then, always by the thread that explores; ends the exploration when it says
-  /// true.
+  /// If given, asked now and then, by one thread at a time; ends the exploration when it says true.
   std::function<bool()> stop;
   /// If given, asked now and then whether what was found is enough.
   std::function<bool(const ZoneGraph&)> enough = {};
