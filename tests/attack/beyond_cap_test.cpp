@@ -1,6 +1,7 @@
 // Values that grow beyond all that is followed.
 #include <iostream>
 
+#include "analyzer/analysis.hpp"
 #include "analyzer/exact/growth.hpp"
 #include "analyzer/exact/standstill.hpp"
 #include "analyzer/runs/simulate.hpp"
@@ -123,4 +124,14 @@ TEST_CASE("classes explored for what grows are counted") {
   CHECK(graph.explore({}));
   const std::size_t classes = graph.classes().size() + found.statistics.classes;
   CHECK(analyze(*skill->problem).statistics.classes == classes);
+}
+
+TEST_CASE("what has grown when time stands still breaks nothing") {
+  const auto skill = test::any_skill(test::project_file("tests/attack/grown_at_standstill.pal"));
+  REQUIRE(skill->problem);
+  for (const auto choice : {AnalysisChoice::exact, AnalysisChoice::automatic}) {
+    const Analysis analysis = analyze(*skill->problem, choice, {});
+    CHECK(analysis.standstill);
+    CHECK(analysis.verdicts.front().state == Verdict::State::undecided);
+  }
 }
