@@ -167,10 +167,13 @@ Analysis analyze_as(const Problem& problem, AnalysisChoice choice, const Options
   return analysis;
 }
 
-/// Bounds on the time that passes say nothing where it stands still.
+/// Bounds on the time that passes say nothing where it stands still. What has grown by then, and has no end,
+/// is not measured either.
 void withhold(Analysis& analysis) {
   for (Verdict& verdict : analysis.verdicts) {
-    if (verdict.state == State::fails) continue;
+    const bool grows = verdict.witness && verdict.witness->grows && !verdict.witness->failed;
+    if (verdict.state == State::fails && !grows) continue;
+    if (grows) verdict.witness.reset();
     verdict.state = State::undecided;
     verdict.bound.reset();
     verdict.addends.clear();

@@ -143,13 +143,17 @@ class Analyzer {
              Nanoseconds cap, Verdict& verdict) {
     if (graph.failure()) return judge_failure(requirement, machine, graph, verdict);
     const bool any = graph.peak().value >= 0;
-    if (any) verdict.witness = witness_of(machine, graph, graph.peak());
+    if (any) verdict.witness = witness_of(machine, graph, graph.peak(), false, options_.stop);
     const bool shown = verdict.witness && breaks(requirement, verdict.witness->measured.value);
-    const Growth grown = shown ? Growth::open : growth_of(machine, graph, complete, cap);
-    const bool beyond = graph.over_cap() || (graph.never_answered() && grown != Growth::ends);
-    if (!requirement.at_least && grown == Growth::counts) find_growth(requirement, machine, graph, verdict);
+    GrowthSearch grown;
+    if (!shown) grown = growth_of(machine, graph, complete, cap);
+    verdict.statistics += grown.statistics;
+    const bool beyond = graph.over_cap() || (graph.never_answered() && grown.growth != Growth::ends);
+    if (!requirement.at_least && grown.growth == Growth::counts)
+      show_growth(requirement, machine, graph, std::move(grown.witness), verdict);
     const Peak& certain = graph.findings().certain;
-    if (!verdict.witness && certain.value >= 0) verdict.witness = witness_of(machine, graph, certain);
+    if (!verdict.witness && certain.value >= 0)
+      verdict.witness = witness_of(machine, graph, certain, false, options_.stop);
     if (verdict.witness) verdict.reasons = reasons(problem_, requirement, *verdict.witness);
     const bool broken = verdict.witness && breaks(requirement, verdict.witness->measured.value);
     verdict.gave_up = !complete;
@@ -179,7 +183,7 @@ class Analyzer {
 
   void judge_failure(const Requirement& requirement, const Machine& machine, const ZoneGraph& graph,
                      Verdict& verdict) {
-    verdict.witness = witness_of(machine, graph, unmeasured(*graph.failure()));
+    verdict.witness = witness_of(machine, graph, unmeasured(*graph.failure()), false, options_.stop);
     if (verdict.witness && verdict.witness->failed) {
       verdict.state = Is::fails;
       verdict.exact = true;
@@ -191,23 +195,29 @@ class Analyzer {
   }
 
   /// What becomes of the values that grow beyond the cap.
-  Growth growth_of(const Machine& machine, const ZoneGraph& graph, bool complete, Nanoseconds cap) {
+  GrowthSearch growth_of(const Machine& machine, const ZoneGraph& graph, bool complete, Nanoseconds cap) {
     const bool beyond = graph.over_cap() || graph.never_answered();
-    if (!beyond && (complete || !graph.growing())) return Growth::ends;
-    // A busy period is measured even if it ends with the skill.
-    const bool busy = machine.watch().kind == Watch::Kind::busy;
-    if (busy || graph.stuck() >= 0 || (graph.over_cap() && !graph.relaxed())) return Growth::counts;
+    if (!beyond && (complete || !graph.growing())) return {Growth::ends, {}, {}};
+    const bool measured = graph.over_cap() && !graph.relaxed();
+    if (ends_with_skill(machine) || graph.stuck() >= 0 || measured) return {Growth::counts, {}, {}};
     return growth(problem_, machine.watch(), cap, limits());
   }
 
-  /// A run in which the value is over the limit and still grows.
-  void find_growth(const Requirement& requirement, const Machine& machine, const ZoneGraph& graph,
-                   Verdict& verdict) {
-    std::optional<Witness> found;
-    if (graph.stuck() >= 0) found = stuck_witness(machine, graph, graph.stuck(), requirement.limit + 1);
-    if (!found && graph.growing()) found = witness_of(machine, graph, *graph.growing());
-    if (found && found->grows && found->measured.value > requirement.limit)
-      verdict.witness = std::move(found);
+  /// A busy period is measured even if it ends with the skill.
+  static bool ends_with_skill(const Machine& machine) { return machine.watch().kind == Watch::Kind::busy; }
+
+  /// A run in which the value is over the limit and is measured so in the end, or grows for ever. Of what
+  /// grows at first the skill may be over before it counts.
+  void show_growth(const Requirement& requirement, const Machine& machine, const ZoneGraph& graph,
+                   std::optional<Witness> found, Verdict& verdict) {
+    const auto shows = [&] { return found && found->measured.value > requirement.limit; };
+    const std::optional<Peak>& beyond = graph.findings().beyond;
+    if (!shows() && graph.stuck() >= 0)
+      found = stuck_witness(machine, graph, graph.stuck(), requirement.limit + 1);
+    if (!shows() && beyond) found = witness_of(machine, graph, *beyond, false, options_.stop);
+    if (!shows() && ends_with_skill(machine) && graph.growing())
+      found = witness_of(machine, graph, *graph.growing(), false, options_.stop);
+    if (shows()) verdict.witness = std::move(found);
   }
 
   static Peak unmeasured(Peak peak) {

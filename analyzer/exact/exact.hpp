@@ -18,7 +18,7 @@ struct Options {
   unsigned threads = 0;
   /// Whether to find what adds up to compositional bounds (Verdict::addends).
   bool addends = true;
-  /// Asked now and then; once it says true, what is not decided stays undecided.
+  /// Asked now and then, by one thread at a time; once it says true, what is not decided stays undecided.
   std::function<bool()> stop;
   /// For the statistics: seconds from some beginning. Without it they say 0.
   std::function<double()> clock;

@@ -25,23 +25,43 @@ Problem slowest(Problem problem) {
   return problem;
 }
 
-Growth growth_in(const Problem& problem, const Watch& watch, Nanoseconds cap, Limits limits) {
+/// Of a value that counts: a run in which it is greater than the limit.
+std::optional<Witness> shown_in(const Machine& machine, const ZoneGraph& graph, const Limits& limits) {
+  const Findings& findings = graph.findings();
+  if (findings.beyond) return witness_of(machine, graph, *findings.beyond, false, limits.stop);
+  if (graph.stuck() >= 0) return stuck_witness(machine, graph, graph.stuck(), machine.watch().limit + 1);
+  if (graph.round() >= 0) return grown_witness(machine, graph, graph.round(), limits.stop);
+  return std::nullopt;
+}
+
+GrowthSearch growth_in(const Problem& problem, const Watch& watch, Nanoseconds cap, Limits limits) {
   limits.classes = std::min(limits.classes, most_classes);
   limits.enough = [](const ZoneGraph& graph) { return graph.over_cap() || graph.grows_on(); };
   const Machine machine(problem, watch);
   ZoneGraph graph(machine, cap, false, ZoneGraph::Merging::equal);
   const bool complete = graph.explore(limits);
-  if (graph.relaxed()) return Growth::open;
-  if (graph.over_cap() || graph.grows_on()) return Growth::counts;
-  return complete && !graph.never_answered() ? Growth::ends : Growth::open;
+  GrowthSearch made;
+  made.statistics.states = graph.places().size();
+  made.statistics.classes = graph.classes().size();
+  if (graph.relaxed()) return made;
+  if (graph.over_cap() || graph.grows_on()) {
+    made.growth = Growth::counts;
+    made.witness = shown_in(machine, graph, limits);
+  } else if (complete && !graph.never_answered()) {
+    made.growth = Growth::ends;
+  }
+  return made;
 }
 
 }  // namespace
 
-Growth growth(const Problem& problem, const Watch& watch, Nanoseconds cap, const Limits& limits) {
+GrowthSearch growth(const Problem& problem, const Watch& watch, Nanoseconds cap, const Limits& limits) {
   // What counts and is greater than the limit breaks it, whatever the cap.
-  const bool shown = growth_in(slowest(problem), watch, watch.limit, limits) == Growth::counts;
-  return shown ? Growth::counts : growth_in(problem, watch, cap, limits);
+  GrowthSearch found = growth_in(slowest(problem), watch, watch.limit, limits);
+  if (found.growth == Growth::counts) return found;
+  GrowthSearch further = growth_in(problem, watch, cap, limits);
+  further.statistics += found.statistics;
+  return further;
 }
 
 }  // namespace pal::analyzer

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "analyzer/load/cycle_ratio.hpp"
+#include "analyzer/runs/overseer.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -44,6 +45,8 @@ class Program {
   explicit Program(const WorkGraph& graph) : solver_(context_), bound_(context_.real_const("bound")) {
     z3::params parameters(context_);
     parameters.set("timeout", most_milliseconds);
+    // Z3 would keep a Ctrl-C to itself.
+    parameters.set("ctrl_c", false);
     solver_.set(parameters);
     solver_.add(bound_ >= 0 && bound_ <= 1);
     for (int s = 0; s < graph.shares; ++s) {
@@ -69,8 +72,11 @@ class Program {
   }
 
   /// Nothing: it takes too long, or the numbers are too long.
-  std::optional<Shares> solve() {
-    if (solver_.check() != z3::sat) return std::nullopt;
+  std::optional<Shares> solve(const std::function<bool()>& stop) {
+    {
+      const Overseer overseer(stop, [this] { context_.interrupt(); });
+      if (solver_.check() != z3::sat) return std::nullopt;
+    }
     const z3::model model = solver_.get_model();
     std::vector<std::pair<std::int64_t, std::int64_t>> values;
     std::vector<z3::expr> all = shares_;
@@ -176,7 +182,7 @@ std::optional<Fraction> search(const WorkGraph& graph, const std::optional<Fract
   PositiveCycle cycles(graph.nodes, std::move(ends));
   Program program(graph);
   for (std::size_t n = 0; n < most_cycles && !(stop && stop()); ++n) {
-    const auto shares = program.solve();
+    const auto shares = program.solve(stop);
     if (!shares || !keep_the_bound(graph, *shares)) return std::nullopt;
     const Fraction bound{shares->bound, shares->whole};
     if (limit && greater(bound, *limit)) return std::nullopt;

@@ -37,7 +37,7 @@ void Firing::measure(int thread) {
         if (carries != tag::none) measure_from(carries, step);
       } else if (tag::newer(carries, state_.reference) && state_.reference != tag::none) {
         measure_from(state_.reference, step);
-        state_.reference = carries;
+        state_.reference = carries == tag::over_later ? tag::over : carries;
       }
       return;
     case Watch::Kind::response:

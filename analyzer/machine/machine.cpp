@@ -103,10 +103,12 @@ void pass_cap(State& state, const Watch& watch, int number) {
     }
     return;
   }
-  const auto pass = [number](std::uint8_t& carries) {
+  // The oldest pass first: the reference before what is later.
+  const std::uint8_t passed = watch.reaction && state.reference == tag::over ? tag::over_later : tag::over;
+  const auto pass = [number, passed](std::uint8_t& carries) {
     if (carries >= tag::over) return;
     if (carries == number) {
-      carries = tag::over;
+      carries = passed;
     } else if (carries > number) {
       --carries;
     }

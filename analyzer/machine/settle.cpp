@@ -51,6 +51,7 @@ void Firing::settle_ordered() {
   std::vector<std::uint8_t*> carried;
   const auto keep = [&](std::uint8_t& carries, bool counts) {
     if (!live || !counts) carries = tag::none;
+    if (carries == tag::over_later && state_.reference != tag::over) carries = tag::over;
     if (carries < tag::over) carried.push_back(&carries);
   };
   keep(state_.reference, true);

@@ -14,13 +14,18 @@ namespace pal::analyzer {
 /// or of an event (response), or one of these.
 namespace tag {
 constexpr std::uint8_t none = 255;
-constexpr std::uint8_t over = 254;  // older than the cap
+constexpr std::uint8_t over = 253;  // older than the cap
+/// Older than the cap and later than the reference, which is over: what reflects it is a reaction. All that
+/// else is over was so before the reference, or is the reference.
+constexpr std::uint8_t over_later = 254;
 constexpr std::uint8_t most = 200;  // instants that a state may carry
 
 /// Of instants whose observers are numbered in the order of their birth: whether `a` is later than `b`.
 constexpr bool newer(std::uint8_t a, std::uint8_t b) {
   const auto rank = [](std::uint8_t carries) {
-    return carries == none ? -2 : carries == over ? -1 : static_cast<int>(carries);
+    if (carries == none) return -3;
+    if (carries == over) return -2;
+    return carries == over_later ? -1 : static_cast<int>(carries);
   };
   return rank(a) > rank(b);
 }

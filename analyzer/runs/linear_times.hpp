@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -33,9 +34,12 @@ struct Goal {
 
 /// Times t[0] = 0, t[1], … in whole nanoseconds; nothing if there are none, or if the goal has no end.
 /// Decided exactly, over the integers, by Z3 (L. de Moura, N. Bjorner, Z3: an efficient SMT solver, 2008).
+/// Nothing also where that takes more than two seconds or there are too many (more than 2000 times, 1000
+/// pieces), or once `stop`, if given, says true.
 std::optional<std::vector<Nanoseconds>> linear_times(std::size_t count,
                                                      const std::vector<Difference>& differences,
                                                      const std::vector<Work>& works,
-                                                     const std::optional<Goal>& goal);
+                                                     const std::optional<Goal>& goal,
+                                                     const std::function<bool()>& stop = {});
 
 }  // namespace pal::analyzer

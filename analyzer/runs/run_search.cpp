@@ -146,7 +146,8 @@ class RunSearch {
     const bool worse = keep(replay(machine_, path));
     // Whose events come in this order, but at other times, may be worse still.
     const bool promising = !best_ || worse || 4 * worst->value > 3 * best_->measured.value;
-    return (promising && keep(witness_along(machine_, std::move(path), true, -1, true))) || worse;
+    return (promising && keep(witness_along(machine_, std::move(path), true, -1, true, options_.stop))) ||
+           worse;
   }
 
   bool keep(std::optional<Witness> found) {

@@ -11,20 +11,23 @@ using Constraint = Difference;
 
 constexpr Nanoseconds none = Range::unbounded;
 
-/// Shortest distances from `source`; nothing if the constraints contradict one another.
+/// Shortest distances from `source`; nothing if the constraints contradict one another. They come in the
+/// order of the events, mostly: to and fro (J. Y. Yen, An algorithm for finding shortest routes from all
+/// source nodes to a given destination in general networks, 1970) few rounds suffice.
 std::optional<std::vector<Nanoseconds>> distances(const std::vector<Constraint>& constraints,
                                                   std::size_t count, std::size_t source) {
   std::vector<Nanoseconds> distance(count, none);
   distance[source] = 0;
   for (std::size_t round = 0; round <= count; ++round) {
     bool changed = false;
-    for (const Constraint& c : constraints) {
-      if (distance[c.from] >= none || c.bound >= none) continue;
-      if (distance[c.from] + c.bound < distance[c.to]) {
-        distance[c.to] = distance[c.from] + c.bound;
-        changed = true;
-      }
-    }
+    const auto keep = [&](const Constraint& c) {
+      if (distance[c.from] >= none || c.bound >= none) return;
+      if (distance[c.from] + c.bound >= distance[c.to]) return;
+      distance[c.to] = distance[c.from] + c.bound;
+      changed = true;
+    };
+    std::for_each(constraints.begin(), constraints.end(), keep);
+    std::for_each(constraints.rbegin(), constraints.rend(), keep);
     if (!changed) return distance;
   }
   return std::nullopt;
@@ -39,7 +42,7 @@ class Schedule {
 
   /// `growing`: the observer after the last event whose value is in question; -1: what the last event
   /// measures.
-  Schedule(const Machine& machine, const std::vector<ScriptedFiring>& path, Pin pin, int growing = -1)
+  Schedule(const Machine& machine, const std::vector<ScriptedFiring>& path, Pin pin, int growing = no_growth)
       : machine_(machine),
         clockwork_(machine, false),
         lives_(static_cast<std::size_t>(machine.timer_count())),
@@ -56,8 +59,9 @@ class Schedule {
 
   /// Times of all events such that what was measured at the last is as great, or as small, as it can be;
   /// nothing if impossible. A value that can grow without end is made greater than `enough`.
-  std::optional<std::vector<Nanoseconds>> solve(Aim aim, Nanoseconds enough = none) {
-    if (pin_ == Pin::open) return linear_times(count_, constraints_, works_, goal_of(aim, enough));
+  std::optional<std::vector<Nanoseconds>> solve(Aim aim, Nanoseconds enough = none,
+                                                const std::function<bool()>& stop = {}) {
+    if (pin_ == Pin::open) return linear_times(count_, constraints_, works_, goal_of(aim, enough), stop);
     std::vector<Constraint> constraints = constraints_;
     if (aim == Aim::greatest) {
       if (births_at_end_.empty()) return std::nullopt;
@@ -157,7 +161,9 @@ class Schedule {
       apply_changes(k);
       const Outcome& outcome = clockwork_.outcome();
       if (k + 1 == path.size()) {
-        for (int origin : growing_ < 0 ? outcome.measured : std::vector<int>{outcome.origin[at(growing_)]})
+        if (growing_ == oldest_growth && !find_oldest()) return false;
+        for (int origin :
+             growing_ == no_growth ? outcome.measured : std::vector<int>{outcome.origin[at(growing_)]})
           births_at_end_.push_back(origin < 0 ? k : births[at(origin)]);
       }
       std::vector<std::size_t> next;
@@ -170,6 +176,15 @@ class Schedule {
       if (life.active) still_open(life, life.frozen ? life.froze : count_ - 1);
     }
     return true;
+  }
+
+  /// The first of the values that grow at the end.
+  bool find_oldest() {
+    const int observers = clockwork_.state().observers;
+    for (growing_ = 0; growing_ < observers; ++growing_) {
+      if (grows(clockwork_.state(), machine_.watch(), growing_)) return true;
+    }
+    return false;
   }
 
   void still_open(const Life& life, std::size_t until) {
@@ -238,17 +253,21 @@ std::vector<ScriptedFiring> path_to(const ZoneGraph& graph, const Peak& peak) {
   return path;
 }
 
-}  // namespace
-
-std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, const ZoneGraph& graph,
-                                                     int target,
-                                                     const std::vector<std::pair<int, Nanoseconds>>& left) {
+std::vector<ScriptedFiring> path_to(const ZoneGraph& graph, int target) {
   const ZoneClass& of = graph.classes()[static_cast<std::size_t>(target)];
   Peak last;
   last.parent = of.parent;
   last.timer = of.timer;
   last.choices = of.choices;
-  std::vector<ScriptedFiring> path = path_to(graph, last);
+  return path_to(graph, last);
+}
+
+}  // namespace
+
+std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, const ZoneGraph& graph,
+                                                     int target,
+                                                     const std::vector<std::pair<int, Nanoseconds>>& left) {
+  std::vector<ScriptedFiring> path = path_to(graph, target);
   Schedule schedule(machine, path, Schedule::Pin::worst);
   for (const auto& [timer, time] : left) schedule.leave(timer, time);
   if (!schedule.feasible()) return std::nullopt;
@@ -317,8 +336,14 @@ std::optional<Witness> stuck_witness(const Machine& machine, const ZoneGraph& gr
   return made;
 }
 
+std::optional<Witness> grown_witness(const Machine& machine, const ZoneGraph& graph, int target,
+                                     const std::function<bool()>& stop) {
+  return witness_along(machine, path_to(graph, target), true, oldest_growth, false, stop);
+}
+
 std::optional<Witness> witness_along(const Machine& machine, std::vector<ScriptedFiring> path, bool measured,
-                                     int growing, bool quick) {
+                                     int growing, bool quick, const std::function<bool()>& stop,
+                                     std::optional<Nanoseconds> known) {
   const Watch& watch = machine.watch();
   const bool timed = measured && watch.kind != Watch::Kind::loss;
   const Schedule::Aim aim = !timed        ? Schedule::Aim::any
@@ -329,23 +354,25 @@ std::optional<Witness> witness_along(const Machine& machine, std::vector<Scripte
   for (const Schedule::Pin pin : {Schedule::Pin::worst, Schedule::Pin::open, Schedule::Pin::best}) {
     Schedule schedule(machine, path, pin, growing);
     if (!schedule.feasible()) continue;
-    const auto times = schedule.solve(aim, growing >= 0 ? watch.limit + 1 : none);
+    const auto times = schedule.solve(aim, growing != no_growth ? watch.limit + 1 : none, stop);
     if (!times) continue;
     for (std::size_t k = 0; k < path.size(); ++k) path[k].at = (*times)[k];
-    std::optional<Witness> made = replay(machine, path, growing >= 0);
+    std::optional<Witness> made = replay(machine, path, growing != no_growth);
     if (!made) continue;
     const bool better = !best || (watch.least ? made->measured.value < best->measured.value
                                               : made->measured.value > best->measured.value);
     if (better) best = std::move(made);
-    if (!schedule.pinned() || quick) break;
+    if (!schedule.pinned() || quick || (known && best->measured.value == *known)) break;
   }
   return best;
 }
 
 std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak,
-                                  bool quick) {
-  return witness_along(machine, path_to(graph, peak), peak.value >= 0, peak.grows ? peak.measured : -1,
-                       quick);
+                                  bool quick, const std::function<bool()>& stop) {
+  const std::optional<Nanoseconds> known =
+      peak.value >= 0 && !peak.grows ? std::optional(peak.value) : std::nullopt;
+  return witness_along(machine, path_to(graph, peak), peak.value >= 0, peak.grows ? peak.measured : no_growth,
+                       quick, stop, known);
 }
 
 }  // namespace pal::analyzer

@@ -11,12 +11,24 @@ namespace {
 using trace::Kind;
 using trace::Slice;
 
+/// By processor: who ran on it, in order. Two do not at one time.
+std::vector<std::vector<Slice>> running_on(const Problem& problem, const std::vector<Slice>& slices) {
+  std::vector<std::vector<Slice>> by_processor(problem.processors.size());
+  for (const Slice& slice : slices) {
+    if (slice.state != trace::State::running || slice.to_ns == slice.from_ns) continue;
+    const int processor = problem.threads[static_cast<std::size_t>(slice.actor)].processor;
+    by_processor[static_cast<std::size_t>(processor)].push_back(slice);
+  }
+  return by_processor;
+}
+
 struct Story {
   const Problem& problem;
   const Requirement& requirement;
   const trace::Trace& trace;
   Origins origins{problem, requirement, trace};
   std::vector<Slice> slices = trace::slices(trace);
+  std::vector<std::vector<Slice>> running = running_on(problem, slices);
 
   const trace::Statement& statement(int index) const {
     return trace.statements[static_cast<std::size_t>(index)];
@@ -52,10 +64,12 @@ struct Story {
   /// Who kept a thread from its processor in [from, to], piece by piece.
   void interference(const Slice& kept, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out) const {
     const int processor = problem.threads[static_cast<std::size_t>(kept.actor)].processor;
-    for (const Slice& slice : slices) {
-      const bool here = slice.state == trace::State::running && slice.actor != kept.actor &&
-                        problem.threads[static_cast<std::size_t>(slice.actor)].processor == processor;
-      if (!here || slice.to_ns <= from || slice.from_ns > from || from >= to) continue;
+    const std::vector<Slice>& here = running[static_cast<std::size_t>(processor)];
+    auto at = std::partition_point(here.begin(), here.end(),
+                                   [from](const Slice& slice) { return slice.to_ns <= from; });
+    for (; at != here.end() && at->from_ns <= from && from < to; ++at) {
+      const Slice& slice = *at;
+      if (slice.actor == kept.actor) continue;
       const Nanoseconds end = std::min<Nanoseconds>(slice.to_ns, to);
       const std::string by = trace.actors[static_cast<std::size_t>(slice.actor)].name;
       out.push_back(reason(from, end, kept.actor,

@@ -66,8 +66,8 @@ bool broken(const Requirement& requirement, const Witness& witness) {
 /// Looks at what an exploration found so far for a run that breaks the requirement.
 class Search {
  public:
-  Search(const Requirement& requirement, const Machine& machine)
-      : requirement_(requirement), machine_(machine) {}
+  Search(const Requirement& requirement, const Machine& machine, const std::function<bool()>& stop)
+      : requirement_(requirement), machine_(machine), stop_(stop) {}
 
   bool found(const ZoneGraph& graph) {
     const Findings& findings = graph.findings();
@@ -94,7 +94,7 @@ class Search {
     if (witness || tried) return;
     tried = true;
     for (const bool quick : {true, false}) {
-      auto made = witness_of(machine_, graph, peak, quick);
+      auto made = witness_of(machine_, graph, peak, quick, stop_);
       if (made && broken(requirement_, *made)) witness = std::move(made);
       if (witness) return;
     }
@@ -102,6 +102,7 @@ class Search {
 
   const Requirement& requirement_;
   const Machine& machine_;
+  const std::function<bool()>& stop_;
   bool failure_tried_ = false;
   bool beyond_tried_ = false;
   Nanoseconds tried_ = -1;
@@ -193,7 +194,7 @@ Decision decide_by_time(const Problem& problem, std::size_t index, const Options
   if (!has_cap(requirement)) return by_analysis(problem, index, options);
   const Watch watch = watch_of(problem, requirement);
   const Machine machine(problem, watch);
-  Search search(requirement, machine);
+  Search search(requirement, machine, options.stop);
   ZoneGraph graph(machine, requirement.limit, false);
   const bool complete =
       graph.explore({options.max_states, options.stop,

@@ -114,15 +114,17 @@ bool ZoneGraph::explore(const Limits& limits) {
     edge.to = current(edge.to);
   }
   // If the skill ends on every way on, what has grown is not counted.
-  findings_.never_answered = findings_.never_answered || goes_round(growing_);
-  findings_.grows_on = findings_.grows_on || goes_round(growing_on_);
+  round_ = on_a_round(growing_on_);
+  findings_.never_answered = findings_.never_answered || on_a_round(growing_) >= 0;
+  findings_.grows_on = findings_.grows_on || round_ >= 0;
   growing_ = {};
   growing_on_ = {};
   return complete;
 }
 
-/// Whether there is a way round (A. B. Kahn, Topological sorting of large networks, 1962).
-bool ZoneGraph::goes_round(const std::vector<std::pair<int, int>>& edges) const {
+/// A class on a way round; -1: there is none. What is left when all is taken away to which nothing leads (A.
+/// B. Kahn, Topological sorting of large networks, 1962) has somebody before it that is left, too.
+int ZoneGraph::on_a_round(const std::vector<std::pair<int, int>>& edges) const {
   std::unordered_map<int, int> entering;
   std::unordered_map<int, std::vector<int>> leaving;
   for (const auto& [parent, made] : edges) {
@@ -136,13 +138,19 @@ bool ZoneGraph::goes_round(const std::vector<std::pair<int, int>>& edges) const 
   for (const auto& [node, count] : entering) {
     if (count == 0) free.push_back(node);
   }
-  std::size_t done = 0;
-  for (; done < free.size(); ++done) {
+  for (std::size_t done = 0; done < free.size(); ++done) {
     for (const int to : leaving[free[done]]) {
       if (--entering[to] == 0) free.push_back(to);
     }
   }
-  return done < entering.size();
+  if (free.size() == entering.size()) return -1;
+  std::unordered_map<int, int> before;
+  for (const auto& [parent, made] : edges) {
+    if (entering[current(parent)] > 0) before[current(made)] = current(parent);
+  }
+  int at = before.begin()->first;
+  for (std::size_t step = 0; step < before.size(); ++step) at = before.at(at);
+  return at;
 }
 
 bool ZoneGraph::grow(const Limits& limits) {

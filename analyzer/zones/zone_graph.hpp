@@ -27,8 +27,7 @@ class ZoneGraph;
 /// Bounds on an exploration, and who helps with it.
 struct Limits {
   std::size_t classes = 2'000'000;
-  /// If given, asked now and then, always by the thread that explores; ends the exploration when it says
-  /// true.
+  /// If given, asked now and then, by one thread at a time; ends the exploration when it says true.
   std::function<bool()> stop;
   /// If given, asked now and then whether what was found is enough.
   std::function<bool(const ZoneGraph&)> enough = {};
@@ -105,6 +104,8 @@ class ZoneGraph {
   const std::optional<Peak>& failure() const { return findings_.failure; }
   bool never_answered() const { return findings_.never_answered; }
   bool grows_on() const { return findings_.grows_on; }
+  /// A class on a way round on which one and the same value grows beyond the cap; -1: there is none.
+  int round() const { return round_; }
   const std::optional<Peak>& growing() const { return findings_.growing; }
   int stuck() const { return findings_.stuck; }
   bool passed() const { return findings_.passed; }
@@ -143,7 +144,7 @@ class ZoneGraph {
   void in_parts(const Limits& limits, std::size_t count, std::size_t grain,
                 const std::function<void(std::size_t)>& part) const;
   bool try_all(const std::vector<int>& untried, const Limits& limits);
-  bool goes_round(const std::vector<std::pair<int, int>>& edges) const;
+  int on_a_round(const std::vector<std::pair<int, int>>& edges) const;
   bool grow(const Limits& limits);
   void expand(int index, Expansion& expansion);
   void measure(int from, const Move& move, const Dbm& fired, std::size_t timers, Findings& findings) const;
@@ -175,6 +176,7 @@ class ZoneGraph {
   std::vector<Landing> landings_;
   std::vector<int> landing_of_;  // by place; -1: none
   Findings findings_;
+  int round_ = -1;
 };
 
 }  // namespace pal::analyzer

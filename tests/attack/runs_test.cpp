@@ -7,6 +7,7 @@
 #include "analyzer/exact/exact.hpp"
 #include "tests/attack/contradiction.hpp"
 #include "tests/support/any_skill.hpp"
+#include "tests/support/many_parties.hpp"
 #include "tests/support/mutant.hpp"
 #include "tests/support/random_cell.hpp"
 #include "tests/support/runs/all_runs.hpp"
@@ -141,5 +142,13 @@ TEST_CASE("no run in which blocks are stopped exceeds what was proved") {
   Tally tally;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 150); ++seed)
     attack(test::StoppedBlocks(seed).text(), seed, tally);
+  say(tally);
+}
+
+TEST_CASE("no run in which many have to do with one message exceeds what was proved") {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  Tally tally;
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 30); ++seed)
+    attack(test::ManyParties(seed).text(), seed, tally);
   say(tally);
 }

@@ -1,0 +1,29 @@
+#include "analyzer/runs/overseer.hpp"
+
+#include <chrono>
+#include <utility>
+
+namespace pal::analyzer {
+
+Overseer::Overseer(std::function<bool()> stop, std::function<void()> interrupt)
+    : stop_(std::move(stop)), interrupt_(std::move(interrupt)) {
+  if (stop_) thread_ = std::thread([this] { oversee(); });
+}
+
+Overseer::~Overseer() {
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  end_.notify_one();
+  if (thread_.joinable()) thread_.join();
+}
+
+void Overseer::oversee() {
+  std::unique_lock lock(mutex_);
+  while (!end_.wait_for(lock, std::chrono::milliseconds(20), [this] { return ended_; })) {
+    if (stop_()) interrupt_();
+  }
+}
+
+}  // namespace pal::analyzer
