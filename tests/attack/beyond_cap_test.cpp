@@ -6,8 +6,8 @@
 #include "analyzer/exact/standstill.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "tests/attack/by_hand.hpp"
+#include "tests/support/any_skill.hpp"
 #include "tests/support/many_parties.hpp"
-#include "tests/support/project_file.hpp"
 #include "tests/support/random_cell.hpp"
 #include "tests/support/setting.hpp"
 #include "tests/support/stopped_blocks.hpp"
@@ -90,11 +90,11 @@ TEST_CASE("values beyond the cap are found beyond it, and no others") {
 
 TEST_CASE("what is reflected late is told from what was reflected before") {
   // First 2 ms; then a set, 31 rounds of 10 ms, and 1 ms, counted from the set before.
-  CHECK(test::bound(test::project_file("tests/attack/beyond_cap/late_reaction.pal")) == 312);
+  CHECK(test::bound(test::program("beyond_cap/late_reaction")) == 312);
 }
 
 TEST_CASE("of values that grow one is shown that counts") {
-  const auto skill = test::any_skill(test::project_file("tests/attack/beyond_cap/growth_that_counts.pal"));
+  const auto skill = test::any_skill(test::program("beyond_cap/growth_that_counts"));
   REQUIRE(skill->problem);
   const Verdict verdict = analyze(*skill->problem).verdicts.front();
   CHECK(verdict.state == Verdict::State::fails);
@@ -111,7 +111,7 @@ TEST_CASE("of values that grow one is shown that counts") {
 }
 
 TEST_CASE("classes explored for what grows are counted") {
-  const auto skill = test::any_skill(test::project_file("tests/attack/beyond_cap/growth_that_counts.pal"));
+  const auto skill = test::any_skill(test::program("beyond_cap/growth_that_counts"));
   REQUIRE(skill->problem);
   const Watch watch = watch_of(*skill->problem, skill->problem->requirements.front());
   const GrowthSearch found = growth(*skill->problem, watch, watch.limit, {});
@@ -127,7 +127,7 @@ TEST_CASE("classes explored for what grows are counted") {
 }
 
 TEST_CASE("what has grown when time stands still breaks nothing") {
-  const auto skill = test::any_skill(test::project_file("tests/attack/beyond_cap/grown_at_standstill.pal"));
+  const auto skill = test::any_skill(test::program("beyond_cap/grown_at_standstill"));
   REQUIRE(skill->problem);
   for (const auto choice : {AnalysisChoice::exact, AnalysisChoice::automatic}) {
     const Analysis analysis = analyze(*skill->problem, choice, {});
