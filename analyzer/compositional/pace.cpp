@@ -102,8 +102,9 @@ Nanoseconds first_at_home(const Ground& ground, const std::vector<NodeTimes>& no
     const bool in_round =
         std::find(of.rounds.begin(), of.rounds.end(), ground.round_of(n)) != of.rounds.end();
     if (in_round) continue;
-    // What comes after blocks that end in some round or other has no instant of its own.
-    const bool known = ground.source(n).kind != Source::Kind::joined;
+    // What an event brings about, or comes after blocks that end in some round or other, has no instant that
+    // rounds of other sources could be compared with.
+    const bool known = ground.source(n).kind == Source::Kind::start;
     latest = std::max(latest, known ? latest_arrival(ground, nodes, n, of.home) : never);
   }
   return latest;
