@@ -1,0 +1,22 @@
+// Blocks with rounds of their own, which are not always there.
+#include <string>
+
+#include "tests/figures/bounds_by_hand.hpp"
+#include "tests/support/project_file.hpp"
+
+using pal::test::compare;
+
+TEST_CASE("what is sent to a block that is started again and again waits until it is there") {
+  // LS1 has read what is 10 ms old, and waits 70 ms for the block to be there again. In each 100 ms the block
+  // finds two messages more than come in its 5 ms.
+  compare(pal::test::project_file("tests/figures/granted/nested_blocks.pal"), {{-1, 81}, {13, 10}});
+}
+
+TEST_CASE("what is sent to a block that a message starts waits for that message") {
+  // It may come 70 ms after LS1 has come to its second send.
+  compare(pal::test::project_file("tests/figures/granted/nested_once.pal"), {{-1, 81}, {13, 10}});
+}
+
+TEST_CASE("an event that waits for a block that is started again may be taken just before the next") {
+  compare(pal::test::project_file("tests/figures/granted/nested_event.pal"), {{-1, 1}, {4, 3}});
+}
