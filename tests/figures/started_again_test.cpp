@@ -1,6 +1,7 @@
 // Blocks with rounds of their own, which are not always there.
 #include <string>
 
+#include "analyzer/exact/exact.hpp"
 #include "tests/figures/bounds_by_hand.hpp"
 #include "tests/support/project_file.hpp"
 
@@ -19,4 +20,14 @@ TEST_CASE("what is sent to a block that a message starts waits for that message"
 
 TEST_CASE("an event that waits for a block that is started again may be taken just before the next") {
   compare(pal::test::project_file("tests/figures/granted/nested_event.pal"), {{-1, 1}, {4, 3}});
+}
+
+TEST_CASE("a block that is stopped in each round need not come to what it does") {
+  const auto skill = pal::test::sound_skill(pal::test::project_file("tests/figures/granted/nested_stopped.pal"));
+  const auto compositional = pal::analyzer::analyze_compositionally(*skill->problem);
+  for (const auto& verdict : compositional.verdicts) CHECK_FALSE(verdict.bound);
+  pal::analyzer::Options brief;
+  brief.max_states = 300;
+  const auto exact = pal::analyzer::analyze(*skill->problem, brief);
+  CHECK(exact.verdicts[0].state == pal::analyzer::VerdictState::fails);
 }
