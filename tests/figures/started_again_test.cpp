@@ -1,7 +1,7 @@
 // Blocks with rounds of their own, which are not always there.
 #include <string>
 
-#include "analyzer/exact/exact.hpp"
+#include "analyzer/analysis.hpp"
 #include "tests/figures/bounds_by_hand.hpp"
 #include "tests/support/project_file.hpp"
 
@@ -28,6 +28,6 @@ TEST_CASE("a block that is stopped in each round need not come to what it does")
   for (const auto& verdict : compositional.verdicts) CHECK_FALSE(verdict.bound);
   pal::analyzer::Options brief;
   brief.max_states = 300;
-  const auto exact = pal::analyzer::analyze(*skill->problem, brief);
+  const auto exact = pal::analyzer::analyze(*skill->problem, pal::analyzer::AnalysisChoice::exact, brief);
   CHECK(exact.verdicts[0].state == pal::analyzer::VerdictState::fails);
 }
