@@ -30,7 +30,7 @@ class Loop {
     Pace pace{Due{0}, Due{0}};
     bool comes = false;
     for (const Source::Feed& feed : of_.feeds) {
-      if (feed.node < 0) return {};
+      if (feed.node < 0 || may_stay(feed)) return {};
       const Node& from = ground_.node(feed.node);
       const Source::Kind by = ground_.forest.sources[static_cast<std::size_t>(from.source)].kind;
       if (from.source == index_) {
@@ -50,6 +50,19 @@ class Loop {
   }
 
  private:
+  /// Whether something on the way to the next round may be taken by another who goes on in its place.
+  bool may_stay(const Source::Feed& feed) const {
+    const auto stays = [this](int node, const std::vector<int>& sends, int taker) {
+      return std::any_of(sends.begin(), sends.end(),
+                         [&](int send) { return ground_.may_stay(node, send, taker); });
+    };
+    if (stays(feed.node, feed.sends, of_.thread)) return true;
+    for (int at = feed.node; ground_.node(at).cause >= 0; at = ground_.node(at).cause) {
+      if (stays(ground_.node(at).cause, ground_.node(at).sends, ground_.forest.thread_of(at))) return true;
+    }
+    return false;
+  }
+
   /// When what leads to the next round is there.
   Due latest(const Source::Feed& feed) const {
     if (feed.wait >= 0) {

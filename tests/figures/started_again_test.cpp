@@ -3,9 +3,26 @@
 
 #include "analyzer/analysis.hpp"
 #include "tests/figures/bounds_by_hand.hpp"
+#include "tests/support/any_skill.hpp"
 #include "tests/support/project_file.hpp"
 
 using pal::test::compare;
+
+namespace {
+
+/// Whether the compositional analysis has no bound for any requirement, and a run breaks the first.
+void is_refuted(const std::string& name) {
+  const auto skill = pal::test::any_skill(pal::test::project_file("tests/figures/granted/" + name + ".pal"));
+  REQUIRE(skill->problem);
+  const auto compositional = pal::analyzer::analyze_compositionally(*skill->problem);
+  for (const auto& verdict : compositional.verdicts) CHECK_FALSE(verdict.bound);
+  pal::analyzer::Options brief;
+  brief.max_states = 300;
+  const auto found = pal::analyzer::analyze(*skill->problem, pal::analyzer::AnalysisChoice::exact, brief);
+  CHECK(found.verdicts.front().state == pal::analyzer::VerdictState::fails);
+}
+
+}  // namespace
 
 TEST_CASE("what is sent to a block that is started again and again waits until it is there") {
   // LS1 has read what is 10 ms old, and waits 70 ms for the block to be there again. In each 100 ms the block
@@ -23,11 +40,18 @@ TEST_CASE("an event that waits for a block that is started again may be taken ju
 }
 
 TEST_CASE("a block that is stopped in each round need not come to what it does") {
-  const auto skill = pal::test::sound_skill(pal::test::project_file("tests/figures/granted/nested_stopped.pal"));
-  const auto compositional = pal::analyzer::analyze_compositionally(*skill->problem);
-  for (const auto& verdict : compositional.verdicts) CHECK_FALSE(verdict.bound);
-  pal::analyzer::Options brief;
-  brief.max_states = 300;
-  const auto exact = pal::analyzer::analyze(*skill->problem, pal::analyzer::AnalysisChoice::exact, brief);
-  CHECK(exact.verdicts[0].state == pal::analyzer::VerdictState::fails);
+  is_refuted("nested_stopped");
+}
+
+TEST_CASE("a message that is looked for now and then stays when the block that took it is gone") {
+  // LS1 sends every 30 ms, and SM1 looks every 100 ms.
+  is_refuted("taker_gone");
+}
+
+TEST_CASE("a message that is looked for at the start is not answered where it is waited for later") {
+  is_refuted("looked_for");
+}
+
+TEST_CASE("a request may be served by a wait that gives up when the block that served it is gone") {
+  is_refuted("served_late");
 }

@@ -10,10 +10,10 @@
 
 namespace pal::test {
 
-/// Four to six modules with one loop each, on one to three processors. What a module takes besides what begins
-/// its rounds, what it asks for and what it sends stands anywhere in its round, or before: in blocks within
-/// blocks, which end, go round until a condition holds, or are cancelled in the middle, in branches, with
-/// limits, and in several places at once. The method completes with several codes, in the middle of its
+/// Four to six modules with one loop each, on one to three processors. What a module takes besides what
+/// begins its rounds, what it asks for and what it sends stands anywhere in its round, or before: in blocks
+/// within blocks, which end, go round until a condition holds, or are cancelled in the middle, in branches,
+/// with limits, and in several places at once. The method completes with several codes, in the middle of its
 /// rounds and of its blocks. The same seed gives the same text.
 class NestedSkill {
  public:
@@ -87,7 +87,8 @@ class NestedSkill {
   }
 
   void draw() {
-    modules_ = {{"Sensor Driver", "SD1", {}}, {"Logical Sensor", "LS1", {}}, {"Machine Controller", "MC1", {}}};
+    modules_ = {
+        {"Sensor Driver", "SD1", {}}, {"Logical Sensor", "LS1", {}}, {"Machine Controller", "MC1", {}}};
     if (chance(2) == 0) modules_.push_back({"Logical Sensor", "LS2", {}});
     const bool second = chance(2) == 0;
     if (second) modules_.push_back({"Machine Controller", "MC2", {}});
@@ -245,7 +246,8 @@ class NestedSkill {
   }
 
   static std::string wait_of(const Item& take) {
-    return "WTM( " + std::string(take.answered ? "request " : "") + take.message + " from " + take.party + " )";
+    return "WTM( " + std::string(take.answered ? "request " : "") + take.message + " from " + take.party +
+           " )";
   }
 
   /// Rounds that begin with `main`, if that is something, and say all items; of the method perhaps one only.
@@ -277,6 +279,20 @@ class NestedSkill {
            " )\n";
   }
 
+  /// What begins the rounds of a module is taken before them, too.
+  std::string before(const Module& in, const Item& take) {
+    const std::string answer =
+        take.answered ? "    TXM( " + take.message + " to " + take.party + " )\n" : work(in, "    ");
+    if (chance(2) == 0) {
+      said_.emplace_back(in.name, wait_of(take));
+      return "  " + wait_of(take) + " WITHIN " + std::to_string(between(0, 60)) + " ms\n" + answer +
+             "  ELSE\n" + small(in, "    ") + "  END WTM\n";
+    }
+    return "  CONCURRENT\n  BEGIN\n    REPEAT\n" + say(in, wait_of(take), "    ") + answer +
+           "    UNTIL( forever )\n  END\n  BEGIN\n" + say(in, "p" + in.name, "    ") +
+           "  END\n  END CONCURRENT\n";
+  }
+
   std::string body(const Module& in) {
     std::string out = in.kind + ": " + in.name + "\n";
     for (int i = 1; i <= 3; ++i) out += "  ACTIVITY w" + std::to_string(i) + in.name + "\n";
@@ -289,6 +305,7 @@ class NestedSkill {
       out += items.empty() || chance(2) == 0 ? small(in, "  ") : tree(in, {items.back()}, 2, false, "  ");
     }
     std::shuffle(takes.begin(), takes.end(), engine_);
+    if (!takes.empty() && odd(Odd::before, 2)) out += before(in, takes.front());
     if (odd(Odd::middle, 2)) {
       // All but one are taken in the middle of its rounds.
       while (takes.size() > 1) {
@@ -375,7 +392,8 @@ class NestedSkill {
       out += "  PLACE " + module.name + " ON P" + std::to_string(between(1, processors)) + " PRIORITY " +
              std::to_string(between(1, 4)) + "\n";
       for (int i = 1; i <= 3; ++i)
-        out += "  TIME w" + std::to_string(i) + module.name + " : " + interval(chance(4) == 0 ? 0 : 1, 2) + "\n";
+        out +=
+            "  TIME w" + std::to_string(i) + module.name + " : " + interval(chance(4) == 0 ? 0 : 1, 2) + "\n";
       out += "  TIME p" + module.name + " : " + interval(10, 50) + "\n";
     }
     for (const std::string& block : blocks_) {
@@ -412,7 +430,7 @@ class NestedSkill {
   std::mt19937_64 engine_;
   bool tack_ = false;   // there is a device that sends it
   bool value_ = false;  // there is one that is asked for it
-  int odd_[8] = {};  // by Odd; 0: it is
+  int odd_[8] = {};     // by Odd; 0: it is
   std::vector<Module> modules_;
   std::vector<std::string> messages_;
   std::vector<std::string> blocks_;
