@@ -22,7 +22,8 @@ class Planter {
     takers_.resize(problem.channels.size());
     limited_.assign(problem.steps.size(), false);
     forest.counts_anew.assign(problem.steps.size(), false);
-    const std::vector<bool> withdrawn = withdrawn_requests(problem);
+    forest.withdrawn = withdrawn_requests(problem);
+    const std::vector<bool>& withdrawn = forest.withdrawn;
     for (std::size_t s = 0; s < problem.steps.size(); ++s) {
       const Step& step = problem.steps[s];
       const int thread = forest.segments.owner(static_cast<int>(s));

@@ -55,3 +55,7 @@ TEST_CASE("a message that is looked for at the start is not answered where it is
 TEST_CASE("a request may be served by a wait that gives up when the block that served it is gone") {
   is_refuted("served_late");
 }
+
+TEST_CASE("an event is lost with an answer that nobody wants any more") {
+  is_refuted("discarded");
+}
