@@ -29,6 +29,7 @@ class Loop {
     if (!times_.trouble[static_cast<std::size_t>(of_.thread)].empty()) return {};
     Pace pace{Due{0}, Due{0}};
     bool comes = false;
+    Nanoseconds between = 0;
     for (const Source::Feed& feed : of_.feeds) {
       if (feed.node < 0 || may_stay(feed)) return {};
       const Node& from = ground_.node(feed.node);
@@ -43,9 +44,11 @@ class Loop {
       } else {
         return {};
       }
+      if (from.source != index_ && feed.wait >= 0) between = plus(between, put_off(feed));
     }
     if (!comes) return {};
     back_at_wait(pace);
+    if (between > 0) pace.gap = Due{plus(pace.gap.at, between)};
     return pace;
   }
 
@@ -61,6 +64,15 @@ class Loop {
       if (stays(ground_.node(at).cause, ground_.node(at).sends, ground_.forest.thread_of(at))) return true;
     }
     return false;
+  }
+
+  /// How much later the wait gives up if what comes once is taken there before: a round goes by, and the limit
+  /// counts anew.
+  Nanoseconds put_off(const Source::Feed& feed) const {
+    const std::vector<int>& rounds = ground_.conduct_of(of_.thread).rounds;
+    if (std::find(rounds.begin(), rounds.end(), ground_.round_of(feed.node)) == rounds.end()) return 0;
+    const Nanoseconds back = latest(feed).at;
+    return back >= never ? never : back - times_.nodes[static_cast<std::size_t>(feed.node)].earliest;
   }
 
   /// When what leads to the next round is there.

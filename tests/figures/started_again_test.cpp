@@ -59,3 +59,8 @@ TEST_CASE("a request may be served by a wait that gives up when the block that s
 TEST_CASE("an event is lost with an answer that nobody wants any more") {
   is_refuted("discarded");
 }
+
+TEST_CASE("a limit counts anew after what comes once") {
+  // MC1 holds at 30, is told to go at 60, and holds again at 91.
+  compare(pal::test::project_file("tests/figures/granted/commanded.pal"), {{65, 61}});
+}
