@@ -66,13 +66,14 @@ class Loop {
     return false;
   }
 
-  /// How much later the wait gives up if what comes once is taken there before: a round goes by, and the limit
-  /// counts anew.
+  /// How much later the wait gives up if what comes once is taken there before: a round goes by, and the
+  /// limit counts anew.
   Nanoseconds put_off(const Source::Feed& feed) const {
     const std::vector<int>& rounds = ground_.conduct_of(of_.thread).rounds;
-    if (std::find(rounds.begin(), rounds.end(), ground_.round_of(feed.node)) == rounds.end()) return 0;
+    const int round = ground_.round_of(feed.node);
+    if (std::find(rounds.begin(), rounds.end(), round) == rounds.end()) return 0;
     const Nanoseconds back = latest(feed).at;
-    return back >= never ? never : back - times_.nodes[static_cast<std::size_t>(feed.node)].earliest;
+    return back >= never ? never : back - times_.nodes[static_cast<std::size_t>(round)].earliest;
   }
 
   /// When what leads to the next round is there.
