@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <string>
 #include <utility>
@@ -55,7 +56,7 @@ class NestedSkill {
     std::string name;
     Items items;
   };
-  enum class Odd { blocks, limits, loops, twice, branches, endings, before, middle };
+  enum class Odd { blocks, limits, loops, twice, branches, endings, before, middle, gives_up, commands };
 
   int chance(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
   int between(int low, int high) { return low + chance(high - low + 1); }
@@ -255,6 +256,17 @@ class NestedSkill {
     const std::string more = indent + "  ";
     std::string begins;
     std::string reply;
+    if (main != nullptr && odd(Odd::gives_up, 1)) {
+      // A round of its own is what it does when nothing comes.
+      said_.emplace_back(in.name, wait_of(*main));
+      const std::string answer =
+          main->answered ? say(in, "TXM( " + main->message + " to " + main->party + " )", more + "  ") : "";
+      const std::string obeys = tree(in, items, 1, false, more + "  ");
+      return indent + "REPEAT\n" + more + wait_of(*main) + " WITHIN " + std::to_string(between(5, 60)) +
+             " ms\n" + answer + obeys + work(in, more + "  ") + more + "ELSE\n" +
+             (chance(2) == 0 ? say(in, "SPC( c" + in.name + " )", more + "  ") : "") +
+             small(in, more + "  ") + more + "END WTM\n" + indent + "UNTIL( forever )\n";
+    }
     if (main != nullptr) {
       begins = say(in, wait_of(*main), more);
       if (main->answered) reply = say(in, "TXM( " + main->message + " to " + main->party + " )", more);
@@ -303,6 +315,14 @@ class NestedSkill {
     for (const Item& item : in.items) (item.kind == Item::Kind::take ? takes : items).push_back(item);
     if (odd(Odd::before, 2)) {
       out += items.empty() || chance(2) == 0 ? small(in, "  ") : tree(in, {items.back()}, 2, false, "  ");
+    }
+    if (odd(Odd::commands, 1)) {
+      // What it sends it sends once.
+      const auto sends = [](const Item& item) { return item.kind == Item::Kind::send; };
+      const auto first = std::stable_partition(items.begin(), items.end(), std::not_fn(sends));
+      for (auto item = first; item != items.end(); ++item)
+        out += (chance(2) == 0 ? say(in, "p" + in.name, "  ") : "") + once(in, *item, "  ");
+      items.erase(first, items.end());
     }
     std::shuffle(takes.begin(), takes.end(), engine_);
     if (!takes.empty() && odd(Odd::before, 2)) out += before(in, takes.front());
@@ -430,7 +450,7 @@ class NestedSkill {
   std::mt19937_64 engine_;
   bool tack_ = false;   // there is a device that sends it
   bool value_ = false;  // there is one that is asked for it
-  int odd_[8] = {};     // by Odd; 0: it is
+  int odd_[10] = {};    // by Odd; 0: it is
   std::vector<Module> modules_;
   std::vector<std::string> messages_;
   std::vector<std::string> blocks_;
