@@ -19,7 +19,7 @@ namespace pal::test {
 class NestedSkill {
  public:
   explicit NestedSkill(std::uint64_t seed) : engine_(seed) {
-    for (int& each : odd_) each = chance(4);
+    for (int& each : odd_) each = chance(8);
   }
 
   std::string text() {
