@@ -173,6 +173,9 @@ class Observer {
     }
     if (of.home < 0) return;
     const std::string& name = problem_.threads[static_cast<std::size_t>(t)].name;
+    // What is for it waits while it is not there.
+    if (recurrent(problem_, {Beginning::Kind::entry, t, -1, -1}))
+      of.trouble = name + " is started again and again";
     for (int n : of.nodes) {
       const int round = made_.round[static_cast<std::size_t>(n)];
       const Segment& segment = forest_.segment_of(node(n));

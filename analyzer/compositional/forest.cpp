@@ -22,7 +22,8 @@ class Planter {
     takers_.resize(problem.channels.size());
     limited_.assign(problem.steps.size(), false);
     forest.counts_anew.assign(problem.steps.size(), false);
-    const std::vector<bool> withdrawn = withdrawn_requests(problem);
+    forest.withdrawn = withdrawn_requests(problem);
+    const std::vector<bool>& withdrawn = forest.withdrawn;
     for (std::size_t s = 0; s < problem.steps.size(); ++s) {
       const Step& step = problem.steps[s];
       const int thread = forest.segments.owner(static_cast<int>(s));
@@ -47,6 +48,7 @@ class Planter {
     for (int attempt = 0; attempt < 60; ++attempt) {
       forest_.nodes.clear();
       forest_.sources.clear();
+      forest_.also_taken_by.clear();
       const std::size_t before = cuts_.size();
       found_.clear();
       sources();
@@ -258,8 +260,13 @@ class Planter {
   void message(const Link& link, int channel) {
     const std::optional<std::set<int>> known = takers_of(link, channel);
     for (const Taker& taker : takers_[static_cast<std::size_t>(channel)]) {
-      if (limited_[static_cast<std::size_t>(taker.step)] || (known && !known->contains(taker.step))) continue;
-      effect(link, {Beginning::Kind::arm, taker.thread, taker.step, taker.arm});
+      if (known && !known->contains(taker.step)) continue;
+      const Beginning begins{Beginning::Kind::arm, taker.thread, taker.step, taker.arm};
+      if (!limited_[static_cast<std::size_t>(taker.step)]) {
+        effect(link, begins);
+      } else if (may_follow(link, begins)) {
+        for (int send : link.sends) forest_.also_taken_by[{link.cause, send}].insert(taker.thread);
+      }
     }
   }
 
@@ -288,10 +295,16 @@ class Planter {
     return all;
   }
 
-  void effect(const Link& link, const Beginning& beginning) {
+  /// Whether a segment may begin after all that leads to it.
+  bool may_follow(const Link& link, const Beginning& beginning) {
     for (int at = link.cause; at >= 0; at = node(at).cause) {
-      if (!sequence_.may_follow(forest_.segment_of(node(at)).beginning, beginning)) return;
+      if (!sequence_.may_follow(forest_.segment_of(node(at)).beginning, beginning)) return false;
     }
+    return true;
+  }
+
+  void effect(const Link& link, const Beginning& beginning) {
+    if (!may_follow(link, beginning)) return;
     const int segment = forest_.segments.find(beginning);
     if (forest_.segments[segment].spins) {
       forest_.refusal = "module " + problem_.threads[static_cast<std::size_t>(beginning.thread)].name +

@@ -29,8 +29,9 @@ class Loop {
     if (!times_.trouble[static_cast<std::size_t>(of_.thread)].empty()) return {};
     Pace pace{Due{0}, Due{0}};
     bool comes = false;
+    Nanoseconds between = 0;
     for (const Source::Feed& feed : of_.feeds) {
-      if (feed.node < 0) return {};
+      if (feed.node < 0 || may_stay(feed)) return {};
       const Node& from = ground_.node(feed.node);
       const Source::Kind by = ground_.forest.sources[static_cast<std::size_t>(from.source)].kind;
       if (from.source == index_) {
@@ -43,13 +44,38 @@ class Loop {
       } else {
         return {};
       }
+      if (from.source != index_ && feed.wait >= 0) between = plus(between, put_off(feed));
     }
     if (!comes) return {};
     back_at_wait(pace);
+    if (between > 0) pace.gap = Due{plus(pace.gap.at, between)};
     return pace;
   }
 
  private:
+  /// Whether something on the way to the next round may be taken by another who goes on in its place.
+  bool may_stay(const Source::Feed& feed) const {
+    const auto stays = [this](int node, const std::vector<int>& sends, int taker) {
+      return std::any_of(sends.begin(), sends.end(),
+                         [&](int send) { return ground_.may_stay(node, send, taker); });
+    };
+    if (stays(feed.node, feed.sends, of_.thread)) return true;
+    for (int at = feed.node; ground_.node(at).cause >= 0; at = ground_.node(at).cause) {
+      if (stays(ground_.node(at).cause, ground_.node(at).sends, ground_.forest.thread_of(at))) return true;
+    }
+    return false;
+  }
+
+  /// How much later the wait gives up if what comes once is taken there before: a round goes by, and the
+  /// limit counts anew.
+  Nanoseconds put_off(const Source::Feed& feed) const {
+    const std::vector<int>& rounds = ground_.conduct_of(of_.thread).rounds;
+    const int round = ground_.round_of(feed.node);
+    if (std::find(rounds.begin(), rounds.end(), round) == rounds.end()) return 0;
+    const Nanoseconds back = latest(feed).at;
+    return back >= never ? never : back - times_.nodes[static_cast<std::size_t>(round)].earliest;
+  }
+
   /// When what leads to the next round is there.
   Due latest(const Source::Feed& feed) const {
     if (feed.wait >= 0) {
@@ -102,8 +128,9 @@ Nanoseconds first_at_home(const Ground& ground, const std::vector<NodeTimes>& no
     const bool in_round =
         std::find(of.rounds.begin(), of.rounds.end(), ground.round_of(n)) != of.rounds.end();
     if (in_round) continue;
-    // What comes after blocks that end in some round or other has no instant of its own.
-    const bool known = ground.source(n).kind != Source::Kind::joined;
+    // What an event brings about, or comes after blocks that end in some round or other, has no instant that
+    // rounds of other sources could be compared with.
+    const bool known = ground.source(n).kind == Source::Kind::start;
     latest = std::max(latest, known ? latest_arrival(ground, nodes, n, of.home) : never);
   }
   return latest;

@@ -73,16 +73,27 @@ Sum Pursuit::step_value(int n, int at) {
   } else if (step.kind != Kind::end) {
     value = may_match_nothing(step) ? reached(n, at) : no_way();
     for (int next : step.next) value = greater(value, step_value(n, next));
-    if (step.kind == Kind::send) value = less(value, sent_value(n, at));
+    if (step.kind == Kind::send && is_put(at)) value = less(value, sent_value(n, at));
   }
   steps_[{n, at}] = value;
   return value;
+}
+
+bool Pursuit::is_put(int send) {
+  const int request = problem_.channels[static_cast<std::size_t>(step_at(send).channels.front())].answers;
+  if (request < 0 || !view_.forest.withdrawn[static_cast<std::size_t>(request)]) return true;
+  if (why_.empty()) why_ = "an answer may be discarded, since its request has been withdrawn";
+  return false;
 }
 
 Sum Pursuit::sent_value(int n, int send) {
   const int channel = step_at(send).channels.front();
   if (problem_.channels[static_cast<std::size_t>(channel)].answer >= 0 && may_give_up(problem_, channel)) {
     if (why_.empty()) why_ = "a request may be withdrawn before it is taken";
+    return Sum::unbounded();
+  }
+  if (view_.forest.also_taken_by.contains({n, send})) {
+    if (why_.empty()) why_ = "a message may be taken by a wait that may also give up";
     return Sum::unbounded();
   }
   int taker = -1;

@@ -44,6 +44,9 @@ class Pursuit {
     return since_ == Since::event ? finish_since_event(view_, n) : finish(view_, n);
   }
   std::string trouble_of(int n) const;
+  /// Whether what is sent is put, and not withdrawn before it is taken. A message that is not has no
+  /// response; one that should carry an event leaves it without.
+  bool is_put(int send);
   Sum beginning_value(int n);
   Sum step_value(int n, int at);
   /// Each block carries the event, as does its parent when they are over.

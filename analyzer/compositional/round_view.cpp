@@ -47,7 +47,9 @@ bool starts_in_rounds(const View& view, int thread) {
 bool goes_on(const View& view, int thread) {
   const auto t = static_cast<std::size_t>(thread);
   if (view.reliable[t]) return view.begun[t];
-  return view.lively[t] && starts_in_rounds(view, thread) && goes_on(view, view.problem.threads[t].parent);
+  // What cannot end may be stopped in each round, before it has done anything.
+  return view.lively[t] && view.problem.threads[t].can_end && starts_in_rounds(view, thread) &&
+         goes_on(view, view.problem.threads[t].parent);
 }
 
 int paced_source(const View& view, int thread) {

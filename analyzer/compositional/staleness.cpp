@@ -7,6 +7,14 @@ namespace {
 
 using Kind = Step::Kind;
 
+/// Whether two threads are blocks of one CONCURRENT.
+bool beside(const Problem& problem, int one, int other) {
+  return std::any_of(problem.steps.begin(), problem.steps.end(), [one, other](const Step& step) {
+    return std::count(step.threads.begin(), step.threads.end(), one) > 0 &&
+           std::count(step.threads.begin(), step.threads.end(), other) > 0;
+  });
+}
+
 class Staleness {
  public:
   Staleness(const View& view, int condition, int reader)
@@ -112,18 +120,6 @@ class Staleness {
   std::vector<bool> at_;  // the sets
   std::set<int> setters_;
 };
-
-}  // namespace
-
-namespace {
-
-/// Whether two threads are blocks of one CONCURRENT.
-bool beside(const Problem& problem, int one, int other) {
-  return std::any_of(problem.steps.begin(), problem.steps.end(), [one, other](const Step& step) {
-    return std::count(step.threads.begin(), step.threads.end(), one) > 0 &&
-           std::count(step.threads.begin(), step.threads.end(), other) > 0;
-  });
-}
 
 }  // namespace
 

@@ -13,6 +13,7 @@
 #include "tests/support/condition_chain.hpp"
 #include "tests/support/held_skill.hpp"
 #include "tests/support/mutant.hpp"
+#include "tests/support/nested_skill.hpp"
 #include "tests/support/odd_skill.hpp"
 #include "tests/support/project_file.hpp"
 #include "tests/support/random_skill.hpp"
@@ -140,6 +141,21 @@ TEST_CASE(
       200, 100, [](std::uint64_t seed) { return test::OddSkill(seed, seed % 2 == 1).text(); },
       [&refused](const std::string& text) { return test::any_skill(text, &refused); });
   for (const auto& [why, times] : refused) std::cout << times << " refused: " << why << "\n";
+}
+
+TEST_CASE("simulated, exact and compositional come in this order for blocks within blocks") {
+  Tally tally;
+  std::map<std::string, int> refused;
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 200); ++seed) {
+    const std::string text = test::NestedSkill(seed).text();
+    const auto skill = test::any_skill(text, &refused);
+    if (!skill->problem) continue;
+    INFO("seed " << seed << "\n" << text);
+    compare(*skill->problem, seed, 100, tally);
+  }
+  for (const auto& [why, times] : refused) std::cout << times << " refused: " << why << "\n";
+  say(tally);
 }
 
 TEST_CASE("simulated, exact and compositional come in this order for skills with mistakes in them") {
