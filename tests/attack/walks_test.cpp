@@ -21,7 +21,9 @@
 #include "tests/support/command_skill.hpp"
 #include "tests/support/condition_chain.hpp"
 #include "tests/support/held_skill.hpp"
+#include "tests/support/many_parties.hpp"
 #include "tests/support/mutant.hpp"
+#include "tests/support/nested_skill.hpp"
 #include "tests/support/odd_skill.hpp"
 #include "tests/support/project_file.hpp"
 #include "tests/support/random_skill.hpp"
@@ -68,6 +70,8 @@ const std::map<std::string, Text>& kinds() {
       {"commands", [](std::uint64_t seed) { return test::CommandSkill(seed).text(); }},
       {"stopped", [](std::uint64_t seed) { return test::StoppedBlocks(seed).text(); }},
       {"woven", [](std::uint64_t seed) { return test::WovenSkill(seed, seed % 2 == 0).text(); }},
+      {"nested", [](std::uint64_t seed) { return test::NestedSkill(seed).text(); }},
+      {"parties", [](std::uint64_t seed) { return test::ManyParties(seed).text(); }},
       {"odd", [](std::uint64_t seed) { return test::OddSkill(seed, seed % 2 == 1).text(); }},
   };
   return all;
