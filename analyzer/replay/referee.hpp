@@ -112,13 +112,16 @@ class Referee {
   struct Queued {
     int thread;
     Nanoseconds at;
-    bool ordered;  // an event of the run says when in its instant it came
+    std::size_t after;  // how many effects
+    bool ordered;       // an event of the run says when in what follows from one effect it came
     bool front;
   };
 
   // The run, and what must be so whenever time goes on (referee.cpp).
   void handle(const Event& event);
   void check_between(const Event& event) const;
+  bool is_effect(const Event& event) const;
+  void check_settled() const;
   void leave_instant(Nanoseconds next) const;
   void check_thread(int thread, Nanoseconds next) const;
   void check_processor(int processor) const;
@@ -158,6 +161,7 @@ class Referee {
   void answered_in_vain(int answer);
   void withdraw(int request, std::optional<int> owner);
   void gives_up(int request);
+  int who_gives_up(int request) const;
   void hands_over(int block, int parent);
   void abandon(int thread);
   bool goes_on(int thread) const;
@@ -199,7 +203,8 @@ class Referee {
 
   const Problem& problem_;
   const std::vector<Event>& events_;
-  std::size_t at_ = 0;  // the event in question
+  std::size_t at_ = 0;       // the event in question
+  std::size_t effects_ = 0;  // before it: what does not follow from something else at its instant
   Nanoseconds now_ = 0;
   bool beginning_ = true;
   bool withdrawing_ = false;     // who goes on otherwise may come before or after who goes on now

@@ -19,7 +19,7 @@ void Referee::release(int thread) {
 }
 
 void Referee::enqueue(int thread, bool front, bool ordered) {
-  const Queued made{thread, now_, ordered, front};
+  const Queued made{thread, now_, effects_, ordered, front};
   queue_.insert(front ? queue_.begin() : queue_.end(), made);
 }
 
@@ -88,8 +88,8 @@ void Referee::check_turn(int thread) const {
     demand(rival.priority <= of.priority,
            of.name + " runs before " + rival.name + ", whose priority is greater");
     if (rival.priority < of.priority || !before || own == queue_.end()) continue;
-    const bool either =
-        !other->front && !own->front && other->at == own->at && !(other->ordered && own->ordered);
+    const bool together = other->at == own->at && other->after == own->after;
+    const bool either = !other->front && !own->front && together && !(other->ordered && own->ordered);
     demand(either, of.name + " runs before " + rival.name + ", which was first");
   }
 }
@@ -137,6 +137,7 @@ void Referee::started(const Event& event) {
 void Referee::stopped(const Event& event) {
   Party& of = party(event.actor);
   demand(of.mode == Mode::running, name(event.actor) + " is stopped without running");
+  demand(!of.acted && of.reads.empty(), name(event.actor) + " is interrupted in its effect");
   demand(problem_.processors[static_cast<std::size_t>(thread_of(event.actor).processor)].preemptive,
          name(event.actor) + " is preempted on a processor that does not");
   of.work += now_ - of.since;

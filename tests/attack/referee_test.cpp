@@ -144,12 +144,15 @@ class Told {
   std::int64_t now_ = 0;
 };
 
+/// Both threads have a processor each.
+void start_both(Told& run) {
+  run.say(Kind::start, "SM1", "CASE").say(Kind::start, "MC1", "SPC( c1 = TRUE )");
+}
+
 void set_both(Told& run) {
-  for (const std::string condition : {"c1", "c2"}) {
-    const std::string statement = "SPC( " + condition + " = TRUE )";
-    run.say(Kind::start, "MC1", statement).say(Kind::set, "MC1", statement, condition, 1);
-    run.say(Kind::done, "MC1", statement);
-  }
+  run.say(Kind::set, "MC1", "SPC( c1 = TRUE )", "c1", 1).say(Kind::done, "MC1", "SPC( c1 = TRUE )");
+  run.say(Kind::start, "MC1", "SPC( c2 = TRUE )").say(Kind::set, "MC1", "SPC( c2 = TRUE )", "c2", 1);
+  run.say(Kind::done, "MC1", "SPC( c2 = TRUE )");
   run.say(Kind::block, "MC1", "WTM( m from SM1 )", "m");
 }
 
@@ -163,7 +166,8 @@ void complete(Told& run, const std::string& code) {
 
 TEST_CASE("a test reads all its conditions at one instant: nobody sets one between") {
   Told before(two_conditions);
-  before.say(Kind::start, "SM1", "CASE").say(Kind::read, "SM1", "CASE", "c1", 0);
+  start_both(before);
+  before.say(Kind::read, "SM1", "CASE", "c1", 0);
   before.say(Kind::read, "SM1", "CASE", "c2", 0).say(Kind::done, "SM1", "CASE");
   before.say(Kind::start, "SM1", "TXM( m to MC1 )");
   set_both(before);
@@ -171,7 +175,8 @@ TEST_CASE("a test reads all its conditions at one instant: nobody sets one betwe
 
   // c2 is set after c1, so whoever reads TRUE of c2 reads TRUE of c1.
   Told between(two_conditions);
-  between.say(Kind::start, "SM1", "CASE").say(Kind::read, "SM1", "CASE", "c1", 0);
+  start_both(between);
+  between.say(Kind::read, "SM1", "CASE", "c1", 0);
   set_both(between);
   between.say(Kind::read, "SM1", "CASE", "c2", 1).say(Kind::done, "SM1", "CASE");
   complete(between, "2");
@@ -180,7 +185,8 @@ TEST_CASE("a test reads all its conditions at one instant: nobody sets one betwe
 
 TEST_CASE("a test reads each condition once") {
   Told twice(two_conditions);
-  twice.say(Kind::start, "SM1", "CASE").say(Kind::read, "SM1", "CASE", "c1", 0);
+  start_both(twice);
+  twice.say(Kind::read, "SM1", "CASE", "c1", 0);
   twice.say(Kind::read, "SM1", "CASE", "c1", 0).say(Kind::read, "SM1", "CASE", "c2", 0);
   twice.say(Kind::done, "SM1", "CASE");
   set_both(twice);
