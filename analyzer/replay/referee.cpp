@@ -168,7 +168,6 @@ void Referee::leave_instant(Nanoseconds next) const {
 
 void Referee::check_thread(int thread, Nanoseconds next) const {
   const Party& of = party(thread);
-  demand(of.owes_put < 0, name(thread) + " has sent nothing");
   const bool idle = of.mode == Mode::ready || of.mode == Mode::waiting || of.mode == Mode::sending;
   demand(of.mode != Mode::arrived, name(thread) + " neither waits nor goes on");
   demand(of.mode != Mode::finished && !(of.must_stop && idle), name(thread) + " is cancelled and goes on");

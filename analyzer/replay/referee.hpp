@@ -61,7 +61,6 @@ class Referee {
     int claim = -1;          // channel of the message that is this thread's
     bool withdrawn = false;  // … and is gone
     bool acted = false;      // the put, take, set or read of the statement has happened at this instant
-    int owes_put = -1;       // its effect came before its put, at this instant
     std::map<int, bool> latched;
     std::map<int, bool> reads;  // at this instant, for a test
   };
@@ -115,6 +114,7 @@ class Referee {
     std::size_t after;  // how many effects
     bool ordered;       // an event of the run says when in what follows from one effect it came
     bool front;
+    bool told;  // that it is ready
   };
 
   // The run, and what must be so whenever time goes on (referee.cpp).

@@ -78,19 +78,13 @@ void Referee::put(const Event& event) {
   Party& of = party(thread);
   demand(!slot(event.subject).full, "a message is put into a slot that is full");
   demand(wanted(event.subject), "a message that nobody wants is put");
-  bool along = false;
-  if (of.owes_put == event.subject) {
-    of.owes_put = -1;
-  } else {
-    const Step& step = step_of(thread);
-    demand(step.kind == Step::Kind::send && step.channels.front() == event.subject && !of.acted,
-           name(thread) + " sends what it does not send here");
-    if (of.mode != Mode::sending) check_work(thread);
-    of.acted = true;
-    if (of.mode == Mode::running) midway_ = thread;
-    along = true;
-  }
-  gauge_.puts(thread, event.subject, along);
+  const Step& step = step_of(thread);
+  demand(step.kind == Step::Kind::send && step.channels.front() == event.subject && !of.acted,
+         name(thread) + " sends what it does not send here");
+  if (of.mode != Mode::sending) check_work(thread);
+  of.acted = true;
+  if (of.mode == Mode::running) midway_ = thread;
+  gauge_.puts(thread, event.subject);
   fill(event.subject, thread_of(thread).processor);
   asks(event.subject, thread);
 }

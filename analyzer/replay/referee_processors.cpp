@@ -19,7 +19,7 @@ void Referee::release(int thread) {
 }
 
 void Referee::enqueue(int thread, bool front, bool ordered) {
-  const Queued made{thread, now_, effects_, ordered, front};
+  const Queued made{thread, now_, effects_, ordered, front, false};
   queue_.insert(front ? queue_.begin() : queue_.end(), made);
 }
 
@@ -71,6 +71,10 @@ void Referee::was_ready(const Event& event) {
   resolve(event.actor);
   demand(party(event.actor).mode == Mode::ready, name(event.actor) + " is not ready");
   demand(holder(event.actor) != event.actor, name(event.actor) + " has its processor");
+  const auto own = std::find_if(queue_.begin(), queue_.end(),
+                                [&](const Queued& queued) { return queued.thread == event.actor; });
+  demand(own != queue_.end() && own->at == now_ && !own->told, name(event.actor) + " was ready before");
+  own->told = true;
 }
 
 void Referee::check_turn(int thread) const {
