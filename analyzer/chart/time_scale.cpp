@@ -88,7 +88,8 @@ Length TimeScale::x(std::int64_t ns) const {
   for (const Piece& piece : pieces_) {
     const std::int64_t length = piece.time.to_ns - piece.time.from_ns;
     if (ns <= piece.time.to_ns)
-      return piece.x0 + share(ns - piece.time.from_ns, piece.x1 - piece.x0, std::max<std::int64_t>(length, 1));
+      return piece.x0 +
+             share(ns - piece.time.from_ns, piece.x1 - piece.x0, std::max<std::int64_t>(length, 1));
   }
   return x1();
 }

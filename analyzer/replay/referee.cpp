@@ -122,8 +122,8 @@ bool Referee::is_effect(const Event& event) const {
          event.kind == Kind::read || event.kind == Kind::done;
 }
 
-/// What must be so before the next effect at the same instant: all that follows from those before has happened,
-/// and whoever can run has begun to.
+/// What must be so before the next effect at the same instant: all that follows from those before has
+/// happened, and whoever can run has begun to.
 void Referee::check_settled() const {
   for (std::size_t t = 0; t < threads_.size(); ++t) {
     const Party& of = threads_[t];

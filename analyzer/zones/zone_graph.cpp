@@ -92,8 +92,8 @@ int ZoneGraph::current(int index) const {
   return index;
 }
 
-/// Each class that was replaced leads at once to the one that counts: of a class that has grown with every turn
-/// of a loop there are very long ways.
+/// Each class that was replaced leads at once to the one that counts: of a class that has grown with every
+/// turn of a loop there are very long ways.
 void ZoneGraph::shorten_ways() {
   for (std::size_t i = 0; i < classes_.size(); ++i) {
     const int last = current(static_cast<int>(i));

@@ -1,13 +1,14 @@
 // Runs that cannot be, told event by event: the referee refuses them.
-#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "analyzer/replay/check_run.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "tests/support/any_skill.hpp"
+#include "tests/support/told.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
+using test::Told;
 using trace::Kind;
 
 namespace {
@@ -83,66 +84,6 @@ ENVIRONMENT cell
   COST RECEIVE 1 ms
 END ENVIRONMENT
 )";
-
-/// Runs of a skill that are told by hand.
-class Told {
- public:
-  explicit Told(const std::string& text) : skill_(test::any_skill(text)) {
-    INFO(test::messages(skill_->diagnostics));
-    REQUIRE(skill_->problem);
-    const Watch nothing;
-    run_ = simulate(Machine(*skill_->problem, nothing), {}).trace;
-    run_.events.clear();
-  }
-
-  /// What follows is at this time.
-  Told& at(std::int64_t milliseconds) {
-    now_ = milliseconds * 1'000'000;
-    return *this;
-  }
-
-  /// `subject`: a condition or a message; `value`: of a condition, the number of a message, or a code.
-  Told& say(Kind kind, const std::string& actor, const std::string& statement = {},
-            const std::string& subject = {}, int value = 0) {
-    trace::Event event{};
-    event.time_ns = now_;
-    event.kind = kind;
-    event.actor = index(run_.actors, [&](const trace::Actor& each) { return each.name == actor; });
-    event.statement = -1;
-    if (!statement.empty()) {
-      event.statement =
-          index(run_.statements, [&](const trace::Statement& each) { return each.text == statement; });
-    }
-    const bool condition = kind == Kind::set || kind == Kind::read;
-    event.subject = -1;
-    if (condition) {
-      event.subject = index(run_.conditions, [&](const std::string& each) { return each == subject; });
-    } else if (!subject.empty()) {
-      event.subject =
-          index(run_.channels, [&](const trace::Channel& each) { return each.message == subject; });
-    }
-    event.value = value;
-    run_.events.push_back(event);
-    return *this;
-  }
-
-  /// Which rule it breaks; empty: none.
-  std::string broken() const {
-    return rules::check_run(*skill_->problem, &skill_->problem->requirements.front(), run_).broken;
-  }
-
- private:
-  template <typename List, typename Is>
-  static std::int32_t index(const List& list, const Is& is) {
-    const auto found = std::find_if(list.begin(), list.end(), is);
-    REQUIRE(found != list.end());
-    return static_cast<std::int32_t>(found - list.begin());
-  }
-
-  std::unique_ptr<test::Skill> skill_;
-  trace::Trace run_;
-  std::int64_t now_ = 0;
-};
 
 /// Both threads have a processor each.
 void start_both(Told& run) {
