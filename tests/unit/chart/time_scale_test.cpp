@@ -63,7 +63,6 @@ TEST_CASE("ticks are never closer than their labels need, over twelve orders of 
 }
 
 }  // namespace
-}  // namespace pal::chart
 
 TEST_CASE("a scale of weeks is as even as one of milliseconds") {
   const std::int64_t week = std::int64_t{7} * 24 * 3600 * 1'000'000'000;
@@ -72,3 +71,5 @@ TEST_CASE("a scale of weeks is as even as one of milliseconds") {
   CHECK(scale.x(30 * week) == 6'000);
   CHECK(scale.width(40 * week) == 8'000);
 }
+
+}  // namespace pal::chart
