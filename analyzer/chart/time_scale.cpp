@@ -8,6 +8,12 @@ namespace {
 
 constexpr Length least_tick_distance = 620;
 
+/// a * b / c, where the product of a time and a length may be more than a number of 64 bits.
+std::int64_t share(std::int64_t a, std::int64_t b, std::int64_t c) {
+  __extension__ using Wide = __int128;
+  return static_cast<std::int64_t>(static_cast<Wide>(a) * b / c);
+}
+
 /// floor(a / b) for b > 0.
 std::int64_t floor_div(std::int64_t a, std::int64_t b) {
   return a / b - (a % b < 0 ? 1 : 0);
@@ -74,7 +80,7 @@ TimeScale::TimeScale(const std::vector<Window>& windows, Length x0, Length x1, L
 }
 
 Length TimeScale::width(std::int64_t ns) const {
-  return ns * total_width_ / total_ns_;
+  return share(ns, total_width_, total_ns_);
 }
 
 Length TimeScale::x(std::int64_t ns) const {
@@ -82,7 +88,8 @@ Length TimeScale::x(std::int64_t ns) const {
   for (const Piece& piece : pieces_) {
     const std::int64_t length = piece.time.to_ns - piece.time.from_ns;
     if (ns <= piece.time.to_ns)
-      return piece.x0 + (ns - piece.time.from_ns) * (piece.x1 - piece.x0) / std::max<std::int64_t>(length, 1);
+      return piece.x0 +
+             share(ns - piece.time.from_ns, piece.x1 - piece.x0, std::max<std::int64_t>(length, 1));
   }
   return x1();
 }

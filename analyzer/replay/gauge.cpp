@@ -136,8 +136,8 @@ void Gauge::idle(int processor) {
   paused_[index] = now_;
 }
 
-void Gauge::puts(int index, int to, bool along) {
-  const int carried = along && (is(Measure::response) || of_samples()) ? thread(index) : none;
+void Gauge::puts(int index, int to) {
+  const int carried = is(Measure::response) || of_samples() ? thread(index) : none;
   const bool answered =
       is(Measure::response) && carried != none && answered_[static_cast<std::size_t>(carried)];
   channel(to) = is_event(to) ? birth() : answered ? none : carried;

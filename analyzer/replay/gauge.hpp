@@ -29,8 +29,8 @@ class Gauge {
   void busy(int processor);
   void idle(int processor);
 
-  // Messages. `along`: what the thread carries goes with it.
-  void puts(int thread, int channel, bool along);
+  // Messages. What the thread carries goes with one that it puts.
+  void puts(int thread, int channel);
   void takes(int thread, int channel);
   void empties(int channel);
   void withdrawn(int channel);

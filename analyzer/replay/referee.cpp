@@ -32,22 +32,25 @@ void Referee::follow(std::optional<Nanoseconds> until) {
   for (at_ = 0; at_ < events_.size(); ++at_) {
     const Event& event = events_[at_];
     demand(event.time_ns >= now_, "time runs backwards");
+    demand(!ended_, "something happens after the skill has ended");
     if (event.time_ns > now_) {
       leave_instant(event.time_ns);
       passed_.clear();
     }
     now_ = event.time_ns;
     gauge_.at(now_);
-    demand(!ended_, "something happens after the skill has ended");
     handle(event);
   }
-  demand(!completed_ || ended_, "the skill's completion has no effect");
   if (!ended_) leave_instant(std::max(now_, until.value_or(now_)));
 }
 
 void Referee::handle(const Event& event) {
   const int threads = static_cast<int>(threads_.size());
   if (midway_ >= 0 && event.actor != midway_) check_between(event);
+  if (is_effect(event)) {
+    check_settled();
+    ++effects_;
+  }
   if (event.actor >= threads) {
     device_event(event, event.actor - threads);
     return;
@@ -104,6 +107,38 @@ void Referee::handle(const Event& event) {
   broken(std::string("a thread has no event ") + trace::name(event.kind));
 }
 
+/// Whether the event is, or begins, something that does not follow from something else at its instant.
+bool Referee::is_effect(const Event& event) const {
+  const int threads = static_cast<int>(threads_.size());
+  if (event.actor >= threads) {
+    const Device& of = problem_.devices[static_cast<std::size_t>(event.actor - threads)];
+    const bool occurs = event.kind == Kind::put || event.kind == Kind::overrun;
+    return event.kind == Kind::idle || (occurs && std::holds_alternative<pan::EventDevice>(of.behaviour));
+  }
+  if (event.actor < 0 || event.actor == midway_) return false;
+  const Party& of = party(event.actor);
+  if (of.mode != Mode::running || of.acted || !of.reads.empty()) return false;
+  return event.kind == Kind::put || event.kind == Kind::take || event.kind == Kind::set ||
+         event.kind == Kind::read || event.kind == Kind::done;
+}
+
+/// What must be so before the next effect at the same instant: all that follows from those before has
+/// happened, and whoever can run has begun to.
+void Referee::check_settled() const {
+  for (std::size_t t = 0; t < threads_.size(); ++t) {
+    const Party& of = threads_[t];
+    const int thread = static_cast<int>(t);
+    demand(of.mode != Mode::arrived, name(thread) + " neither waits nor goes on");
+    if (of.mode == Mode::sending)
+      demand(slot(step_of(thread).channels.front()).full && !of.acted,
+             name(thread) + " waits for a slot that is free");
+    if (of.mode != Mode::waiting) continue;
+    for (int channel : step_of(thread).channels)
+      demand(!surely_there(channel, thread), name(thread) + " waits for a message that is there");
+  }
+  for (std::size_t p = 0; p < holders_.size(); ++p) check_processor(static_cast<int>(p));
+}
+
 /// Between what a statement does and that it is done: nothing after it has set or read a condition. Else
 /// whoever that frees may go on, and the device that it sends to takes that, but no other statement has its
 /// effect.
@@ -114,13 +149,14 @@ void Referee::check_between(const Event& event) const {
   const bool taken = kind == Step::Kind::send && (event.kind == Kind::busy || event.kind == Kind::take);
   const bool message = kind == Step::Kind::wait || kind == Step::Kind::send;
   const bool acts = event.kind == Kind::put || event.kind == Kind::take || event.kind == Kind::set ||
-                    event.kind == Kind::read || event.kind == Kind::complete;
+                    event.kind == Kind::read || event.kind == Kind::complete || event.kind == Kind::done;
   const bool effect = event.actor >= 0 && !device && acts && party(event.actor).mode == Mode::running;
   demand(message && !effect && (!device || taken), name(midway_) + " is interrupted in its effect");
 }
 
 /// What must be so before time goes on to `next`.
 void Referee::leave_instant(Nanoseconds next) const {
+  demand(!completed_, "the skill's completion has no effect");
   for (std::size_t t = 0; t < threads_.size(); ++t) check_thread(static_cast<int>(t), next);
   for (std::size_t p = 0; p < holders_.size(); ++p) check_processor(static_cast<int>(p));
   for (std::size_t d = 0; d < devices_.size(); ++d) check_device(static_cast<int>(d), next);
@@ -132,12 +168,11 @@ void Referee::leave_instant(Nanoseconds next) const {
 
 void Referee::check_thread(int thread, Nanoseconds next) const {
   const Party& of = party(thread);
-  demand(of.owes_put < 0, name(thread) + " has sent nothing");
   const bool idle = of.mode == Mode::ready || of.mode == Mode::waiting || of.mode == Mode::sending;
   demand(of.mode != Mode::arrived, name(thread) + " neither waits nor goes on");
   demand(of.mode != Mode::finished && !(of.must_stop && idle), name(thread) + " is cancelled and goes on");
+  demand(!of.acted && of.reads.empty(), name(thread) + " does half of a statement");
   if (of.mode == Mode::running) {
-    demand(!of.acted && of.reads.empty(), name(thread) + " does half of a statement");
     demand(of.work + next - of.since <= cost(thread).worst, name(thread) + " works for too long");
   }
   if (of.mode == Mode::sending) {

@@ -60,7 +60,6 @@ class Referee {
     int claim = -1;          // channel of the message that is this thread's
     bool withdrawn = false;  // … and is gone
     bool acted = false;      // the put, take, set or read of the statement has happened at this instant
-    int owes_put = -1;       // its effect came before its put, at this instant
     std::map<int, bool> latched;
     std::map<int, bool> reads;  // at this instant, for a test
   };
@@ -111,13 +110,17 @@ class Referee {
   struct Queued {
     int thread;
     Nanoseconds at;
-    bool ordered;  // an event of the run says when in its instant it came
+    std::size_t after;  // how many effects
+    bool ordered;       // an event of the run says when in what follows from one effect it came
     bool front;
+    bool told;  // that it is ready
   };
 
   // The run, and what must be so whenever time goes on (referee.cpp).
   void handle(const Event& event);
   void check_between(const Event& event) const;
+  bool is_effect(const Event& event) const;
+  void check_settled() const;
   void leave_instant(Nanoseconds next) const;
   void check_thread(int thread, Nanoseconds next) const;
   void check_processor(int processor) const;
@@ -157,6 +160,7 @@ class Referee {
   void answered_in_vain(int answer);
   void withdraw(int request, std::optional<int> owner);
   void gives_up(int request);
+  int who_gives_up(int request) const;
   void hands_over(int block, int parent);
   void abandon(int thread);
   bool goes_on(int thread) const;
@@ -198,7 +202,8 @@ class Referee {
 
   const Problem& problem_;
   const std::vector<Event>& events_;
-  std::size_t at_ = 0;  // the event in question
+  std::size_t at_ = 0;       // the event in question
+  std::size_t effects_ = 0;  // before it: what does not follow from something else at its instant
   Nanoseconds now_ = 0;
   bool beginning_ = true;
   bool withdrawing_ = false;     // who goes on otherwise may come before or after who goes on now

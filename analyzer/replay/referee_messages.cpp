@@ -78,19 +78,13 @@ void Referee::put(const Event& event) {
   Party& of = party(thread);
   demand(!slot(event.subject).full, "a message is put into a slot that is full");
   demand(wanted(event.subject), "a message that nobody wants is put");
-  bool along = false;
-  if (of.owes_put == event.subject) {
-    of.owes_put = -1;
-  } else {
-    const Step& step = step_of(thread);
-    demand(step.kind == Step::Kind::send && step.channels.front() == event.subject && !of.acted,
-           name(thread) + " sends what it does not send here");
-    if (of.mode != Mode::sending) check_work(thread);
-    of.acted = true;
-    if (of.mode == Mode::running) midway_ = thread;
-    along = true;
-  }
-  gauge_.puts(thread, event.subject, along);
+  const Step& step = step_of(thread);
+  demand(step.kind == Step::Kind::send && step.channels.front() == event.subject && !of.acted,
+         name(thread) + " sends what it does not send here");
+  if (of.mode != Mode::sending) check_work(thread);
+  of.acted = true;
+  if (of.mode == Mode::running) midway_ = thread;
+  gauge_.puts(thread, event.subject);
   fill(event.subject, thread_of(thread).processor);
   asks(event.subject, thread);
 }
@@ -136,8 +130,9 @@ void Referee::drop(const Event& event) {
   const int request = channel_of(channel).answer >= 0 ? channel : channel_of(channel).answers;
   demand(request >= 0, "what is no request is withdrawn");
   if (!slot(channel).to_be_dropped) {
-    // A wait gives up at this instant: all that is open goes at once.
+    // The effect of a wait that gives up has begun: all that is open goes at once.
     demand(!slot(request).given_up, "a request that is not open is withdrawn");
+    midway_ = who_gives_up(request);
     withdraw(request, std::nullopt);
     slot(request).given_up = true;
     demand(slot(channel).to_be_dropped, "a message that answers no open request is withdrawn");
@@ -159,6 +154,23 @@ void Referee::drop(const Event& event) {
   gauge_.withdrawn(channel);
   if (channel == request) slot(request).asked.pop_back();
   empty(channel);
+}
+
+/// The thread that has given up waiting for an answer to the request, and whose test is done now; of several
+/// the next that is.
+int Referee::who_gives_up(int request) const {
+  for (std::size_t e = at_ + 1; e < events_.size() && events_[e].time_ns == now_; ++e) {
+    const int thread = events_[e].actor;
+    const bool is_done = events_[e].kind == Kind::done && thread >= 0;
+    if (!is_done || thread >= static_cast<int>(threads_.size())) continue;
+    const Party& of = party(thread);
+    if (of.mode != Mode::running || !of.gives_up) continue;
+    const std::vector<int>& channels = step_of(thread).channels;
+    const bool asked = std::any_of(channels.begin(), channels.end(),
+                                   [&](int channel) { return channel_of(channel).answers == request; });
+    if (asked) return thread;
+  }
+  broken("a message is withdrawn, and nobody gives up");
 }
 
 /// Whether a thread that waits stops waiting at this instant.

@@ -19,7 +19,7 @@ void Referee::release(int thread) {
 }
 
 void Referee::enqueue(int thread, bool front, bool ordered) {
-  const Queued made{thread, now_, ordered, front};
+  const Queued made{thread, now_, effects_, ordered, front, false};
   queue_.insert(front ? queue_.begin() : queue_.end(), made);
 }
 
@@ -71,6 +71,10 @@ void Referee::was_ready(const Event& event) {
   resolve(event.actor);
   demand(party(event.actor).mode == Mode::ready, name(event.actor) + " is not ready");
   demand(holder(event.actor) != event.actor, name(event.actor) + " has its processor");
+  const auto own = std::find_if(queue_.begin(), queue_.end(),
+                                [&](const Queued& queued) { return queued.thread == event.actor; });
+  demand(own != queue_.end() && own->at == now_ && !own->told, name(event.actor) + " was ready before");
+  own->told = true;
 }
 
 void Referee::check_turn(int thread) const {
@@ -88,8 +92,8 @@ void Referee::check_turn(int thread) const {
     demand(rival.priority <= of.priority,
            of.name + " runs before " + rival.name + ", whose priority is greater");
     if (rival.priority < of.priority || !before || own == queue_.end()) continue;
-    const bool either =
-        !other->front && !own->front && other->at == own->at && !(other->ordered && own->ordered);
+    const bool together = other->at == own->at && other->after == own->after;
+    const bool either = !other->front && !own->front && together && !(other->ordered && own->ordered);
     demand(either, of.name + " runs before " + rival.name + ", which was first");
   }
 }
@@ -137,6 +141,7 @@ void Referee::started(const Event& event) {
 void Referee::stopped(const Event& event) {
   Party& of = party(event.actor);
   demand(of.mode == Mode::running, name(event.actor) + " is stopped without running");
+  demand(!of.acted && of.reads.empty(), name(event.actor) + " is interrupted in its effect");
   demand(problem_.processors[static_cast<std::size_t>(thread_of(event.actor).processor)].preemptive,
          name(event.actor) + " is preempted on a processor that does not");
   of.work += now_ - of.since;

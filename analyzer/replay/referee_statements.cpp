@@ -165,17 +165,10 @@ void Referee::done(const Event& event) {
         next = step.next[static_cast<std::size_t>(found - step.channels.begin())];
       }
       break;
-    case Step::Kind::send: {
+    case Step::Kind::send:
+      demand(of.acted, name(thread) + " has sent nothing");
       next = step.next.front();
-      const Step::Kind after = problem_.steps[static_cast<std::size_t>(next)].kind;
-      const bool either = after == Step::Kind::fork || after == Step::Kind::end;
-      if (!of.acted && either && of.mode == Mode::running) {
-        of.owes_put = step.channels.front();
-      } else {
-        demand(of.acted, name(thread) + " has sent nothing");
-      }
       break;
-    }
     case Step::Kind::set:
     case Step::Kind::read:
       demand(of.acted, name(thread) + " has neither set nor read");
@@ -200,7 +193,8 @@ void Referee::done(const Event& event) {
   if (completes || completed_) {
     demand(completes && completed_, "the skill completes where it does not, or does not where it does");
     const int code = step.kind == Step::Kind::complete ? step.code : problem_.error_code;
-    demand(at_ > 0 && events_[at_ - 1].kind == Kind::complete && events_[at_ - 1].value == code,
+    const Event& before = events_[at_ - 1];
+    demand(before.kind == Kind::complete && before.actor == thread && before.value == code,
            "the skill completes with another code");
     gauge_.completes(thread, of.step, code);
     gauge_.skill_ends();

@@ -7,6 +7,9 @@
 namespace pal::analyzer {
 namespace {
 
+/// So much happens at one instant only where time stands still.
+constexpr std::size_t most_at_once = 20'000;
+
 /// Draws, and remembers what it drew for the firing at hand.
 class Dice final : public Choices {
  public:
@@ -61,7 +64,8 @@ class Run {
 
   Simulation make() {
     begin();
-    while (made_.script.size() < options_.max_events && !over() && !stopped() && go_on()) draw_durations();
+    while (made_.script.size() < options_.max_events && !stands_still() && !over() && !stopped() && go_on())
+      draw_durations();
     made_.ended = clockwork_.state().ended;
     made_.failed = clockwork_.state().failed;
     made_.measured = clockwork_.measured();
@@ -74,6 +78,10 @@ class Run {
   }
 
  private:
+  bool stands_still() const {
+    const std::vector<ScriptedFiring>& fired = made_.script;
+    return fired.size() > most_at_once && fired[fired.size() - 1 - most_at_once].at == fired.back().at;
+  }
   bool stopped() const { return options_.stop && options_.stop(); }
   bool over() const { return clockwork_.state().ended || clockwork_.state().failed; }
 

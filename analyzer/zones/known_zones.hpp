@@ -27,7 +27,7 @@ class KnownZones {
     const std::size_t width = outline.bounds.size();
     for (std::size_t k = 0; k < ids_.size(); ++k) {
       if (sums_[k] < outline.sum) continue;
-      if (at_least(&bounds_[k * width], outline.bounds.data(), width) && includes(ids_[k])) return ids_[k];
+      if (at_least(bounds_.data() + k * width, outline.bounds.data(), width) && includes(ids_[k])) return ids_[k];
     }
     return -1;
   }
@@ -38,7 +38,7 @@ class KnownZones {
     const std::size_t width = outline.bounds.size();
     std::size_t kept = 0;
     for (std::size_t k = 0; k < ids_.size(); ++k) {
-      if (sums_[k] <= outline.sum && at_least(outline.bounds.data(), &bounds_[k * width], width) &&
+      if (sums_[k] <= outline.sum && at_least(outline.bounds.data(), bounds_.data() + k * width, width) &&
           lies_within(ids_[k]))
         continue;
       if (kept != k) {

@@ -92,6 +92,19 @@ int ZoneGraph::current(int index) const {
   return index;
 }
 
+/// Each class that was replaced leads at once to the one that counts: of a class that has grown with every
+/// turn of a loop there are very long ways.
+void ZoneGraph::shorten_ways() {
+  for (std::size_t i = 0; i < classes_.size(); ++i) {
+    const int last = current(static_cast<int>(i));
+    for (auto at = i; static_cast<int>(at) != last;) {
+      const auto next = static_cast<std::size_t>(classes_[at].replaced_by);
+      classes_[at].replaced_by = last;
+      at = next;
+    }
+  }
+}
+
 void ZoneGraph::Expansion::begin() {
   used = 0;
   findings = {};
@@ -108,6 +121,7 @@ ZoneGraph::Arrival& ZoneGraph::Expansion::arrival(Move& move) {
 
 bool ZoneGraph::explore(const Limits& limits) {
   const bool complete = grow(limits);
+  shorten_ways();
   // Also where a limit was met: edges lead to and from classes that others have replaced.
   for (Edge& edge : edges_) {
     edge.from = current(edge.from);

@@ -1,88 +1,33 @@
 // Runs that cannot be, told event by event: the referee refuses them.
-#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "analyzer/replay/check_run.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/project_file.hpp"
+#include "tests/support/told.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
+using test::Told;
 using trace::Kind;
 
 namespace {
 
-/// The skill in tests/attack/referee of this name.
-std::unique_ptr<test::Skill> referee(const std::string& name) {
-  return test::meaningful_skill(test::project_file("tests/attack/referee/" + name + ".pal"));
+/// The text of the skill in tests/attack/referee of this name.
+std::string skill(const std::string& name) {
+  return test::project_file("tests/attack/referee/" + name + ".pal");
 }
 
-/// Runs of a skill that are told by hand.
-class Told {
- public:
-  /// `name`: of a program in tests/attack/referee.
-  explicit Told(const std::string& name) : skill_(referee(name)) {
-    const Watch nothing;
-    run_ = simulate(Machine(*skill_->problem, nothing), {}).trace;
-    run_.events.clear();
-  }
-
-  /// What follows is at this time.
-  Told& at(std::int64_t milliseconds) {
-    now_ = milliseconds * 1'000'000;
-    return *this;
-  }
-
-  /// `subject`: a condition or a message; `value`: of a condition, the number of a message, or a code.
-  Told& say(Kind kind, const std::string& actor, const std::string& statement = {},
-            const std::string& subject = {}, int value = 0) {
-    trace::Event event{};
-    event.time_ns = now_;
-    event.kind = kind;
-    event.actor = index(run_.actors, [&](const trace::Actor& each) { return each.name == actor; });
-    event.statement = -1;
-    if (!statement.empty()) {
-      event.statement =
-          index(run_.statements, [&](const trace::Statement& each) { return each.text == statement; });
-    }
-    const bool condition = kind == Kind::set || kind == Kind::read;
-    event.subject = -1;
-    if (condition) {
-      event.subject = index(run_.conditions, [&](const std::string& each) { return each == subject; });
-    } else if (!subject.empty()) {
-      event.subject =
-          index(run_.channels, [&](const trace::Channel& each) { return each.message == subject; });
-    }
-    event.value = value;
-    run_.events.push_back(event);
-    return *this;
-  }
-
-  /// Which rule it breaks; empty: none.
-  std::string broken() const {
-    return rules::check_run(*skill_->problem, &skill_->problem->requirements.front(), run_).broken;
-  }
-
- private:
-  template <typename List, typename Is>
-  static std::int32_t index(const List& list, const Is& is) {
-    const auto found = std::find_if(list.begin(), list.end(), is);
-    REQUIRE(found != list.end());
-    return static_cast<std::int32_t>(found - list.begin());
-  }
-
-  std::unique_ptr<test::Skill> skill_;
-  trace::Trace run_;
-  std::int64_t now_ = 0;
-};
+/// Both threads have a processor each.
+void start_both(Told& run) {
+  run.say(Kind::start, "SM1", "CASE").say(Kind::start, "MC1", "SPC( c1 = TRUE )");
+}
 
 void set_both(Told& run) {
-  for (const std::string condition : {"c1", "c2"}) {
-    const std::string statement = "SPC( " + condition + " = TRUE )";
-    run.say(Kind::start, "MC1", statement).say(Kind::set, "MC1", statement, condition, 1);
-    run.say(Kind::done, "MC1", statement);
-  }
+  run.say(Kind::set, "MC1", "SPC( c1 = TRUE )", "c1", 1).say(Kind::done, "MC1", "SPC( c1 = TRUE )");
+  run.say(Kind::start, "MC1", "SPC( c2 = TRUE )").say(Kind::set, "MC1", "SPC( c2 = TRUE )", "c2", 1);
+  run.say(Kind::done, "MC1", "SPC( c2 = TRUE )");
   run.say(Kind::block, "MC1", "WTM( m from SM1 )", "m");
 }
 
@@ -96,16 +41,18 @@ void complete(Told& run, const std::string& code) {
 
 // MC1 sets c1 and then c2; SM1 tests both on another processor. Nothing takes time.
 TEST_CASE("a test reads all its conditions at one instant: nobody sets one between") {
-  Told before("two_conditions");
-  before.say(Kind::start, "SM1", "CASE").say(Kind::read, "SM1", "CASE", "c1", 0);
+  Told before(skill("two_conditions"));
+  start_both(before);
+  before.say(Kind::read, "SM1", "CASE", "c1", 0);
   before.say(Kind::read, "SM1", "CASE", "c2", 0).say(Kind::done, "SM1", "CASE");
   before.say(Kind::start, "SM1", "TXM( m to MC1 )");
   set_both(before);
   CHECK(before.broken() == "");
 
   // c2 is set after c1, so whoever reads TRUE of c2 reads TRUE of c1.
-  Told between("two_conditions");
-  between.say(Kind::start, "SM1", "CASE").say(Kind::read, "SM1", "CASE", "c1", 0);
+  Told between(skill("two_conditions"));
+  start_both(between);
+  between.say(Kind::read, "SM1", "CASE", "c1", 0);
   set_both(between);
   between.say(Kind::read, "SM1", "CASE", "c2", 1).say(Kind::done, "SM1", "CASE");
   complete(between, "2");
@@ -113,8 +60,9 @@ TEST_CASE("a test reads all its conditions at one instant: nobody sets one betwe
 }
 
 TEST_CASE("a test reads each condition once") {
-  Told twice("two_conditions");
-  twice.say(Kind::start, "SM1", "CASE").say(Kind::read, "SM1", "CASE", "c1", 0);
+  Told twice(skill("two_conditions"));
+  start_both(twice);
+  twice.say(Kind::read, "SM1", "CASE", "c1", 0);
   twice.say(Kind::read, "SM1", "CASE", "c1", 0).say(Kind::read, "SM1", "CASE", "c2", 0);
   twice.say(Kind::done, "SM1", "CASE");
   set_both(twice);
@@ -126,7 +74,7 @@ TEST_CASE("a thread that has taken a message comes to its next wait before anoth
   const std::string first = "WTM( tick from d )";
   const std::string second = "WTM( tick from d ) WITHIN 0 ms";
   const auto begun = [&] {
-    Told run("two_waits");
+    Told run(skill("two_waits"));
     run.say(Kind::block, "MC1", first, "tick").say(Kind::block, "SM1", "WTM( m from MC1 )", "m");
     run.say(Kind::put, "d", {}, "tick", 1).say(Kind::start, "MC1", first).at(1);
     return run;
@@ -152,9 +100,9 @@ TEST_CASE("a thread that has taken a message comes to its next wait before anoth
 
 TEST_CASE("a message of a freed sender comes after its receiver has chosen the next one") {
   // MC1 takes m, and finds a tick at its next wait; then SM1, which was blocked, puts the next m.
-  const auto skill = referee("freed_sender");
+  const auto freed = test::meaningful_skill(skill("freed_sender"));
   const Watch nothing;
-  const Machine machine(*skill->problem, nothing);
+  const Machine machine(*freed->problem, nothing);
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SimulationOptions options;
     options.times = SimulationOptions::Times::random;
@@ -162,6 +110,6 @@ TEST_CASE("a message of a freed sender comes after its receiver has chosen the n
     options.until = 60'000'000;
     const trace::Trace run = simulate(machine, options).trace;
     INFO("seed " << seed);
-    CHECK(rules::check_run(*skill->problem, &skill->problem->requirements.front(), run).broken == "");
+    CHECK(rules::check_run(*freed->problem, &freed->problem->requirements.front(), run).broken == "");
   }
 }

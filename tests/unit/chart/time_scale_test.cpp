@@ -63,4 +63,13 @@ TEST_CASE("ticks are never closer than their labels need, over twelve orders of 
 }
 
 }  // namespace
+
+TEST_CASE("a scale of weeks is as even as one of milliseconds") {
+  const std::int64_t week = std::int64_t{7} * 24 * 3600 * 1'000'000'000;
+  const TimeScale scale({{0, 40 * week}}, 0, 8'000, 0);
+  CHECK(scale.x(10 * week) == 2'000);
+  CHECK(scale.x(30 * week) == 6'000);
+  CHECK(scale.width(40 * week) == 8'000);
+}
+
 }  // namespace pal::chart
