@@ -41,7 +41,9 @@ int BusyWindows::add(Transaction transaction) {
   by_processor_.resize(preemptive_.size());
   for (std::size_t t = 0; t < transaction.tasks.size(); ++t) {
     auto& groups = by_processor_[static_cast<std::size_t>(transaction.tasks[t].processor)];
-    if (groups.empty() || groups.back().transaction != index) groups.push_back({index, {}});
+    const int priority = transaction.tasks[t].priority;
+    if (groups.empty() || groups.back().transaction != index) groups.push_back({index, priority, {}});
+    groups.back().priority = std::max(groups.back().priority, priority);
     groups.back().tasks.push_back(static_cast<int>(t));
   }
   transactions_.push_back(std::move(transaction));
@@ -102,7 +104,7 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, co
                                    Nanoseconds length, Shares* shares) const {
   Nanoseconds work = 0;
   for (const Group& group : groups) {
-    if (group.transaction == own) continue;
+    if (group.transaction == own || group.priority < priority) continue;
     if (group.tasks.size() > 1) {
       work += of_group(group, asker, priority, length, shares);
       continue;
@@ -110,8 +112,7 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, co
     // The usual case: there is one scenario, whose phase cancels out.
     const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
     const Task& task = of.tasks[static_cast<std::size_t>(group.tasks.front())];
-    if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, group.tasks.front()))
-      continue;
+    if (task.cost == 0 || !counts(asker, group.transaction, group.tasks.front())) continue;
     const Nanoseconds jobs = releases(of, task, length);
     work += jobs * task.cost;
     if (shares != nullptr)
@@ -181,6 +182,7 @@ std::vector<Account::Share> BusyWindows::work(int processor, Nanoseconds busy) c
 Nanoseconds BusyWindows::window(int processor, int priority, Nanoseconds cost) const {
   const auto& groups = by_processor_[static_cast<std::size_t>(processor)];
   for (const Group& group : groups) {
+    if (group.priority < priority) continue;
     const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
     for (int t : group.tasks) {
       const Task& task = of.tasks[static_cast<std::size_t>(t)];
@@ -207,6 +209,7 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
   const bool preemptive = preemptive_[static_cast<std::size_t>(self.processor)];
   double demand = 0;
   for (const Group& group : groups) {
+    if (group.priority < self.priority) continue;
     const Transaction& each = transactions_[static_cast<std::size_t>(group.transaction)];
     for (int t : group.tasks) {
       const Task& other = each.tasks[static_cast<std::size_t>(t)];

@@ -109,8 +109,10 @@ class BusyWindows {
   std::vector<Account::Share> work(int processor, Nanoseconds busy) const;
 
  private:
+  /// Tasks of one transaction on one processor.
   struct Group {
     int transaction;
+    int priority;  // the greatest of them
     std::vector<int> tasks;
   };
 
