@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -39,12 +40,19 @@ bool follows(const Transaction& of, int before, int task) {
 int BusyWindows::add(Transaction transaction) {
   const int index = static_cast<int>(transactions_.size());
   by_processor_.resize(preemptive_.size());
+  std::set<int> processors;
   for (std::size_t t = 0; t < transaction.tasks.size(); ++t) {
     auto& groups = by_processor_[static_cast<std::size_t>(transaction.tasks[t].processor)];
     const int priority = transaction.tasks[t].priority;
-    if (groups.empty() || groups.back().transaction != index) groups.push_back({index, priority, {}});
+    if (processors.insert(transaction.tasks[t].processor).second) groups.push_back({index, priority, {}});
     groups.back().priority = std::max(groups.back().priority, priority);
     groups.back().tasks.push_back(static_cast<int>(t));
+  }
+  for (const int processor : processors) {
+    auto& groups = by_processor_[static_cast<std::size_t>(processor)];
+    const auto above = [](const Group& one, const Group& other) { return one.priority > other.priority; };
+    const auto place = std::upper_bound(groups.begin(), groups.end() - 1, groups.back(), above);
+    std::rotate(place, groups.end() - 1, groups.end());
   }
   transactions_.push_back(std::move(transaction));
   return index;
@@ -104,7 +112,8 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, co
                                    Nanoseconds length, Shares* shares) const {
   Nanoseconds work = 0;
   for (const Group& group : groups) {
-    if (group.transaction == own || group.priority < priority) continue;
+    if (group.priority < priority) break;
+    if (group.transaction == own) continue;
     if (group.tasks.size() > 1) {
       work += of_group(group, asker, priority, length, shares);
       continue;
@@ -182,7 +191,7 @@ std::vector<Account::Share> BusyWindows::work(int processor, Nanoseconds busy) c
 Nanoseconds BusyWindows::window(int processor, int priority, Nanoseconds cost) const {
   const auto& groups = by_processor_[static_cast<std::size_t>(processor)];
   for (const Group& group : groups) {
-    if (group.priority < priority) continue;
+    if (group.priority < priority) break;
     const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
     for (int t : group.tasks) {
       const Task& task = of.tasks[static_cast<std::size_t>(t)];
@@ -209,7 +218,7 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
   const bool preemptive = preemptive_[static_cast<std::size_t>(self.processor)];
   double demand = 0;
   for (const Group& group : groups) {
-    if (group.priority < self.priority) continue;
+    if (group.priority < self.priority) break;
     const Transaction& each = transactions_[static_cast<std::size_t>(group.transaction)];
     for (int t : group.tasks) {
       const Task& other = each.tasks[static_cast<std::size_t>(t)];

@@ -151,7 +151,7 @@ class BusyWindows {
 
   std::vector<bool> preemptive_;
   std::vector<Transaction> transactions_;
-  std::vector<std::vector<Group>> by_processor_;
+  std::vector<std::vector<Group>> by_processor_;  // the greatest priority first
 };
 
 }  // namespace pal::analyzer::compositional
