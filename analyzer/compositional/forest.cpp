@@ -42,8 +42,7 @@ class Planter {
   }
 
   void plant() {
-    refuse_nested_waits();
-    refuse_shared_limits();
+    forest_.refusal = refusal_of(problem_, forest_.segments);
     if (!forest_.refusal.empty()) return;
     for (int attempt = 0; attempt < 60; ++attempt) {
       forest_.nodes.clear();
@@ -65,34 +64,6 @@ class Planter {
  private:
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
   Node& node(int index) { return forest_.nodes[static_cast<std::size_t>(index)]; }
-
-  /// When a block within a block is there depends on rounds of several threads.
-  void refuse_nested_waits() {
-    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
-      const int thread = forest_.segments.owner(static_cast<int>(s));
-      if (thread < 0 || step_at(static_cast<int>(s)).kind != Kind::wait) continue;
-      const Thread& waits = problem_.threads[static_cast<std::size_t>(thread)];
-      if (waits.parent < 0 || problem_.threads[static_cast<std::size_t>(waits.parent)].parent < 0) continue;
-      forest_.refusal = waits.name + " waits for messages in a block within a block";
-      return;
-    }
-  }
-
-  /// A thread whose message is withdrawn while it takes it comes to its wait again: the limit counts anew.
-  void refuse_shared_limits() {
-    const std::vector<bool> shared = shared_requests(problem_);
-    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
-      const Step& step = step_at(static_cast<int>(s));
-      const int thread = forest_.segments.owner(static_cast<int>(s));
-      if (step.kind != Kind::wait || !step.within || thread < 0) continue;
-      for (int channel : step.channels) {
-        const int request = problem_.channels[static_cast<std::size_t>(channel)].answers;
-        if (request < 0 || !shared[static_cast<std::size_t>(request)]) continue;
-        forest_.refusal = problem_.threads[static_cast<std::size_t>(thread)].name +
-                          " may give up what a block beside it asks or waits for, too";
-      }
-    }
-  }
 
   /// Whether the thread can come back to a wait by way of waits with limits alone.
   bool goes_round_by_limits(int wait) const {

@@ -82,6 +82,9 @@ bool ends_straight(const Problem& problem, int block);
 /// another. So one may take what another asked for, or withdraw what another is about to take.
 std::vector<bool> shared_requests(const Problem& problem);
 
+/// Why nothing can be said of a skill that has such waits: in words for the reader, or nothing.
+std::string refusal_of(const Problem& problem, const Segments& segments);
+
 /// By channel of requests: whether one may be withdrawn before it is taken, by who gives up waiting for the
 /// answer or is cancelled.
 std::vector<bool> withdrawn_requests(const Problem& problem);
