@@ -2,6 +2,7 @@
 // (tests/support/runs/all_runs.hpp).
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 
 #include "analyzer/exact/exact.hpp"
@@ -110,45 +111,38 @@ void say(const Tally& tally) {
   CHECK(tally.skills > 0);
 }
 
+/// Of so many skills, if no other number is set.
+void attack_all(std::uint64_t rounds, const std::function<std::string(std::uint64_t)>& text) {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  Tally tally;
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", rounds); ++seed)
+    attack(text(seed), seed, tally);
+  say(tally);
+}
+
+std::string cell(std::uint64_t seed, int longest) {
+  return test::RandomCell(seed, longest, static_cast<int>(seed % 3), test::RandomCell::Asks::all).text();
+}
+
 }  // namespace
 
 TEST_CASE("no run that follows the execution model exceeds what was proved") {
-  const std::uint64_t first = setting("PAL_SEED", 1);
   const int longest = static_cast<int>(setting("PAL_LONGEST", 4));
-  Tally tally;
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 60); ++seed) {
-    const int deep = static_cast<int>(seed % 3);
-    attack(test::RandomCell(seed, longest, deep, test::RandomCell::Asks::all).text(), seed, tally);
-  }
-  say(tally);
+  attack_all(60, [longest](std::uint64_t seed) { return cell(seed, longest); });
 }
 
 TEST_CASE("no run of a skill with mistakes in it exceeds what was proved") {
-  const std::uint64_t first = setting("PAL_SEED", 1);
-  Tally tally;
-  const auto accepts = [](const std::string& text) { return test::any_skill(text)->problem.has_value(); };
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 40); ++seed) {
-    const int deep = static_cast<int>(seed % 3);
-    const std::string right = seed % 2 == 0
-                                  ? test::TimedSkill(seed).text()
-                                  : test::RandomCell(seed, 4, deep, test::RandomCell::Asks::all).text();
-    attack(test::Mutant(seed, right, accepts).text(1 + static_cast<int>(seed % 5)), seed, tally);
-  }
-  say(tally);
+  attack_all(40, [](std::uint64_t seed) {
+    const auto accepts = [](const std::string& text) { return test::any_skill(text)->problem.has_value(); };
+    const std::string right = seed % 2 == 0 ? test::TimedSkill(seed).text() : cell(seed, 4);
+    return test::Mutant(seed, right, accepts).text(1 + static_cast<int>(seed % 5));
+  });
 }
 
 TEST_CASE("no run in which blocks are stopped exceeds what was proved") {
-  const std::uint64_t first = setting("PAL_SEED", 1);
-  Tally tally;
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 150); ++seed)
-    attack(test::StoppedBlocks(seed).text(), seed, tally);
-  say(tally);
+  attack_all(150, [](std::uint64_t seed) { return test::StoppedBlocks(seed).text(); });
 }
 
 TEST_CASE("no run in which many have to do with one message exceeds what was proved") {
-  const std::uint64_t first = setting("PAL_SEED", 1);
-  Tally tally;
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 30); ++seed)
-    attack(test::ManyParties(seed).text(), seed, tally);
-  say(tally);
+  attack_all(30, [](std::uint64_t seed) { return test::ManyParties(seed).text(); });
 }

@@ -1,5 +1,6 @@
 // The referee alone: runs of which it lets every event pass show no more than was proved of all runs.
 #include <catch2/catch.hpp>
+#include <functional>
 #include <iostream>
 #include <sstream>
 
@@ -132,7 +133,12 @@ void send(Told& run, const std::string& statement, const std::string& message) {
   run.say(Kind::done, "MC1", statement);
 }
 
-void say(const Tally& tally) {
+/// Of so many skills, if no other number is set.
+void attack_all(std::uint64_t rounds, const std::function<std::string(std::uint64_t)>& text) {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  Tally tally;
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", rounds); ++seed)
+    attack(text(seed), seed, tally);
   std::cout << tally.skills << " skills, " << tally.runs << " runs told, " << tally.events << " events, "
             << tally.values << " values\n";
   CHECK(tally.values > 0);
@@ -141,28 +147,17 @@ void say(const Tally& tally) {
 }  // namespace
 
 TEST_CASE("no run of a cell that the referee lets pass shows more than was proved") {
-  const std::uint64_t first = setting("PAL_SEED", 1);
-  Tally tally;
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 12); ++seed)
-    attack(test::RandomCell(seed, 4, static_cast<int>(seed % 3), test::RandomCell::Asks::all).text(), seed,
-           tally);
-  say(tally);
+  attack_all(12, [](std::uint64_t seed) {
+    return test::RandomCell(seed, 4, static_cast<int>(seed % 3), test::RandomCell::Asks::all).text();
+  });
 }
 
 TEST_CASE("no run with stopped blocks that the referee lets pass shows more than was proved") {
-  const std::uint64_t first = setting("PAL_SEED", 1);
-  Tally tally;
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 12); ++seed)
-    attack(test::StoppedBlocks(seed).text(), seed, tally);
-  say(tally);
+  attack_all(12, [](std::uint64_t seed) { return test::StoppedBlocks(seed).text(); });
 }
 
 TEST_CASE("no run of a timed skill that the referee lets pass shows more than was proved") {
-  const std::uint64_t first = setting("PAL_SEED", 1);
-  Tally tally;
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 12); ++seed)
-    attack(test::TimedSkill(seed).text(), seed, tally);
-  say(tally);
+  attack_all(12, [](std::uint64_t seed) { return test::TimedSkill(seed).text(); });
 }
 
 TEST_CASE("the referee lets every simulated run of odd skills pass") {
