@@ -89,15 +89,21 @@ void search_all(const Problem& problem, const Options& options, Analysis& analys
     search(problem, problem.requirements[r], options, analysis.verdicts[r]);
 }
 
+/// The bounds, each beside the run that is known by now of its requirement.
+std::vector<Verdict> confronted(std::vector<Verdict> bounds, const Analysis& known) {
+  for (std::size_t r = 0; r < bounds.size(); ++r) {
+    bounds[r].witness = known.verdicts[r].witness;
+    bounds[r].attained_load = known.verdicts[r].attained_load;
+  }
+  return bounds;
+}
+
 /// Its time is short, and what it is for is the case in which that of the exact one has run out. `known`:
 /// from the exact one, whose runs must not contradict it.
 Analysis bounds_of(const Problem& problem, Options options, const Analysis& known) {
   options.stop = nullptr;
   Analysis bounds = analyze_compositionally(problem, options);
-  for (std::size_t r = 0; r < bounds.verdicts.size(); ++r) {
-    bounds.verdicts[r].witness = known.verdicts[r].witness;
-    bounds.verdicts[r].attained_load = known.verdicts[r].attained_load;
-  }
+  bounds.verdicts = confronted(std::move(bounds.verdicts), known);
   withdraw_refuted(bounds.verdicts);
   return bounds;
 }
@@ -145,6 +151,8 @@ Analysis analyze_automatically(const Problem& problem, const Options& options) {
   for (std::size_t r = 0; r < bounds.verdicts.size(); ++r) complete(analysis.verdicts[r], bounds.verdicts[r]);
   search_all(problem, options, analysis);
   if (!(options.stop && options.stop())) explore_further(problem, options, bounds, analysis);
+  // The runs that were found since may contradict bounds, also those that are not used.
+  withdraw_refuted(confronted(bounds.verdicts, analysis), analysis.verdicts);
   analysis.statistics.seconds += bounds.statistics.seconds;
   return analysis;
 }

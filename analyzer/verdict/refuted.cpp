@@ -37,17 +37,21 @@ bool is_refuted(const Verdict& verdict) {
   return verdict.bound && (unanswered || (value && beyond(verdict, *value, *verdict.bound)));
 }
 
-void withdraw_refuted(std::vector<Verdict>& verdicts) {
+void withdraw_refuted(const std::vector<Verdict>& proofs, std::vector<Verdict>& verdicts) {
   for (const Method method : {Method::exact, Method::compositional}) {
-    const auto wrong = std::find_if(verdicts.begin(), verdicts.end(), [method](const Verdict& verdict) {
-      return verdict.method == method && is_refuted(verdict);
+    const auto wrong = std::find_if(proofs.begin(), proofs.end(), [method](const Verdict& proof) {
+      return proof.method == method && is_refuted(proof);
     });
-    if (wrong == verdicts.end()) continue;
+    if (wrong == proofs.end()) continue;
     const std::string by = wrong->requirement;
     for (Verdict& verdict : verdicts) {
       if (verdict.method == method) withdraw(verdict, by);
     }
   }
+}
+
+void withdraw_refuted(std::vector<Verdict>& verdicts) {
+  withdraw_refuted(verdicts, verdicts);
 }
 
 }  // namespace pal::analyzer

@@ -91,3 +91,12 @@ TEST_CASE("an analysis that is wrong of one requirement is not believed of other
   CHECK_FALSE(verdicts[0].bound);
   CHECK(verdicts[2].state == VerdictState::holds);
 }
+
+TEST_CASE("an analysis that is wrong is not believed where the wrong bound is not used") {
+  const std::vector<Verdict> proofs{held(80, 70), held(80, 81)};
+  std::vector<Verdict> verdicts{held(80, 70), held(81, 81)};
+  verdicts[1].method = Method::exact;
+  withdraw_refuted(proofs, verdicts);
+  CHECK(verdicts[0].state == VerdictState::undecided);
+  CHECK(verdicts[1].state == VerdictState::holds);
+}
