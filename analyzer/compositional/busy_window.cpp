@@ -74,8 +74,8 @@ Nanoseconds BusyWindows::of_scenario(const Group& group, int scenario, const Ask
     if (t == asked.task || task.priority < priority || task.cost == 0) continue;
     if (!counts(asked.asker, group.transaction, t)) continue;
     const Nanoseconds due = phase(of, first, task);
-    Nanoseconds jobs = count(of, task, due, length);
-    if (asked.precedes && follows(of, asked.task, t)) {
+    Nanoseconds jobs = asked.drifting ? releases(of, task, length) : count(of, task, due, length);
+    if (!asked.drifting && asked.precedes && follows(of, asked.task, t)) {
       // Those of earlier occurrences; job 1 is of the occurrence at `due - offset`.
       const Nanoseconds before = (asked.occurrence + task.offset - due) / of.period;
       jobs = std::min(jobs, std::max<Nanoseconds>(0, before + (task.jitter + due) / of.period));
@@ -86,18 +86,48 @@ Nanoseconds BusyWindows::of_scenario(const Group& group, int scenario, const Ask
   return work;
 }
 
+bool BusyWindows::drifts(const Group& group, const Task* asker, int priority) const {
+  const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+  if (of.regular || of.period == never) return false;
+  Nanoseconds soonest = never;
+  Nanoseconds latest = 0;
+  for (int t : group.tasks) {
+    const Task& task = of.tasks[static_cast<std::size_t>(t)];
+    if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, t)) continue;
+    soonest = std::min(soonest, task.offset);
+    latest = std::max(latest, task.offset);
+  }
+  return latest > plus(soonest, of.period);
+}
+
+bool BusyWindows::drifts_from(const Group& group, int task) const {
+  const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+  if (of.regular) return false;
+  const Task& self = of.tasks[static_cast<std::size_t>(task)];
+  return std::any_of(group.tasks.begin(), group.tasks.end(), [&](int t) {
+    const Task& other = of.tasks[static_cast<std::size_t>(t)];
+    if (t == task || other.priority < self.priority || other.cost == 0 ||
+        !counts(&self, group.transaction, t))
+      return false;
+    return other.offset > self.offset + of.period ||
+           self.offset + self.jitter > of.period + other.offset + other.jitter;
+  });
+}
+
 /// Of the worst of a transaction's scenarios.
 Nanoseconds BusyWindows::of_group(const Group& group, const Task* asker, int priority, Nanoseconds length,
                                   Shares* shares) const {
   const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+  const bool alone = of.period == never || drifts(group, asker, priority);
   Nanoseconds most = 0;
   int worst = -1;
   for (int t : group.tasks) {
     const Task& task = of.tasks[static_cast<std::size_t>(t)];
     if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, t)) continue;
-    if (of.period == never) {
-      most += task.cost;
-      if (shares != nullptr) shares->push_back({group.transaction, t, 1, task.cost});
+    if (alone) {
+      const Nanoseconds jobs = releases(of, task, length);
+      most += jobs * task.cost;
+      if (shares != nullptr) shares->push_back({group.transaction, t, jobs, jobs * task.cost});
       continue;
     }
     const Nanoseconds work = of_scenario(group, t, {asker}, priority, length);
@@ -232,18 +262,20 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
   if (of.period == never) return critical_once(transaction, task, part, blocking, since);
 
   const Group& own = *group_of(transaction, self.processor);
+  const bool drifting = drifts_from(own, task);
   Critical latest{-1};
   int rounds = 0;
   for (int scenario : own.tasks) {
     const Task& first = of.tasks[static_cast<std::size_t>(scenario)];
     if (first.priority < self.priority || (first.cost == 0 && scenario != task)) continue;
+    if (drifting && scenario != task) continue;
     const Nanoseconds due = phase(of, first, self);
     const Nanoseconds piled = (self.jitter + due) / of.period;
     Nanoseconds window = 0;
     for (Nanoseconds job = 1 - piled;; ++job) {
       // Until the part is done (preemptive), or begins (not preemptive).
-      const Asked asked{&self, task, true, due + (job - 1) * of.period - self.offset};
-      const Asked all{&self, task, false, 0};
+      const Asked asked{&self, task, true, due + (job - 1) * of.period - self.offset, drifting};
+      const Asked all{&self, task, false, 0, drifting};
       const auto settle = [&](Nanoseconds fixed, const Asked& but) {
         Nanoseconds at = std::max(window, fixed);
         while (++rounds < most_rounds) {
@@ -304,9 +336,10 @@ Account BusyWindows::account(int transaction, int task, Nanoseconds part, Nanose
   }
   const Nanoseconds due = phase(of, of.tasks[static_cast<std::size_t>(worst.scenario)], self);
   const Nanoseconds earlier = worst.job - 1 + (self.jitter + due) / of.period;
-  const Asked asked{&self, task, true, due + (worst.job - 1) * of.period - self.offset};
-  of_scenario(*group_of(transaction, self.processor), worst.scenario, asked, self.priority, worst.length,
-              &account.others);
+  const Group& own = *group_of(transaction, self.processor);
+  const Asked asked{&self, task, true, due + (worst.job - 1) * of.period - self.offset,
+                    drifts_from(own, task)};
+  of_scenario(own, worst.scenario, asked, self.priority, worst.length, &account.others);
   account.others.push_back({transaction, task, earlier, earlier * self.cost});
   const Nanoseconds released = due + (worst.job - 1) * of.period;
   account.done_before = since == Since::release ? std::max<Nanoseconds>(0, released) : released + self.jitter;

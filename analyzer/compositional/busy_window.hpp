@@ -39,6 +39,7 @@ struct Task {
 /// Occurrences are at least `period` apart; `never`: there is one.
 struct Transaction {
   Nanoseconds period = 0;
+  bool regular = false;  // exactly so far apart
   std::vector<Task> tasks;
 };
 
@@ -123,6 +124,7 @@ class BusyWindows {
     int task = -1;
     bool precedes = false;
     Nanoseconds occurrence = 0;
+    bool drifting = false;  // drifts_from() the task
   };
 
   /// The window and the job in it that finishes last.
@@ -142,6 +144,12 @@ class BusyWindows {
   /// Of all transactions but `own`, without what does not count for `asker`, if that is given.
   Nanoseconds of_others(const std::vector<Group>& groups, int own, const Task* asker, int priority,
                         Nanoseconds length, Shares* shares = nullptr) const;
+  /// Whether tasks can come nearer together than occurrences a period apart let them: those are further apart
+  /// at times, and one of the tasks comes more than a period later after its occurrence than another. Then
+  /// each counts by itself.
+  bool drifts(const Group& group, const Task* asker, int priority) const;
+  /// The same of others and a task of their own transaction, whose jobs count from their occurrences.
+  bool drifts_from(const Group& group, int task) const;
   Nanoseconds of_siblings(int transaction, int task, Shares* shares) const;
   Critical critical(int transaction, int task, Nanoseconds part, Nanoseconds blocking, Since since) const;
   Critical critical_once(int transaction, int task, Nanoseconds part, Nanoseconds blocking,

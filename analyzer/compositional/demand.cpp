@@ -32,8 +32,10 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes)
       burst_(ground.problem.threads.size()),
       order_(order_of(ground)) {
   std::vector<Transaction> transactions(ground.forest.sources.size());
-  for (std::size_t s = 0; s < transactions.size(); ++s)
+  for (std::size_t s = 0; s < transactions.size(); ++s) {
     transactions[s].period = ground.forest.sources[s].period;
+    transactions[s].regular = ground.forest.sources[s].regular;
+  }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const int n = static_cast<int>(i);
     const Thread& thread = ground.thread_of(n);

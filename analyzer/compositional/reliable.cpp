@@ -30,7 +30,8 @@ class Reliability {
       const bool goes_on = servers(thread, relies[t]) && joins(thread, relies[t]);
       made_.lively[t] = times_.trouble[t].empty() && goes_on;
       made_.begun[t] = comes_to_begin(thread, begins_by[t]);
-      made_.reliable[t] = made_.lively[t] && of.home >= 0 && (!of.leaves || (steady_ && may_leave(thread)));
+      made_.reliable[t] =
+          made_.lively[t] && comes_home(thread) && (!of.leaves || (steady_ && may_leave(thread)));
     }
     for (bool changed = true; changed;) {
       changed = false;
@@ -89,6 +90,22 @@ class Reliability {
                               made_.reliable[static_cast<std::size_t>(other)]);
       }
       if (ending && !leaving) return false;
+    }
+    return true;
+  }
+
+  /// Whether no way through a thread ends before it has come home.
+  bool comes_home(int thread) const {
+    const int home = conduct_.threads[static_cast<std::size_t>(thread)].home;
+    if (home < 0) return false;
+    std::set<int> before{home};
+    std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      if (!before.insert(at).second) continue;
+      if (step_at(at).kind == Kind::end) return false;
+      open.insert(open.end(), step_at(at).next.begin(), step_at(at).next.end());
     }
     return true;
   }

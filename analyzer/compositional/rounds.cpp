@@ -116,7 +116,6 @@ class Shortest {
     return least >= never ? 0 : least;
   }
 
- private:
   /// Whether a wait can be reached without the request that it waits for having been sent on the way.
   bool reaches_unasked(int first, int wait, int request) const {
     std::set<int> seen;
@@ -132,6 +131,7 @@ class Shortest {
     return false;
   }
 
+ private:
   const Problem& problem_;
   const std::vector<bool>& sequential_;
 };
@@ -155,6 +155,8 @@ Nanoseconds least_round(const Problem& problem, const Beginning& beginning,
   const int answer = home.channels[branch];
   const int request = problem.channels[static_cast<std::size_t>(answer)].answers;
   if (request < 0 || !sequential[static_cast<std::size_t>(request)]) return around;
+  // A block of the thread may ask, too, sooner.
+  if (shortest.reaches_unasked(home.next[branch], beginning.step, request)) return around;
   const Nanoseconds asked = shortest.way(home.next[branch], into, 0, [&](int index) {
     const Step& step = problem.steps[static_cast<std::size_t>(index)];
     return step.kind == Kind::send && step.channels.front() == request;

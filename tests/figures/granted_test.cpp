@@ -96,3 +96,24 @@ TEST_CASE("a reaction goes on where another thread comes to its statement") {
   // LS1 has worked at its start, and its block works on; neither has read what was set.
   has_none(granted("elsewhere"));
 }
+
+TEST_CASE("what comes more than a period after its event meets a later event that takes its time") {
+  // SM1 thinks at 15 after an event. If the next comes no sooner SD1 looks then, too, and SD2 reacts after
+  // both.
+  compare(granted("drifting"), {{4, 4}});
+}
+
+TEST_CASE("what comes more than a period after its event is kept by a later event that takes its time") {
+  // SM1 is to think from 17 to 19. The next event comes at 17, and SD1 looks for 3 ms.
+  compare(granted("drifting_itself"), {{22, 22}});
+}
+
+TEST_CASE("a round is as short as its block asks") {
+  // If c holds SD1 asks at once, in a block, and has the next value after 1 ms; else after more than 50.
+  compare(granted("asked_in_a_block"), {{-1, 21}});
+}
+
+TEST_CASE("a thread that may end before it has come home takes nothing") {
+  // If c does not hold LS1 ends at once, and nobody takes what SD2 sends.
+  has_none(granted("ended"));
+}
