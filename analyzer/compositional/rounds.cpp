@@ -136,6 +136,28 @@ class Shortest {
   const std::vector<bool>& sequential_;
 };
 
+/// Whether a block of a thread, or one below it, sends a request.
+bool block_asks(const Problem& problem, int thread, int request) {
+  std::set<int> seen;
+  std::vector<int> open{problem.threads[static_cast<std::size_t>(thread)].entry};
+  bool below = false;  // the thread's own steps are gone through first
+  std::vector<int> blocks;
+  while (!open.empty() || !blocks.empty()) {
+    if (open.empty()) {
+      open.swap(blocks);
+      below = true;
+    }
+    const int at = open.back();
+    open.pop_back();
+    if (!seen.insert(at).second) continue;
+    const Step& step = problem.steps[static_cast<std::size_t>(at)];
+    if (below && step.kind == Kind::send && step.channels.front() == request) return true;
+    for (int block : step.threads) blocks.push_back(problem.threads[static_cast<std::size_t>(block)].entry);
+    open.insert(open.end(), step.next.begin(), step.next.end());
+  }
+  return false;
+}
+
 }  // namespace
 
 Nanoseconds least_round(const Problem& problem, const Beginning& beginning,
@@ -155,6 +177,7 @@ Nanoseconds least_round(const Problem& problem, const Beginning& beginning,
   const int answer = home.channels[branch];
   const int request = problem.channels[static_cast<std::size_t>(answer)].answers;
   if (request < 0 || !sequential[static_cast<std::size_t>(request)]) return around;
+  if (block_asks(problem, beginning.thread, request)) return around;
   const Nanoseconds asked = shortest.way(home.next[branch], into, 0, [&](int index) {
     const Step& step = problem.steps[static_cast<std::size_t>(index)];
     return step.kind == Kind::send && step.channels.front() == request;
