@@ -20,6 +20,7 @@ class Planter {
   Planter(const Problem& problem, Forest& forest)
       : problem_(problem), forest_(forest), sequence_(problem), sequential_(sequential_requests(problem)) {
     takers_.resize(problem.channels.size());
+    before_.resize(problem.steps.size());
     limited_.assign(problem.steps.size(), false);
     forest.counts_anew.assign(problem.steps.size(), false);
     forest.withdrawn = withdrawn_requests(problem);
@@ -27,7 +28,9 @@ class Planter {
     for (std::size_t s = 0; s < problem.steps.size(); ++s) {
       const Step& step = problem.steps[s];
       const int thread = forest.segments.owner(static_cast<int>(s));
-      if (step.kind != Kind::wait || thread < 0) continue;
+      if (thread < 0) continue;
+      for (int next : step.next) before_[static_cast<std::size_t>(next)].push_back(static_cast<int>(s));
+      if (step.kind != Kind::wait) continue;
       const bool anew = std::any_of(step.channels.begin(), step.channels.end(), [&withdrawn](int channel) {
         return withdrawn[static_cast<std::size_t>(channel)];
       });
@@ -241,7 +244,7 @@ class Planter {
     }
   }
 
-  /// The waits that may take an answer: those that come after its request.
+  /// The waits that may take an answer: those that come after its request, if it is known which that is.
   std::optional<std::set<int>> takers_of(const Link& link, int channel) {
     const int request = problem_.channels[static_cast<std::size_t>(channel)].answers;
     if (request < 0 || !sequential_[static_cast<std::size_t>(request)]) return {};
@@ -251,9 +254,36 @@ class Planter {
       const bool asked = begins.kind == Beginning::Kind::arm && node(at).release == Node::Release::message &&
                          node(at).device < 0 &&
                          step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)] == request;
-      if (asked) return takers_after(node(at).sends);
+      if (!asked) continue;
+      // Between the two its module may have taken another request elsewhere, and answer that.
+      const auto is_this_one = [&](int send) { return last_taken_at(send, request, begins.step); };
+      const bool known = std::all_of(link.sends.begin(), link.sends.end(), is_this_one);
+      return known ? takers_after(node(at).sends) : std::nullopt;
     }
     return {};
+  }
+
+  /// Whether on all ways of a thread to `step` the last request is taken at `wait`.
+  bool last_taken_at(int step, int request, int wait) const {
+    std::set<int> seen;
+    std::vector<int> open{step};
+    while (!open.empty()) {
+      const int to = open.back();
+      open.pop_back();
+      if (!seen.insert(to).second) continue;
+      for (int from : before_[static_cast<std::size_t>(to)]) {
+        const Step& of = step_at(from);
+        bool other = of.kind != Kind::wait;  // ways from there that do not take a request
+        for (std::size_t i = 0; i < of.next.size(); ++i) {
+          if (of.kind != Kind::wait || of.next[i] != to) continue;
+          const bool taken = i < of.channels.size() && of.channels[i] == request;
+          if (taken && from != wait) return false;
+          other = other || !taken;
+        }
+        if (other) open.push_back(from);
+      }
+    }
+    return true;
   }
 
   std::optional<std::set<int>> takers_after(const std::vector<int>& sends) const {
@@ -358,6 +388,7 @@ class Planter {
   Sequence sequence_;
   std::vector<bool> sequential_;
   std::vector<std::vector<Taker>> takers_;
+  std::vector<std::vector<int>> before_;  // by step: those that it comes after in its thread
   std::vector<bool> limited_;  // by wait: each of its branches is counted as an effect of reaching it
   std::set<int> cuts_;
   std::set<int> found_;

@@ -117,3 +117,18 @@ TEST_CASE("a thread that may end before it has come home takes nothing") {
   // If c does not hold LS1 ends at once, and nobody takes what SD2 sends.
   has_none(granted("ended"));
 }
+
+TEST_CASE("a module may answer a request that it took in another place") {
+  // The second answer comes at once, and the 50 ms that SM1 thinks then keep MC1 waiting.
+  compare(granted("answered_elsewhere"), {{51, 51}});
+}
+
+TEST_CASE("a block may ask for what its parent waits for") {
+  // SM1 has the processor for 4 ms in 9.
+  compare(granted("block_asks"), {{-1, 76}});
+}
+
+TEST_CASE("two events may come while a skill ends") {
+  // MC1 has the processor until 40, SM1.1 until 70. The tick of 50 ms is still there when that of 100 comes.
+  has_none(granted("while_ending"));
+}
