@@ -17,7 +17,6 @@ class Observer {
     made_.threads.resize(problem_.threads.size());
     made_.round.assign(nodes, -1);
     made_.previous.resize(nodes);
-    made_.sequential = sequential_requests(problem_);
     for (std::size_t n = 0; n < nodes; ++n) {
       made_.threads[static_cast<std::size_t>(forest_.thread_of(static_cast<int>(n)))].nodes.push_back(
           static_cast<int>(n));
@@ -245,9 +244,7 @@ class Observer {
     made_.never_full.assign(problem_.channels.size(), false);
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
       const Channel& channel = problem_.channels[c];
-      if (channel.answer >= 0) made_.never_full[c] = made_.sequential[c];
-      if (channel.answers >= 0 && channel.sender_module >= 0)
-        made_.never_full[c] = made_.sequential[static_cast<std::size_t>(channel.answers)];
+      made_.never_full[c] = channel.answer >= 0 || (channel.answers >= 0 && channel.sender_module >= 0);
     }
   }
 
@@ -264,10 +261,7 @@ class Observer {
       request = channel;
     }
     const Channel& channel = problem_.channels[static_cast<std::size_t>(request)];
-    if (channel.answer < 0 || !made_.sequential[static_cast<std::size_t>(request)] ||
-        !made_.never_full[static_cast<std::size_t>(channel.answer)]) {
-      return;
-    }
+    if (channel.answer < 0) return;
     for (const Step& step : problem_.steps) {
       const bool gives_up =
           step.kind == Kind::wait && step.within &&

@@ -32,7 +32,6 @@ struct Conduct {
   /// node's thread has something to do, but for its own waits for slots. So who waits for the slot does not
   /// keep the thread waiting.
   std::vector<bool> drains;
-  std::vector<bool> sequential;  // by channel: requests that are sent and answered one at a time
   std::vector<bool>
       never_full;  // by channel: the protocol of request and answer keeps its slot free for a put
 };

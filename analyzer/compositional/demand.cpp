@@ -68,8 +68,7 @@ bool Demand::pauses(int thread) const {
     owned.resize(ground_.problem.steps.size());
     for (std::size_t s = 0; s < owned.size(); ++s)
       owned[s] = ground_.forest.segments.owner(static_cast<int>(s)) == thread;
-    if (!waits_at_home(ground_.problem, ground_.segment(n).beginning, owned, ground_.conduct.sequential))
-      return false;
+    if (!waits_at_home(ground_.problem, ground_.segment(n).beginning, owned)) return false;
   }
   return true;
 }

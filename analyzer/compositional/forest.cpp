@@ -17,8 +17,7 @@ struct Taker {
 
 class Planter {
  public:
-  Planter(const Problem& problem, Forest& forest)
-      : problem_(problem), forest_(forest), sequence_(problem), sequential_(sequential_requests(problem)) {
+  Planter(const Problem& problem, Forest& forest) : problem_(problem), forest_(forest), sequence_(problem) {
     takers_.resize(problem.channels.size());
     before_.resize(problem.steps.size());
     limited_.assign(problem.steps.size(), false);
@@ -93,7 +92,6 @@ class Planter {
       source.period = event->period.count();
       source.jitter = event->jitter.count();
       source.regular = !event->sporadic;
-      source.at_one_wait = takers_[static_cast<std::size_t>(problem_.devices[d].event)].size() == 1;
       forest_.sources.push_back(source);
     }
     for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
@@ -118,7 +116,7 @@ class Planter {
       source.kind = Source::Kind::loop;
       source.segment = segment;
       source.thread = forest_.segments[segment].beginning.thread;
-      source.period = least_round(problem_, forest_.segments[segment].beginning, sequential_);
+      source.period = least_round(problem_, forest_.segments[segment].beginning);
       if (source.period == 0) {
         forest_.refusal = "module " + problem_.threads[static_cast<std::size_t>(source.thread)].name +
                           " may go round without any time passing";
@@ -202,11 +200,9 @@ class Planter {
   bool begins_anew(int fork) const {
     const Step& step = step_at(fork);
     if (step.kind != Kind::fork) return false;
-    const bool goes_round = std::any_of(step.threads.begin(), step.threads.end(), [this](int block) {
+    return std::any_of(step.threads.begin(), step.threads.end(), [this](int block) {
       return problem_.threads[static_cast<std::size_t>(block)].can_end && !ends_straight(problem_, block);
     });
-    return goes_round &&
-           !recurrent(problem_, {Beginning::Kind::joined, forest_.segments.owner(fork), fork, -1});
   }
 
   /// The segment's sends, those of one channel together if a run passes only one of them.
@@ -247,7 +243,7 @@ class Planter {
   /// The waits that may take an answer: those that come after its request, if it is known which that is.
   std::optional<std::set<int>> takers_of(const Link& link, int channel) {
     const int request = problem_.channels[static_cast<std::size_t>(channel)].answers;
-    if (request < 0 || !sequential_[static_cast<std::size_t>(request)]) return {};
+    if (request < 0) return {};
     if (link.device >= 0) return takers_after(link.sends);
     for (int at = link.cause; at >= 0; at = node(at).cause) {
       const Beginning& begins = forest_.segment_of(node(at)).beginning;
@@ -258,7 +254,8 @@ class Planter {
       // Between the two its module may have taken another request elsewhere, and answer that.
       const auto is_this_one = [&](int send) { return last_taken_at(send, request, begins.step); };
       const bool known = std::all_of(link.sends.begin(), link.sends.end(), is_this_one);
-      return known ? takers_after(node(at).sends) : std::nullopt;
+      if (!known) return {};
+      return takers_after(node(at).sends);
     }
     return {};
   }
@@ -286,13 +283,9 @@ class Planter {
     return true;
   }
 
-  std::optional<std::set<int>> takers_after(const std::vector<int>& sends) const {
+  std::set<int> takers_after(const std::vector<int>& sends) const {
     std::set<int> all;
-    for (int send : sends) {
-      const std::optional<std::set<int>> takers = takers_of_answer(problem_, send);
-      if (!takers) return {};
-      all.insert(takers->begin(), takers->end());
-    }
+    for (int send : sends) all.merge(takers_of_answer(problem_, send));
     return all;
   }
 
@@ -386,7 +379,6 @@ class Planter {
   const Problem& problem_;
   Forest& forest_;
   Sequence sequence_;
-  std::vector<bool> sequential_;
   std::vector<std::vector<Taker>> takers_;
   std::vector<std::vector<int>> before_;  // by step: those that it comes after in its thread
   std::vector<bool> limited_;  // by wait: each of its branches is counted as an effect of reaching it

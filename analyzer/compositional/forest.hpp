@@ -15,15 +15,14 @@ namespace pal::analyzer::compositional {
 struct Source {
   enum class Kind { event, start, loop, joined };
   Kind kind = Kind::start;
-  int device = -1;           // event
-  int thread = -1;           // start, loop, joined
-  int segment = -1;          // loop: the one that each round begins with
-  int fork = -1;             // joined
-  Nanoseconds period = 0;    // least distance of occurrences, but for the jitter; never: there is one
-  Nanoseconds jitter = 0;    // occurrence k is released up to so long after its nominal instant
-  bool at_one_wait = false;  // event: there is one wait that takes it; till then its device is closed
-  bool regular = false;      // nominal instants are exactly a period apart
-  std::vector<int> roots;    // nodes
+  int device = -1;         // event
+  int thread = -1;         // start, loop, joined
+  int segment = -1;        // loop: the one that each round begins with
+  int fork = -1;           // joined
+  Nanoseconds period = 0;  // least distance of occurrences, but for the jitter; never: there is one
+  Nanoseconds jitter = 0;  // occurrence k is released up to so long after its nominal instant
+  bool regular = false;    // nominal instants are exactly a period apart
+  std::vector<int> roots;  // nodes
   /// Sends and waits that lead to the next round of a loop.
   struct Feed {
     int node = -1;
@@ -78,44 +77,37 @@ Forest forest_of(const Problem& problem);
 /// waits for.
 bool ends_straight(const Problem& problem, int block);
 
-/// By channel of requests: whether blocks of one CONCURRENT send it, or wait for its answer, beside one
-/// another. So one may take what another asked for, or withdraw what another is about to take.
-std::vector<bool> shared_requests(const Problem& problem);
-
-/// Why nothing can be said of a skill that has such waits: in words for the reader, or nothing.
+/// Why nothing can be said of a skill: in words for the reader, or nothing.
 std::string refusal_of(const Problem& problem, const Segments& segments);
+
+/// Where a request is not in turn: in words for the reader, or nothing. Else each is sent only when the
+/// answer to the one before has been taken, or given up, by the same thread, and is answered once, before its
+/// server takes the next. So an answer that is taken is that to the last request, and neither finds its slot
+/// full.
+std::string out_of_turn(const Problem& problem, const Segments& segments);
 
 /// By channel of requests: whether one may be withdrawn before it is taken, by who gives up waiting for the
 /// answer or is cancelled.
 std::vector<bool> withdrawn_requests(const Problem& problem);
 
-/// By channel of requests: whether each is sent only when the answer to the one before has been taken, or
-/// given up, and is answered once, before its server takes the next. So an answer that is taken is that to
-/// the last request. No request that is shared is.
-std::vector<bool> sequential_requests(const Problem& problem);
-
-/// The waits of the sender's thread that may take the answer to what `send` asks for, if its requests are
-/// sequential; nothing: others may, too.
-std::optional<std::set<int>> takers_of_answer(const Problem& problem, int send);
+/// The waits that may take the answer to what `send` asks for.
+std::set<int> takers_of_answer(const Problem& problem, int send);
 
 /// Whether a segment may run more than once in the life of a skill, whatever causes it.
 bool recurrent(const Problem& problem, const Beginning& beginning);
 
 /// Least time between two beginnings of a segment of one thread.
-Nanoseconds least_round(const Problem& problem, const Beginning& beginning,
-                        const std::vector<bool>& sequential);
+Nanoseconds least_round(const Problem& problem, const Beginning& beginning);
 
 /// Whether a thread that goes on by itself, with rounds that begin so, surely has to wait when it comes home:
 /// it gives up only after some time, or is there sooner after each request than the answer can be. It
 /// need not keep up with others for that: what it asks, it asks while it has its processor. `owned`: its
 /// steps.
-bool waits_at_home(const Problem& problem, const Beginning& round, const std::vector<bool>& owned,
-                   const std::vector<bool>& sequential);
+bool waits_at_home(const Problem& problem, const Beginning& round, const std::vector<bool>& owned);
 
 /// Least time between two effects of the steps `at` of one thread, by the shortest way; 0: its blocks begin
 /// again and again.
-Nanoseconds least_way(const Problem& problem, int thread, const std::vector<bool>& at,
-                      const std::vector<bool>& sequential);
+Nanoseconds least_way(const Problem& problem, int thread, const std::vector<bool>& at);
 
 /// A message needs at least this from its put to where `receiver` can take it, and at most this.
 Range latency(const Problem& problem, int channel, int sender, int receiver);

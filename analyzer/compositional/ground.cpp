@@ -83,8 +83,6 @@ bool Ground::may_stay(int n, int send, int taker) const {
 }
 
 Nanoseconds Ground::answer_queue(int device, int request) const {
-  // What is asked for twice may find the answer's slot full.
-  if (!conduct.sequential[static_cast<std::size_t>(request)]) return never;
   const Device& of = problem.devices[static_cast<std::size_t>(device)];
   const auto* behaviour = std::get_if<pan::RequestDevice>(&of.behaviour);
   if (behaviour == nullptr) return 0;

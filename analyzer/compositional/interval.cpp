@@ -78,7 +78,7 @@ Sum least_by_source(const View& view, const std::vector<Pass>& all) {
 
 /// What the shortest way through the program takes.
 Sum by_the_way(const View& view, const std::vector<bool>& at, int thread) {
-  return {least_way(view.problem, thread, at, view.conduct.sequential),
+  return {least_way(view.problem, thread, at),
           {Term::Kind::said, -1, -1, -1, "what lies on the shortest way from one to the next"}};
 }
 

@@ -32,9 +32,14 @@ bool only_in_leaver(const View& view, const Endurance& endurance, const Requirem
 
 Bound until_left(const View& always, const Endurance& endurance, const Requirement& requirement,
                  const std::function<Bound(const View&, const Requirement&)>& bound_of) {
-  const View steady{
-      always.problem,          always.forest, always.conduct, always.times, endurance.steady.reliable,
-      endurance.steady.lively, endurance.steady.begun, true};
+  const View steady{always.problem,
+                    always.forest,
+                    always.conduct,
+                    always.times,
+                    endurance.steady.reliable,
+                    endurance.steady.lively,
+                    endurance.steady.begun,
+                    true};
   const Bound strict = bound_of(always, requirement);
   if (endurance.leavers.empty()) return strict;
   switch (requirement.measure) {

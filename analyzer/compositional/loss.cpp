@@ -10,8 +10,6 @@ namespace {
 /// Why an answer to a request may get lost; empty: none may.
 std::string answers_lost(const View& view, int request, std::vector<bool>& sends) {
   const Problem& problem = view.problem;
-  if (!view.conduct.sequential[static_cast<std::size_t>(request)])
-    return "something may be asked for before the last answer was taken";
   if (may_give_up(problem, request)) return "somebody may give up waiting for an answer";
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
     const Step& step = problem.steps[s];

@@ -148,8 +148,8 @@ void find_pace(const Ground& ground, Times& times) {
   for (std::size_t s = 0; s < ground.forest.sources.size(); ++s) {
     const Source& of = ground.forest.sources[s];
     const bool event = of.kind == Source::Kind::event;
-    const bool taken = event && of.roots.size() == 1 && of.at_one_wait &&
-                       take_in_time(ground, times.nodes, of.roots.front(), 0);
+    const bool taken =
+        event && of.roots.size() == 1 && take_in_time(ground, times.nodes, of.roots.front(), 0);
     times.no_overrun.push_back(taken);
     Pace pace;
     if (taken && of.regular) {

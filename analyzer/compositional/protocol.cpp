@@ -8,193 +8,115 @@ namespace {
 
 using Kind = Step::Kind;
 
-/// Greatest number of requests of one channel that are open when a module reaches its steps: 0, 1, or 2 for
-/// more.
-class OpenRequests {
- public:
-  OpenRequests(const Problem& problem, int request)
-      : problem_(problem),
-        request_(request),
-        answer_(problem.channels[static_cast<std::size_t>(request)].answer) {}
+bool takes(const Step& step, int channel) {
+  return step.kind == Kind::wait &&
+         std::find(step.channels.begin(), step.channels.end(), channel) != step.channels.end();
+}
 
-  /// False: a request is sent while one is open, perhaps.
-  bool sequential() {
-    const int module = problem_.channels[static_cast<std::size_t>(request_)].sender_module;
-    for (const Thread& thread : problem_.threads) {
-      if (thread.module == module && thread.parent < 0) reach(thread.entry, 0);
-    }
-    bool sound = true;
-    while (!work_.empty()) {
-      const int at = work_.back();
-      work_.pop_back();
-      sound = pass(at) && sound;
-    }
-    return sound;
-  }
+bool sends(const Step& step, int channel) {
+  return step.kind == Kind::send && step.channels.front() == channel;
+}
 
-  int at(int step) const {
-    const auto known = open_.find(step);
-    return known == open_.end() ? 0 : known->second;
-  }
-
- private:
-  void reach(int step, int open) {
-    const auto [place, fresh] = open_.emplace(step, open);
-    if (!fresh && place->second >= open) return;
-    place->second = std::max(place->second, open);
-    work_.push_back(step);
-  }
-
-  bool pass(int index) {
-    const Step& step = problem_.steps[static_cast<std::size_t>(index)];
-    const int open = open_.at(index);
-    switch (step.kind) {
-      case Kind::send: {
-        const bool asks = step.channels.front() == request_;
-        reach(step.next.front(), asks ? 1 : open);
-        return !asks || open == 0;
-      }
-      case Kind::wait: {
-        bool waits = false;
-        for (std::size_t arm = 0; arm < step.channels.size(); ++arm) {
-          const bool answered = step.channels[arm] == answer_;
-          waits = waits || answered;
-          reach(step.next[arm], answered ? 0 : open);
-        }
-        if (step.within) reach(step.next.back(), waits ? 0 : open);
-        return true;
-      }
-      case Kind::fork: {
-        int asking = 0;
-        for (int block : step.threads) {
-          reach(problem_.threads[static_cast<std::size_t>(block)].entry, open);
-          if (asks(block)) ++asking;
-        }
-        // Two blocks that ask may both have a request open; one that is cancelled leaves it to be answered.
-        if (asking == 0) reach(step.next.front(), open);
-        const bool stopped = std::any_of(step.threads.begin(), step.threads.end(), [this](int block) {
-          return asks(block) && !problem_.threads[static_cast<std::size_t>(block)].can_end;
-        });
-        if (stopped) reach(step.next.front(), 2);
-        return asking < 2;
-      }
-      case Kind::end: {
-        const int fork = fork_of_end(index);
-        if (fork >= 0) reach(problem_.steps[static_cast<std::size_t>(fork)].next.front(), open);
-        return true;
-      }
-      default:
-        for (int next : step.next) reach(next, open);
-        return true;
-    }
-  }
-
-  /// The CONCURRENT of the block that ends at a step, if that block asks; -1: there is none.
-  int fork_of_end(int end) const {
-    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
-      for (int block : problem_.steps[s].threads) {
-        if (asks(block) && reaches(block, end)) return static_cast<int>(s);
-      }
-    }
-    return -1;
-  }
-
-  bool reaches(int thread, int step) const {
-    std::set<int> seen;
-    std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (at == step) return true;
-      if (!seen.insert(at).second) continue;
-      const auto& next = problem_.steps[static_cast<std::size_t>(at)].next;
-      open.insert(open.end(), next.begin(), next.end());
-    }
-    return false;
-  }
-
-  bool asks(int thread) const {
-    std::set<int> seen;
-    std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (!seen.insert(at).second) continue;
-      const Step& step = problem_.steps[static_cast<std::size_t>(at)];
-      if (step.kind == Kind::send && step.channels.front() == request_) return true;
-      for (int block : step.threads) open.push_back(problem_.threads[static_cast<std::size_t>(block)].entry);
-      open.insert(open.end(), step.next.begin(), step.next.end());
-    }
-    return false;
-  }
-
-  const Problem& problem_;
-  int request_;
-  int answer_;
-  std::map<int, int> open_;
-  std::vector<int> work_;
-};
-
-/// Whether a thread, or a block of it, takes the request or sends the answer.
-bool talks(const Problem& problem, int thread, int request, int answer) {
+/// Whether the flow comes from a step to such a one; `below`: that, or a block that it begins.
+template <class Such>
+bool comes_to(const Problem& problem, int from, bool below, const Such& such) {
   std::set<int> seen;
-  std::vector<int> open{problem.threads[static_cast<std::size_t>(thread)].entry};
+  std::vector<int> open{from};
   while (!open.empty()) {
     const int at = open.back();
     open.pop_back();
     if (!seen.insert(at).second) continue;
     const Step& step = problem.steps[static_cast<std::size_t>(at)];
-    if (step.kind == Kind::send && step.channels.front() == answer) return true;
-    if (step.kind == Kind::wait &&
-        std::find(step.channels.begin(), step.channels.end(), request) != step.channels.end()) {
-      return true;
-    }
-    for (int block : step.threads) open.push_back(problem.threads[static_cast<std::size_t>(block)].entry);
+    if (such(step)) return true;
     open.insert(open.end(), step.next.begin(), step.next.end());
+    if (!below) continue;
+    for (int block : step.threads) open.push_back(problem.threads[static_cast<std::size_t>(block)].entry);
   }
   return false;
 }
 
-/// Whether a module sends one answer to each request that it takes, before it takes the next.
-bool answers_once(const Problem& problem, int answer) {
-  const Channel& channel = problem.channels[static_cast<std::size_t>(answer)];
-  const int request = channel.answers;
-  std::map<int, unsigned> owed;  // bits: none, one, more
-  std::vector<int> work;
-  const auto reach = [&](int step, unsigned values) {
-    unsigned& there = owed[step];
-    if ((there | values) == there) return;
-    there |= values;
-    work.push_back(step);
-  };
-  for (const Thread& thread : problem.threads) {
-    if (thread.module == channel.sender_module && thread.parent < 0) reach(thread.entry, 1);
-  }
-  while (!work.empty()) {
-    const int at = work.back();
-    work.pop_back();
-    const Step& step = problem.steps[static_cast<std::size_t>(at)];
-    const unsigned values = owed.at(at);
-    if (step.kind == Kind::send && step.channels.front() == answer) {
-      if (values != 2) return false;
-      reach(step.next.front(), 1);
-      continue;
-    }
-    int serving = 0;
-    for (int block : step.threads) {
-      if (!talks(problem, block, request, answer)) continue;
-      reach(problem.threads[static_cast<std::size_t>(block)].entry, values);
-      ++serving;
-    }
-    // A block may be cancelled, or end, owing an answer: nobody gives it.
-    if (serving > 1 || (serving == 1 && values != 1)) return false;
-    for (std::size_t i = 0; i < step.next.size(); ++i) {
-      const bool takes = step.kind == Kind::wait && i < step.channels.size() && step.channels[i] == request;
-      reach(step.next[i], takes ? (values & 6U) != 0 ? 6U : 2U : values);
-    }
-  }
-  return true;
+int entry_of(const Problem& problem, int thread) {
+  return problem.threads[static_cast<std::size_t>(thread)].entry;
 }
+
+/// Whether a module sends one answer to each request that it takes, before it takes the next.
+class Answers {
+ public:
+  Answers(const Problem& problem, int answer)
+      : problem_(problem),
+        answer_(answer),
+        request_(problem.channels[static_cast<std::size_t>(answer)].answers) {}
+
+  bool once() {
+    const int module = problem_.channels[static_cast<std::size_t>(answer_)].sender_module;
+    for (const Thread& thread : problem_.threads) {
+      if (thread.module == module && thread.parent < 0) reach(thread.entry, none);
+    }
+    while (!work_.empty()) {
+      const int at = work_.back();
+      work_.pop_back();
+      if (!pass(at)) return false;
+    }
+    return true;
+  }
+
+ private:
+  /// What may be owed: any of these.
+  enum Owed : unsigned { none = 1, one = 2, more = 4 };
+
+  void reach(int step, unsigned owed) {
+    unsigned& there = owed_[step];
+    if ((there | owed) == there) return;
+    there |= owed;
+    work_.push_back(step);
+  }
+
+  bool pass(int at) {
+    const Step& step = problem_.steps[static_cast<std::size_t>(at)];
+    const unsigned owed = owed_.at(at);
+    if (sends(step, answer_)) {
+      reach(step.next.front(), none);
+      return owed == one;
+    }
+    if (step.kind == Kind::fork) return begin_blocks(step, owed);
+    if (step.kind == Kind::end && after_.contains(at)) reach(after_.at(at), owed);
+    for (std::size_t i = 0; i < step.next.size(); ++i) {
+      const bool taken = step.kind == Kind::wait && i < step.channels.size() && step.channels[i] == request_;
+      reach(step.next[i], !taken ? owed : owed == none ? one : more);
+    }
+    return true;
+  }
+
+  /// One of them may serve, if nothing is owed; a cancelled one may leave an answer owed.
+  bool begin_blocks(const Step& fork, unsigned owed) {
+    int serving = -1;
+    for (int block : fork.threads) {
+      const auto talks = [this](const Step& step) { return sends(step, answer_) || takes(step, request_); };
+      if (!comes_to(problem_, entry_of(problem_, block), true, talks)) continue;
+      if (serving >= 0 || owed != none) return false;
+      serving = block;
+    }
+    const int after = fork.next.front();
+    if (serving < 0) {
+      reach(after, owed);
+      return true;
+    }
+    comes_to(problem_, entry_of(problem_, serving), false, [&](const Step& step) {
+      if (step.kind == Kind::end) after_[static_cast<int>(&step - problem_.steps.data())] = after;
+      return false;
+    });
+    if (!problem_.threads[static_cast<std::size_t>(serving)].can_end) reach(after, none | one);
+    reach(entry_of(problem_, serving), owed);
+    return true;
+  }
+
+  const Problem& problem_;
+  int answer_;
+  int request_;
+  std::map<int, unsigned> owed_;  // by step
+  std::map<int, int> after_;      // what follows the end of a block that serves
+  std::vector<int> work_;
+};
 
 /// The CONCURRENT that starts each thread; -1: none.
 std::vector<int> forks_of(const Problem& problem) {
@@ -212,6 +134,86 @@ bool side_by_side(const Problem& problem, const std::vector<int>& started_by, in
     for (int b = other; b >= 0; b = problem.threads[static_cast<std::size_t>(b)].parent) {
       const int fork = started_by[static_cast<std::size_t>(a)];
       if (a != b && fork >= 0 && fork == started_by[static_cast<std::size_t>(b)]) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether blocks of one CONCURRENT send a request, or wait for its answer, beside one another. So one may
+/// take what another asked for, or withdraw what another is about to take.
+bool is_shared(const Problem& problem, int request) {
+  const int answer = problem.channels[static_cast<std::size_t>(request)].answer;
+  std::set<int> users;
+  for (std::size_t t = 0; t < problem.threads.size(); ++t) {
+    if (comes_to(problem, problem.threads[t].entry, false,
+                 [&](const Step& step) { return sends(step, request) || takes(step, answer); }))
+      users.insert(static_cast<int>(t));
+  }
+  const std::vector<int> started_by = forks_of(problem);
+  return std::any_of(users.begin(), users.end(), [&](int one) {
+    return std::any_of(users.begin(), users.end(),
+                       [&](int other) { return side_by_side(problem, started_by, one, other); });
+  });
+}
+
+/// The ways on from a request, in its thread, until its answer is taken or it is withdrawn.
+class Asked {
+ public:
+  Asked(const Problem& problem, int send) {
+    const int request = problem.steps[static_cast<std::size_t>(send)].channels.front();
+    const int answer = problem.channels[static_cast<std::size_t>(request)].answer;
+    std::set<int> seen;
+    std::vector<int> open = problem.steps[static_cast<std::size_t>(send)].next;
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      if (!seen.insert(at).second) continue;
+      const Step& step = problem.steps[static_cast<std::size_t>(at)];
+      again_ = again_ || sends(step, request);
+      elsewhere_ = elsewhere_ || step.kind == Kind::fork || step.kind == Kind::end;
+      const bool waits = takes(step, answer);
+      if (waits) takers_.insert(at);
+      for (std::size_t i = 0; i < step.next.size(); ++i) {
+        const bool taken = waits && i < step.channels.size() && step.channels[i] == answer;
+        const bool withdrawn = waits && i == step.channels.size();
+        if (!taken && !withdrawn) open.push_back(step.next[i]);
+      }
+    }
+  }
+
+  /// The waits that may take the answer.
+  const std::set<int>& takers() const { return takers_; }
+  /// The request may be sent again before.
+  bool again() const { return again_; }
+  /// The thread may begin blocks, or end, before.
+  bool elsewhere() const { return elsewhere_; }
+
+ private:
+  std::set<int> takers_;
+  bool again_ = false;
+  bool elsewhere_ = false;
+};
+
+/// Whether a request may be sent after a block that sent it was cancelled: that may still be served.
+bool asked_after_cancelled(const Problem& problem, int request) {
+  const auto asks = [request](const Step& step) { return sends(step, request); };
+  const std::vector<int> started_by = forks_of(problem);
+  for (const Step& fork : problem.steps) {
+    const auto ends = [&problem](int block) {
+      return problem.threads[static_cast<std::size_t>(block)].can_end;
+    };
+    if (std::none_of(fork.threads.begin(), fork.threads.end(), ends)) continue;
+    const bool cancelled = std::any_of(fork.threads.begin(), fork.threads.end(), [&](int block) {
+      return !ends(block) && comes_to(problem, entry_of(problem, block), true, asks);
+    });
+    if (!cancelled) continue;
+    // After it, and after the CONCURRENTs that it stands in.
+    for (int block = fork.threads.front(); block >= 0;
+         block = problem.threads[static_cast<std::size_t>(block)].parent) {
+      const int around = started_by[static_cast<std::size_t>(block)];
+      if (around >= 0 &&
+          comes_to(problem, problem.steps[static_cast<std::size_t>(around)].next.front(), true, asks))
+        return true;
     }
   }
   return false;
@@ -253,75 +255,33 @@ std::vector<bool> withdrawn_requests(const Problem& problem) {
   return withdrawn;
 }
 
-std::vector<bool> shared_requests(const Problem& problem) {
-  std::vector<std::set<int>> users(problem.channels.size());
-  for (std::size_t t = 0; t < problem.threads.size(); ++t) {
-    std::set<int> seen;
-    std::vector<int> open{problem.threads[t].entry};
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (!seen.insert(at).second) continue;
-      const Step& step = problem.steps[static_cast<std::size_t>(at)];
-      open.insert(open.end(), step.next.begin(), step.next.end());
-      for (int channel : step.channels) {
-        const Channel& of = problem.channels[static_cast<std::size_t>(channel)];
-        if (step.kind == Kind::send && of.answer >= 0)
-          users[static_cast<std::size_t>(channel)].insert(static_cast<int>(t));
-        if (step.kind == Kind::wait && of.answers >= 0)
-          users[static_cast<std::size_t>(of.answers)].insert(static_cast<int>(t));
-      }
-    }
-  }
-  const std::vector<int> started_by = forks_of(problem);
-  std::vector<bool> shared(problem.channels.size());
-  for (std::size_t c = 0; c < shared.size(); ++c) {
-    for (int one : users[c]) {
-      shared[c] = shared[c] || std::any_of(users[c].begin(), users[c].end(), [&](int other) {
-                    return side_by_side(problem, started_by, one, other);
-                  });
-    }
-  }
-  return shared;
+std::set<int> takers_of_answer(const Problem& problem, int send) {
+  return Asked(problem, send).takers();
 }
 
-std::vector<bool> sequential_requests(const Problem& problem) {
-  std::vector<bool> sequential(problem.channels.size());
-  const std::vector<bool> shared = shared_requests(problem);
-  for (std::size_t c = 0; c < problem.channels.size(); ++c) {
-    const Channel& channel = problem.channels[c];
-    if (channel.answer < 0 || channel.sender_module < 0 || shared[c]) continue;
-    const bool device = problem.channels[static_cast<std::size_t>(channel.answer)].sender_module < 0;
-    sequential[c] = (device || answers_once(problem, channel.answer)) &&
-                    OpenRequests(problem, static_cast<int>(c)).sequential();
+std::string out_of_turn(const Problem& problem, const Segments& segments) {
+  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    const int send = static_cast<int>(s);
+    const Step& step = problem.steps[s];
+    if (segments.owner(send) < 0 || step.kind != Kind::send) continue;
+    const int request = step.channels.front();
+    const Channel& channel = problem.channels[static_cast<std::size_t>(request)];
+    if (channel.answer < 0) continue;
+    const std::string who = problem.threads[static_cast<std::size_t>(segments.owner(send))].name;
+    const std::string what = channel.message + " of " + receiver_name(problem, request);
+    const Asked asked(problem, send);
+    if (channel.receiver_device >= 0 && !channel.served)
+      return who + " asks for " + what + ", which comes by itself";
+    if (asked.again()) return who + " may ask for " + what + " again before it has the answer";
+    if (asked.elsewhere()) return who + " asks for " + what + ", and another thread may take the answer";
+    if (is_shared(problem, request)) return "blocks beside one another ask for " + what + " or wait for it";
+    if (asked_after_cancelled(problem, request))
+      return who + " may ask for " + what + " after a block that asked for it was cancelled";
+    if (channel.receiver_device < 0 && !Answers(problem, channel.answer).once())
+      return receiver_name(problem, request) + " may not answer each request for " + channel.message +
+             " once before it takes the next";
   }
-  return sequential;
-}
-
-std::optional<std::set<int>> takers_of_answer(const Problem& problem, int send) {
-  const int request = problem.steps[static_cast<std::size_t>(send)].channels.front();
-  const int answer = problem.channels[static_cast<std::size_t>(request)].answer;
-  std::set<int> takers;
-  std::set<int> seen;
-  std::vector<int> open = problem.steps[static_cast<std::size_t>(send)].next;
-  while (!open.empty()) {
-    const int at = open.back();
-    open.pop_back();
-    if (!seen.insert(at).second) continue;
-    const Step& step = problem.steps[static_cast<std::size_t>(at)];
-    // Blocks, or what comes after them, may take it.
-    if (step.kind == Kind::fork || step.kind == Kind::end) return {};
-    if (step.kind == Kind::send && step.channels.front() == request) continue;
-    const bool waits = step.kind == Kind::wait &&
-                       std::find(step.channels.begin(), step.channels.end(), answer) != step.channels.end();
-    if (waits) takers.insert(at);
-    for (std::size_t i = 0; i < step.next.size(); ++i) {
-      const bool taken = waits && i < step.channels.size() && step.channels[i] == answer;
-      const bool withdrawn = waits && i == step.channels.size();
-      if (!taken && !withdrawn) open.push_back(step.next[i]);
-    }
-  }
-  return takers;
+  return {};
 }
 
 }  // namespace pal::analyzer::compositional

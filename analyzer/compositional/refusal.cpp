@@ -16,25 +16,45 @@ bool is_nested(const Problem& problem, int thread) {
   return parent >= 0 && problem.threads[static_cast<std::size_t>(parent)].parent >= 0;
 }
 
-/// A thread whose message is withdrawn while it takes it comes to its wait again: the limit counts anew.
-bool has_shared_limit(const Problem& problem, const Step& wait, const std::vector<bool>& shared) {
-  return wait.within && std::any_of(wait.channels.begin(), wait.channels.end(), [&](int channel) {
-           const int request = problem.channels[static_cast<std::size_t>(channel)].answers;
-           return request >= 0 && shared[static_cast<std::size_t>(request)];
-         });
+/// Blocks that are started again before nobody knows when, or stopped in each round.
+bool starts_rounds_again(const Problem& problem, int fork, int thread) {
+  const std::vector<int>& blocks = problem.steps[static_cast<std::size_t>(fork)].threads;
+  const bool straight = std::all_of(blocks.begin(), blocks.end(), [&problem](int block) {
+    return problem.threads[static_cast<std::size_t>(block)].can_end && ends_straight(problem, block);
+  });
+  return !straight && recurrent(problem, {Beginning::Kind::joined, thread, fork, -1});
+}
+
+/// An event that is waited for in several places.
+int event_of_many(const Problem& problem, const Segments& segments) {
+  std::vector<int> waits(problem.channels.size());
+  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    if (problem.steps[s].kind != Step::Kind::wait || segments.owner(static_cast<int>(s)) < 0) continue;
+    for (int channel : problem.steps[s].channels) ++waits[static_cast<std::size_t>(channel)];
+  }
+  for (const Device& device : problem.devices) {
+    if (device.event >= 0 && waits[static_cast<std::size_t>(device.event)] > 1) return device.event;
+  }
+  return -1;
 }
 
 }  // namespace
 
 std::string refusal_of(const Problem& problem, const Segments& segments) {
-  const std::vector<bool> shared = shared_requests(problem);
+  const std::string talk = out_of_turn(problem, segments);
+  if (!talk.empty()) return talk;
+  const int event = event_of_many(problem, segments);
+  if (event >= 0)
+    return problem.channels[static_cast<std::size_t>(event)].message + " of " + sender_name(problem, event) +
+           " is waited for in several places";
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
     const int thread = segments.owner(static_cast<int>(s));
-    if (thread < 0 || problem.steps[s].kind != Step::Kind::wait) continue;
-    if (is_nested(problem, thread))
+    if (thread < 0) continue;
+    if (problem.steps[s].kind == Step::Kind::wait && is_nested(problem, thread))
       return name_of(problem, thread) + " waits for messages in a block within a block";
-    if (has_shared_limit(problem, problem.steps[s], shared))
-      return name_of(problem, thread) + " may give up what a block beside it asks or waits for, too";
+    if (problem.steps[s].kind == Step::Kind::fork &&
+        starts_rounds_again(problem, static_cast<int>(s), thread))
+      return name_of(problem, thread) + " starts blocks again and again of which some go round";
   }
   return {};
 }

@@ -52,11 +52,9 @@ Due Releases::latest(int n, const std::vector<std::string>& trouble, const std::
 
 /// The device is closed until its one taker is at home.
 Due Releases::of_event(int n) const {
-  const int thread = forest.thread_of(n);
   const Nanoseconds jitter = &nodes_ == &nominal_ ? source(n).jitter : 0;
   const Due late{jitter, By::source, -1, -1, jitter};
-  const Due home{source(n).at_one_wait ? 0 : first_at_home(*this, nominal_, thread), By::home};
-  return later(later(late, {held_back(thread), By::held}), home);
+  return later(late, {held_back(forest.thread_of(n)), By::held});
 }
 
 Due Releases::of_message(int n) const {

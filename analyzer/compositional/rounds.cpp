@@ -55,8 +55,7 @@ namespace {
 /// Shortest ways through threads, with the least that each action, limit and answer takes.
 class Shortest {
  public:
-  Shortest(const Problem& problem, const std::vector<bool>& sequential)
-      : problem_(problem), sequential_(sequential) {}
+  explicit Shortest(const Problem& problem) : problem_(problem) {}
 
   /// From `first` at time `at` until `ends` holds of a step that is reached.
   template <class Ends>
@@ -79,8 +78,8 @@ class Shortest {
           after = time + step.within.value_or(0) + step.give_up_cost.best;
         } else if (step.kind == Kind::wait) {
           const int request = problem_.channels[static_cast<std::size_t>(step.channels[i])].answers;
-          const bool asked = request >= 0 && sequential_[static_cast<std::size_t>(request)] &&
-                             sent.contains(request) && !reaches_unasked(first, index, request);
+          const bool asked =
+              request >= 0 && sent.contains(request) && !reaches_unasked(first, index, request);
           if (asked) after = std::max(time, sent[request] + answer(step.channels[i], depth)) + step.cost.best;
         }
         open.emplace(after, step.next[i]);
@@ -133,13 +132,11 @@ class Shortest {
 
  private:
   const Problem& problem_;
-  const std::vector<bool>& sequential_;
 };
 
 }  // namespace
 
-Nanoseconds least_round(const Problem& problem, const Beginning& beginning,
-                        const std::vector<bool>& sequential) {
+Nanoseconds least_round(const Problem& problem, const Beginning& beginning) {
   if (may_start_again(problem, beginning.thread)) return 0;
   const bool gives_up = beginning.kind == Beginning::Kind::give_up;
   if (beginning.kind != Beginning::Kind::arm && !gives_up) return 0;
@@ -147,14 +144,14 @@ Nanoseconds least_round(const Problem& problem, const Beginning& beginning,
   const std::size_t branch = gives_up ? home.channels.size() : static_cast<std::size_t>(beginning.arm);
   // A round begins when the wait ends: with its receive, or with the test that gives up.
   const Nanoseconds into = gives_up ? home.give_up_cost.best : home.cost.best;
-  Shortest shortest(problem, sequential);
+  Shortest shortest(problem);
   const Nanoseconds around =
       shortest.way(home.next[branch], into, 0, [&](int step) { return step == beginning.step; });
   if (around >= never) return never;
   if (gives_up) return around + home.within.value_or(0);
   const int answer = home.channels[branch];
   const int request = problem.channels[static_cast<std::size_t>(answer)].answers;
-  if (request < 0 || !sequential[static_cast<std::size_t>(request)]) return around;
+  if (request < 0) return around;
   // A block of the thread may ask, too, sooner.
   if (shortest.reaches_unasked(home.next[branch], beginning.step, request)) return around;
   const Nanoseconds asked = shortest.way(home.next[branch], into, 0, [&](int index) {
@@ -190,15 +187,14 @@ class Straight {
 
 }  // namespace
 
-bool waits_at_home(const Problem& problem, const Beginning& round, const std::vector<bool>& owned,
-                   const std::vector<bool>& sequential) {
+bool waits_at_home(const Problem& problem, const Beginning& round, const std::vector<bool>& owned) {
   const Step& home = problem.steps[static_cast<std::size_t>(round.step)];
   if (round.kind == Beginning::Kind::give_up) return home.within.value_or(0) > 0;
   if (round.kind != Beginning::Kind::arm) return false;
   const int answer = home.channels[static_cast<std::size_t>(round.arm)];
   const int request = problem.channels[static_cast<std::size_t>(answer)].answers;
-  if (request < 0 || !sequential[static_cast<std::size_t>(request)]) return false;
-  const Nanoseconds soonest = Shortest(problem, sequential).answer(answer, 0);
+  if (request < 0) return false;
+  const Nanoseconds soonest = Shortest(problem).answer(answer, 0);
   Straight straight(problem, round.step);
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
     const Step& step = problem.steps[s];
@@ -208,10 +204,9 @@ bool waits_at_home(const Problem& problem, const Beginning& round, const std::ve
   return true;
 }
 
-Nanoseconds least_way(const Problem& problem, int thread, const std::vector<bool>& at,
-                      const std::vector<bool>& sequential) {
+Nanoseconds least_way(const Problem& problem, int thread, const std::vector<bool>& at) {
   if (may_start_again(problem, thread)) return 0;
-  Shortest shortest(problem, sequential);
+  Shortest shortest(problem);
   std::set<int> seen;
   std::vector<int> open{problem.threads[static_cast<std::size_t>(thread)].entry};
   Nanoseconds least = never;
