@@ -21,20 +21,14 @@ class Planter {
     takers_.resize(problem.channels.size());
     before_.resize(problem.steps.size());
     limited_.assign(problem.steps.size(), false);
-    forest.counts_anew.assign(problem.steps.size(), false);
     forest.withdrawn = withdrawn_requests(problem);
-    const std::vector<bool>& withdrawn = forest.withdrawn;
     for (std::size_t s = 0; s < problem.steps.size(); ++s) {
       const Step& step = problem.steps[s];
       const int thread = forest.segments.owner(static_cast<int>(s));
       if (thread < 0) continue;
       for (int next : step.next) before_[static_cast<std::size_t>(next)].push_back(static_cast<int>(s));
       if (step.kind != Kind::wait) continue;
-      const bool anew = std::any_of(step.channels.begin(), step.channels.end(), [&withdrawn](int channel) {
-        return withdrawn[static_cast<std::size_t>(channel)];
-      });
-      forest.counts_anew[s] = step.within && anew;
-      limited_[s] = step.within && !anew && !goes_round_by_limits(static_cast<int>(s));
+      limited_[s] = step.within && !goes_round_by_limits(static_cast<int>(s));
       for (std::size_t arm = 0; arm < step.channels.size(); ++arm) {
         takers_[static_cast<std::size_t>(step.channels[arm])].push_back(
             {thread, static_cast<int>(s), static_cast<int>(arm)});
@@ -49,7 +43,6 @@ class Planter {
     for (int attempt = 0; attempt < 60; ++attempt) {
       forest_.nodes.clear();
       forest_.sources.clear();
-      forest_.also_taken_by.clear();
       const std::size_t before = cuts_.size();
       found_.clear();
       sources();
@@ -231,12 +224,9 @@ class Planter {
     const std::optional<std::set<int>> known = takers_of(link, channel);
     for (const Taker& taker : takers_[static_cast<std::size_t>(channel)]) {
       if (known && !known->contains(taker.step)) continue;
-      const Beginning begins{Beginning::Kind::arm, taker.thread, taker.step, taker.arm};
-      if (!limited_[static_cast<std::size_t>(taker.step)]) {
-        effect(link, begins);
-      } else if (may_follow(link, begins)) {
-        for (int send : link.sends) forest_.also_taken_by[{link.cause, send}].insert(taker.thread);
-      }
+      // Such waits are counted by their own threads' rounds.
+      if (limited_[static_cast<std::size_t>(taker.step)]) continue;
+      effect(link, {Beginning::Kind::arm, taker.thread, taker.step, taker.arm});
     }
   }
 

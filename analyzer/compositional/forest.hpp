@@ -53,14 +53,8 @@ struct Forest {
   std::vector<Node> nodes;  // a cause stands before its effects
   /// Why there is no forest: in words for the reader, or nothing.
   std::string refusal;
-  /// By step: a wait whose limit may count anew, since what its thread is about to take may be withdrawn. So
-  /// nothing bounds how long it waits, nor how often it begins to take.
-  std::vector<bool> counts_anew;
   /// By channel: withdrawn_requests().
   std::vector<bool> withdrawn;
-  /// By node and send: the threads of which a wait with a limit may take the message, too. No node follows
-  /// from that: such waits are counted by their own threads' rounds.
-  std::map<std::pair<int, int>, std::set<int>> also_taken_by;
 
   explicit Forest(const Problem& problem) : segments(problem) {}
   const Segment& segment_of(const Node& node) const { return segments[node.segment]; }

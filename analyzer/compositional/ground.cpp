@@ -75,13 +75,6 @@ Range Ground::way(int n) const {
   return latency(problem, sent_channel(n), forest.thread_of(node(n).cause), forest.thread_of(n));
 }
 
-bool Ground::may_stay(int n, int send, int taker) const {
-  const auto also = forest.also_taken_by.find({n, send});
-  return also != forest.also_taken_by.end() &&
-         std::any_of(also->second.begin(), also->second.end(),
-                     [&](int thread) { return thread != taker || conduct_of(thread).leaves; });
-}
-
 Nanoseconds Ground::answer_queue(int device, int request) const {
   const Device& of = problem.devices[static_cast<std::size_t>(device)];
   const auto* behaviour = std::get_if<pan::RequestDevice>(&of.behaviour);

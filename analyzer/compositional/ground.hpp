@@ -26,9 +26,6 @@ struct Ground {
   Range device_time(int device) const;
   /// Distance from the send to where the node's message, or the device's answer to it, can be taken.
   Range way(int n) const;
-  /// Whether a message that a node sends by `send` may be there for longer than till `taker` has come to take
-  /// it: a wait with a limit takes it, too, which may be all that does when `taker` does not come any more.
-  bool may_stay(int n, int send, int taker) const;
   /// How long a request may wait for a device that answers on request; `never`: nothing bounds it.
   Nanoseconds answer_queue(int device, int request) const;
 };

@@ -31,7 +31,7 @@ class Loop {
     bool comes = false;
     Nanoseconds between = 0;
     for (const Source::Feed& feed : of_.feeds) {
-      if (feed.node < 0 || may_stay(feed)) return {};
+      if (feed.node < 0) return {};
       const Node& from = ground_.node(feed.node);
       const Source::Kind by = ground_.forest.sources[static_cast<std::size_t>(from.source)].kind;
       if (from.source == index_) {
@@ -53,19 +53,6 @@ class Loop {
   }
 
  private:
-  /// Whether something on the way to the next round may be taken by another who goes on in its place.
-  bool may_stay(const Source::Feed& feed) const {
-    const auto stays = [this](int node, const std::vector<int>& sends, int taker) {
-      return std::any_of(sends.begin(), sends.end(),
-                         [&](int send) { return ground_.may_stay(node, send, taker); });
-    };
-    if (stays(feed.node, feed.sends, of_.thread)) return true;
-    for (int at = feed.node; ground_.node(at).cause >= 0; at = ground_.node(at).cause) {
-      if (stays(ground_.node(at).cause, ground_.node(at).sends, ground_.forest.thread_of(at))) return true;
-    }
-    return false;
-  }
-
   /// How much later the wait gives up if what comes once is taken there before: a round goes by, and the
   /// limit counts anew.
   Nanoseconds put_off(const Source::Feed& feed) const {
@@ -79,8 +66,6 @@ class Loop {
   /// When what leads to the next round is there.
   Due latest(const Source::Feed& feed) const {
     if (feed.wait >= 0) {
-      if (ground_.forest.counts_anew[static_cast<std::size_t>(feed.wait)])
-        return {never, Due::By::arrival, feed.node, feed.wait};
       const Nanoseconds limit = ground_.step_at(feed.wait).within.value_or(0);
       const Nanoseconds arrival = latest_arrival(ground_, times_.nodes, feed.node, feed.wait);
       return {plus(arrival, limit), Due::By::arrival, feed.node, feed.wait, limit};

@@ -92,10 +92,6 @@ Sum Pursuit::sent_value(int n, int send) {
     if (why_.empty()) why_ = "a request may be withdrawn before it is taken";
     return Sum::unbounded();
   }
-  if (view_.forest.also_taken_by.contains({n, send})) {
-    if (why_.empty()) why_ = "a message may be taken by a wait that may also give up";
-    return Sum::unbounded();
-  }
   int taker = -1;
   for (int effect : node(n).effects) {
     const auto& sends = node(effect).sends;

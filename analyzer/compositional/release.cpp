@@ -40,7 +40,6 @@ Due Releases::latest(int n, const std::vector<std::string>& trouble, const std::
       return later(begun, {blocks_over(of, trouble, blocked), By::blocks, of.cause, of.cause_step});
     }
     case Node::Release::limit: {
-      if (forest.counts_anew[static_cast<std::size_t>(of.cause_step)]) return none;
       const Nanoseconds limit = step_at(of.cause_step).within.value_or(0);
       return {plus(arrival(of.cause, of.cause_step), limit), By::arrival, of.cause, of.cause_step, limit};
     }

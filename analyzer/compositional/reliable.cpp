@@ -209,7 +209,7 @@ class Reliability {
   /// goes on.
   bool comes(int thread, int wait, std::vector<int>& relies) const {
     const Step& step = step_at(wait);
-    if (step.within) return !forest_.counts_anew[static_cast<std::size_t>(wait)];
+    if (step.within) return true;
     if (step.channels.size() != 1) return false;
     const int answer = step.channels.front();
     const Channel& channel = problem_.channels[static_cast<std::size_t>(answer)];

@@ -87,7 +87,6 @@ bool Slots::is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) co
     bool known = false;
     for (int effect : ground_.node(n).effects) {
       if (!sent_by(ground_.node(effect), put.step)) continue;
-      if (ground_.may_stay(n, put.step, ground_.forest.thread_of(effect))) return false;
       known = true;
       const std::size_t place = place_of(ground_.segment(n), put.step);
       const Nanoseconds soonest =

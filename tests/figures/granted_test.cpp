@@ -119,7 +119,7 @@ TEST_CASE("a thread that may end before it has come home takes nothing") {
 }
 
 TEST_CASE("a module may answer a request that it took in another place") {
-  // The second answer comes at once, and the 50 ms that SM1 thinks then keep MC1 waiting.
+  // The second answer comes as well, and the 50 ms that SM1 thinks then keep MC1 waiting.
   compare(granted("answered_elsewhere"), {{51, 51}});
 }
 
