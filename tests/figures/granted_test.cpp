@@ -117,3 +117,9 @@ TEST_CASE("a thread that may end before it has come home takes nothing") {
   // If c does not hold LS1 ends at once, and nobody takes what SD2 sends.
   has_none(granted("ended"));
 }
+
+TEST_CASE("what stands after blocks that never end takes nothing") {
+  // LS1.1 goes round for ever, so LS1 never comes to its wait for x, nor to the blocks that wait for it.
+  has_none(granted("never_past"));
+  has_none(granted("never_past_to_blocks"));
+}
