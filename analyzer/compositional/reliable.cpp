@@ -94,7 +94,7 @@ class Reliability {
     return true;
   }
 
-  /// Whether no way through a thread ends before it has come home.
+  /// Whether no way through a thread ends, or comes to blocks that never do, before it has come home.
   bool comes_home(int thread) const {
     const int home = conduct_.threads[static_cast<std::size_t>(thread)].home;
     if (home < 0) return false;
@@ -104,10 +104,17 @@ class Reliability {
       const int at = open.back();
       open.pop_back();
       if (!before.insert(at).second) continue;
-      if (step_at(at).kind == Kind::end) return false;
-      open.insert(open.end(), step_at(at).next.begin(), step_at(at).next.end());
+      const Step& step = step_at(at);
+      if (step.kind == Kind::end || (step.kind == Kind::fork && !goes_on_after(step))) return false;
+      open.insert(open.end(), step.next.begin(), step.next.end());
     }
     return true;
+  }
+
+  bool goes_on_after(const Step& fork) const {
+    return std::any_of(fork.threads.begin(), fork.threads.end(), [this](int block) {
+      return problem_.threads[static_cast<std::size_t>(block)].can_end;
+    });
   }
 
   /// Whether a thread begins at the start of the skill, or on every way of its parent before that has rounds,
@@ -123,8 +130,10 @@ class Reliability {
       const int at = open.back();
       open.pop_back();
       if (at == fork || !before.insert(at).second) continue;
-      if (at == home || step_at(at).kind == Kind::end) return false;
-      open.insert(open.end(), step_at(at).next.begin(), step_at(at).next.end());
+      const Step& step = step_at(at);
+      if (at == home || step.kind == Kind::end || (step.kind == Kind::fork && !goes_on_after(step)))
+        return false;
+      open.insert(open.end(), step.next.begin(), step.next.end());
     }
     for (int n : conduct_.threads[static_cast<std::size_t>(parent)].nodes) {
       for (const Segment::Arrival& at :

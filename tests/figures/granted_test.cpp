@@ -132,3 +132,9 @@ TEST_CASE("two events may come while a skill ends") {
   // MC1 has the processor until 40, SM1.1 until 70. The tick of 50 ms is still there when that of 100 comes.
   has_none(granted("while_ending"));
 }
+
+TEST_CASE("what stands after blocks that never end takes nothing") {
+  // LS1.1 goes round for ever, so LS1 never comes to its wait for x, nor to the blocks that wait for it.
+  has_none(granted("never_past"));
+  has_none(granted("never_past_to_blocks"));
+}
