@@ -91,9 +91,9 @@ void search_all(const Problem& problem, const Options& options, Analysis& analys
 
 /// Its time is short, and what it is for is the case in which that of the exact one has run out. `known`:
 /// from the exact one, whose runs must not contradict it.
-Analysis bounds_of(const Problem& problem, Options options, const Analysis& known) {
+Analysis bounds_of(const Provers& provers, const Problem& problem, Options options, const Analysis& known) {
   options.stop = nullptr;
-  Analysis bounds = analyze_compositionally(problem, options);
+  Analysis bounds = provers.compositional(problem, options);
   for (std::size_t r = 0; r < bounds.verdicts.size(); ++r) {
     bounds.verdicts[r].witness = known.verdicts[r].witness;
     bounds.verdicts[r].attained_load = known.verdicts[r].attained_load;
@@ -102,9 +102,16 @@ Analysis bounds_of(const Problem& problem, Options options, const Analysis& know
   return bounds;
 }
 
+/// `verdict` with the run that `now` knows, if that refutes it.
+std::optional<Verdict> refuted_by(const Verdict& now, Verdict verdict) {
+  verdict.witness = now.witness;
+  verdict.attained_load = now.attained_load;
+  return is_refuted(verdict) ? std::optional(std::move(verdict)) : std::nullopt;
+}
+
 /// Explores until all runs are seen, or the limits met, what is not known exactly by now.
-void explore_further(const Problem& problem, const Options& options, const Analysis& bounds,
-                     Analysis& known) {
+void explore_further(const Provers& provers, const Problem& problem, const Options& options,
+                     const Analysis& bounds, Analysis& known) {
   Problem rest = problem;
   rest.requirements.clear();
   std::vector<std::size_t> open;
@@ -114,7 +121,8 @@ void explore_further(const Problem& problem, const Options& options, const Analy
     rest.requirements.push_back(problem.requirements[r]);
   }
   if (open.empty() || options.max_states <= brief_exploration) return;
-  Analysis further = analyze(rest, options);
+  Analysis further = provers.exact(rest, options);
+  std::vector<Verdict> replaced;  // whose analysis is wrong
   known.statistics += further.statistics;
   for (std::size_t i = 0; i < open.size(); ++i) {
     Verdict& before = known.verdicts[open[i]];
@@ -128,23 +136,25 @@ void explore_further(const Problem& problem, const Options& options, const Analy
       complete(now, bounds.verdicts[open[i]]);
       search(problem, rest.requirements[i], options, now);
       now.statistics = before.statistics;
+      if (auto wrong = refuted_by(now, before)) replaced.push_back(std::move(*wrong));
       before = std::move(now);
     }
     before.statistics += statistics;
   }
+  withdraw_refuted(known.verdicts, replaced);
 }
 
-Analysis analyze_automatically(const Problem& problem, const Options& options) {
+Analysis analyze_automatically(const Provers& provers, const Problem& problem, const Options& options) {
   Options brief = options;
   brief.max_states = std::min(options.max_states, brief_exploration);
-  Analysis analysis = analyze(problem, brief);
+  Analysis analysis = provers.exact(problem, brief);
   const bool open = std::any_of(
       analysis.verdicts.begin(), analysis.verdicts.end(),
       [](const Verdict& verdict) { return verdict.gave_up || verdict.state == State::undecided; });
-  const Analysis bounds = open ? bounds_of(problem, options, analysis) : Analysis{};
+  const Analysis bounds = open ? bounds_of(provers, problem, options, analysis) : Analysis{};
   for (std::size_t r = 0; r < bounds.verdicts.size(); ++r) complete(analysis.verdicts[r], bounds.verdicts[r]);
   search_all(problem, options, analysis);
-  if (!(options.stop && options.stop())) explore_further(problem, options, bounds, analysis);
+  if (!(options.stop && options.stop())) explore_further(provers, problem, options, bounds, analysis);
   analysis.statistics.seconds += bounds.statistics.seconds;
   return analysis;
 }
@@ -159,10 +169,11 @@ void add_up(Verdict& verdict) {
   }
 }
 
-Analysis analyze_as(const Problem& problem, AnalysisChoice choice, const Options& options) {
-  if (choice == AnalysisChoice::automatic) return analyze_automatically(problem, options);
-  Analysis analysis =
-      choice == AnalysisChoice::exact ? analyze(problem, options) : analyze_compositionally(problem, options);
+Analysis analyze_as(const Provers& provers, const Problem& problem, AnalysisChoice choice,
+                    const Options& options) {
+  if (choice == AnalysisChoice::automatic) return analyze_automatically(provers, problem, options);
+  Analysis analysis = choice == AnalysisChoice::exact ? provers.exact(problem, options)
+                                                      : provers.compositional(problem, options);
   search_all(problem, options, analysis);
   return analysis;
 }
@@ -185,9 +196,17 @@ void withhold(Analysis& analysis) {
 }  // namespace
 
 Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
+  const Provers provers{
+      [](const Problem& of, const Options& how) { return analyze(of, how); },
+      [](const Problem& of, const Options& how) { return analyze_compositionally(of, how); }};
+  return analyze_with(provers, problem, choice, options);
+}
+
+Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisChoice choice,
+                      const Options& options) {
   // First in a few classes: when the proofs have used up the time, none of them must hold for want of it.
   StandstillSearch look = standstill(problem, {std::min(options.max_states, first_look), options.stop});
-  Analysis analysis = analyze_as(problem, choice, options);
+  Analysis analysis = analyze_as(provers, problem, choice, options);
   const bool goes_on = !look.found && !look.excluded && options.max_states > first_look;
   if (goes_on) look = standstill(problem, {options.max_states, options.stop});
   analysis.standstill = std::move(look.found);

@@ -37,13 +37,15 @@ bool is_refuted(const Verdict& verdict) {
   return verdict.bound && (unanswered || (value && beyond(verdict, *value, *verdict.bound)));
 }
 
-void withdraw_refuted(std::vector<Verdict>& verdicts) {
+void withdraw_refuted(std::vector<Verdict>& verdicts, const std::vector<Verdict>& replaced) {
   for (const Method method : {Method::exact, Method::compositional}) {
-    const auto wrong = std::find_if(verdicts.begin(), verdicts.end(), [method](const Verdict& verdict) {
+    const auto is_wrong = [method](const Verdict& verdict) {
       return verdict.method == method && is_refuted(verdict);
-    });
-    if (wrong == verdicts.end()) continue;
-    const std::string by = wrong->requirement;
+    };
+    const auto found = std::find_if(verdicts.begin(), verdicts.end(), is_wrong);
+    const auto before = std::find_if(replaced.begin(), replaced.end(), is_wrong);
+    if (found == verdicts.end() && before == replaced.end()) continue;
+    const std::string by = found != verdicts.end() ? found->requirement : before->requirement;
     for (Verdict& verdict : verdicts) {
       if (verdict.method == method) withdraw(verdict, by);
     }

@@ -13,7 +13,8 @@ bool is_refuted(const Verdict& verdict);
 
 /// Where a run refutes one verdict of an analysis nothing of that analysis is used, in none of `verdicts`:
 /// what fails by a run fails, all else of it is undecided, without a bound, and the explanation says why.
-/// `verdicts` are of one skill.
-void withdraw_refuted(std::vector<Verdict>& verdicts);
+/// `verdicts` are of one skill, and so are `replaced`: others that are in their places now, but count as
+/// what their analysis said.
+void withdraw_refuted(std::vector<Verdict>& verdicts, const std::vector<Verdict>& replaced = {});
 
 }  // namespace pal::analyzer
