@@ -39,7 +39,6 @@ class Question {
     answer.skill = problem->skill;
     answer.environment = problem->environment;
     for (const auto& requirement : problem->requirements) answer.requirements.push_back(requirement.name);
-    for (const auto& processor : problem->processors) answer.processors.push_back(processor.name);
     const auto other = changed(environment, options_.changes, err);
     if (!other) return false;
     if (!options_.changes.empty() && !compare(skill, *other, std::move(*problem), answer)) return true;

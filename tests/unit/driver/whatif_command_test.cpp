@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "pal/driver/whatif_answer.hpp"
+
 using namespace pal::test;
 using pal::driver::ExitStatus;
 
@@ -143,4 +145,28 @@ TEST_CASE("changed figures are refused as written ones are, and activities found
   for (const char* name : {"SEND OF MC1", "ACTIVITY SEND"}) {
     CHECK(says(with(std::string(name) + " = 4 ms"), "holds              5 ms    holds              6 ms"));
   }
+}
+
+TEST_CASE("a processor that was added to place on has a name of its own") {
+  std::string text = two_drivers;
+  text.replace(text.find("  PROCESSOR P0\n"), 15, "");
+  for (std::size_t at = 0; (at = text.find("P0", at)) != std::string::npos;) text.replace(at, 2, "P1");
+  const pal::MemoryFileSystem files = in_memory(text);
+  const Answer answer = pal::test::pal({"whatif", "s.pal", "--place", "2", "--timeout", "20s"}, files);
+  INFO(answer.out);
+  CHECK(says(answer, "P1: "));
+  CHECK(says(answer, "; P2: "));
+  CHECK_FALSE(says(answer, "; P1: "));
+}
+
+TEST_CASE("how much all may grow together is a part of the longest time, however short that is") {
+  pal::driver::WhatIfAnswer answer;
+  answer.requirements = {"r"};
+  pal::analyzer::Slack slack;
+  slack.time = {pal::Duration(2), pal::Duration(2)};
+  slack.holds = pal::Duration(1);
+  slack.fails = pal::Duration(2);
+  slack.requirement = 0;
+  answer.slacks = {slack};
+  CHECK(text(answer).find(" 50.0 %  then 'r' fails") != std::string::npos);
 }
