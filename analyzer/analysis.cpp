@@ -8,6 +8,7 @@
 #include "analyzer/verdict/explain.hpp"
 #include "analyzer/verdict/refuted.hpp"
 #include "analyzer/verdict/story.hpp"
+#include "analyzer/verdict/unread.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -178,6 +179,19 @@ Analysis analyze_as(const Provers& provers, const Problem& problem, AnalysisChoi
   return analysis;
 }
 
+/// What nobody reads is never measured, however few of the runs were seen.
+void say_unread(const Problem& problem, Analysis& analysis) {
+  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
+    Verdict& verdict = analysis.verdicts[r];
+    if (attained(verdict) || !is_unread(problem, problem.requirements[r])) continue;
+    verdict.state = State::never;
+    verdict.bound.reset();
+    verdict.addends.clear();
+    verdict.exact = false;
+    verdict.explanation = nothing_measured(problem.requirements[r], true);
+  }
+}
+
 /// Bounds on the time that passes say nothing where it stands still. What has grown by then, and has no end,
 /// is not measured either.
 void withhold(Analysis& analysis) {
@@ -207,6 +221,7 @@ Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisCh
   // First in a few classes: when the proofs have used up the time, none of them must hold for want of it.
   StandstillSearch look = standstill(problem, {std::min(options.max_states, first_look), options.stop});
   Analysis analysis = analyze_as(provers, problem, choice, options);
+  say_unread(problem, analysis);
   const bool goes_on = !look.found && !look.excluded && options.max_states > first_look;
   if (goes_on) look = standstill(problem, {options.max_states, options.stop});
   analysis.standstill = std::move(look.found);

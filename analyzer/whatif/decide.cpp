@@ -6,6 +6,7 @@
 #include "analyzer/exact/standstill.hpp"
 #include "analyzer/load/load.hpp"
 #include "analyzer/runs/simulate.hpp"
+#include "analyzer/verdict/unread.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -188,6 +189,7 @@ std::optional<Decision> holds_by_bound(const Problem& problem, std::size_t index
 
 Decision decide_by_time(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
   const Requirement& requirement = problem.requirements[index];
+  if (is_unread(problem, requirement)) return {Is::holds, {}, {}};
   if (auto decision = holds_by_bound(problem, index)) return *decision;
   if (requirement.measure == Measure::load) return load_decision(problem, index, options, workers);
   if (simulated_break(problem, requirement, options)) return {Is::fails, {}, {}};

@@ -22,19 +22,22 @@ SourceSpan place_of(const analyzer::Problem& problem, const analyzer::Reason& re
   return found == problem.statements.end() || reason.line == 0 ? SourceSpan{} : found->where;
 }
 
+/// "is 35 ms".
 std::string figure_of(const analyzer::Verdict& verdict) {
   if (!verdict.bound) {
     const auto shown = worth_telling(verdict);
-    if (shown) return (verdict.at_least ? "at most " : "at least ") + figure_text(verdict.measure, *shown);
-    return verdict.state == State::undecided ? "without a bound that was found" : "without bound";
+    if (shown)
+      return (verdict.at_least ? "is at most " : "is at least ") + figure_text(verdict.measure, *shown);
+    return verdict.state == State::undecided ? "has no bound that was found" : "is without bound";
   }
   const auto shown = attained(verdict);
   if (verdict.state == State::fails && shown && *shown != *verdict.bound) {
-    return "between " + figure_text(verdict.measure, std::min(*shown, *verdict.bound)) + " and " +
+    return "is between " + figure_text(verdict.measure, std::min(*shown, *verdict.bound)) + " and " +
            figure_text(verdict.measure, std::max(*shown, *verdict.bound));
   }
   const std::string sound = verdict.at_least ? "at least " : "at most ";
-  return (verdict.state == State::undecided ? sound : "") + figure_text(verdict.measure, *verdict.bound);
+  return "is " + (verdict.state == State::undecided ? sound : "") +
+         figure_text(verdict.measure, *verdict.bound);
 }
 
 /// The longest piece of the time in which the thread that decided, the last of the story, did nothing but
@@ -99,13 +102,12 @@ void report(const Proof& proof, std::size_t index, Session& session) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   const bool fails = verdict.state == State::fails;
   const std::string what = fails ? " fails: " : " is undecided: ";
-  Diagnostic& finding =
-      session.diagnostics.report(fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
-                                 "'" + verdict.requirement + "'" + what + measure_text(proof.problem, index) +
-                                     " is " + figure_of(verdict) + " in " + proof.problem.environment + ", " +
-                                     (verdict.at_least ? "at least " : "at most ") +
-                                     figure_text(verdict.measure, verdict.limit) + " is required",
-                                 hint_of(proof, verdict));
+  Diagnostic& finding = session.diagnostics.report(
+      fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
+      "'" + verdict.requirement + "'" + what + measure_text(proof.problem, index) + " " + figure_of(verdict) +
+          " in " + proof.problem.environment + ", " + (verdict.at_least ? "at least " : "at most ") +
+          whole_text(verdict.measure, verdict.limit) + " is required",
+      hint_of(proof, verdict));
   if (!fails || verdict.reasons.empty()) finding.notes.push_back({verdict.where, verdict.explanation});
   const auto shown = attained(verdict);
   if (!fails && shown && !verdict.reasons.empty())

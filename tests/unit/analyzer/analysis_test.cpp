@@ -100,3 +100,41 @@ TEST_CASE("a run of an exploration withdraws what its verdict is put in the plac
   CHECK_FALSE(analysis.verdicts[1].bound);
   CHECK(analysis.verdicts[1].explanation.find("proved of 'answer'") != std::string::npos);
 }
+
+TEST_CASE("what nobody reads is never measured, whatever the analysis") {
+  const auto skill = test::sound_skill(
+      test::small_skill("REQUIREMENT unread : AGE OF pc-high AT work AT MOST 5 ms\n"
+                        "REQUIREMENT read   : AGE OF pc-high AT SPC( pc-high ) AT MOST 9 ms\n",
+                        R"(
+Skill Module: SM1
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+  CONCURRENT
+  BEGIN
+    REPEAT
+      WTM( tick from MC1 )
+      work
+    UNTIL( forever )
+  END
+  BEGIN
+    REPEAT
+      WTM( stop from MC2 )
+      SPC( pc-high )
+    UNTIL( pc-high )
+  END
+  END CONCURRENT
+  TXM( Completion Protocol 0 )
+END
+)",
+                        "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\nTIME work : 1 TO 2 ms\nCOST SET 1 ms\n"
+                        "DEVICE MC1 EVENT tick EVERY 10 ms\nDEVICE MC2 EVENT stop EVERY 7 ms\n"));
+  for (const AnalysisChoice choice :
+       {AnalysisChoice::exact, AnalysisChoice::compositional, AnalysisChoice::automatic}) {
+    const Analysis analysis = analyze(*skill->problem, choice);
+    CHECK(analysis.verdicts[0].state == VerdictState::never);
+    CHECK(analysis.verdicts[0].explanation == "no run gets there with a value that it has read");
+    CHECK_FALSE(analysis.verdicts[0].bound);
+    CHECK(analysis.verdicts[1].state != VerdictState::never);
+  }
+}
