@@ -54,7 +54,8 @@ class Question {
     auto after = analyzer::make_problem(skill, other, session_.diagnostics, &session_.sources);
     if (!after) return false;
     for (analyzer::Problem* problem : {&before, &*after}) {
-      analyzer::Analysis analysis = analyzer::analyze(*problem, analysis_);
+      analyzer::Analysis analysis =
+          analyzer::analyze(*problem, analyzer::AnalysisChoice::automatic, analysis_);
       answer.before_and_after.push_back({std::move(*problem), std::move(analysis)});
     }
     return true;

@@ -170,3 +170,20 @@ TEST_CASE("how much all may grow together is a part of the longest time, however
   answer.slacks = {slack};
   CHECK(text(answer).find(" 50.0 %  then 'r' fails") != std::string::npos);
 }
+
+// P0 is busy for 10 ms, and then at one instant for ever: that has no end, and is not measured.
+TEST_CASE("no run breaks a limit by a busy period in which time stands still") {
+  const pal::MemoryFileSystem files = in_memory(text_of("busy_till_time_stands_still"));
+  CHECK(says(pal::test::pal({"check", "s.pal"}, files), "undecided  b"));
+  const Answer slack = pal::test::pal({"whatif", "s.pal"}, files);
+  CHECK(slack.status == ExitStatus::not_met);
+  CHECK(says(slack, "'b' is undecided as things are"));
+  CHECK(says(pal::test::pal({"whatif", "s.pal", "--place", "1"}, files), "0 refuted, 1 undecided"));
+  const Answer other = pal::test::pal({"whatif", "s.pal", "--set", "work = 1 ms"}, files);
+  CHECK(other.status == ExitStatus::not_met);
+  CHECK_FALSE(says(other, "holds"));
+  CHECK_FALSE(says(other, "fails"));
+  const Answer runs = pal::test::pal({"simulate", "s.pal", "--runs", "3"}, files);
+  CHECK(runs.status == ExitStatus::not_met);
+  CHECK(says(runs, "open      b"));
+}
