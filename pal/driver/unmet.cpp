@@ -64,7 +64,8 @@ std::string hint_of_undecided(const Proof& proof, const analyzer::Verdict& verdi
                             "bound is as required";
 }
 
-std::string hint_of(const Proof& proof, const analyzer::Verdict& verdict) {
+std::string hint_of(const Proof& proof, std::size_t index) {
+  const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   if (verdict.state == State::undecided) return hint_of_undecided(proof, verdict);
   switch (verdict.measure) {
     case Measure::load:
@@ -84,6 +85,8 @@ std::string hint_of(const Proof& proof, const analyzer::Verdict& verdict) {
     case Measure::age:
       break;
   }
+  if (!proof.problem.requirements[index].samples.empty())
+    return "ask for the sample later, or more often, or shorten what lies between it and its use";
   const analyzer::Reason* wait = longest_wait_after_read(verdict);
   if (wait == nullptr) return "shorten what lies between the set and its use";
   return "read the condition after " + wait->what.substr(std::string("waits at ").size()) + ", not before it";
@@ -107,7 +110,7 @@ void report(const Proof& proof, std::size_t index, Session& session) {
       "'" + verdict.requirement + "'" + what + measure_text(proof.problem, index) + " " + figure_of(verdict) +
           " in " + proof.problem.environment + ", " + (verdict.at_least ? "at least " : "at most ") +
           whole_text(verdict.measure, verdict.limit) + " is required",
-      hint_of(proof, verdict));
+      hint_of(proof, index));
   if (!fails || verdict.reasons.empty()) finding.notes.push_back({verdict.where, verdict.explanation});
   const auto shown = attained(verdict);
   if (!fails && shown && !verdict.reasons.empty())
