@@ -72,6 +72,8 @@ std::string hint_of(const Proof& proof, std::size_t index) {
     case Measure::busy:
       return "move modules to another processor, or shorten their activities";
     case Measure::response:
+      if (verdict.witness && verdict.witness->failed)
+        return "answer each event, on every way, before the next can come";
       return "shorten what the time is spent on, give it a processor of its own, or answer without waiting";
     case Measure::reaction:
       return "ask for the next value earlier, or shorten what lies between a value and its use";

@@ -91,6 +91,8 @@ std::string seats_text(const analyzer::Placements& on, const analyzer::Placed& p
 }
 
 std::string placement_lines(const WhatIfAnswer& answer, const analyzer::Placements& on) {
+  if (on.tried == 0 && on.complete)
+    return fmt::format("  {} processors: more than there are threads to place\n", on.processors);
   std::string out = fmt::format(
       "  {} processor{}: {} placement{} tried, {} meet{} every requirement, {} refuted, {} undecided{}\n",
       on.processors, on.processors == 1 ? "" : "s", on.tried, on.tried == 1 ? "" : "s", on.meet.size(),

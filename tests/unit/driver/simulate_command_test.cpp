@@ -191,8 +191,8 @@ TEST_CASE("runs end in the time that is given") {
 
   // A run that is written is whole.
   const std::string trace = temporary("simulate_timeout");
-  pal::test::pal({"simulate", touch, "-e", cell, "--runs", "1000000", "--timeout", "300ms", "-r",
-                  "answer-alter", "--trace", trace});
+  pal::test::pal({"simulate", touch, "-e", cell, "--runs", "1000000", "--timeout", "3s", "-r", "answer-alter",
+                  "--trace", trace});
   CHECK(std::filesystem::file_size(trace) > 1'000);
   std::filesystem::remove(trace);
 }

@@ -157,6 +157,9 @@ TEST_CASE("a processor that was added to place on has a name of its own") {
   CHECK(says(answer, "P1: "));
   CHECK(says(answer, "; P2: "));
   CHECK_FALSE(says(answer, "; P1: "));
+  const Answer many = pal::test::pal({"whatif", "s.pal", "--place", "4"}, files);
+  CHECK(many.status == ExitStatus::not_met);
+  CHECK(says(many, "4 processors: more than there are threads to place"));
 }
 
 TEST_CASE("how much all may grow together is a part of the longest time, however short that is") {
