@@ -8,6 +8,7 @@
 #include "analyzer/verdict/explain.hpp"
 #include "analyzer/verdict/refuted.hpp"
 #include "analyzer/verdict/story.hpp"
+#include "analyzer/verdict/unread.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -100,17 +101,17 @@ std::vector<Verdict> confronted(std::vector<Verdict> bounds, const Analysis& kno
 
 /// Its time is short, and what it is for is the case in which that of the exact one has run out. `known`:
 /// from the exact one, whose runs must not contradict it.
-Analysis bounds_of(const Problem& problem, Options options, const Analysis& known) {
+Analysis bounds_of(const Provers& provers, const Problem& problem, Options options, const Analysis& known) {
   options.stop = nullptr;
-  Analysis bounds = analyze_compositionally(problem, options);
+  Analysis bounds = provers.compositional(problem, options);
   bounds.verdicts = confronted(std::move(bounds.verdicts), known);
   withdraw_refuted(bounds.verdicts);
   return bounds;
 }
 
 /// Explores until all runs are seen, or the limits met, what is not known exactly by now.
-void explore_further(const Problem& problem, const Options& options, const Analysis& bounds,
-                     Analysis& known) {
+void explore_further(const Provers& provers, const Problem& problem, const Options& options,
+                     const Analysis& bounds, Analysis& known) {
   Problem rest = problem;
   rest.requirements.clear();
   std::vector<std::size_t> open;
@@ -120,7 +121,7 @@ void explore_further(const Problem& problem, const Options& options, const Analy
     rest.requirements.push_back(problem.requirements[r]);
   }
   if (open.empty() || options.max_states <= brief_exploration) return;
-  Analysis further = analyze(rest, options);
+  Analysis further = provers.exact(rest, options);
   known.statistics += further.statistics;
   for (std::size_t i = 0; i < open.size(); ++i) {
     Verdict& before = known.verdicts[open[i]];
@@ -140,17 +141,17 @@ void explore_further(const Problem& problem, const Options& options, const Analy
   }
 }
 
-Analysis analyze_automatically(const Problem& problem, const Options& options) {
+Analysis analyze_automatically(const Provers& provers, const Problem& problem, const Options& options) {
   Options brief = options;
   brief.max_states = std::min(options.max_states, brief_exploration);
-  Analysis analysis = analyze(problem, brief);
+  Analysis analysis = provers.exact(problem, brief);
   const bool open = std::any_of(
       analysis.verdicts.begin(), analysis.verdicts.end(),
       [](const Verdict& verdict) { return verdict.gave_up || verdict.state == State::undecided; });
-  const Analysis bounds = open ? bounds_of(problem, options, analysis) : Analysis{};
+  const Analysis bounds = open ? bounds_of(provers, problem, options, analysis) : Analysis{};
   for (std::size_t r = 0; r < bounds.verdicts.size(); ++r) complete(analysis.verdicts[r], bounds.verdicts[r]);
   search_all(problem, options, analysis);
-  if (!(options.stop && options.stop())) explore_further(problem, options, bounds, analysis);
+  if (!(options.stop && options.stop())) explore_further(provers, problem, options, bounds, analysis);
   // The runs that were found since may contradict bounds, also those that are not used.
   withdraw_refuted(confronted(bounds.verdicts, analysis), analysis.verdicts);
   analysis.statistics.seconds += bounds.statistics.seconds;
@@ -167,12 +168,26 @@ void add_up(Verdict& verdict) {
   }
 }
 
-Analysis analyze_as(const Problem& problem, AnalysisChoice choice, const Options& options) {
-  if (choice == AnalysisChoice::automatic) return analyze_automatically(problem, options);
-  Analysis analysis =
-      choice == AnalysisChoice::exact ? analyze(problem, options) : analyze_compositionally(problem, options);
+Analysis analyze_as(const Provers& provers, const Problem& problem, AnalysisChoice choice,
+                    const Options& options) {
+  if (choice == AnalysisChoice::automatic) return analyze_automatically(provers, problem, options);
+  Analysis analysis = choice == AnalysisChoice::exact ? provers.exact(problem, options)
+                                                      : provers.compositional(problem, options);
   search_all(problem, options, analysis);
   return analysis;
+}
+
+/// What nobody reads is never measured, however few of the runs were seen.
+void say_unread(const Problem& problem, Analysis& analysis) {
+  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
+    Verdict& verdict = analysis.verdicts[r];
+    if (attained(verdict) || !is_unread(problem, problem.requirements[r])) continue;
+    verdict.state = State::never;
+    verdict.bound.reset();
+    verdict.addends.clear();
+    verdict.exact = false;
+    verdict.explanation = nothing_measured(problem.requirements[r], true);
+  }
 }
 
 /// Bounds on the time that passes say nothing where it stands still. What has grown by then, and has no end,
@@ -193,9 +208,18 @@ void withhold(Analysis& analysis) {
 }  // namespace
 
 Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
+  const Provers provers{
+      [](const Problem& of, const Options& how) { return analyze(of, how); },
+      [](const Problem& of, const Options& how) { return analyze_compositionally(of, how); }};
+  return analyze_with(provers, problem, choice, options);
+}
+
+Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisChoice choice,
+                      const Options& options) {
   // First in a few classes: when the proofs have used up the time, none of them must hold for want of it.
   StandstillSearch look = standstill(problem, {std::min(options.max_states, first_look), options.stop});
-  Analysis analysis = analyze_as(problem, choice, options);
+  Analysis analysis = analyze_as(provers, problem, choice, options);
+  say_unread(problem, analysis);
   const bool goes_on = !look.found && !look.excluded && options.max_states > first_look;
   if (goes_on) look = standstill(problem, {options.max_states, options.stop});
   analysis.standstill = std::move(look.found);

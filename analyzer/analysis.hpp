@@ -1,6 +1,8 @@
 // The two analyses as one: exact where that can be had, compositional where not.
 #pragma once
 
+#include <functional>
+
 #include "analyzer/exact/exact.hpp"
 
 namespace pal::analyzer {
@@ -14,5 +16,15 @@ enum class AnalysisChoice {
 /// Each verdict says which analysis it is from. A run that the exact analysis found is kept, whatever the
 /// bound.
 Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options = {});
+
+/// The two, each by itself.
+struct Provers {
+  std::function<Analysis(const Problem&, const Options&)> exact;
+  std::function<Analysis(const Problem&, const Options&)> compositional;
+};
+
+/// The same with others in their places: for tests of what becomes of proofs that are wrong.
+Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisChoice choice,
+                      const Options& options = {});
 
 }  // namespace pal::analyzer

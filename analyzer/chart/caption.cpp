@@ -35,7 +35,8 @@ std::string figures(const Caption& caption) {
   }
   const std::int64_t value = caption.bound_ns >= 0 ? caption.bound_ns : caption.shown_ns;
   if (caption.bound_ns < 0 && caption.shown_ns >= 0) text = duration_text(caption.shown_ns) + " in this run";
-  if (value < 0 && !caption.verdict.empty()) text = "no bound is known";
+  if (value < 0 && !caption.verdict.empty())
+    text = caption.unanswered ? "an event has no response in this run" : "no bound is known";
   if (caption.limit_ns >= 0) {
     if (!text.empty()) text += ", ";
     text += "limit " + duration_text(caption.limit_ns);

@@ -51,6 +51,7 @@ struct Caption {
   bool exact = false;          // a run attains the bound
   std::int64_t limit_ns = -1;
   std::int64_t shown_ns = -1;  // by this run, where nothing is proved
+  bool unanswered = false;     // the run fails by an event that has no response
 };
 
 struct ChartOptions {

@@ -113,7 +113,7 @@ class Writer {
     return -1;
   }
 
-  /// For an arrival, or for what was sent.
+  /// `name` waits for an arrival, or for what was sent.
   void wait_for(const Clock& clock, const Due& due, const std::string& name, int device) {
     const int statement = ground_.step_at(due.step).statement;
     if (due.by == By::arrival) {
@@ -123,7 +123,7 @@ class Writer {
     if (due.by == By::put) return until_put(clock, due.node, due.step);
     until(clock, due.node, due.step);
     if (device < 0)
-      return say(due.after, actor(due.node), "waits until " + text(due.step) + " has arrived", statement);
+      return say(due.after, name, "waits until " + text(due.step) + " has arrived", statement);
     say(due.after, view_.problem.devices[static_cast<std::size_t>(device)].name, "answers " + text(due.step),
         statement);
   }

@@ -159,9 +159,7 @@ class Analyzer {
     verdict.gave_up = !complete;
     if (!complete) {
       verdict.state = broken ? Is::fails : Is::undecided;
-      if (verdict.witness) verdict.explanation = explanation(problem_, requirement, verdict) + " ";
-      verdict.explanation += "The exploration ended before all runs had been seen.";
-      return;
+      return say(requirement, "The exploration ended before all runs had been seen.", verdict);
     }
     if (!any && !beyond && requirement.measure != Requirement::Measure::busy) {
       verdict.state = Is::never;
@@ -170,15 +168,21 @@ class Analyzer {
     }
     if (beyond && !requirement.at_least) {
       verdict.state = broken ? Is::fails : Is::undecided;
-      if (verdict.witness) verdict.explanation = explanation(problem_, requirement, verdict) + " ";
-      verdict.explanation += "There are longer ones: no bound was found up to " + milliseconds(cap) + ".";
-      return;
+      return say(requirement, "There are longer ones: no bound was found up to " + milliseconds(cap) + ".",
+                 verdict);
     }
     const Nanoseconds bound = any ? graph.peak().value : requirement.at_least ? cap : 0;
     verdict.bound = Duration(bound);
     verdict.exact = (verdict.witness && verdict.witness->measured.value == bound) || (!any && !beyond);
     verdict.state = !breaks(requirement, bound) ? Is::holds : broken ? Is::fails : Is::undecided;
     verdict.explanation = explanation(problem_, requirement, verdict);
+  }
+
+  /// Of what is open `why` it is so; the run beside it is told by itself, and may yet give way to a worse
+  /// one.
+  void say(const Requirement& requirement, const std::string& why, Verdict& verdict) const {
+    const bool fails = verdict.state == Is::fails;
+    verdict.explanation = (fails ? explanation(problem_, requirement, verdict) + ". " : "") + why;
   }
 
   void judge_failure(const Requirement& requirement, const Machine& machine, const ZoneGraph& graph,

@@ -85,7 +85,7 @@ std::string misnumbered(const trace::Trace& run) {
 }  // namespace
 
 Ruling check_run(const Problem& problem, const Requirement* requirement, const trace::Trace& run,
-                 std::optional<Nanoseconds> until, BusyFrom busy_from) {
+                 std::optional<Nanoseconds> until, BusyFrom busy_from, const std::function<bool()>& stop) {
   Ruling ruling;
   ruling.broken = tables_differ(problem, run);
   if (ruling.broken.empty()) ruling.broken = unsound(run);
@@ -95,7 +95,7 @@ Ruling check_run(const Problem& problem, const Requirement* requirement, const t
   if (!ruling.broken.empty()) return ruling;
   Referee referee(problem, requirement, run.events, busy_from);
   try {
-    referee.follow(until);
+    ruling.stopped = !referee.follow(until, stop);
   } catch (const Broken& rule) {
     ruling.broken = "at " + std::to_string(referee.now()) + " ns: " + rule.what();
   }

@@ -2,6 +2,7 @@
 // each against docs/execution-model.md. It takes nothing from the analysis but the problem's data.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ struct Ruling {
   bool failed = false;             // an event of the requirement has no response
   /// Since when a value has been growing that is not measured at the end of the run.
   std::optional<Nanoseconds> growing_since;
+  bool stopped = false;  // `stop` said so: nothing is known of the rest of the run
 };
 
 /// From which instants a busy period is measured.
@@ -41,7 +43,9 @@ enum class BusyFrom {
 /// What arrives or becomes ready at one instant without an event of its own in the trace may have come in any
 /// order.
 /// A busy period is measured once for each instant that `busy_from` names.
+/// `stop` is asked now and then.
 Ruling check_run(const Problem& problem, const Requirement* requirement, const trace::Trace& run,
-                 std::optional<Nanoseconds> until = std::nullopt, BusyFrom busy_from = BusyFrom::each_pause);
+                 std::optional<Nanoseconds> until = std::nullopt, BusyFrom busy_from = BusyFrom::each_pause,
+                 const std::function<bool()>& stop = {});
 
 }  // namespace pal::analyzer::rules

@@ -5,6 +5,8 @@
 
 namespace pal::analyzer::rules {
 
+constexpr std::size_t events_between_stops = 1'000;
+
 Referee::Referee(const Problem& problem, const Requirement* requirement, const std::vector<Event>& events,
                  BusyFrom busy_from)
     : problem_(problem),
@@ -17,7 +19,7 @@ Referee::Referee(const Problem& problem, const Requirement* requirement, const s
       conditions_(problem.conditions.size()),
       gauge_(problem, requirement, busy_from) {}
 
-void Referee::follow(std::optional<Nanoseconds> until) {
+bool Referee::follow(std::optional<Nanoseconds> until, const std::function<bool()>& stop) {
   for (std::size_t d = 0; d < devices_.size(); ++d) {
     const auto* frames = std::get_if<pan::FrameDevice>(&problem_.devices[d].behaviour);
     if (frames == nullptr) continue;
@@ -30,6 +32,7 @@ void Referee::follow(std::optional<Nanoseconds> until) {
   }
   beginning_ = false;
   for (at_ = 0; at_ < events_.size(); ++at_) {
+    if (stop && at_ % events_between_stops == 0 && stop()) return false;
     const Event& event = events_[at_];
     demand(event.time_ns >= now_, "time runs backwards");
     demand(!ended_, "something happens after the skill has ended");
@@ -42,6 +45,7 @@ void Referee::follow(std::optional<Nanoseconds> until) {
     handle(event);
   }
   if (!ended_) leave_instant(std::max(now_, until.value_or(now_)));
+  return true;
 }
 
 void Referee::handle(const Event& event) {

@@ -1,6 +1,7 @@
 // The state of a run as far as its events tell, and the rules that each event must keep.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -24,8 +25,9 @@ class Referee {
   Referee(const Problem& problem, const Requirement* requirement, const std::vector<trace::Event>& events,
           BusyFrom busy_from);
 
-  /// Everything up to the end, and on to `until` without a further event; throws Broken.
-  void follow(std::optional<Nanoseconds> until);
+  /// Everything up to the end, and on to `until` without a further event; throws Broken. False: `stop`, which
+  /// is asked now and then, ended it before.
+  bool follow(std::optional<Nanoseconds> until, const std::function<bool()>& stop);
 
   Nanoseconds now() const { return now_; }
   const Gauge& gauge() const { return gauge_; }

@@ -66,6 +66,7 @@ class Run {
     begin();
     while (made_.script.size() < options_.max_events && !stands_still() && !over() && !stopped() && go_on())
       draw_durations();
+    made_.stands = stands_still();
     made_.ended = clockwork_.state().ended;
     made_.failed = clockwork_.state().failed;
     made_.measured = clockwork_.measured();

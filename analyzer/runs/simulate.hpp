@@ -36,7 +36,8 @@ struct Simulation {
   bool failed = false;                      // an event of what is watched can have no response
   Nanoseconds end = 0;                      // all that happens up to then is known
   bool still = false;                       // nothing happens after the end, ever
-  Nanoseconds grown = 0;                    // the greatest value that still grows at the end
+  bool stands = false;    // time stood still at the end: no more is known, it may be for ever
+  Nanoseconds grown = 0;  // the greatest value that still grows at the end
 };
 
 /// The same options give the same run.

@@ -6,6 +6,7 @@
 #include "analyzer/exact/standstill.hpp"
 #include "analyzer/load/load.hpp"
 #include "analyzer/runs/simulate.hpp"
+#include "analyzer/verdict/unread.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -108,9 +109,12 @@ class Search {
   Nanoseconds tried_ = -1;
 };
 
+/// How a run breaks a requirement: by what it measures, or by what has only grown by its end.
+enum class Break { none, measured, grown };
+
 /// Whether a run by chance with worst times, of so many events at most, breaks the requirement.
-bool simulated_break(const Requirement& requirement, const Machine& machine, std::uint64_t seed,
-                     std::size_t events, const Options& options) {
+Break simulated_break(const Requirement& requirement, const Machine& machine, std::uint64_t seed,
+                      std::size_t events, const Options& options) {
   SimulationOptions how;
   how.times = SimulationOptions::Times::worst;
   how.seed = seed;
@@ -119,35 +123,42 @@ bool simulated_break(const Requirement& requirement, const Machine& machine, std
   how.stop = options.stop;
   how.record = false;
   const Simulation run = simulate(machine, how);
-  if (run.failed) return true;
-  // What keeps a processor busy counts however the run goes on.
-  if (requirement.measure == Measure::busy && run.grown > requirement.limit) return true;
-  return std::any_of(run.measured.begin(), run.measured.end(), [&requirement](const Measurement& made) {
-    return requirement.at_least ? made.value < requirement.limit : made.value > requirement.limit;
-  });
+  if (run.failed) return Break::measured;
+  const bool measured =
+      std::any_of(run.measured.begin(), run.measured.end(), [&requirement](const Measurement& made) {
+        return requirement.at_least ? made.value < requirement.limit : made.value > requirement.limit;
+      });
+  if (measured) return Break::measured;
+  // What keeps a processor busy counts however the run goes on, if it goes on.
+  const bool grown = requirement.measure == Measure::busy && run.grown > requirement.limit;
+  return grown ? Break::grown : Break::none;
 }
 
 /// A few short runs: cheap, and often enough. Where more is to be done than there is time, a long one, in
 /// which what is left over adds up; the skill has very many states there.
-bool simulated_break(const Problem& problem, const Requirement& requirement, int processor,
-                     const Options& options) {
+Break simulated_break(const Problem& problem, const Requirement& requirement, int processor,
+                      const Options& options) {
   constexpr std::uint64_t runs = 6;
   constexpr std::size_t events = 1'500;
   constexpr std::size_t many_events = 200'000;
   const Watch watch = watch_of(problem, requirement, processor);
   const Machine machine(problem, watch);
   for (std::uint64_t seed = 1; seed <= runs; ++seed) {
-    if (simulated_break(requirement, machine, seed, events, options)) return true;
+    const Break found = simulated_break(requirement, machine, seed, events, options);
+    if (found != Break::none) return found;
   }
-  return !problem.overloaded.empty() && simulated_break(requirement, machine, 1, many_events, options);
+  if (problem.overloaded.empty()) return Break::none;
+  return simulated_break(requirement, machine, 1, many_events, options);
 }
 
-bool simulated_break(const Problem& problem, const Requirement& requirement, const Options& options) {
-  if (requirement.measure == Measure::load || requirement.measure == Measure::loss) return false;
+Break simulated_break(const Problem& problem, const Requirement& requirement, const Options& options) {
+  if (requirement.measure == Measure::load || requirement.measure == Measure::loss) return Break::none;
   if (requirement.measure != Measure::busy) return simulated_break(problem, requirement, -1, options);
-  return std::any_of(requirement.processors.begin(), requirement.processors.end(), [&](int processor) {
-    return simulated_break(problem, requirement, processor, options);
-  });
+  for (const int processor : requirement.processors) {
+    const Break found = simulated_break(problem, requirement, processor, options);
+    if (found != Break::none) return found;
+  }
+  return Break::none;
 }
 
 Decision by_analysis(const Problem& problem, std::size_t requirement, const Options& options) {
@@ -155,9 +166,11 @@ Decision by_analysis(const Problem& problem, std::size_t requirement, const Opti
   alone.requirements = {problem.requirements[requirement]};
   Verdict verdict = std::move(analyze(alone, options).verdicts.front());
   const bool fails = verdict.state == Is::fails;
+  const bool grows = verdict.witness && verdict.witness->grows && !verdict.witness->failed;
   return {verdict.state == Is::never ? Is::holds : verdict.state,
           fails && one_run(problem.requirements[requirement]) ? std::move(verdict.witness) : std::nullopt,
-          {}};
+          {},
+          fails && grows};
 }
 
 Decision load_decision(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
@@ -188,9 +201,11 @@ std::optional<Decision> holds_by_bound(const Problem& problem, std::size_t index
 
 Decision decide_by_time(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
   const Requirement& requirement = problem.requirements[index];
+  if (is_unread(problem, requirement)) return {Is::holds, {}, {}};
   if (auto decision = holds_by_bound(problem, index)) return *decision;
   if (requirement.measure == Measure::load) return load_decision(problem, index, options, workers);
-  if (simulated_break(problem, requirement, options)) return {Is::fails, {}, {}};
+  const Break simulated = simulated_break(problem, requirement, options);
+  if (simulated != Break::none) return {Is::fails, {}, {}, simulated == Break::grown};
   if (!has_cap(requirement)) return by_analysis(problem, index, options);
   const Watch watch = watch_of(problem, requirement);
   const Machine machine(problem, watch);
@@ -199,7 +214,10 @@ Decision decide_by_time(const Problem& problem, std::size_t index, const Options
   const bool complete =
       graph.explore({options.max_states, options.stop,
                      [&](const ZoneGraph& so_far) { return search.found(so_far); }, &workers});
-  if (search.found(graph)) return {Is::fails, std::move(search.witness), {}};
+  if (search.found(graph)) {
+    const bool grows = search.witness->grows && !search.witness->failed;
+    return {Is::fails, std::move(search.witness), {}, grows};
+  }
   const Findings& findings = graph.findings();
   const bool clean = !findings.failure && !findings.over_cap && !findings.never_answered &&
                      findings.peak.value <= requirement.limit;
@@ -216,7 +234,9 @@ Decision decide(const Problem& problem, std::size_t index, const Options& given,
     options.max_states = std::min(given.max_states, overloaded_classes);
   Decision decision = decide_by_time(problem, index, options, workers);
   const Limits limits{options.max_states, options.stop, {}, &workers};
-  if (decision.state == Is::holds && standstill(problem, limits).found) return {};
+  // Where time stands still nothing holds, and what has no end by then is not measured.
+  const bool of_all_time = decision.state == Is::holds || decision.grows;
+  if (of_all_time && standstill(problem, limits).found) return {};
   return decision;
 }
 

@@ -17,6 +17,7 @@ struct Decision {
   /// Load: by how much one that no run exceeds (holds) or that a run attains (fails) is over the limit, in
   /// nanoseconds of work in a second. Nothing: not known.
   std::optional<Nanoseconds> excess;
+  bool grows = false;  // it fails by what has only grown by the end of the run
 };
 Decision decide(const Problem& problem, std::size_t requirement, const Options& options, Workers& workers);
 

@@ -59,6 +59,7 @@ class PlacementSearch {
       : environment_(environment), judge_(judge), options_(options) {
     found_.processors = processors;
     while (static_cast<int>(environment_.processors.size()) < processors) add_processor(environment_);
+    for (const pan::Processor& each : environment_.processors) found_.names.push_back(each.name);
     like_ = likenesses(judge.network(), environment_);
     used_.resize(environment_.processors.size());
   }

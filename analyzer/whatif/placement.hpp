@@ -27,6 +27,7 @@ struct Placed {
 /// requirement names.
 struct Placements {
   int processors = 0;
+  std::vector<std::string> names;  // by Seat::processor, those that were added included
   std::size_t tried = 0;
   std::vector<Placed> refuted;  // shown to break a requirement
   std::vector<Placed> meet;

@@ -11,7 +11,7 @@ namespace pal::driver {
 namespace {
 
 std::string amount_text(const analyzer::Verdict& verdict, analyzer::Nanoseconds amount) {
-  const std::string size = figure_text(verdict.measure, Duration(amount < 0 ? -amount : amount));
+  const std::string size = whole_text(verdict.measure, Duration(amount < 0 ? -amount : amount));
   return (amount < 0 ? "- " : "+ ") + size;
 }
 

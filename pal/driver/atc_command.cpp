@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
@@ -15,6 +16,10 @@ struct Chosen {
   const Proof* proof = nullptr;
   std::size_t index = 0;
 };
+
+bool ended(const std::vector<Proof>& proofs) {
+  return std::any_of(proofs.begin(), proofs.end(), [](const Proof& proof) { return proof.ended; });
+}
 
 /// The requirement that was named, or the most interesting one; says why there is none.
 std::optional<Chosen> choose(const std::vector<Proof>& proofs, const std::string& name, std::ostream& err) {
@@ -37,11 +42,12 @@ std::optional<Chosen> choose(const std::vector<Proof>& proofs, const std::string
       for (const auto& verdict : proof.analysis.verdicts) err << " '" << verdict.requirement << "'";
     }
     err << "\n";
+  } else if (ended(proofs)) {
+    err << "pal: --timeout or Ctrl-C ended the search before there was a run to draw\n";
   } else if (named) {
     err << fmt::format(
         "pal: '{}' has no worst run to draw: a load is not attained in one run, and what is undecided or "
-        "never "
-        "happens has none\n",
+        "never happens has none\n",
         name);
   } else {
     err << "pal: no requirement has a worst run to draw\n";
@@ -90,7 +96,7 @@ ExitStatus draw_atc(const AtcOptions& options, const Console& console) {
     return ExitStatus::usage;
   }
   const auto what = choose(proofs, options.requirement, console.err);
-  if (!what) return ExitStatus::usage;
+  if (!what) return ended(proofs) ? ExitStatus::not_met : ExitStatus::usage;
   const analyzer::Verdict& verdict = what->proof->analysis.verdicts[what->index];
 
   std::string picture;

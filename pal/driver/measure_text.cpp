@@ -1,5 +1,6 @@
 #include "pal/driver/measure_text.hpp"
 
+#include <cstdint>
 #include <set>
 
 #include "pal/support/duration_text.hpp"
@@ -101,6 +102,14 @@ std::string figure_text(Measure measure, Duration value) {
   const std::string fraction = std::to_string(hundredths % 100);
   return std::to_string(hundredths / 100) +
          (hundredths % 100 == 0 ? "" : (fraction.size() < 2 ? ".0" : ".") + fraction) + " %";
+}
+
+std::string whole_text(Measure measure, Duration value) {
+  if (measure != Measure::load) return figure_text(measure, value);
+  constexpr std::int64_t percent = 10'000'000;  // nanoseconds in a second
+  std::string digits = std::to_string(percent + value.count() % percent).substr(1);
+  while (!digits.empty() && digits.back() == '0') digits.pop_back();
+  return std::to_string(value.count() / percent) + (digits.empty() ? "" : "." + digits) + " %";
 }
 
 std::optional<Duration> worth_telling(const analyzer::Verdict& verdict) {

@@ -21,6 +21,8 @@ std::string short_measure_text(const analyzer::Problem& problem, std::size_t req
 /// A length of time, of a load its percentage, of a loss its number: "7.35 ms", "41.2 %", "none". A bound's
 /// percentage is rounded up.
 std::string figure_text(analyzer::Requirement::Measure measure, Duration value);
+/// The same to the last digit: of what is required, and of what adds up. "0.125 %".
+std::string whole_text(analyzer::Requirement::Measure measure, Duration value);
 
 /// The bound of a verdict, or what is known in place of one: "7.35 ms", "<= 9 ms" (a bound that no run is
 /// known to attain; of a least value ">="), ">= 5 ms" (no bound, and a run that attains this), "no bound",

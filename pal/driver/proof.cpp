@@ -54,7 +54,7 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits) {
       analyzer::Analysis analysis = analyzer::analyze(*problem, limits.analysis, options);
       const bool explored =
           limits.analysis != analyzer::AnalysisChoice::compositional && analyzer::fits_exploration(*problem);
-      proofs.push_back({std::move(*problem), std::move(analysis), explored});
+      proofs.push_back({std::move(*problem), std::move(analysis), explored, options.stop()});
     }
   }
   return proofs;

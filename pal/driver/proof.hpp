@@ -19,6 +19,7 @@ struct Proof {
   analyzer::Problem problem;
   analyzer::Analysis analysis;  // verdicts[i] is on problem.requirements[i]
   bool explored = true;         // by the exact analysis, which more time and states may help
+  bool ended = false;           // by --timeout or Ctrl-C, as far as it had come
 };
 
 struct ProofLimits {

@@ -1,5 +1,6 @@
 #include "pal/driver/proof_chart.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "analyzer/chart/chart.hpp"
@@ -22,7 +23,32 @@ chart::Caption caption(const Proof& proof, std::size_t index) {
   if (verdict.bound) result.bound_ns = verdict.bound->count();
   result.exact = verdict.exact;
   result.limit_ns = verdict.limit.count();
+  result.unanswered = verdict.witness && verdict.witness->failed;
   return result;
+}
+
+/// Of a run that fails by an event without a response: from that event to the end. Nothing of one that is
+/// lost as it comes.
+std::optional<chart::Highlight> unanswered(const Proof& proof, std::size_t index) {
+  const analyzer::Requirement& requirement = proof.problem.requirements[index];
+  const trace::Trace& run = proof.analysis.verdicts[index].witness->trace;
+  if (requirement.events.empty()) return std::nullopt;
+  const int channel = requirement.events.front();
+  const std::string& message = proof.problem.channels[static_cast<std::size_t>(channel)].message;
+  const std::vector<trace::Occurrence> answered =
+      trace::responses(run, analyzer::sender_name(proof.problem, channel), message,
+                       statements_of(proof, index))
+          .answered;
+  for (const trace::Event& event : run.events) {
+    if (event.kind != trace::Kind::put || !requirement.is_event(event.subject)) continue;
+    const bool has = std::any_of(answered.begin(), answered.end(), [&event](const auto& occurrence) {
+      return occurrence.from_ns == event.time_ns;
+    });
+    const std::int64_t end = run.events.back().time_ns;
+    if (!has && event.time_ns < end)
+      return chart::Highlight{event.time_ns, end, message + " without a response", true, requirement.limit};
+  }
+  return std::nullopt;
 }
 
 chart::Highlight highlight(const Proof& proof, std::size_t index, std::int64_t from, std::int64_t to) {
@@ -42,7 +68,9 @@ chart::ChartOptions options_for(const Proof& proof, std::size_t index) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   chart::ChartOptions options;
   options.caption = caption(proof, index);
-  if (verdict.witness->measured.value > 0 && verdict.measure != Measure::loss) {
+  if (verdict.witness->failed) {
+    options.highlight = unanswered(proof, index);
+  } else if (verdict.witness->measured.value > 0 && verdict.measure != Measure::loss) {
     options.highlight = highlight(proof, index, verdict.witness->measured.born, verdict.witness->measured.at);
   }
   for (const analyzer::Reason& reason : analyzer::abridged(verdict.reasons)) {

@@ -47,7 +47,7 @@ void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& o
       const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
       out << fmt::format("  {:9}  {:{}}  {:{}}  {:>11}  of {:>7}  {}{}\n", analyzer::name(verdict.state),
                          verdict.requirement, name_width, measure_text(proof.problem, i), measure_width,
-                         bound_text(verdict), figure_text(verdict.measure, verdict.limit),
+                         bound_text(verdict), whole_text(verdict.measure, verdict.limit),
                          margin_text(verdict), method_text(verdict));
       if (explain) write_arithmetic(verdict, out);
     }

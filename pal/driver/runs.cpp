@@ -42,7 +42,7 @@ Runs runs_by_chance(const analyzer::Problem& problem, const analyzer::Simulation
     one.seed += number;
     analyzer::Simulation made = analyzer::simulate(machine, one);
     made.trace.origin = "simulated";
-    return std::optional(KnownRun{std::move(made.trace), made.end, made.ended, made.still});
+    return std::optional(KnownRun{std::move(made.trace), made.end, made.ended, made.still, made.stands});
   };
   return runs;
 }
@@ -61,7 +61,7 @@ Runs scripted_runs(const analyzer::Problem& problem,
     made->trace.origin = "simulated";
     const bool completed = completes(made->trace);
     return KnownRun{std::move(made->trace), witness.grows ? witness.at : script->back().at, completed,
-                    made->still};
+                    made->still, false};
   };
   return runs;
 }

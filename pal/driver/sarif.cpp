@@ -52,7 +52,7 @@ class Log {
     Json result = head(Code::PAL0890, "none",
                        "'" + verdict.requirement + "' holds: " + measure_text(proof.problem, index) +
                            " is at most " + bound + " in " + proof.problem.environment + ", at most " +
-                           figure_text(verdict.measure, verdict.limit) + " is required",
+                           whole_text(verdict.measure, verdict.limit) + " is required",
                        verdict.where);
     result["kind"] = "pass";
     return result;

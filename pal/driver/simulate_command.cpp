@@ -63,13 +63,12 @@ void survey(Study& study, Session& session, const std::function<bool()>& stop) {
   Survey survey(simulated.problem);
   for (std::size_t number = 0; number < simulated.asked; ++number) {
     const auto run = study.runs.make(number);
-    if (stop()) break;
+    if (stop() || (run && !survey.add(*run, number, stop))) break;
     ++simulated.runs;
     if (!study.witnesses.empty()) {
       const std::string why = refusal_of(study.witnesses[number], run, session);
       if (!why.empty()) simulated.refused.push_back(study.runs.names[number] + ": " + why);
     }
-    if (run) survey.add(*run, number);
   }
   simulated.completed = survey.completed();
   simulated.seen = survey.seen();
@@ -144,11 +143,9 @@ std::string chart_of(const Study& study, std::size_t index, const KnownRun& run)
   return chart::svg(chart::timeline(run.trace), options);
 }
 
-ExitStatus write_run(const SimulateOptions& options, const std::vector<std::unique_ptr<Study>>& studies,
+ExitStatus write_run(const SimulateOptions& options, const std::pair<const Study*, std::size_t>& chosen,
                      const std::vector<std::string>& inputs, const Console& console) {
-  const auto chosen = choose(studies, options.requirement, console.err);
-  if (!chosen) return ExitStatus::usage;
-  const auto& [study, index] = *chosen;
+  const auto& [study, index] = chosen;
   const auto run = study->runs.make(study->simulated.seen[index].run);
   std::vector<OutputFile> files;
   if (!options.trace.empty()) {
@@ -227,6 +224,7 @@ ExitStatus simulate(const SimulateOptions& options, const Console& console) {
            std::all_of(simulated.seen.begin(), simulated.seen.end(),
                        [](const Seen& seen) { return seen.breaking == 0 && seen.open == 0; });
   }
+  const bool early = stop();
   for (const auto& study : studies) {
     if (options.format == Format::text) console.out << text(study->simulated);
     simulations.push_back(study->simulated);
@@ -234,7 +232,9 @@ ExitStatus simulate(const SimulateOptions& options, const Console& console) {
   if (options.format == Format::json) console.out << json(simulations);
   if (!options.trace.empty() || !options.chart.empty()) {
     writes = true;
-    const ExitStatus written = write_run(options, studies, inputs, console);
+    const auto chosen = choose(studies, options.requirement, console.err);
+    if (!chosen) return early ? ExitStatus::not_met : ExitStatus::usage;
+    const ExitStatus written = write_run(options, *chosen, inputs, console);
     if (written != ExitStatus::all_hold) return written;
   }
   return good ? ExitStatus::all_hold : ExitStatus::not_met;

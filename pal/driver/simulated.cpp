@@ -84,7 +84,7 @@ std::string text(const Simulated& simulated) {
     made += fmt::format(
         "  {:8}  {:{}}  {:{}}  {:>11}  of {:>7}  {}\n", state_text(simulated, r), requirement.name,
         name_width, measure_text(simulated.problem, r), measure_width, value_text(simulated, r),
-        figure_text(requirement.measure, Duration(requirement.limit)), count_text(simulated, r));
+        whole_text(requirement.measure, Duration(requirement.limit)), count_text(simulated, r));
   }
   for (const std::string& refused : simulated.refused) made += "  refused   " + refused + "\n";
   return made;

@@ -31,9 +31,9 @@ bool further(const Requirement& requirement, Nanoseconds value, bool open, const
 }
 
 /// Whether a value that grows at the end of `run` counts, however the run goes on: it is measured when the
-/// skill ends, or grows for ever.
+/// skill ends, or grows for ever. Where time stands still it does not.
 bool counts(const Requirement& requirement, const KnownRun& run) {
-  return requirement.measure == Requirement::Measure::busy || run.still;
+  return run.still || (requirement.measure == Requirement::Measure::busy && !run.stands);
 }
 
 Nanoseconds busy_time(const std::vector<trace::Slice>& slices, const trace::Trace& run,
@@ -51,28 +51,36 @@ Nanoseconds busy_time(const std::vector<trace::Slice>& slices, const trace::Trac
 
 Survey::Survey(const analyzer::Problem& problem) : problem_(problem), seen_(problem.requirements.size()) {}
 
-void Survey::add(const KnownRun& run, std::size_t number) {
-  completed_ += run.completed ? 1 : 0;
+bool Survey::add(const KnownRun& run, std::size_t number, const std::function<bool()>& stop) {
   const auto ruling = analyzer::rules::check_run(problem_, nullptr, run.trace,
-                                                 run.completed ? std::nullopt : std::optional(run.end));
+                                                 run.completed ? std::nullopt : std::optional(run.end),
+                                                 analyzer::rules::BusyFrom::each_pause, stop);
+  if (ruling.stopped) return false;
   if (!ruling.broken.empty()) {
     refused_.push_back("run " + std::to_string(number) + ": " + ruling.broken);
-    return;
+    completed_ += run.completed ? 1 : 0;
+    return true;
   }
+  const std::vector<Seen> before = seen_;
   for (std::size_t r = 0; r < seen_.size(); ++r) {
     if (problem_.requirements[r].measure == Requirement::Measure::load) {
       measure_load(r, run, number);
-    } else {
-      measure(r, run, number);
+    } else if (!measure(r, run, number, stop)) {
+      seen_ = before;
+      return false;
     }
   }
+  completed_ += run.completed ? 1 : 0;
+  return true;
 }
 
-void Survey::measure(std::size_t index, const KnownRun& run, std::size_t number) {
+bool Survey::measure(std::size_t index, const KnownRun& run, std::size_t number,
+                     const std::function<bool()>& stop) {
   const Requirement& requirement = problem_.requirements[index];
   Seen& seen = seen_[index];
   const auto ruling = analyzer::rules::check_run(problem_, &requirement, run.trace, std::nullopt,
-                                                 analyzer::rules::BusyFrom::beginning);
+                                                 analyzer::rules::BusyFrom::beginning, stop);
+  if (ruling.stopped) return false;
   bool breaks = ruling.failed;
   bool open = false;
   const auto note = [&](const Measured& measured, bool grows) {
@@ -90,6 +98,7 @@ void Survey::measure(std::size_t index, const KnownRun& run, std::size_t number)
   seen.unanswered += ruling.failed ? 1 : 0;
   seen.breaking += breaks ? 1 : 0;
   seen.open += open && !breaks ? 1 : 0;
+  return true;
 }
 
 void Survey::measure_load(std::size_t index, const KnownRun& run, std::size_t number) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ struct KnownRun {
   analyzer::Nanoseconds end = 0;  // nothing more happens up to then
   bool completed = false;         // the skill ended
   bool still = false;             // nothing happens after the end, ever
+  bool stands = false;            // time stood still at the end: it may be for ever
 };
 
 /// What the runs show of one requirement.
@@ -38,7 +40,8 @@ class Survey {
  public:
   explicit Survey(const analyzer::Problem& problem);
 
-  void add(const KnownRun& run, std::size_t number);
+  /// False: `stop`, which is asked now and then, said so, and nothing of the run counts.
+  bool add(const KnownRun& run, std::size_t number, const std::function<bool()>& stop = {});
 
   /// By requirement.
   const std::vector<Seen>& seen() const { return seen_; }
@@ -47,7 +50,8 @@ class Survey {
   const std::vector<std::string>& refused() const { return refused_; }
 
  private:
-  void measure(std::size_t requirement, const KnownRun& run, std::size_t number);
+  bool measure(std::size_t requirement, const KnownRun& run, std::size_t number,
+               const std::function<bool()>& stop);
   void measure_load(std::size_t requirement, const KnownRun& run, std::size_t number);
 
   const analyzer::Problem& problem_;

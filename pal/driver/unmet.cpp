@@ -22,19 +22,22 @@ SourceSpan place_of(const analyzer::Problem& problem, const analyzer::Reason& re
   return found == problem.statements.end() || reason.line == 0 ? SourceSpan{} : found->where;
 }
 
+/// "is 35 ms".
 std::string figure_of(const analyzer::Verdict& verdict) {
   if (!verdict.bound) {
     const auto shown = worth_telling(verdict);
-    if (shown) return (verdict.at_least ? "at most " : "at least ") + figure_text(verdict.measure, *shown);
-    return verdict.state == State::undecided ? "without a bound that was found" : "without bound";
+    if (shown)
+      return (verdict.at_least ? "is at most " : "is at least ") + figure_text(verdict.measure, *shown);
+    return verdict.state == State::undecided ? "has no bound that was found" : "is without bound";
   }
   const auto shown = attained(verdict);
   if (verdict.state == State::fails && shown && *shown != *verdict.bound) {
-    return "between " + figure_text(verdict.measure, std::min(*shown, *verdict.bound)) + " and " +
+    return "is between " + figure_text(verdict.measure, std::min(*shown, *verdict.bound)) + " and " +
            figure_text(verdict.measure, std::max(*shown, *verdict.bound));
   }
   const std::string sound = verdict.at_least ? "at least " : "at most ";
-  return (verdict.state == State::undecided ? sound : "") + figure_text(verdict.measure, *verdict.bound);
+  return "is " + (verdict.state == State::undecided ? sound : "") +
+         figure_text(verdict.measure, *verdict.bound);
 }
 
 /// The longest piece of the time in which the thread that decided, the last of the story, did nothing but
@@ -61,13 +64,16 @@ std::string hint_of_undecided(const Proof& proof, const analyzer::Verdict& verdi
                             "bound is as required";
 }
 
-std::string hint_of(const Proof& proof, const analyzer::Verdict& verdict) {
+std::string hint_of(const Proof& proof, std::size_t index) {
+  const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   if (verdict.state == State::undecided) return hint_of_undecided(proof, verdict);
   switch (verdict.measure) {
     case Measure::load:
     case Measure::busy:
       return "move modules to another processor, or shorten their activities";
     case Measure::response:
+      if (verdict.witness && verdict.witness->failed)
+        return "answer each event, on every way, before the next can come";
       return "shorten what the time is spent on, give it a processor of its own, or answer without waiting";
     case Measure::reaction:
       return "ask for the next value earlier, or shorten what lies between a value and its use";
@@ -81,6 +87,8 @@ std::string hint_of(const Proof& proof, const analyzer::Verdict& verdict) {
     case Measure::age:
       break;
   }
+  if (!proof.problem.requirements[index].samples.empty())
+    return "ask for the sample later, or more often, or shorten what lies between it and its use";
   const analyzer::Reason* wait = longest_wait_after_read(verdict);
   if (wait == nullptr) return "shorten what lies between the set and its use";
   return "read the condition after " + wait->what.substr(std::string("waits at ").size()) + ", not before it";
@@ -99,13 +107,12 @@ void report(const Proof& proof, std::size_t index, Session& session) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   const bool fails = verdict.state == State::fails;
   const std::string what = fails ? " fails: " : " is undecided: ";
-  Diagnostic& finding =
-      session.diagnostics.report(fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
-                                 "'" + verdict.requirement + "'" + what + measure_text(proof.problem, index) +
-                                     " is " + figure_of(verdict) + " in " + proof.problem.environment + ", " +
-                                     (verdict.at_least ? "at least " : "at most ") +
-                                     figure_text(verdict.measure, verdict.limit) + " is required",
-                                 hint_of(proof, verdict));
+  Diagnostic& finding = session.diagnostics.report(
+      fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
+      "'" + verdict.requirement + "'" + what + measure_text(proof.problem, index) + " " + figure_of(verdict) +
+          " in " + proof.problem.environment + ", " + (verdict.at_least ? "at least " : "at most ") +
+          whole_text(verdict.measure, verdict.limit) + " is required",
+      hint_of(proof, index));
   if (!fails || verdict.reasons.empty()) finding.notes.push_back({verdict.where, verdict.explanation});
   const auto shown = attained(verdict);
   if (!fails && shown && !verdict.reasons.empty())

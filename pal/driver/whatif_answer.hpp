@@ -18,7 +18,6 @@ struct WhatIfAnswer {
   std::vector<std::string> requirements;
   std::vector<analyzer::Slack> slacks;
   std::vector<Proof> before_and_after;  // both, or neither
-  std::vector<std::string> processors;  // of the environment
   std::vector<analyzer::Placements> placements;
   std::vector<analyzer::rules::FiledWitness> witnesses;  // of refuted placements, if asked for
   bool fewest = false;                                   // the placements answer how few processors do

@@ -39,7 +39,6 @@ class Question {
     answer.skill = problem->skill;
     answer.environment = problem->environment;
     for (const auto& requirement : problem->requirements) answer.requirements.push_back(requirement.name);
-    for (const auto& processor : problem->processors) answer.processors.push_back(processor.name);
     const auto other = changed(environment, options_.changes, err);
     if (!other) return false;
     if (!options_.changes.empty() && !compare(skill, *other, std::move(*problem), answer)) return true;
@@ -55,7 +54,8 @@ class Question {
     auto after = analyzer::make_problem(skill, other, session_.diagnostics, &session_.sources);
     if (!after) return false;
     for (analyzer::Problem* problem : {&before, &*after}) {
-      analyzer::Analysis analysis = analyzer::analyze(*problem, analysis_);
+      analyzer::Analysis analysis =
+          analyzer::analyze(*problem, analyzer::AnalysisChoice::automatic, analysis_);
       answer.before_and_after.push_back({std::move(*problem), std::move(analysis)});
     }
     return true;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 
 #include "pal/driver/whatif_answer.hpp"
@@ -40,7 +41,9 @@ std::string now_text(const Slack& slack) {
 
 std::string percent(const Slack& slack) {
   if (!slack.holds || slack.time.worst.count() == 0 || slack.unlimited) return "";
-  const auto tenths = slack.holds->count() / (slack.time.worst.count() / 1000 + 1);
+  __extension__ using Wide = __int128;
+  const auto tenths =
+      static_cast<std::int64_t>(static_cast<Wide>(slack.holds->count()) * 1000 / slack.time.worst.count());
   return fmt::format("{}.{} %", tenths / 10, tenths % 10);
 }
 
@@ -69,28 +72,27 @@ std::string change_table(const WhatIfAnswer& answer) {
   const auto& after = answer.before_and_after[1].analysis.verdicts;
   for (std::size_t r = 0; r < after.size(); ++r) {
     out += fmt::format("  {:{}}  {:>9}  {:9}  {:>12}  {} {:9}  {:>12}\n", after[r].requirement, width,
-                       figure_text(after[r].measure, after[r].limit), analyzer::name(before[r].state),
+                       whole_text(after[r].measure, after[r].limit), analyzer::name(before[r].state),
                        bound_text(before[r]), before[r].state == after[r].state ? " " : "*",
                        analyzer::name(after[r].state), bound_text(after[r]));
   }
   return out;
 }
 
-std::string seats_text(const WhatIfAnswer& answer, const analyzer::Placed& placed) {
+std::string seats_text(const analyzer::Placements& on, const analyzer::Placed& placed) {
   std::map<int, std::string> by;  // processor
   for (const analyzer::Seat& seat : placed.seats)
     by[seat.processor] += " " + seat.thread + "(" + std::to_string(seat.priority) + ")";
   std::string out;
   for (const auto& [processor, threads] : by) {
-    const auto index = static_cast<std::size_t>(processor);
-    out += (out.empty() ? "" : "; ") +
-           (index < answer.processors.size() ? answer.processors[index] : "P" + std::to_string(processor)) +
-           ":" + threads;
+    out += (out.empty() ? "" : "; ") + on.names[static_cast<std::size_t>(processor)] + ":" + threads;
   }
   return out;
 }
 
 std::string placement_lines(const WhatIfAnswer& answer, const analyzer::Placements& on) {
+  if (on.tried == 0 && on.complete)
+    return fmt::format("  {} processors: more than there are threads to place\n", on.processors);
   std::string out = fmt::format(
       "  {} processor{}: {} placement{} tried, {} meet{} every requirement, {} refuted, {} undecided{}\n",
       on.processors, on.processors == 1 ? "" : "s", on.tried, on.tried == 1 ? "" : "s", on.meet.size(),
@@ -100,9 +102,9 @@ std::string placement_lines(const WhatIfAnswer& answer, const analyzer::Placemen
     if (on.broken[r] > 0)
       out += fmt::format("    a run breaks '{}' in {}\n", answer.requirements[r], on.broken[r]);
   }
-  for (const auto& placed : on.meet) out += "    meets      " + seats_text(answer, placed) + "\n";
+  for (const auto& placed : on.meet) out += "    meets      " + seats_text(on, placed) + "\n";
   for (const auto& placed : on.undecided) {
-    out += "    undecided  " + seats_text(answer, placed) + "\n";
+    out += "    undecided  " + seats_text(on, placed) + "\n";
   }
   return out;
 }

@@ -16,7 +16,6 @@ namespace pal::frontend::deadlock {
 namespace {
 
 constexpr std::size_t most_nearby = 10'000;
-constexpr std::size_t most_on_ways = 1'000'000;  // in all searches of one kind together
 
 class Explorer {
  public:
@@ -25,6 +24,7 @@ class Explorer {
         moves_(automata, limits.withdrawn),
         most_(std::min(limits.states, limits.words / moves_.words() + 1)),
         at_first_(limits.at_first),
+        shared_(limits.shared),
         withdrawn_(limits.withdrawn),
         plain_(automata, moves_, std::vector<bool>(automata.request_of.size()), false) {}
 
@@ -78,16 +78,19 @@ class Explorer {
     if (!found.way) return;
     total_length_ = found.way->length;
     result_.total = DeadEnd{true, found.way->length.timely > 0, found.way->run, found.way->run.size(), {}, 0};
-    WaysOn ways(automata_, moves_, plain_, most_, most_on_ways);
+    WaysOn ways(automata_, moves_, plain_, most_, shared_);
     describe(*result_.total, found.way->state, ways);
   }
 
   void find_partial() {
-    WaysOn ways(automata_, moves_, plain_, most_, most_on_ways);
+    WaysOn ways(automata_, moves_, plain_, most_, shared_);
     Goal goal;
     goal.state = [&](const State& state, const Enabled&) { return ways.dead(state); };
     goal.needed = [&](const State& state, const Enabled& enabled) {
-      if (ways.exhausted()) return Threads();
+      if (ways.exhausted()) {
+        result_.complete = false;
+        return Threads();
+      }
       const auto needed = ways.in_the_way(state);
       for (const auto& moves : choose_moves(state, enabled, needed)) ways.inherit(state, *moves);
       return needed;
@@ -116,7 +119,7 @@ class Explorer {
   /// Of those channels, as far as there is a run. False: there may be one where none was found.
   bool find_undelivered(const std::vector<bool>& channels, std::size_t most) {
     bool complete = true;
-    auto left = most_on_ways;
+    auto left = shared_;
     for (std::size_t c = 0; c < channels.size(); ++c) {
       if (!channels[c]) continue;
       const auto found = find_undelivered(pan::ChannelId(c), std::min(most, left));
@@ -202,6 +205,7 @@ class Explorer {
   Moves moves_;
   std::size_t most_;
   std::size_t at_first_;
+  std::size_t shared_;
   int withdrawn_;
   Independence plain_;
   Length total_length_;

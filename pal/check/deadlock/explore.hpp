@@ -41,6 +41,7 @@ struct Limits {
   std::size_t words = 24'000'000;         // states times words of each
   int withdrawn = Moves::most_withdrawn;  // requests, yet to be answered, that are counted exactly
   std::size_t at_first = 1'000;           // states, before it is tried without the values of conditions
+  std::size_t shared = 1'000'000;         // states, in all searches of one kind together
 };
 
 struct Findings {

@@ -66,6 +66,28 @@ TEST_CASE("what is printed below a requirement adds up to its bound, whatever th
   CHECK(answer.out.find("+ 200 us  MC1 runs obey  (") != std::string::npos);
 }
 
+TEST_CASE("the parts of a load that are printed add up, and its limit is as it was written") {
+  std::string text = text_of("two_drivers");
+  const std::string before = "REQUIREMENT b : BUSY PERIOD OF P0 AT MOST 50 ms";
+  text.replace(text.find(before), before.size(), "REQUIREMENT l : LOAD OF P0 AT MOST 58.57142 %");
+  const auto answer = pal::test::pal({"check", "s.pal", "--explain"}, in_memory(text));
+  INFO(answer.out << answer.err);
+  CHECK(answer.status == ExitStatus::not_met);
+  CHECK(answer.out.find("58.58 %  of 58.57142 %  0.01 % too much") != std::string::npos);
+  CHECK(answer.out.find("+ 30 %  MC1 runs w, ") != std::string::npos);
+  CHECK(answer.out.find("+ 28.5714286 %  MC2 runs v, ") != std::string::npos);
+  CHECK(answer.err.find("at most 58.57142 % is required") != std::string::npos);
+}
+
+TEST_CASE("who waits for a message on its way is who takes it") {
+  const auto answer =
+      pal::test::pal({"check", touch, "-e", cell, "--analysis", "compositional", "--explain"});
+  INFO(answer.out);
+  CHECK(answer.out.find("+ 50 us  SD1 waits until TXM( request wrench from SD1 ) has arrived") !=
+        std::string::npos);
+  CHECK(answer.out.find("LS1 waits until TXM( request wrench") == std::string::npos);
+}
+
 TEST_CASE("the JSON form has the documented members and no others") {
   const auto answer = pal::test::pal({"check", read_first, "--environment", cell, "--format", "json"});
   CHECK(answer.status == ExitStatus::not_met);
@@ -313,4 +335,14 @@ TEST_CASE("what grows for long and ends with the skill breaks nothing") {
     CHECK(rows.at(0).at("verdict") == "never");
     CHECK(rows.at(1).at("verdict") == "never");
   }
+}
+
+TEST_CASE("what to do about a sample that is too old is said of samples") {
+  std::string text = text_of("two_drivers");
+  const std::string before = "REQUIREMENT b : BUSY PERIOD OF P0 AT MOST 50 ms";
+  text.replace(text.find(before), before.size(), "REQUIREMENT a : AGE OF y FROM d1 AT w IN MC1 AT MOST 1 ms");
+  const auto answer = pal::test::pal({"check", "s.pal"}, in_memory(text));
+  INFO(answer.err);
+  CHECK(answer.status == ExitStatus::not_met);
+  CHECK(answer.err.find("hint: ask for the sample later, or more often, or shorten") != std::string::npos);
 }

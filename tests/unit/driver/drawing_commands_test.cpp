@@ -131,3 +131,25 @@ END ENVIRONMENT
   const auto height = picture.find("height=\"");
   CHECK(std::stoi(picture.substr(height + 8)) < 2'000);
 }
+
+TEST_CASE("who ends the search before there is a run to draw or to write is told so") {
+  const std::string nowhere = (std::filesystem::temp_directory_path() / own_name("no_run")).string();
+  const Answer drawn = pal::test::pal({"atc", touch, "-e", cell, "-o", nowhere, "--timeout", "1ns"});
+  CHECK(drawn.status == ExitStatus::not_met);
+  CHECK(drawn.err.find("ended the search before there was a run to draw") != std::string::npos);
+  const Answer made = pal::test::pal({"simulate", touch, "-e", cell, "--trace", nowhere, "--timeout", "1ns"});
+  CHECK(made.status == ExitStatus::not_met);
+  CHECK_FALSE(std::filesystem::exists(nowhere));
+}
+
+TEST_CASE("the chart of an event without a response shows that event, not the one that is answered") {
+  const std::string picture = (std::filesystem::temp_directory_path() / own_name("passed_over.svg")).string();
+  const pal::MemoryFileSystem files = in_memory(text_of("passed_over"));
+  CHECK(pal::test::pal({"atc", "s.pal", "-o", picture}, files).status == ExitStatus::all_hold);
+  std::stringstream drawn;
+  drawn << std::ifstream(picture).rdbuf();
+  CHECK(drawn.str().find("an event has no response in this run, limit 50 ms") != std::string::npos);
+  CHECK(drawn.str().find("tick without a response 12 ms") != std::string::npos);
+  CHECK(drawn.str().find("response to tick") == std::string::npos);
+  std::filesystem::remove(picture);
+}

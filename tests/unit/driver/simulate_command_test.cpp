@@ -5,6 +5,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "pal/driver/runs.hpp"
+#include "pal/driver/survey.hpp"
+#include "tests/support/skill.hpp"
 #include "tests/unit/driver/program.hpp"
 
 using namespace pal::test;
@@ -188,8 +191,25 @@ TEST_CASE("runs end in the time that is given") {
 
   // A run that is written is whole.
   const std::string trace = temporary("simulate_timeout");
-  pal::test::pal({"simulate", touch, "-e", cell, "--runs", "1000000", "--timeout", "300ms", "-r",
-                  "answer-alter", "--trace", trace});
+  pal::test::pal({"simulate", touch, "-e", cell, "--runs", "1000000", "--timeout", "3s", "-r", "answer-alter",
+                  "--trace", trace});
   CHECK(std::filesystem::file_size(trace) > 1'000);
   std::filesystem::remove(trace);
+}
+
+TEST_CASE("a run that is not looked at to its end counts for nothing") {
+  const auto skill = sound_skill(never_idle);
+  pal::analyzer::SimulationOptions how;
+  how.until = 30'000'000'000;
+  const auto run = pal::driver::runs_by_chance(*skill->problem, how, 1).make(0);
+  REQUIRE(run);
+  REQUIRE(run->trace.events.size() > 2'000);
+  int before = 0;
+  for (bool whole = false; !whole; ++before) {
+    pal::driver::Survey survey(*skill->problem);
+    int asked = 0;
+    whole = survey.add(*run, 0, [&] { return asked++ == before; });
+    for (const pal::driver::Seen& seen : survey.seen()) CHECK((seen.breaking + seen.values > 0) == whole);
+  }
+  CHECK(before > 4);
 }

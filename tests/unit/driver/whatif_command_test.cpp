@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "pal/driver/whatif_answer.hpp"
+
 using namespace pal::test;
 using pal::driver::ExitStatus;
 
@@ -143,4 +145,48 @@ TEST_CASE("changed figures are refused as written ones are, and activities found
   for (const char* name : {"SEND OF MC1", "ACTIVITY SEND"}) {
     CHECK(says(with(std::string(name) + " = 4 ms"), "holds              5 ms    holds              6 ms"));
   }
+}
+
+TEST_CASE("a processor that was added to place on has a name of its own") {
+  std::string text = two_drivers;
+  text.replace(text.find("  PROCESSOR P0\n"), 15, "");
+  for (std::size_t at = 0; (at = text.find("P0", at)) != std::string::npos;) text.replace(at, 2, "P1");
+  const pal::MemoryFileSystem files = in_memory(text);
+  const Answer answer = pal::test::pal({"whatif", "s.pal", "--place", "2", "--timeout", "20s"}, files);
+  INFO(answer.out);
+  CHECK(says(answer, "P1: "));
+  CHECK(says(answer, "; P2: "));
+  CHECK_FALSE(says(answer, "; P1: "));
+  const Answer many = pal::test::pal({"whatif", "s.pal", "--place", "4"}, files);
+  CHECK(many.status == ExitStatus::not_met);
+  CHECK(says(many, "4 processors: more than there are threads to place"));
+}
+
+TEST_CASE("how much all may grow together is a part of the longest time, however short that is") {
+  pal::driver::WhatIfAnswer answer;
+  answer.requirements = {"r"};
+  pal::analyzer::Slack slack;
+  slack.time = {pal::Duration(2), pal::Duration(2)};
+  slack.holds = pal::Duration(1);
+  slack.fails = pal::Duration(2);
+  slack.requirement = 0;
+  answer.slacks = {slack};
+  CHECK(text(answer).find(" 50.0 %  then 'r' fails") != std::string::npos);
+}
+
+// P0 is busy for 10 ms, and then at one instant for ever: that has no end, and is not measured.
+TEST_CASE("no run breaks a limit by a busy period in which time stands still") {
+  const pal::MemoryFileSystem files = in_memory(text_of("busy_till_time_stands_still"));
+  CHECK(says(pal::test::pal({"check", "s.pal"}, files), "undecided  b"));
+  const Answer slack = pal::test::pal({"whatif", "s.pal"}, files);
+  CHECK(slack.status == ExitStatus::not_met);
+  CHECK(says(slack, "'b' is undecided as things are"));
+  CHECK(says(pal::test::pal({"whatif", "s.pal", "--place", "1"}, files), "0 refuted, 1 undecided"));
+  const Answer other = pal::test::pal({"whatif", "s.pal", "--set", "work = 1 ms"}, files);
+  CHECK(other.status == ExitStatus::not_met);
+  CHECK_FALSE(says(other, "holds"));
+  CHECK_FALSE(says(other, "fails"));
+  const Answer runs = pal::test::pal({"simulate", "s.pal", "--runs", "3"}, files);
+  CHECK(runs.status == ExitStatus::not_met);
+  CHECK(says(runs, "open      b"));
 }

@@ -1,0 +1,140 @@
+// A proof that a run contradicts is not used, of no requirement, whichever analysis finds the run.
+#include <catch2/catch.hpp>
+
+#include "analyzer/analysis.hpp"
+#include "analyzer/compositional/compositional.hpp"
+#include "tests/support/skill.hpp"
+#include "tests/unit/analyzer/small_skill.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+
+namespace {
+
+constexpr Nanoseconds ms = 1'000'000;
+
+/// The response takes 2 ms at most.
+std::unique_ptr<test::Skill> two() {
+  return test::sound_skill(
+      test::small_skill("REQUIREMENT answer : RESPONSE FROM tick OF MC1 TO work AT MOST 5 ms\n"
+                        "REQUIREMENT short  : BUSY PERIOD OF P0 AT MOST 5 ms\n",
+                        test::worker,
+                        "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\nTIME work : 1 TO 2 ms\n"
+                        "DEVICE MC1 EVENT tick EVERY 10 ms\n"));
+}
+
+/// Meets its limits at once.
+Analysis gives_up(const Problem& problem, const Options&) {
+  Options nothing;
+  nothing.max_states = 0;
+  Analysis analysis = analyze(problem, nothing);
+  for (Verdict& verdict : analysis.verdicts) {
+    verdict.gave_up = true;
+    verdict.witness.reset();
+  }
+  return analysis;
+}
+
+/// Says that of the response.
+Analysis claims(const Problem& problem, const Options& options, Nanoseconds bound) {
+  Analysis analysis = analyze_compositionally(problem, options);
+  analysis.verdicts[0].state = VerdictState::holds;
+  analysis.verdicts[0].bound = Duration(bound);
+  return analysis;
+}
+
+Provers wrong(Nanoseconds bound) {
+  return {gives_up, [bound](const Problem& problem, const Options& options) {
+            return claims(problem, options, bound);
+          }};
+}
+
+}  // namespace
+
+TEST_CASE("bounds that no run contradicts are used") {
+  const auto skill = two();
+  const Analysis analysis = analyze_with(wrong(2 * ms), *skill->problem, AnalysisChoice::automatic);
+  CHECK(analysis.verdicts[0].state == VerdictState::holds);
+  CHECK(analysis.verdicts[0].bound == Duration(2 * ms));
+  CHECK(analysis.verdicts[1].state == VerdictState::holds);
+  CHECK(analysis.verdicts[1].bound == Duration(2 * ms));
+}
+
+TEST_CASE("a run that is looked for withdraws a wrong proof as a whole") {
+  const auto skill = two();
+  for (const AnalysisChoice choice : {AnalysisChoice::automatic, AnalysisChoice::compositional}) {
+    const Analysis analysis = analyze_with(wrong(2 * ms - 1), *skill->problem, choice);
+    for (const Verdict& verdict : analysis.verdicts) {
+      INFO(verdict.requirement);
+      CHECK(verdict.state == VerdictState::undecided);
+      CHECK_FALSE(verdict.bound);
+      CHECK_FALSE(verdict.exact);
+      CHECK(verdict.addends.empty());
+      CHECK(verdict.explanation.find("contradicts what the compositional analysis proved of 'answer'") !=
+            std::string::npos);
+    }
+    CHECK(attained(analysis.verdicts[0]) == Duration(2 * ms));
+  }
+}
+
+// The exact analysis shows 4 ms where the other one said 3: what that said of the busy period is not used.
+TEST_CASE("a run of an exploration withdraws what its verdict is put in the place of") {
+  const auto skill = two();
+  Provers provers = wrong(3 * ms);
+  provers.exact = [](const Problem& problem, const Options& options) {
+    Analysis analysis = gives_up(problem, options);
+    if (options.max_states < 1'000'000) return analysis;
+    Verdict& verdict = analysis.verdicts[0];
+    verdict.gave_up = false;
+    verdict.state = VerdictState::holds;
+    verdict.bound = Duration(4 * ms);
+    verdict.exact = true;
+    verdict.witness.emplace();
+    verdict.witness->measured.value = 4 * ms;
+    return analysis;
+  };
+  const Analysis analysis = analyze_with(provers, *skill->problem, AnalysisChoice::automatic);
+  CHECK(analysis.verdicts[0].method == Method::exact);
+  CHECK(analysis.verdicts[0].bound == Duration(4 * ms));
+  CHECK(analysis.verdicts[1].state == VerdictState::undecided);
+  CHECK_FALSE(analysis.verdicts[1].bound);
+  CHECK(analysis.verdicts[1].explanation.find("proved of 'answer'") != std::string::npos);
+}
+
+TEST_CASE("what nobody reads is never measured, whatever the analysis") {
+  const auto skill = test::sound_skill(
+      test::small_skill("REQUIREMENT unread : AGE OF pc-high AT work AT MOST 5 ms\n"
+                        "REQUIREMENT read   : AGE OF pc-high AT SPC( pc-high ) AT MOST 9 ms\n",
+                        R"(
+Skill Module: SM1
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+  CONCURRENT
+  BEGIN
+    REPEAT
+      WTM( tick from MC1 )
+      work
+    UNTIL( forever )
+  END
+  BEGIN
+    REPEAT
+      WTM( stop from MC2 )
+      SPC( pc-high )
+    UNTIL( pc-high )
+  END
+  END CONCURRENT
+  TXM( Completion Protocol 0 )
+END
+)",
+                        "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\nTIME work : 1 TO 2 ms\nCOST SET 1 ms\n"
+                        "DEVICE MC1 EVENT tick EVERY 10 ms\nDEVICE MC2 EVENT stop EVERY 7 ms\n"));
+  for (const AnalysisChoice choice :
+       {AnalysisChoice::exact, AnalysisChoice::compositional, AnalysisChoice::automatic}) {
+    const Analysis analysis = analyze(*skill->problem, choice);
+    CHECK(analysis.verdicts[0].state == VerdictState::never);
+    CHECK(analysis.verdicts[0].explanation == "no run gets there with a value that it has read");
+    CHECK_FALSE(analysis.verdicts[0].bound);
+    CHECK(analysis.verdicts[1].state != VerdictState::never);
+  }
+}
