@@ -17,7 +17,12 @@ Referee::Referee(const Problem& problem, const Requirement* requirement, const s
       holders_(problem.processors.size(), -1),
       preempted_(problem.processors.size(), -1),
       conditions_(problem.conditions.size()),
-      gauge_(problem, requirement, busy_from) {}
+      gauge_(problem, requirement, busy_from) {
+  events_of_.resize(problem.threads.size() + problem.devices.size());
+  for (std::size_t e = 0; e < events.size(); ++e) {
+    if (events[e].actor >= 0) events_of_[static_cast<std::size_t>(events[e].actor)].push_back(e);
+  }
+}
 
 bool Referee::follow(std::optional<Nanoseconds> until, const std::function<bool()>& stop) {
   for (std::size_t d = 0; d < devices_.size(); ++d) {
@@ -28,7 +33,9 @@ bool Referee::follow(std::optional<Nanoseconds> until, const std::function<bool(
     if (frames->phase) devices_[d].first_lo = devices_[d].first_hi = frames->phase->count();
   }
   for (std::size_t t = 0; t < threads_.size(); ++t) {
-    if (problem_.threads[t].parent < 0) reach(static_cast<int>(t), problem_.threads[t].entry);
+    if (problem_.threads[t].parent >= 0) continue;
+    ++with_;
+    reach(static_cast<int>(t), problem_.threads[t].entry);
   }
   beginning_ = false;
   for (at_ = 0; at_ < events_.size(); ++at_) {
@@ -42,6 +49,7 @@ bool Referee::follow(std::optional<Nanoseconds> until, const std::function<bool(
     }
     now_ = event.time_ns;
     gauge_.at(now_);
+    ++with_;
     handle(event);
   }
   if (!ended_) leave_instant(std::max(now_, until.value_or(now_)));
@@ -119,6 +127,9 @@ bool Referee::is_effect(const Event& event) const {
     const bool occurs = event.kind == Kind::put || event.kind == Kind::overrun;
     return event.kind == Kind::idle || (occurs && std::holds_alternative<pan::EventDevice>(of.behaviour));
   }
+  // The effect of a wait that gives up begins with what it withdraws.
+  if (event.actor < 0 && event.subject >= 0 && slot(event.subject).full)
+    return !slot(event.subject).to_be_dropped;
   if (event.actor < 0 || event.actor == midway_) return false;
   const Party& of = party(event.actor);
   if (of.mode != Mode::running || of.acted || !of.reads.empty()) return false;
@@ -133,6 +144,7 @@ void Referee::check_settled() const {
     const Party& of = threads_[t];
     const int thread = static_cast<int>(t);
     demand(of.mode != Mode::arrived, name(thread) + " neither waits nor goes on");
+    check_stopped(thread);
     if (of.mode == Mode::sending)
       demand(slot(step_of(thread).channels.front()).full && !of.acted,
              name(thread) + " waits for a slot that is free");
@@ -170,11 +182,17 @@ void Referee::leave_instant(Nanoseconds next) const {
   }
 }
 
-void Referee::check_thread(int thread, Nanoseconds next) const {
+/// Who is cancelled has stopped, unless it finishes a statement, or waits for those that do.
+void Referee::check_stopped(int thread) const {
   const Party& of = party(thread);
   const bool idle = of.mode == Mode::ready || of.mode == Mode::waiting || of.mode == Mode::sending;
-  demand(of.mode != Mode::arrived, name(thread) + " neither waits nor goes on");
   demand(of.mode != Mode::finished && !(of.must_stop && idle), name(thread) + " is cancelled and goes on");
+}
+
+void Referee::check_thread(int thread, Nanoseconds next) const {
+  const Party& of = party(thread);
+  demand(of.mode != Mode::arrived, name(thread) + " neither waits nor goes on");
+  check_stopped(thread);
   demand(!of.acted && of.reads.empty(), name(thread) + " does half of a statement");
   if (of.mode == Mode::running) {
     demand(of.work + next - of.since <= cost(thread).worst, name(thread) + " works for too long");

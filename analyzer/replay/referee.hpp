@@ -62,6 +62,7 @@ class Referee {
     int claim = -1;          // channel of the message that is this thread's
     bool withdrawn = false;  // … and is gone
     bool acted = false;      // the put, take, set or read of the statement has happened at this instant
+    bool told = false;       // joining: that it waits for its blocks
     std::map<int, bool> latched;
     std::map<int, bool> reads;  // at this instant, for a test
   };
@@ -114,8 +115,10 @@ class Referee {
     Nanoseconds at;
     std::size_t after;  // how many effects
     bool ordered;       // an event of the run says when in what follows from one effect it came
+    std::size_t with;   // those that came with one another did so in their order; 0: with nobody
     bool front;
-    bool told;  // that it is ready
+    bool arrived;  // at a wait: it is not known yet whether it comes to the queue
+    bool told;     // that it is ready
   };
 
   // The run, and what must be so whenever time goes on (referee.cpp).
@@ -124,6 +127,7 @@ class Referee {
   bool is_effect(const Event& event) const;
   void check_settled() const;
   void leave_instant(Nanoseconds next) const;
+  void check_stopped(int thread) const;
   void check_thread(int thread, Nanoseconds next) const;
   void check_processor(int processor) const;
 
@@ -144,7 +148,10 @@ class Referee {
   void resolve(int thread);
   void again(int thread);
   void release(int thread);
-  void enqueue(int thread, bool front, bool ordered);
+  void enqueue(int thread, bool front, bool ordered, std::size_t with);
+  void arrive(int thread);
+  bool found_there(int thread, int channel) const;
+  bool comes_to_queue(const Queued& queued) const;
   void check_turn(int thread) const;
   void check_work(int thread) const;
   int next_of_test(int thread) const;
@@ -165,6 +172,7 @@ class Referee {
   int who_gives_up(int request) const;
   void hands_over(int block, int parent);
   void abandon(int thread);
+  std::size_t next_of(int actor, std::size_t after) const;
   bool goes_on(int thread) const;
   bool takes_next(int thread) const;
   Arrival& arrival(int channel, int thread);
@@ -182,6 +190,7 @@ class Referee {
   bool serves_somebody(int device) const;
   void idle(int device);
   void delivered(int device, int channel);
+  void check_not_idle(int request) const;
   void check_device(int device, Nanoseconds next) const;
 
   Party& party(int thread) { return threads_[static_cast<std::size_t>(thread)]; }
@@ -204,9 +213,11 @@ class Referee {
 
   const Problem& problem_;
   const std::vector<Event>& events_;
-  std::size_t at_ = 0;       // the event in question
+  std::vector<std::vector<std::size_t>> events_of_;  // by actor
+  std::size_t at_ = 0;                               // the event in question
   std::size_t effects_ = 0;  // before it: what does not follow from something else at its instant
   Nanoseconds now_ = 0;
+  std::size_t with_ = 0;  // a number for the threads that reach their statements together
   bool beginning_ = true;
   bool withdrawing_ = false;     // who goes on otherwise may come before or after who goes on now
   Nanoseconds dropped_at_ = -1;  // when a message was withdrawn last

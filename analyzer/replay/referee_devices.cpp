@@ -130,9 +130,10 @@ void Referee::busy(int device) {
 /// Whether the device takes a request at this instant.
 bool Referee::serves_somebody(int device) const {
   const int actor = static_cast<int>(threads_.size()) + device;
-  for (std::size_t e = at_ + 1; e < events_.size() && events_[e].time_ns == now_; ++e) {
-    if (events_[e].actor == actor && events_[e].kind == Kind::idle) return false;
-    if (events_[e].actor == actor && events_[e].kind == Kind::take) return true;
+  for (std::size_t e = next_of(actor, at_); e < events_.size() && events_[e].time_ns == now_;
+       e = next_of(actor, e)) {
+    if (events_[e].kind == Kind::idle) return false;
+    if (events_[e].kind == Kind::take) return true;
   }
   return false;
 }
@@ -155,6 +156,16 @@ void Referee::idle(int device) {
   of.answers = std::move(of.served);
   of.served.clear();
   for (int request : of.answers) gauge_.is_due(request);
+}
+
+/// A request that is to be withdrawn from its slot: a device that is idle has taken it before.
+void Referee::check_not_idle(int request) const {
+  const int device = channel_of(request).receiver_device;
+  if (device < 0) return;
+  const Device& described = problem_.devices[static_cast<std::size_t>(device)];
+  const bool on_request = std::holds_alternative<pan::RequestDevice>(described.behaviour);
+  demand(!on_request || devices_[static_cast<std::size_t>(device)].busy,
+         described.name + " is idle while somebody asks");
 }
 
 void Referee::check_device(int device, Nanoseconds next) const {

@@ -173,22 +173,26 @@ int Referee::who_gives_up(int request) const {
   broken("a message is withdrawn, and nobody gives up");
 }
 
+/// The actor's first event behind event `after`; behind the last: how many events there are.
+std::size_t Referee::next_of(int actor, std::size_t after) const {
+  const std::vector<std::size_t>& own = events_of_[static_cast<std::size_t>(actor)];
+  const auto next = std::upper_bound(own.begin(), own.end(), after);
+  return next == own.end() ? events_.size() : *next;
+}
+
 /// Whether a thread that waits stops waiting at this instant.
 bool Referee::goes_on(int thread) const {
-  for (std::size_t e = at_ + 1; e < events_.size() && events_[e].time_ns == now_; ++e) {
-    if (events_[e].actor != thread) continue;
-    return events_[e].kind == Kind::ready || events_[e].kind == Kind::start;
-  }
-  return false;
+  const std::size_t next = next_of(thread, at_);
+  if (next == events_.size() || events_[next].time_ns != now_) return false;
+  return events_[next].kind == Kind::ready || events_[next].kind == Kind::start;
 }
 
 /// Whether a thread that stops waiting takes a message then, and does not come to its wait again.
 bool Referee::takes_next(int thread) const {
   bool started = false;
   bool stopped = false;
-  for (std::size_t e = at_ + 1; e < events_.size(); ++e) {
+  for (std::size_t e = next_of(thread, at_); e < events_.size(); e = next_of(thread, e)) {
     const Event& event = events_[e];
-    if (event.actor != thread) continue;
     if (event.kind == Kind::take) return true;
     const bool again = event.kind == Kind::start && started && !stopped;
     if (again || event.kind == Kind::block || event.kind == Kind::cancel) return false;

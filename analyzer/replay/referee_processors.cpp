@@ -18,9 +18,31 @@ void Referee::release(int thread) {
   std::erase_if(queue_, [thread](const Queued& queued) { return queued.thread == thread; });
 }
 
-void Referee::enqueue(int thread, bool front, bool ordered) {
-  const Queued made{thread, now_, effects_, ordered, front, false};
+void Referee::enqueue(int thread, bool front, bool ordered, std::size_t with) {
+  const Queued made{thread, now_, effects_, ordered, with, front, false, false};
   queue_.insert(front ? queue_.begin() : queue_.end(), made);
+}
+
+/// If it finds there what it waits for, or only looks, this is its place in the queue.
+void Referee::arrive(int thread) {
+  if (holder(thread) == thread) return;
+  enqueue(thread, false, !beginning_ && !withdrawing_, with_);
+  queue_.back().arrived = true;
+}
+
+/// Whether a thread that has come to a wait found the message of the channel as it did.
+bool Referee::found_there(int thread, int channel) const {
+  return surely_there(channel, thread) && slot(channel).put_by < party(thread).reached_by;
+}
+
+/// Of a thread that has come to a wait: whether it did so to go on at once.
+bool Referee::comes_to_queue(const Queued& queued) const {
+  if (!queued.arrived) return true;
+  const Step& at = step_of(queued.thread);
+  if (at.within && *at.within == 0) return true;
+  const bool there = std::any_of(at.channels.begin(), at.channels.end(),
+                                 [&](int channel) { return found_there(queued.thread, channel); });
+  return there && goes_on(queued.thread);
 }
 
 /// A thread that was waiting, or has come to a wait, does not wait any more: a message has come.
@@ -29,6 +51,7 @@ void Referee::resolve(int thread) {
   if (of.mode != Mode::arrived && of.mode != Mode::waiting) return;
   const Step& at = step_of(thread);
   const bool waited = of.mode == Mode::waiting;
+  bool at_once = !waited && at.within && *at.within == 0;
   if (!of.gives_up) {
     std::vector<int> candidates;
     for (int channel : at.channels) {
@@ -47,6 +70,7 @@ void Referee::resolve(int thread) {
                               slot(channel).put_by < of.reached_by;
       if (!waited && !came_after) not_there_yet(earlier, thread);
     }
+    at_once = at_once || (!waited && found_there(thread, channel));
     Arrival& there = arrival(channel, thread);
     if (waited) there.lo = now_;
     there.hi = std::min(there.hi, now_);
@@ -54,7 +78,14 @@ void Referee::resolve(int thread) {
     of.claim = channel;
   }
   of.mode = Mode::ready;
-  if (holder(thread) != thread) enqueue(thread, false, false);
+  const auto place =
+      std::find_if(queue_.begin(), queue_.end(), [thread](const Queued& q) { return q.thread == thread; });
+  if (at_once && place != queue_.end()) {
+    place->arrived = false;
+    return;
+  }
+  if (place != queue_.end()) queue_.erase(place);
+  if (holder(thread) != thread) enqueue(thread, false, false, 0);
 }
 
 /// Whose message was withdrawn comes to its wait again at the effect.
@@ -88,12 +119,13 @@ void Referee::check_turn(int thread) const {
       continue;
     }
     const Thread& rival = thread_of(other->thread);
-    if (rival.processor != of.processor) continue;
+    if (rival.processor != of.processor || !comes_to_queue(*other)) continue;
     demand(rival.priority <= of.priority,
            of.name + " runs before " + rival.name + ", whose priority is greater");
     if (rival.priority < of.priority || !before || own == queue_.end()) continue;
     const bool together = other->at == own->at && other->after == own->after;
-    const bool either = !other->front && !own->front && together && !(other->ordered && own->ordered);
+    const bool in_order = (other->ordered && own->ordered) || (own->with != 0 && other->with == own->with);
+    const bool either = !other->front && !own->front && together && !in_order;
     demand(either, of.name + " runs before " + rival.name + ", which was first");
   }
 }
@@ -104,6 +136,7 @@ void Referee::started(const Event& event) {
   resolve(thread);
   Party& of = party(thread);
   demand(of.mode == Mode::ready || of.mode == Mode::stopped, name(thread) + " starts what it cannot start");
+  demand(of.mode == Mode::stopped || !of.must_stop, name(thread) + " is cancelled and goes on");
   int& loser = preempted_[static_cast<std::size_t>(thread_of(thread).processor)];
   demand(loser < 0 || thread_of(thread).priority > thread_of(loser).priority,
          "a thread is stopped for nothing");
@@ -119,7 +152,7 @@ void Referee::started(const Event& event) {
       demand(processor.preemptive && thread_of(thread).priority > thread_of(before).priority,
              name(thread) + " takes the processor that " + name(before) + " keeps");
       has = -1;
-      enqueue(before, true, true);
+      enqueue(before, true, true, 0);
     }
     check_turn(thread);
     release(thread);
@@ -130,7 +163,7 @@ void Referee::started(const Event& event) {
     for (const Queued& queued : queue_) {
       const Thread& rival = thread_of(queued.thread);
       const bool first = preemptive && rival.processor == thread_of(thread).processor &&
-                         rival.priority > thread_of(thread).priority;
+                         rival.priority > thread_of(thread).priority && comes_to_queue(queued);
       demand(!first, name(thread) + " runs before " + rival.name + ", whose priority is greater");
     }
   }
@@ -148,7 +181,7 @@ void Referee::stopped(const Event& event) {
   of.mode = Mode::stopped;
   preempted_[static_cast<std::size_t>(thread_of(event.actor).processor)] = event.actor;
   holder(event.actor) = -1;
-  enqueue(event.actor, true, true);
+  enqueue(event.actor, true, true, 0);
 }
 
 void Referee::check_work(int thread) const {

@@ -44,6 +44,7 @@ void Referee::withdraw(int request, std::optional<int> owner) {
     if (of.asked[i].withdrawn || (owner && of.asked[i].owner != *owner)) continue;
     of.asked[i].withdrawn = true;
     if (of.full && i + 1 == of.asked.size()) {
+      check_not_idle(request);
       of.to_be_dropped = true;
     } else if (i == 0 && slot(channel_of(request).answer).answers) {
       slot(channel_of(request).answer).to_be_dropped = true;

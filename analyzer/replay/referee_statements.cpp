@@ -37,7 +37,7 @@ void Referee::reach(int thread, int step) {
   of.reached = now_;
   of.reached_by = at_;
   of.work = 0;
-  of.gives_up = of.withdrawn = of.acted = false;
+  of.gives_up = of.withdrawn = of.acted = of.told = false;
   of.claim = -1;
   of.reads.clear();
   const Step& at = step_of(thread);
@@ -54,12 +54,13 @@ void Referee::reach(int thread, int step) {
     begin_blocks(thread);
   } else if (at.kind == Step::Kind::wait) {
     of.mode = Mode::arrived;
+    arrive(thread);
     for (int channel : at.channels) {
       if (channel_of(channel).sender_device >= 0) open_device(channel_of(channel).sender_device);
     }
   } else {
     of.mode = Mode::ready;
-    if (holder(thread) != thread) enqueue(thread, false, !beginning_ && !withdrawing_);
+    if (holder(thread) != thread) enqueue(thread, false, !beginning_ && !withdrawing_, with_);
   }
 }
 
@@ -216,6 +217,8 @@ void Referee::blocked(const Event& event) {
   const Step& step = step_of(thread);
   if (step.kind == Step::Kind::fork) {
     demand(of.mode == Mode::joining && event.subject < 0, name(thread) + " waits for no blocks");
+    demand(!of.told && of.reached == now_, name(thread) + " waits for its blocks already");
+    of.told = true;
     return;
   }
   const bool named =

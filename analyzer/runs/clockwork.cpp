@@ -106,34 +106,45 @@ trace::Trace empty_trace(const Problem& problem) {
   return trace;
 }
 
+/// Behind all events of the instant, but before the device's next frame.
+std::size_t Clockwork::place_of_end(int device, Nanoseconds at) const {
+  const auto later = [](Nanoseconds time, const trace::Event& event) { return time < event.time_ns; };
+  const auto behind = std::upper_bound(events_.begin(), events_.end(), at, later);
+  auto place = behind;
+  for (auto event = behind; event != events_.begin() && std::prev(event)->time_ns == at;) {
+    --event;
+    if (event->kind == trace::Kind::busy && event->actor == device) place = event;
+  }
+  return static_cast<std::size_t>(place - events_.begin());
+}
+
 trace::Trace Clockwork::trace() const {
   trace::Trace trace = empty_trace(machine_.problem());
-  trace.events = events_;
   // A frame that nobody wanted is collected all the same; the machine does not follow it.
-  const auto threads = static_cast<int>(machine_.problem().threads.size());
+  std::vector<std::pair<std::size_t, trace::Event>> ends;  // each before the event of this number
   for (std::size_t d = 0; d < machine_.problem().devices.size(); ++d) {
     const auto* frames = std::get_if<pan::FrameDevice>(&machine_.problem().devices[d].behaviour);
     if (frames == nullptr) continue;
+    const auto actor = static_cast<int>(machine_.problem().threads.size() + d);
     std::optional<Nanoseconds> begun;
-    std::vector<trace::Event> ends;
-    for (const trace::Event& event : trace.events) {
-      if (event.actor != threads + static_cast<int>(d)) continue;
+    for (const trace::Event& event : events_) {
+      if (event.actor != actor) continue;
       if (event.kind == trace::Kind::idle) begun.reset();
       if (event.kind != trace::Kind::busy) continue;
-      if (begun)
-        ends.push_back({*begun + frames->collecting.count(), trace::Kind::idle, event.actor, -1, -1, 0});
+      if (begun) {
+        const Nanoseconds at = *begun + frames->collecting.count();
+        ends.emplace_back(place_of_end(actor, at), trace::Event{at, trace::Kind::idle, actor, -1, -1, 0});
+      }
       begun = event.time_ns;
     }
-    for (const trace::Event& end : ends) {
-      const auto later = [](Nanoseconds time, const trace::Event& event) { return time < event.time_ns; };
-      auto place = std::upper_bound(trace.events.begin(), trace.events.end(), end.time_ns, later);
-      // A frame ends before the next one starts.
-      for (auto at = place; at != trace.events.begin() && std::prev(at)->time_ns == end.time_ns;) {
-        --at;
-        if (at->kind == trace::Kind::busy && at->actor == end.actor) place = at;
-      }
-      trace.events.insert(place, end);
-    }
+  }
+  const auto sooner = [](const auto& a, const auto& b) { return a.first < b.first; };
+  std::stable_sort(ends.begin(), ends.end(), sooner);
+  trace.events.reserve(events_.size() + ends.size());
+  auto end = ends.begin();
+  for (std::size_t e = 0; e <= events_.size(); ++e) {
+    for (; end != ends.end() && end->first == e; ++end) trace.events.push_back(end->second);
+    if (e < events_.size()) trace.events.push_back(events_[e]);
   }
   return trace;
 }

@@ -65,6 +65,7 @@ class Clockwork {
  private:
   void apply(int fired);
   void record();
+  std::size_t place_of_end(int device, Nanoseconds at) const;
 
   const Machine& machine_;
   bool record_;

@@ -14,8 +14,11 @@ constexpr Nanoseconds none = Range::unbounded;
 /// Shortest distances from `source`; nothing if the constraints contradict one another. They come in the
 /// order of the events, mostly: to and fro (J. Y. Yen, An algorithm for finding shortest routes from all
 /// source nodes to a given destination in general networks, 1970) few rounds suffice.
+/// Where they do contradict one another each round makes the way back to the source shorter, or goes on until
+/// it is told to stop.
 std::optional<std::vector<Nanoseconds>> distances(const std::vector<Constraint>& constraints,
-                                                  std::size_t count, std::size_t source) {
+                                                  std::size_t count, std::size_t source,
+                                                  const std::function<bool()>& stop) {
   std::vector<Nanoseconds> distance(count, none);
   distance[source] = 0;
   for (std::size_t round = 0; round <= count; ++round) {
@@ -29,6 +32,7 @@ std::optional<std::vector<Nanoseconds>> distances(const std::vector<Constraint>&
     std::for_each(constraints.begin(), constraints.end(), keep);
     std::for_each(constraints.rbegin(), constraints.rend(), keep);
     if (!changed) return distance;
+    if (distance[source] < 0 || (stop && stop())) return std::nullopt;
   }
   return std::nullopt;
 }
@@ -67,7 +71,7 @@ class Schedule {
       if (births_at_end_.empty()) return std::nullopt;
       std::optional<Constraint> best;
       for (std::size_t born : births_at_end_) {
-        const auto distance = distances(constraints, count_, born);
+        const auto distance = distances(constraints, count_, born, stop);
         if (!distance) return std::nullopt;
         const Nanoseconds most = std::min((*distance)[count_ - 1], enough);
         if (most >= none) return std::nullopt;
@@ -76,7 +80,7 @@ class Schedule {
       constraints.push_back(*best);
     }
     if (aim == Aim::least) {
-      const auto distance = distances(constraints, count_, count_ - 1);
+      const auto distance = distances(constraints, count_, count_ - 1, stop);
       if (!distance || births_at_end_.empty()) return std::nullopt;
       const std::size_t born = births_at_end_.front();
       constraints.push_back({born, count_ - 1, -(*distance)[born]});
@@ -84,7 +88,7 @@ class Schedule {
     // As early as can be: longest paths from the start, which are shortest ones backwards.
     std::vector<Constraint> reversed;
     for (const Constraint& c : constraints) reversed.push_back({c.to, c.from, c.bound});
-    const auto distance = distances(reversed, count_, 0);
+    const auto distance = distances(reversed, count_, 0, stop);
     if (!distance) return std::nullopt;
     std::vector<Nanoseconds> times;
     for (Nanoseconds d : *distance) times.push_back(-d);

@@ -21,4 +21,19 @@ void Outline::of(const Dbm& zone) {
   }
 }
 
+void KnownZones::sum_up(std::size_t width) {
+  if (width == 0) return;
+  for (std::size_t k = least_.size() / width * block; k + block <= ids_.size(); k += block) {
+    const std::size_t first = least_.size();
+    const auto bounds = bounds_.begin() + static_cast<std::ptrdiff_t>(k * width);
+    least_.insert(least_.end(), bounds, bounds + static_cast<std::ptrdiff_t>(width));
+    greatest_.insert(greatest_.end(), bounds, bounds + static_cast<std::ptrdiff_t>(width));
+    for (std::size_t i = width; i < block * width; ++i) {
+      const std::int32_t bound = bounds_[k * width + i];
+      least_[first + i % width] = std::min(least_[first + i % width], bound);
+      greatest_[first + i % width] = std::max(greatest_[first + i % width], bound);
+    }
+  }
+}
+
 }  // namespace pal::analyzer

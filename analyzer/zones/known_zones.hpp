@@ -1,6 +1,8 @@
 // The zones seen at one place, so arranged that the question whether one of them holds another is cheap.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -18,16 +20,25 @@ struct Outline {
   void of(const Dbm& zone);
 };
 
-/// Outlines side by side, each with the number of its zone. Most candidates go no further.
+/// Outlines side by side, each with the number of its zone. Most candidates go no further. Where there are
+/// very many, as of a thread that goes round for long while something is measured, whole blocks of neighbours
+/// are passed over: those that came one after the other are mostly alike.
 class KnownZones {
  public:
   /// The first zone for which `includes(id)` is true, of those that may include that of `outline`; -1: none.
   template <class Includes>
   int first_around(const Outline& outline, const Includes& includes) const {
     const std::size_t width = outline.bounds.size();
-    for (std::size_t k = 0; k < ids_.size(); ++k) {
-      if (sums_[k] < outline.sum) continue;
-      if (at_least(bounds_.data() + k * width, outline.bounds.data(), width) && includes(ids_[k])) return ids_[k];
+    const std::int32_t* const sought = outline.bounds.data();
+    for (std::size_t k = 0; k < ids_.size();) {
+      if (summed_up(k, width) && !at_least(greatest_.data() + k / block * width, sought, width)) {
+        k += block;
+        continue;
+      }
+      for (const std::size_t end = std::min(ids_.size(), (k / block + 1) * block); k < end; ++k) {
+        if (sums_[k] < outline.sum) continue;
+        if (at_least(bounds_.data() + k * width, sought, width) && includes(ids_[k])) return ids_[k];
+      }
     }
     return -1;
   }
@@ -36,33 +47,48 @@ class KnownZones {
   template <class LiesWithin>
   void erase_within(const Outline& outline, const LiesWithin& lies_within) {
     const std::size_t width = outline.bounds.size();
+    const std::int32_t* const sought = outline.bounds.data();
     std::size_t kept = 0;
-    for (std::size_t k = 0; k < ids_.size(); ++k) {
-      if (sums_[k] <= outline.sum && at_least(outline.bounds.data(), bounds_.data() + k * width, width) &&
-          lies_within(ids_[k]))
+    std::size_t same = ids_.size();  // before it nothing was forgotten
+    for (std::size_t k = 0; k < ids_.size();) {
+      const std::size_t end = std::min(ids_.size(), (k / block + 1) * block);
+      const bool none = summed_up(k, width) && !at_least(sought, least_.data() + k / block * width, width);
+      if (none && kept == k) {
+        kept = k = end;
         continue;
-      if (kept != k) {
-        ids_[kept] = ids_[k];
-        sums_[kept] = sums_[k];
-        for (std::size_t i = 0; i < width; ++i) bounds_[kept * width + i] = bounds_[k * width + i];
       }
-      ++kept;
+      for (; k < end; ++k) {
+        if (!none && sums_[k] <= outline.sum && at_least(sought, bounds_.data() + k * width, width) &&
+            lies_within(ids_[k])) {
+          same = std::min(same, k);
+          continue;
+        }
+        if (kept != k) move(k, kept, width);
+        ++kept;
+      }
     }
+    if (kept == ids_.size()) return;
     ids_.resize(kept);
     sums_.resize(kept);
     bounds_.resize(kept * width);
+    least_.resize(std::min(least_.size(), same / block * width));
+    greatest_.resize(least_.size());
+    sum_up(width);
   }
 
   void add(int id, const Outline& outline) {
     ids_.push_back(id);
     sums_.push_back(outline.sum);
     bounds_.insert(bounds_.end(), outline.bounds.begin(), outline.bounds.end());
+    sum_up(outline.bounds.size());
   }
 
   std::vector<int>& ids() { return ids_; }
   const std::vector<int>& ids() const { return ids_; }
 
  private:
+  static constexpr std::size_t block = 512;
+
   static bool at_least(const std::int32_t* a, const std::int32_t* b, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       if (a[i] < b[i]) return false;
@@ -70,9 +96,25 @@ class KnownZones {
     return true;
   }
 
+  /// Whether the block that begins with zone `k` is one of those of which the least and greatest bounds are
+  /// known.
+  bool summed_up(std::size_t k, std::size_t width) const { return (k / block + 1) * width <= least_.size(); }
+
+  void move(std::size_t from, std::size_t to, std::size_t width) {
+    ids_[to] = ids_[from];
+    sums_[to] = sums_[from];
+    for (std::size_t i = 0; i < width; ++i) bounds_[to * width + i] = bounds_[from * width + i];
+  }
+
+  /// Of each block that is full.
+  void sum_up(std::size_t width);
+
   std::vector<int> ids_;
   std::vector<std::int64_t> sums_;
   std::vector<std::int32_t> bounds_;
+  // By block: of each bound the least and the greatest.
+  std::vector<std::int32_t> least_;
+  std::vector<std::int32_t> greatest_;
 };
 
 }  // namespace pal::analyzer

@@ -9,6 +9,13 @@ namespace {
 constexpr std::size_t most_beginnings = 50'000;
 constexpr std::size_t most_outcomes = 10'000;  // of one timer
 
+/// Orders that are tried between one question whether to stop and the next.
+constexpr std::size_t tried_at_a_time = 256;
+
+bool time_to_stop(std::size_t moves, Patience& patience) {
+  return moves % tried_at_a_time == 0 && patience.over();
+}
+
 /// What those can have left that got back a time that is not fixed.
 void find_left(const Machine& machine, const State& state, Move& move) {
   const auto priority = [&](int timer) {
@@ -79,7 +86,7 @@ void follow_timers(const Machine& machine, const Place& from, Move& move) {
 
 }  // namespace
 
-std::vector<Move> first_moves(const Machine& machine) {
+std::vector<Move> first_moves(const Machine& machine, Patience& patience) {
   std::vector<Move> moves;
   AllChoices choices;
   do {
@@ -89,11 +96,12 @@ std::vector<Move> first_moves(const Machine& machine) {
     follow_timers(machine, {}, made);
     moves.push_back(std::move(made));
     if (moves.size() == most_beginnings) moves.back().outcome.too_many = true;
+    if (time_to_stop(moves.size(), patience)) return moves;
   } while (moves.size() < most_beginnings && choices.next());
   return moves;
 }
 
-std::vector<Move> moves_from(const Machine& machine, const Place& place) {
+std::vector<Move> moves_from(const Machine& machine, const Place& place, Patience& patience) {
   std::vector<Move> moves;
   for (std::size_t k = 0; k < place.timers.size(); ++k) {
     if (place.frozen[k]) continue;
@@ -107,6 +115,7 @@ std::vector<Move> moves_from(const Machine& machine, const Place& place) {
       follow_timers(machine, place, made);
       moves.push_back(std::move(made));
       if (moves.size() == most) moves.back().outcome.too_many = true;
+      if (time_to_stop(moves.size(), patience)) return moves;
     } while (moves.size() < most && choices.next());
   }
   return moves;

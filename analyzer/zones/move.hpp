@@ -6,6 +6,7 @@
 
 #include "analyzer/machine/machine.hpp"
 #include "analyzer/zones/dbm.hpp"
+#include "analyzer/zones/patience.hpp"
 
 namespace pal::analyzer {
 
@@ -58,11 +59,12 @@ struct Place {
   bool moves_known = false;
 };
 
-/// All ways to begin. If they are too many the last one says so (Outcome::too_many).
-std::vector<Move> first_moves(const Machine& machine);
+/// All ways to begin. If they are too many the last one says so (Outcome::too_many). Some of them, if
+/// `patience` was over before all were known.
+std::vector<Move> first_moves(const Machine& machine, Patience& patience);
 /// All firings that are possible at `place`, apart from times. If those of a timer are too many the last one
-/// says so.
-std::vector<Move> moves_from(const Machine& machine, const Place& place);
+/// says so. Some of them, if `patience` was over before all were known.
+std::vector<Move> moves_from(const Machine& machine, const Place& place, Patience& patience);
 
 /// The part of `zone` in which the timer of `variable` is the first to fire. False: there is none.
 bool fire_first(Dbm& zone, std::size_t variable, const std::vector<bool>& frozen);

@@ -144,8 +144,11 @@ int ZoneGraph::on_a_round(const std::vector<std::pair<int, int>>& edges) const {
 }
 
 bool ZoneGraph::grow(const Limits& limits) {
+  Patience patience(limits.stop);
   expansions_.resize(batch_size);
-  first_moves_ = first_moves(machine_);
+  if (patience.over()) return false;
+  first_moves_ = first_moves(machine_, patience);
+  if (patience.over()) return false;
   for (Move& move : first_moves_) {
     Expansion& expansion = expansions_.front();
     expansion.findings.outgrown |= move.outcome.too_many;
@@ -159,7 +162,7 @@ bool ZoneGraph::grow(const Limits& limits) {
   merge(1, limits);
   while (!open_.empty() && !findings_.failure && !findings_.outgrown) {
     if (classes_.size() > limits.classes) return false;
-    if (limits.stop && limits.stop()) return false;
+    if (patience.over()) return false;
     if (limits.enough && limits.enough(*this)) return false;
     std::vector<int> batch;
     std::vector<int> untried;
@@ -173,7 +176,7 @@ bool ZoneGraph::grow(const Limits& limits) {
       if (!place.moves_known) untried.push_back(of.state);
       place.moves_known = true;
     }
-    if (!try_all(untried, limits)) return false;
+    if (!try_all(untried, limits, patience)) return false;
     in_parts(limits, batch.size(), 8, [&](std::size_t i) { expand(batch[i], expansions_[i]); });
     merge(batch.size(), limits);
   }
@@ -181,13 +184,13 @@ bool ZoneGraph::grow(const Limits& limits) {
 }
 
 /// Finds where the places lead to. False: it was told to stop.
-bool ZoneGraph::try_all(const std::vector<int>& untried, const Limits& limits) {
+bool ZoneGraph::try_all(const std::vector<int>& untried, const Limits& limits, Patience& patience) {
   for (std::size_t from = 0; from < untried.size(); from += tried_at_a_time) {
-    if (from > 0 && limits.stop && limits.stop()) return false;
     in_parts(limits, std::min(tried_at_a_time, untried.size() - from), 4, [&](std::size_t i) {
       Place& place = places_[static_cast<std::size_t>(untried[from + i])];
-      if (!place.state.ended) place.moves = moves_from(machine_, place);
+      if (!place.state.ended) place.moves = moves_from(machine_, place, patience);
     });
+    if (patience.over()) return false;
   }
   return true;
 }

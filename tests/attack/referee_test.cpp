@@ -98,6 +98,98 @@ TEST_CASE("a thread that has taken a message comes to its next wait before anoth
   CHECK(between.broken() == "at 1000000 ns: MC1 is interrupted in its effect");
 }
 
+// MC1.1 gets ready for 2 ms and asks; MC1.2 waits for the answer for 2 ms, on another processor.
+TEST_CASE("an idle device has taken a request before anything else has its effect") {
+  const std::string wait = "WTM( x from d ) WITHIN 2 ms";
+  const auto asked = [&] {
+    Told run(skill("idle_device"));
+    run.say(Kind::block, "MC1", "CONCURRENT").say(Kind::start, "MC1.1", "get-ready");
+    run.say(Kind::block, "MC1.2", wait, "x").say(Kind::start, "SM1", "work").at(2);
+    run.say(Kind::done, "MC1.1", "get-ready").say(Kind::start, "MC1.1", "TXM( request x from d )");
+    run.say(Kind::give_up, "MC1.2", wait, "x").say(Kind::start, "MC1.2", wait);
+    run.say(Kind::put, "MC1.1", "TXM( request x from d )", "request x", 1);
+    run.say(Kind::done, "MC1.1", "TXM( request x from d )").say(Kind::start, "MC1.1", "rest");
+    return run;
+  };
+
+  Told taken = asked();
+  taken.say(Kind::busy, "d").say(Kind::take, "d", {}, "request x", 1);
+  taken.say(Kind::done, "MC1.2", wait);
+  CHECK(taken.broken() == "");
+
+  Told withdrawn = asked();
+  withdrawn.say(Kind::drop, "-", {}, "request x", 1).say(Kind::done, "MC1.2", wait);
+  CHECK(withdrawn.broken() == "at 2000000 ns: d is idle while somebody asks");
+
+  Told before = asked();
+  before.say(Kind::done, "MC1.2", wait);
+  before.say(Kind::busy, "d").say(Kind::take, "d", {}, "request x", 1);
+  CHECK(before.broken() == "at 2000000 ns: d is idle while somebody asks");
+}
+
+TEST_CASE("blocks come to their queue in the order of the text") {
+  const std::string look = "WTM( x from d ) WITHIN 0 ms";
+  const auto begun = [&] {
+    Told run(skill("blocks_in_order"));
+    run.say(Kind::start, "SM1", "work").say(Kind::start, "MC1", "warm-up");
+    run.say(Kind::start, "MC2.1", "one").at(1);
+    run.say(Kind::done, "MC1", "warm-up").say(Kind::block, "MC1", "CONCURRENT");
+    return run;
+  };
+
+  Told in_order = begun();
+  in_order.say(Kind::give_up, "MC1.2", look, "x").say(Kind::start, "MC1.1", "get-ready").at(3);
+  in_order.say(Kind::done, "MC1.1", "get-ready")
+      .say(Kind::start, "MC1.2", look)
+      .say(Kind::done, "MC1.2", look);
+  CHECK(in_order.broken() == "");
+
+  // It is not known yet that the first has come to its queue, nor need it be said.
+  Told unsaid = begun();
+  unsaid.say(Kind::start, "MC1.1", "get-ready").say(Kind::give_up, "MC1.2", look, "x");
+  CHECK(unsaid.broken() == "");
+
+  Told looks_first = begun();
+  looks_first.say(Kind::give_up, "MC1.2", look, "x").say(Kind::start, "MC1.2", look);
+  CHECK(looks_first.broken() == "at 1000000 ns: MC1.2 runs before MC1.1, which was first");
+
+  Told beginning(skill("blocks_in_order"));
+  beginning.say(Kind::start, "MC2.2", "two");
+  CHECK(beginning.broken() == "at 0 ns: MC2.2 runs before MC2.1, which was first");
+}
+
+TEST_CASE("a block that is cancelled before it has had the processor does not begin") {
+  const auto ended = [&] {
+    Told run(skill("never_begun"));
+    run.say(Kind::start, "SM1", "work").say(Kind::block, "MC1", "CONCURRENT");
+    run.say(Kind::start, "MC1.1", "one").at(1).say(Kind::done, "MC1.1", "one");
+    return run;
+  };
+
+  Told stops = ended();
+  stops.say(Kind::cancel, "MC1.2", "two");
+  CHECK(stops.broken() == "");
+
+  Told begins = ended();
+  begins.say(Kind::start, "MC1.2", "two")
+      .at(2)
+      .say(Kind::done, "MC1.2", "two")
+      .say(Kind::cancel, "MC1.2", "two");
+  CHECK(begins.broken() == "at 1000000 ns: MC1.2 is cancelled and goes on");
+}
+
+TEST_CASE("that a thread waits for its blocks is said once, where they begin") {
+  Told twice(skill("idle_device"));
+  twice.say(Kind::block, "MC1", "CONCURRENT").say(Kind::block, "MC1", "CONCURRENT");
+  CHECK(twice.broken() == "at 0 ns: MC1 waits for its blocks already");
+
+  Told later(skill("idle_device"));
+  later.say(Kind::start, "MC1.1", "get-ready");
+  later.say(Kind::block, "MC1.2", "WTM( x from d ) WITHIN 2 ms", "x").say(Kind::start, "SM1", "work").at(1);
+  later.say(Kind::block, "MC1", "CONCURRENT");
+  CHECK(later.broken() == "at 1000000 ns: MC1 waits for its blocks already");
+}
+
 TEST_CASE("a message of a freed sender comes after its receiver has chosen the next one") {
   // MC1 takes m, and finds a tick at its next wait; then SM1, which was blocked, puts the next m.
   const auto freed = test::meaningful_skill(skill("freed_sender"));

@@ -234,5 +234,5 @@ TEST_CASE("a request is withdrawn by a wait that gives up, and not before") {
   run.say(Kind::drop, "-", {}, "request m", 1).say(Kind::start, "SM1", asked);
   run.say(Kind::block, "SM1", asked, "request m");
   run.say(Kind::give_up, "MC1", "WTM( m from SM1 ) WITHIN 0 ms", "m");
-  CHECK(run.broken() == "at 0 ns: a message is withdrawn, and nobody gives up");
+  CHECK(run.broken() == "at 0 ns: SM1 waits for a message that is there");
 }

@@ -154,6 +154,7 @@ TEST_CASE("the referee confirms every witness, and no changed one") {
   std::size_t witnesses = 0;
   Changes moved;
   Changes left_out;
+  Changes repeated;
   Changes reordered;
   for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
     const std::string text = program(seed);
@@ -187,17 +188,22 @@ TEST_CASE("the referee confirms every witness, and no changed one") {
         moved.count(refused(late));
         moved.count(refused(early));
         left_out.count(refused(without));
+        trace::Trace twice = run;
+        twice.events.insert(twice.events.begin() + static_cast<std::ptrdiff_t>(e), run.events[e]);
+        repeated.count(refused(twice));
         if (e + 1 < run.events.size()) reordered.count(refused(swapped(run, e)));
       }
     }
   }
   std::cout << witnesses << " witnesses confirmed; refused: " << moved.refused << " of " << moved.made
             << " moved, " << left_out.refused << " of " << left_out.made << " without an event, "
-            << reordered.refused << " of " << reordered.made << " reordered\n";
+            << repeated.refused << " of " << repeated.made << " with one told twice, " << reordered.refused
+            << " of " << reordered.made << " reordered\n";
   CHECK(witnesses > 0);
   // What is left over are changes that give another run of the same skill: an event of a device that comes
   // once, the end of an action whose time is not fixed, two things that happen at one instant apart from each
   // other.
   CHECK(moved.refused * 100 > moved.made * 95);
   CHECK(left_out.refused * 100 > left_out.made * 95);
+  CHECK(repeated.refused == repeated.made);
 }

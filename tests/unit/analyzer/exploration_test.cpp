@@ -2,6 +2,7 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <stdexcept>
+#include <string>
 
 #include "analyzer/zones/workers.hpp"
 #include "analyzer/zones/zone_graph.hpp"
@@ -69,4 +70,35 @@ TEST_CASE("the zone graph does not depend on the number of threads") {
     }
   }
   CHECK(largest >= 30'000);  // otherwise hardly anything was shared
+}
+
+TEST_CASE("an exploration stops while it looks for the orders in which modules begin") {
+  // Ten modules that begin with work on one processor: more orders than are tried.
+  std::string modules;
+  std::string places = "  PLACE SM1 ON P PRIORITY 1\n";
+  const std::string body = "  ACTIVITY work\nBEGIN\n  REPEAT\n    work\n  UNTIL( forever )\nEND\n";
+  std::string controllers;
+  for (int m = 1; m < 10; ++m) {
+    const std::string name = "MC" + std::to_string(m);
+    controllers += (m == 1 ? "" : ", ") + name;
+    modules += "Machine Controller: " + name + "\n" + body;
+    places += "  PLACE " + name + " ON P PRIORITY 1\n";
+  }
+  const auto skill = test::skill_from_text(
+      "SKILL many\n  MACHINE CONTROLLER " + controllers +
+      "\n  SKILL METHOD SM1\n  COMPLETION 0 ERROR\n  REQUIREMENT r : LOAD OF P AT MOST 1 %\nEND SKILL\n" +
+      modules +
+      "Skill Module: SM1\n  ACTIVITY work\nBEGIN\n  WTM( Coordinator )\n  REPEAT\n    work\n  UNTIL( forever "
+      ")\nEND\n" +
+      "ENVIRONMENT cell\n  PROCESSOR P\n" + places + "  TIME work : 1 ms\nEND ENVIRONMENT\n");
+  REQUIRE(skill->problem);
+  const Watch nothing;
+  const Machine machine(*skill->problem, nothing);
+  int asked = 0;
+  Limits limits;
+  limits.stop = [&asked] { return ++asked > 2; };
+  ZoneGraph graph(machine, 0, true);
+  CHECK_FALSE(graph.explore(limits));
+  CHECK(asked == 3);
+  CHECK(graph.classes().empty());
 }
