@@ -63,7 +63,7 @@ class Teller {
   std::string follow(std::optional<analyzer::Nanoseconds> until) const {
     analyzer::rules::Referee referee(problem_, nullptr, run_.events, analyzer::rules::BusyFrom::each_pause);
     try {
-      referee.follow(until);
+      referee.follow(until, {});
     } catch (const analyzer::rules::Broken& rule) {
       return rule.what();
     }
