@@ -122,8 +122,7 @@ class Writer {
     }
     if (due.by == By::put) return until_put(clock, due.node, due.step);
     until(clock, due.node, due.step);
-    if (device < 0)
-      return say(due.after, name, "waits until " + text(due.step) + " has arrived", statement);
+    if (device < 0) return say(due.after, name, "waits until " + text(due.step) + " has arrived", statement);
     say(due.after, view_.problem.devices[static_cast<std::size_t>(device)].name, "answers " + text(due.step),
         statement);
   }
