@@ -55,6 +55,8 @@ class Referee {
     int step = -1;
     Nanoseconds reached = 0;     // the statement
     std::size_t reached_by = 0;  // with this event
+    std::size_t with = 0;  // … and together with those that have the same number, in the order of `place`
+    std::size_t place = 0;
     Nanoseconds work = 0;
     Nanoseconds since = 0;  // running: since when
     bool gives_up = false;
@@ -151,6 +153,7 @@ class Referee {
   void enqueue(int thread, bool front, bool ordered, std::size_t with);
   void arrive(int thread);
   bool found_there(int thread, int channel) const;
+  bool left_to_later(int channel, int thread) const;
   bool comes_to_queue(const Queued& queued) const;
   void check_turn(int thread) const;
   void check_work(int thread) const;
@@ -217,7 +220,8 @@ class Referee {
   std::size_t at_ = 0;                               // the event in question
   std::size_t effects_ = 0;  // before it: what does not follow from something else at its instant
   Nanoseconds now_ = 0;
-  std::size_t with_ = 0;  // a number for the threads that reach their statements together
+  std::size_t with_ = 0;     // a number for the threads that reach their statements together
+  std::size_t reached_ = 0;  // how many have reached one
   bool beginning_ = true;
   bool withdrawing_ = false;     // who goes on otherwise may come before or after who goes on now
   Nanoseconds dropped_at_ = -1;  // when a message was withdrawn last

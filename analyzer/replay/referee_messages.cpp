@@ -21,6 +21,20 @@ bool Referee::surely_there(int channel, int thread) const {
   return of.immediate[of.from == thread_of(thread).processor ? 0 : 1] || arrival(channel, thread).hi < now_;
 }
 
+/// Whether a thread that has come to a wait left the message that it found there to one that came together
+/// with it, and later.
+bool Referee::left_to_later(int channel, int thread) const {
+  const Slot& of = slot(channel);
+  const Party& earlier = party(thread);
+  if (!of.claimed || earlier.mode != Mode::arrived || of.put_by >= earlier.reached_by) return false;
+  const bool there =
+      of.immediate[of.from == thread_of(thread).processor ? 0 : 1] || arrival(channel, thread).hi < now_;
+  return there && std::any_of(threads_.begin(), threads_.end(), [&](const Party& later) {
+           return later.mode != Mode::off && later.claim == channel && later.with == earlier.with &&
+                  later.place > earlier.place;
+         });
+}
+
 /// A thread goes on as if the channel had nothing for it: what is there must still be on its way.
 void Referee::not_there_yet(int channel, int thread) {
   // Unless it is there for another thread, which goes on with it at this instant.
@@ -31,7 +45,8 @@ void Referee::not_there_yet(int channel, int thread) {
     const std::vector<int>& channels = step_of(other).channels;
     if (std::find(channels.begin(), channels.end(), channel) != channels.end()) resolve(other);
   }
-  demand(!surely_there(channel, thread), name(thread) + " passes over a message that is there");
+  demand(!surely_there(channel, thread) && !left_to_later(channel, thread),
+         name(thread) + " passes over a message that is there");
   const Slot& of = slot(channel);
   if (of.full && !of.claimed) arrival(channel, thread).lo = std::max(arrival(channel, thread).lo, now_);
 }

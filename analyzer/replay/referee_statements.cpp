@@ -36,6 +36,8 @@ void Referee::reach(int thread, int step) {
   of.step = step;
   of.reached = now_;
   of.reached_by = at_;
+  of.with = with_;
+  of.place = ++reached_;
   of.work = 0;
   of.gives_up = of.withdrawn = of.acted = of.told = false;
   of.claim = -1;

@@ -158,6 +158,28 @@ TEST_CASE("blocks come to their queue in the order of the text") {
   CHECK(beginning.broken() == "at 0 ns: MC2.2 runs before MC2.1, which was first");
 }
 
+// SM1.1 and SM1.2 begin with waits for m, which is there.
+TEST_CASE("a block does not leave a message that it finds to a later one") {
+  const std::string send = "TXM( m to SM1 )";
+  const std::string later = "WTM( m from MC1 ) WITHIN 1 ms";
+  const auto forked = [&] {
+    Told run(skill("earlier_block"));
+    run.say(Kind::start, "SM1", "first").say(Kind::start, "MC1", send);
+    run.say(Kind::put, "MC1", send, "m", 1).say(Kind::done, "MC1", send).at(2);
+    run.say(Kind::done, "SM1", "first").say(Kind::block, "SM1", "CONCURRENT");
+    return run;
+  };
+
+  Told finds = forked();
+  finds.say(Kind::start, "SM1.1", "WTM( m from MC1 )").say(Kind::block, "SM1.2", later, "m");
+  finds.say(Kind::take, "SM1.1", "WTM( m from MC1 )", "m", 1).say(Kind::done, "SM1.1", "WTM( m from MC1 )");
+  CHECK(finds.broken() == "");
+
+  Told leaves = forked();
+  leaves.say(Kind::start, "SM1.2", later).say(Kind::block, "SM1.1", "WTM( m from MC1 )", "m");
+  CHECK(leaves.broken() == "at 2000000 ns: SM1.1 passes over a message that is there");
+}
+
 TEST_CASE("a block that is cancelled before it has had the processor does not begin") {
   const auto ended = [&] {
     Told run(skill("never_begun"));
