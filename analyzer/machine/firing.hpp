@@ -50,8 +50,7 @@ class Firing {
   std::vector<std::size_t> rivals_of_due() const;
 
   // Threads and processors (firing_threads.cpp).
-  void first_queues(int thread, int step, std::set<int>& seen,
-                    std::set<std::pair<int, int>>& queues) const;
+  void first_queues(int thread, int step, std::set<int>& seen, std::set<std::pair<int, int>>& queues) const;
   std::vector<std::size_t> rivals_of_first(const std::vector<int>& modules) const;
   void reach(int thread, int step);
   void reach_wait(int thread);
@@ -100,7 +99,8 @@ class Firing {
   bool available(int channel, int thread) const;
   int claimed_by(int channel);
   void message_available(int channel);
-  void fill(int channel, int processor);
+  bool stays_at_home(int sender) const;
+  void fill(int channel, int sender);
   void take(int channel, int thread, int device);
   void clear(int channel);
   void admit(int channel);

@@ -9,7 +9,7 @@ namespace pal::analyzer {
 /// The message is in its slot; announce() is still to be called.
 void Firing::place(int channel, int thread, int device, std::uint8_t carries) {
   SlotState& to = slot(channel);
-  fill(channel, thread < 0 ? -1 : thread_of(thread).processor);
+  fill(channel, thread);
   to.carries = awaits_response(channel) ? new_event() : carries;
   if (device >= 0) {
     emit_device(Kind::put, device, channel);
@@ -29,8 +29,17 @@ void Firing::announce(int channel) {
   }
 }
 
-/// The message sets out for the processors on which somebody waits for it.
-void Firing::fill(int channel, int processor) {
+/// Whether what else follows from a send at this instant has to do with its thread's processor alone.
+bool Firing::stays_at_home(int sender) const {
+  const ThreadState& of = state_of(sender);
+  const Step::Kind next = problem_.steps[static_cast<std::size_t>(step_of(sender).next.front())].kind;
+  return of.status == Status::running && !of.cancelled && due_.empty() && next != Step::Kind::fork &&
+         next != Step::Kind::end;
+}
+
+/// The message sets out for the processors on which somebody waits for it. `sender`: -1: a device.
+void Firing::fill(int channel, int sender) {
+  const int processor = sender < 0 ? -1 : thread_of(sender).processor;
   SlotState& to = slot(channel);
   to.fill = SlotState::Fill::full;
   to.from = processor;
@@ -39,14 +48,17 @@ void Firing::fill(int channel, int processor) {
   bool near = false;
   bool far = false;
   for (int receiver : channel_of(channel).receiver_processors) (receiver == processor ? near : far) = true;
-  if (near && problem_.within_processor.worst > 0) {
-    to.near = SlotState::Way::flying;
-    start_timer(machine_.flight_timer(channel), problem_.within_processor);
-  }
-  if (far && problem_.between_processors.worst > 0) {
-    to.far = SlotState::Way::flying;
-    start_timer(machine_.flight_timer(channel) + 1, problem_.between_processors);
-  }
+  // A way of no length may be over before anything else happens, as if there were no latency. To threads on
+  // other processors alone, on which nothing else happens, that is as if it were over afterwards.
+  const bool alike = !near && stays_at_home(sender);
+  const auto fly = [this, alike](SlotState::Way& way, int timer, Range latency) {
+    if (latency.worst == 0) return;
+    if (latency.best == 0 && !alike && choices_.pick(2) == 1) return;
+    way = SlotState::Way::flying;
+    start_timer(timer, latency);
+  };
+  if (near) fly(to.near, machine_.flight_timer(channel), problem_.within_processor);
+  if (far) fly(to.far, machine_.flight_timer(channel) + 1, problem_.between_processors);
 }
 
 bool Firing::available(int channel, int thread) const {

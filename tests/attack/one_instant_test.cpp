@@ -56,3 +56,10 @@ TEST_CASE("blocks behind blocks that are over at once share a queue with modules
   // MC1 goes on to its second CONCURRENT at once. Its block may come to the queue of SM1 before SM1.
   CHECK(bound(program("one_instant/over_at_once")) == 12);
 }
+
+TEST_CASE("a message whose way may take no time is there before anything else happens") {
+  // At 1 ms go is there for SM1.1, to which it took no time, as well as for SM1.2.
+  CHECK(bound(program("one_instant/no_way")) == 11);
+  // At 1 ms go brings SM1.1 to the queue of Q before MC1.1 begins there.
+  CHECK(bound(program("one_instant/no_way_to_a_queue")) == 13);
+}

@@ -34,7 +34,11 @@ void AllRuns::put(int channel, int thread, int process, int carries) {
   if (answered(channel)) slot.asked.push_back({thread, false});
   if (receiver_process_[ix(channel)] >= 0) return;
   if (thread < 0) return;
-  const auto fly = [&](Interval latency) { return latency.worst.count() == 0 ? -1 : draw(latency); };
+  // A way of no length may be over before anything else happens, as if there were no latency.
+  const auto fly = [&](Interval latency) {
+    const int way = latency.worst.count() == 0 ? -1 : draw(latency);
+    return way == 0 && decisions_->pick(2) == 1 ? -1 : way;
+  };
   slot.near = fly(environment_.latency.within_processor);
   slot.far = fly(environment_.latency.between_processors);
 }
