@@ -10,12 +10,14 @@ namespace {
 using Constraint = Difference;
 
 constexpr Nanoseconds none = Range::unbounded;
+constexpr std::size_t usual_rounds = 50;
 
 /// Shortest distances from `source`; nothing if the constraints contradict one another. They come in the
 /// order of the events, mostly: to and fro (J. Y. Yen, An algorithm for finding shortest routes from all
 /// source nodes to a given destination in general networks, 1970) few rounds suffice.
 /// Where they do contradict one another each round makes the way back to the source shorter, or goes on until
-/// it is told to stop.
+/// it is told to stop. When time is up what is known is still told: the usual number of rounds is made then,
+/// too.
 std::optional<std::vector<Nanoseconds>> distances(const std::vector<Constraint>& constraints,
                                                   std::size_t count, std::size_t source,
                                                   const std::function<bool()>& stop) {
@@ -32,7 +34,7 @@ std::optional<std::vector<Nanoseconds>> distances(const std::vector<Constraint>&
     std::for_each(constraints.begin(), constraints.end(), keep);
     std::for_each(constraints.rbegin(), constraints.rend(), keep);
     if (!changed) return distance;
-    if (distance[source] < 0 || (stop && stop())) return std::nullopt;
+    if (distance[source] < 0 || (round >= usual_rounds && stop && stop())) return std::nullopt;
   }
   return std::nullopt;
 }

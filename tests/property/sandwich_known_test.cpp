@@ -43,6 +43,5 @@ TEST_CASE("an answer that is sent twice is there before it is asked for") {
   const Analysis exact = analyze(*skill->problem);
   REQUIRE(exact.verdicts.front().exact);
   CHECK(exact.verdicts.front().bound == Duration(1'000'000));
-  REQUIRE(above.verdicts.front().bound);
-  CHECK(*above.verdicts.front().bound <= *exact.verdicts.front().bound);
+  CHECK_FALSE(above.verdicts.front().bound);
 }
