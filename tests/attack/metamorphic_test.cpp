@@ -8,6 +8,7 @@
 #include "tests/support/any_skill.hpp"
 #include "tests/support/random_cell.hpp"
 #include "tests/support/setting.hpp"
+#include "tests/support/wider.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
@@ -95,42 +96,6 @@ std::string wrong(const Known& before, const Known& after,
   return {};
 }
 
-void scale(Interval& interval, int by) {
-  interval.best *= by;
-  interval.worst *= by;
-}
-
-/// All times of the environment, of the waits and of the limits `by` times as long.
-void scale(pan::Network& network, pan::Environment& environment, int by) {
-  for (pan::Module& module : network.modules) {
-    for (pan::Node& node : module.body.nodes) {
-      auto* wait = std::get_if<pan::Wait>(&node.content);
-      if (wait != nullptr && wait->within) *wait->within *= by;
-    }
-  }
-  for (pan::Requirement& requirement : network.requirements) requirement.limit *= by;
-  for (pan::DeviceTiming& timing : environment.devices) {
-    if (auto* event = std::get_if<pan::EventDevice>(&timing.behaviour)) {
-      event->period *= by;
-      event->jitter *= by;
-      if (event->phase) *event->phase *= by;
-      if (event->answer_within) *event->answer_within *= by;
-    } else if (auto* answers = std::get_if<pan::RequestDevice>(&timing.behaviour)) {
-      scale(answers->answer, by);
-    } else {
-      auto& frames = std::get<pan::FrameDevice>(timing.behaviour);
-      frames.period *= by;
-      frames.collecting *= by;
-      if (frames.phase) *frames.phase *= by;
-    }
-  }
-  for (pan::ActivityTime& time : environment.activities) scale(time.time, by);
-  for (Interval* cost : {&environment.costs.send, &environment.costs.receive, &environment.costs.set,
-                         &environment.costs.read, &environment.costs.test,
-                         &environment.latency.within_processor, &environment.latency.between_processors})
-    scale(*cost, by);
-}
-
 }  // namespace
 
 TEST_CASE(
@@ -155,7 +120,7 @@ TEST_CASE(
 
     pan::Network network = skill->specification.skills.front();
     pan::Environment environment = skill->specification.environments.front();
-    scale(network, environment, 7);
+    test::scale(network, environment, 7);
     Diagnostics diagnostics;
     const auto scaled = make_problem(network, environment, diagnostics);
     REQUIRE(scaled);
