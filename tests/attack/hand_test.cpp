@@ -22,6 +22,12 @@ TEST_CASE("a CONCURRENT after one that ended by cancelling is waited for") {
   CHECK(bound(program("hand/after_cancelling")) == 6);
 }
 
+TEST_CASE("a block behind blocks that were stopped is not over when another one ends") {
+  // All but the first block of the inner CONCURRENT, and the second one of the outer, is over at once: SM1.1
+  // thinks for 3 ms.
+  CHECK(bound(program("hand/behind_stopped")) == 3);
+}
+
 TEST_CASE("a wait that only looks may come before the message of a sender that its own take has freed") {
   // SM1 is always blocked in its send. The first wait of MC1 frees the slot and reaches the second, at one
   // instant with the send: it may miss it, and hold for 3 ms.

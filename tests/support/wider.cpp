@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <iterator>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -97,6 +98,32 @@ std::string widen(pan::DeviceTiming& timing, std::mt19937_64& engine) {
   }
 }
 
+std::vector<Duration*> times(pan::Network& network, pan::Environment& environment) {
+  std::vector<Duration*> all = limits(network);
+  for (pan::Requirement& requirement : network.requirements) {
+    if (auto* passes = std::get_if<pan::Passes>(&requirement.measure)) {
+      if (passes->least) all.push_back(&*passes->least);
+      if (passes->most) all.push_back(&*passes->most);
+    }
+    if (!std::holds_alternative<pan::Load>(requirement.measure)) all.push_back(&requirement.limit);
+  }
+  for (const auto& [name, interval] : intervals(environment)) {
+    all.push_back(&interval->best);
+    all.push_back(&interval->worst);
+  }
+  for (pan::DeviceTiming& timing : environment.devices) {
+    if (auto* event = std::get_if<pan::EventDevice>(&timing.behaviour)) {
+      all.insert(all.end(), {&event->period, &event->jitter});
+      if (event->phase) all.push_back(&*event->phase);
+      if (event->answer_within) all.push_back(&*event->answer_within);
+    } else if (auto* frames = std::get_if<pan::FrameDevice>(&timing.behaviour)) {
+      all.insert(all.end(), {&frames->period, &frames->collecting});
+      if (frames->phase) all.push_back(&*frames->phase);
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string other_times(pan::Network& network, pan::Environment& environment, std::mt19937_64& engine) {
@@ -149,30 +176,13 @@ std::string widen(pan::Network& network, pan::Environment& environment, std::mt1
 }
 
 void scale(pan::Network& network, pan::Environment& environment, int by) {
-  for (Duration* limit : limits(network)) *limit *= by;
-  for (pan::Requirement& requirement : network.requirements) {
-    if (auto* passes = std::get_if<pan::Passes>(&requirement.measure)) {
-      if (passes->least) *passes->least *= by;
-      if (passes->most) *passes->most *= by;
-    }
-    if (!std::holds_alternative<pan::Load>(requirement.measure)) requirement.limit *= by;
-  }
-  for (const auto& [name, interval] : intervals(environment)) {
-    interval->best *= by;
-    interval->worst *= by;
-  }
-  for (pan::DeviceTiming& timing : environment.devices) {
-    if (auto* event = std::get_if<pan::EventDevice>(&timing.behaviour)) {
-      event->period *= by;
-      event->jitter *= by;
-      if (event->phase) *event->phase *= by;
-      if (event->answer_within) *event->answer_within *= by;
-    } else if (auto* frames = std::get_if<pan::FrameDevice>(&timing.behaviour)) {
-      frames->period *= by;
-      frames->collecting *= by;
-      if (frames->phase) *frames->phase *= by;
-    }
-  }
+  for (Duration* time : times(network, environment)) *time *= by;
+}
+
+Duration grain(pan::Network network, pan::Environment environment) {
+  std::int64_t common = 0;
+  for (const Duration* time : times(network, environment)) common = std::gcd(common, time->count());
+  return Duration(std::max<std::int64_t>(common, 1));
 }
 
 }  // namespace pal::test

@@ -20,4 +20,7 @@ std::string widen(pan::Network& network, pan::Environment& environment, std::mt1
 /// All times of the environment, of the waits and of the requirements `by` times as long.
 void scale(pan::Network& network, pan::Environment& environment, int by);
 
+/// What all these times are multiples of; at least a nanosecond.
+Duration grain(pan::Network network, pan::Environment environment);
+
 }  // namespace pal::test

@@ -128,8 +128,7 @@ void AllRuns::block_over(int parent, bool stopped) {
   }
   if (!alive) {
     Thread& of = s_.threads[ix(parent)];
-    of.status = Status::off;  // until it is ready again
-    of.blocks.clear();
+    of.blocks.clear();  // it is there, and has none
     if (of.cancelled) {
       stop(parent);
       return;
@@ -157,7 +156,7 @@ void AllRuns::block_over(int parent, bool stopped) {
 void AllRuns::cancel(int thread) {
   Thread& of = s_.threads[ix(thread)];
   of.cancelled = true;
-  if (of.status == Status::joining) {
+  if (of.status == Status::joining && !of.blocks.empty()) {
     const std::vector<int> blocks = of.blocks;
     std::vector<int> rest;
     for (int block : blocks) {
