@@ -5,6 +5,7 @@
 #include <random>
 
 #include "analyzer/exact/exact.hpp"
+#include "tests/attack/by_hand.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/random_cell.hpp"
 #include "tests/support/setting.hpp"
@@ -147,4 +148,27 @@ TEST_CASE(
   }
   std::cout << compared << " bounds compared\n";
   CHECK(compared > 0);
+}
+
+TEST_CASE("a device that answers on request is a module on a processor of its own") {
+  // Both serve one request at a time, and answer those that were withdrawn in vain.
+  const std::string device = test::program("served/by_device");
+  const std::string module = test::program("served/by_module");
+  std::size_t compared = 0;
+  for (const std::string answer : {"0 ms", "0 TO 2 ms", "3 ms"}) {
+    for (const std::string limit : {"0 ms", "2 ms", "3 ms"}) {
+      for (const std::string processor : {"PROCESSOR P", "PROCESSOR P NONPREEMPTIVE"}) {
+        const auto with = [&](std::string text) {
+          text = replaced(text, "ON REQUEST 3 ms", "ON REQUEST " + answer);
+          text = replaced(text, "TIME serve : 3 ms", "TIME serve : " + answer);
+          text = replaced(text, "WITHIN 2 ms", "WITHIN " + limit);
+          return replaced(text, "PROCESSOR P\n", processor + "\n");
+        };
+        INFO(answer << ", " << limit << ", " << processor);
+        const Known by_device = known(with(device));
+        CHECK(wrong(by_device, known(with(module)), std::equal_to<>(), compared) == "");
+      }
+    }
+  }
+  CHECK(compared > 70);
 }

@@ -124,6 +124,28 @@ std::vector<Duration*> times(pan::Network& network, pan::Environment& environmen
   return all;
 }
 
+std::string other_rhythm(pan::DeviceTiming& timing, std::mt19937_64& engine) {
+  if (chance(engine, 3) != 0) return {};
+  const Duration period = millisecond * (std::int64_t{1} << chance(engine, 4));
+  const bool other = chance(engine, 2) == 0;
+  if (auto* frames = std::get_if<pan::FrameDevice>(&timing.behaviour)) {
+    if (other) frames->period = period;
+    frames->collecting = chance(engine, 2) == 0 ? Duration{} : frames->period;
+    frames->phase = Duration{};
+    return timing.device + " every " + text(frames->period) + " collecting " + text(frames->collecting) +
+           ", ";
+  }
+  auto* event = std::get_if<pan::EventDevice>(&timing.behaviour);
+  if (event == nullptr) return {};
+  if (other && !event->answer_within) {
+    event->period = period;
+    event->jitter = {};
+  }
+  if (event->sporadic) return timing.device + " from every " + text(event->period) + ", ";
+  event->phase = Duration{};
+  return timing.device + " every " + text(event->period) + " from 0, ";
+}
+
 }  // namespace
 
 std::string other_times(pan::Network& network, pan::Environment& environment, std::mt19937_64& engine) {
@@ -140,12 +162,7 @@ std::string other_times(pan::Network& network, pan::Environment& environment, st
     *limit = few[chance(engine, std::ssize(few))];
     done += "limit " + text(*limit) + ", ";
   }
-  for (pan::DeviceTiming& timing : environment.devices) {
-    auto* event = std::get_if<pan::EventDevice>(&timing.behaviour);
-    if (event == nullptr || event->sporadic || chance(engine, 3) != 0) continue;
-    event->phase = Duration{};
-    done += timing.device + " phase 0, ";
-  }
+  for (pan::DeviceTiming& timing : environment.devices) done += other_rhythm(timing, engine);
   return done;
 }
 
