@@ -39,7 +39,8 @@ int entry_of(const Problem& problem, int thread) {
   return problem.threads[static_cast<std::size_t>(thread)].entry;
 }
 
-/// Whether a module sends one answer to each request that it takes, before it takes the next.
+/// Whether a module sends one answer to each request that it takes, in the thread that has taken it, before
+/// it takes the next.
 class Answers {
  public:
   Answers(const Problem& problem, int answer)
@@ -61,8 +62,8 @@ class Answers {
   }
 
  private:
-  /// What may be owed: any of these.
-  enum Owed : unsigned { none = 1, one = 2, more = 4 };
+  /// Whether an answer may be owed, or none: any of these.
+  enum Owed : unsigned { none = 1, one = 2 };
 
   void reach(int step, unsigned owed) {
     unsigned& there = owed_[step];
@@ -80,9 +81,10 @@ class Answers {
     }
     if (step.kind == Kind::fork) return begin_blocks(step, owed);
     if (step.kind == Kind::end && after_.contains(at)) reach(after_.at(at), owed);
+    if ((step.kind == Kind::end || takes(step, request_)) && owed != none) return false;
     for (std::size_t i = 0; i < step.next.size(); ++i) {
       const bool taken = step.kind == Kind::wait && i < step.channels.size() && step.channels[i] == request_;
-      reach(step.next[i], !taken ? owed : owed == none ? one : more);
+      reach(step.next[i], taken ? one : owed);
     }
     return true;
   }
@@ -105,7 +107,9 @@ class Answers {
       if (step.kind == Kind::end) after_[static_cast<int>(&step - problem_.steps.data())] = after;
       return false;
     });
-    if (!problem_.threads[static_cast<std::size_t>(serving)].can_end) reach(after, none | one);
+    const auto ends = [this](int block) { return problem_.threads[static_cast<std::size_t>(block)].can_end; };
+    const bool cancelled = !ends(serving) && std::any_of(fork.threads.begin(), fork.threads.end(), ends);
+    if (cancelled) reach(after, none | one);
     reach(entry_of(problem_, serving), owed);
     return true;
   }
