@@ -183,3 +183,18 @@ TEST_CASE("a load whose round has a thousand actions and more ends in time") {
   const auto skill = test::meaningful_skill(replaced(program("long"), "    work\n", works));
   CHECK(analyze(*skill->problem).verdicts.front().state != Verdict::State::holds);
 }
+
+TEST_CASE("a request that a block takes may be answered at once when the block has ended") {
+  // Every other answer needs 10 ms of work: SM1 works for 2 ms in every 12 ms, not for 1 ms in every 11 ms.
+  const auto skill = test::meaningful_skill(program("in_turns"));
+  const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
+  REQUIRE(bound.bound);
+  CHECK(bound.bound->count() >= 166'666'666);
+}
+
+TEST_CASE("what comes after an answer comes also if a block took its request") {
+  // MC1 answers the second request after its blocks; the first is the last that its own thread has taken.
+  const Shown shown = show(program("answered_after_block"));
+  CHECK(shown.greatest > 50'000'000);
+  if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
+}
