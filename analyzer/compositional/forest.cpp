@@ -260,7 +260,6 @@ class Planter {
       if (!seen.insert(to).second) continue;
       for (int from : before_[static_cast<std::size_t>(to)]) {
         const Step& of = step_at(from);
-        if (taken_below(of.threads, request)) return false;
         bool other = of.kind != Kind::wait;  // ways from there that do not take a request
         for (std::size_t i = 0; i < of.next.size(); ++i) {
           if (of.kind != Kind::wait || of.next[i] != to) continue;
@@ -272,17 +271,6 @@ class Planter {
       }
     }
     return true;
-  }
-
-  /// Whether one of the blocks, or one below it, may take a message.
-  bool taken_below(const std::vector<int>& blocks, int channel) const {
-    const auto& takers = takers_[static_cast<std::size_t>(channel)];
-    return std::any_of(takers.begin(), takers.end(), [&](const Taker& taker) {
-      int at = taker.thread;
-      while (at >= 0 && std::find(blocks.begin(), blocks.end(), at) == blocks.end())
-        at = problem_.threads[static_cast<std::size_t>(at)].parent;
-      return at >= 0;
-    });
   }
 
   std::set<int> takers_after(const std::vector<int>& sends) const {

@@ -105,10 +105,9 @@ class Shortest {
       if (take.kind != Kind::wait) continue;
       for (std::size_t arm = 0; arm < take.channels.size(); ++arm) {
         if (take.channels[arm] != of.answers) continue;
-        // Where the thread ends another may answer, at once.
         const auto sends = [&](int index) {
           const Step& step = problem_.steps[static_cast<std::size_t>(index)];
-          return step.kind == Kind::end || (step.kind == Kind::send && step.channels.front() == channel);
+          return step.kind == Kind::send && step.channels.front() == channel;
         };
         least = std::min(least, way(take.next[arm], take.cost.best, depth + 1, sends));
       }
