@@ -141,14 +141,6 @@ TEST_CASE("a limit counts anew when a request is withdrawn while it is being tak
   }
 }
 
-TEST_CASE("a request that is not withdrawn is taken within the limit") {
-  const std::string patient = "    rest\n    TXM( request state from MC1 )\n    WTM( state from MC1 )\n";
-  const Shown shown =
-      show(looks(answer_in_time, patient, "RESPONSE FROM tick OF robot TO work AT MOST 100 ms"));
-  REQUIRE(shown.bound);
-  CHECK(*shown.bound >= Duration(shown.greatest));
-}
-
 TEST_CASE("each request that is withdrawn while it is being taken costs a receive") {
   const auto skill = test::meaningful_skill(looks(answer_in_time, gives_up, "LOAD OF P0 AT MOST 10 %"));
   const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
