@@ -1,5 +1,6 @@
 // Who asks whom, and when: the protocol of requests and answers.
 #include <algorithm>
+#include <iterator>
 
 #include "analyzer/compositional/forest.hpp"
 
@@ -39,7 +40,8 @@ int entry_of(const Problem& problem, int thread) {
   return problem.threads[static_cast<std::size_t>(thread)].entry;
 }
 
-/// Whether a module sends one answer to each request that it takes, before it takes the next.
+/// Whether a module sends one answer to each request that it takes, in the thread that has taken it, before
+/// it takes the next.
 class Answers {
  public:
   Answers(const Problem& problem, int answer)
@@ -61,8 +63,8 @@ class Answers {
   }
 
  private:
-  /// What may be owed: any of these.
-  enum Owed : unsigned { none = 1, one = 2, more = 4 };
+  /// Whether an answer may be owed, or none: any of these.
+  enum Owed : unsigned { none = 1, one = 2 };
 
   void reach(int step, unsigned owed) {
     unsigned& there = owed_[step];
@@ -80,9 +82,10 @@ class Answers {
     }
     if (step.kind == Kind::fork) return begin_blocks(step, owed);
     if (step.kind == Kind::end && after_.contains(at)) reach(after_.at(at), owed);
+    if ((step.kind == Kind::end || takes(step, request_)) && owed != none) return false;
     for (std::size_t i = 0; i < step.next.size(); ++i) {
       const bool taken = step.kind == Kind::wait && i < step.channels.size() && step.channels[i] == request_;
-      reach(step.next[i], !taken ? owed : owed == none ? one : more);
+      reach(step.next[i], taken ? one : owed);
     }
     return true;
   }
@@ -92,7 +95,7 @@ class Answers {
     int serving = -1;
     for (int block : fork.threads) {
       const auto talks = [this](const Step& step) { return sends(step, answer_) || takes(step, request_); };
-      if (!comes_to(problem_, entry_of(problem_, block), true, talks)) continue;
+      if (!comes_to(problem_, entry_of(problem_, block), false, talks)) continue;
       if (serving >= 0 || owed != none) return false;
       serving = block;
     }
@@ -105,7 +108,9 @@ class Answers {
       if (step.kind == Kind::end) after_[static_cast<int>(&step - problem_.steps.data())] = after;
       return false;
     });
-    if (!problem_.threads[static_cast<std::size_t>(serving)].can_end) reach(after, none | one);
+    const auto ends = [this](int block) { return problem_.threads[static_cast<std::size_t>(block)].can_end; };
+    const bool cancelled = !ends(serving) && std::any_of(fork.threads.begin(), fork.threads.end(), ends);
+    if (cancelled) reach(after, none | one);
     reach(entry_of(problem_, serving), owed);
     return true;
   }
@@ -118,41 +123,16 @@ class Answers {
   std::vector<int> work_;
 };
 
-/// The CONCURRENT that starts each thread; -1: none.
-std::vector<int> forks_of(const Problem& problem) {
-  std::vector<int> started_by(problem.threads.size(), -1);
-  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
-    for (int block : problem.steps[s].threads)
-      started_by[static_cast<std::size_t>(block)] = static_cast<int>(s);
-  }
-  return started_by;
-}
-
-/// Whether two threads are, or are below, two blocks of one CONCURRENT.
-bool side_by_side(const Problem& problem, const std::vector<int>& started_by, int one, int other) {
-  for (int a = one; a >= 0; a = problem.threads[static_cast<std::size_t>(a)].parent) {
-    for (int b = other; b >= 0; b = problem.threads[static_cast<std::size_t>(b)].parent) {
-      const int fork = started_by[static_cast<std::size_t>(a)];
-      if (a != b && fork >= 0 && fork == started_by[static_cast<std::size_t>(b)]) return true;
-    }
-  }
-  return false;
-}
-
 /// Whether blocks of one CONCURRENT send a request, or wait for its answer, beside one another. So one may
 /// take what another asked for, or withdraw what another is about to take.
 bool is_shared(const Problem& problem, int request) {
   const int answer = problem.channels[static_cast<std::size_t>(request)].answer;
-  std::set<int> users;
-  for (std::size_t t = 0; t < problem.threads.size(); ++t) {
-    if (comes_to(problem, problem.threads[t].entry, false,
-                 [&](const Step& step) { return sends(step, request) || takes(step, answer); }))
-      users.insert(static_cast<int>(t));
-  }
-  const std::vector<int> started_by = forks_of(problem);
-  return std::any_of(users.begin(), users.end(), [&](int one) {
-    return std::any_of(users.begin(), users.end(),
-                       [&](int other) { return side_by_side(problem, started_by, one, other); });
+  const auto uses = [&](int block) {
+    return comes_to(problem, entry_of(problem, block), false,
+                    [&](const Step& step) { return sends(step, request) || takes(step, answer); });
+  };
+  return std::any_of(problem.steps.begin(), problem.steps.end(), [&uses](const Step& fork) {
+    return std::count_if(fork.threads.begin(), fork.threads.end(), uses) > 1;
   });
 }
 
@@ -194,29 +174,26 @@ class Asked {
   bool elsewhere_ = false;
 };
 
+/// The blocks of a CONCURRENT that are cancelled when the others have ended.
+std::vector<int> cancelled_blocks(const Problem& problem, const Step& fork) {
+  const auto goes_round = [&problem](int block) {
+    return !problem.threads[static_cast<std::size_t>(block)].can_end;
+  };
+  std::vector<int> blocks;
+  std::copy_if(fork.threads.begin(), fork.threads.end(), std::back_inserter(blocks), goes_round);
+  return blocks.size() < fork.threads.size() ? blocks : std::vector<int>{};
+}
+
 /// Whether a request may be sent after a block that sent it was cancelled: that may still be served.
 bool asked_after_cancelled(const Problem& problem, int request) {
   const auto asks = [request](const Step& step) { return sends(step, request); };
-  const std::vector<int> started_by = forks_of(problem);
-  for (const Step& fork : problem.steps) {
-    const auto ends = [&problem](int block) {
-      return problem.threads[static_cast<std::size_t>(block)].can_end;
-    };
-    if (std::none_of(fork.threads.begin(), fork.threads.end(), ends)) continue;
-    const bool cancelled = std::any_of(fork.threads.begin(), fork.threads.end(), [&](int block) {
-      return !ends(block) && comes_to(problem, entry_of(problem, block), true, asks);
+  return std::any_of(problem.steps.begin(), problem.steps.end(), [&](const Step& fork) {
+    const std::vector<int> cancelled = cancelled_blocks(problem, fork);
+    const bool asked = std::any_of(cancelled.begin(), cancelled.end(), [&](int block) {
+      return comes_to(problem, entry_of(problem, block), false, asks);
     });
-    if (!cancelled) continue;
-    // After it, and after the CONCURRENTs that it stands in.
-    for (int block = fork.threads.front(); block >= 0;
-         block = problem.threads[static_cast<std::size_t>(block)].parent) {
-      const int around = started_by[static_cast<std::size_t>(block)];
-      if (around >= 0 &&
-          comes_to(problem, problem.steps[static_cast<std::size_t>(around)].next.front(), true, asks))
-        return true;
-    }
-  }
-  return false;
+    return asked && comes_to(problem, fork.next.front(), true, asks);
+  });
 }
 
 }  // namespace
@@ -231,25 +208,13 @@ std::vector<bool> withdrawn_requests(const Problem& problem) {
     }
   }
   for (const Step& fork : problem.steps) {
-    const auto ends = [&problem](int block) {
-      return problem.threads[static_cast<std::size_t>(block)].can_end;
-    };
-    if (std::none_of(fork.threads.begin(), fork.threads.end(), ends)) continue;
-    std::set<int> seen;
-    std::vector<int> open;
-    for (int block : fork.threads) {
-      if (!ends(block)) open.push_back(problem.threads[static_cast<std::size_t>(block)].entry);
-    }
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (!seen.insert(at).second) continue;
-      const Step& step = problem.steps[static_cast<std::size_t>(at)];
-      if (step.kind == Kind::send &&
-          problem.channels[static_cast<std::size_t>(step.channels.front())].answer >= 0)
-        withdrawn[static_cast<std::size_t>(step.channels.front())] = true;
-      for (int block : step.threads) open.push_back(problem.threads[static_cast<std::size_t>(block)].entry);
-      open.insert(open.end(), step.next.begin(), step.next.end());
+    for (int block : cancelled_blocks(problem, fork)) {
+      comes_to(problem, entry_of(problem, block), false, [&](const Step& step) {
+        if (step.kind != Kind::send) return false;
+        const auto channel = static_cast<std::size_t>(step.channels.front());
+        withdrawn[channel] = withdrawn[channel] || problem.channels[channel].answer >= 0;
+        return false;
+      });
     }
   }
   return withdrawn;

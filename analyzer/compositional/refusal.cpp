@@ -25,62 +25,56 @@ bool starts_rounds_again(const Problem& problem, int fork, int thread) {
   return !straight && recurrent(problem, {Beginning::Kind::joined, thread, fork, -1});
 }
 
-/// Whether a wait gives up waiting for a message of one of the channels `of`.
-bool gives_up(const Step& wait, const std::vector<bool>& of) {
-  return wait.within && std::any_of(wait.channels.begin(), wait.channels.end(),
-                                    [&of](int channel) { return of[static_cast<std::size_t>(channel)]; });
+/// Whether a block does more than compute: where that stands in a block within a block nothing is known of
+/// when.
+bool talks_or_sets(const Step& step) {
+  return step.kind == Step::Kind::wait || step.kind == Step::Kind::send || step.kind == Step::Kind::set;
 }
 
-/// By channel: whether several waits may take one message of it, nobody knows which. Of an answer it is
-/// known.
-std::vector<bool> taken_anywhere(const Problem& problem, const Segments& segments) {
+/// A channel from which several waits take; -1: there is none. Requests are served wherever their server is,
+/// and of an answer it is known where it is taken; of other messages nobody knows who gets them.
+int taken_anywhere(const Problem& problem, const Segments& segments) {
   std::vector<int> waits(problem.channels.size());
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
     if (problem.steps[s].kind != Step::Kind::wait || segments.owner(static_cast<int>(s)) < 0) continue;
-    for (int channel : problem.steps[s].channels) ++waits[static_cast<std::size_t>(channel)];
+    for (int channel : problem.steps[s].channels) {
+      const Channel& of = problem.channels[static_cast<std::size_t>(channel)];
+      if (of.answer < 0 && of.answers < 0 && ++waits[static_cast<std::size_t>(channel)] > 1) return channel;
+    }
   }
-  std::vector<bool> anywhere(problem.channels.size());
-  for (std::size_t c = 0; c < anywhere.size(); ++c)
-    anywhere[c] = waits[c] > 1 && problem.channels[c].answers < 0;
-  return anywhere;
+  return -1;
 }
 
 /// Why nothing can be said of a skill that has this step, or nothing.
-std::string refusal_of_step(const Problem& problem, int index, int thread, const std::vector<bool>& withdrawn,
-                            const std::vector<bool>& anywhere) {
+std::string refusal_of_step(const Problem& problem, int index, int thread) {
   const Step& step = problem.steps[static_cast<std::size_t>(index)];
   const std::string& who = name_of(problem, thread);
   if (step.kind == Step::Kind::fork && starts_rounds_again(problem, index, thread))
     return who + " starts blocks again and again of which some go round";
-  if (step.kind != Step::Kind::wait) return {};
-  if (is_nested(problem, thread)) return who + " waits for messages in a block within a block";
-  // The limit counts anew when what the thread is about to take is withdrawn.
-  if (gives_up(step, withdrawn)) return who + " waits with a limit for a request that may be withdrawn";
-  // What it takes, those who wait for it elsewhere do not get.
-  if (gives_up(step, anywhere)) return who + " waits with a limit for what may be taken elsewhere, too";
+  if (talks_or_sets(step) && is_nested(problem, thread))
+    return who + " waits, sends or sets in a block within a block";
+  // The limit counts anew when what the thread is about to take is withdrawn, and others may take it, too.
+  const bool serves = std::any_of(step.channels.begin(), step.channels.end(), [&problem](int channel) {
+    return problem.channels[static_cast<std::size_t>(channel)].answer >= 0;
+  });
+  if (step.kind == Step::Kind::wait && step.within && serves)
+    return who + " waits with a limit for a request";
   return {};
 }
 
 }  // namespace
 
 std::string refusal_of(const Problem& problem, const Segments& segments) {
-  const std::string talk = out_of_turn(problem, segments);
-  if (!talk.empty()) return talk;
-  const std::vector<bool> withdrawn = withdrawn_requests(problem);
-  const std::vector<bool> anywhere = taken_anywhere(problem, segments);
-  for (const Device& device : problem.devices) {
-    if (device.event < 0 || !anywhere[static_cast<std::size_t>(device.event)]) continue;
-    return problem.channels[static_cast<std::size_t>(device.event)].message + " of " + device.name +
-           " is waited for in several places";
-  }
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
     const int step = static_cast<int>(s);
     const int thread = segments.owner(step);
     if (thread < 0) continue;
-    const std::string why = refusal_of_step(problem, step, thread, withdrawn, anywhere);
+    const std::string why = refusal_of_step(problem, step, thread);
     if (!why.empty()) return why;
   }
-  return {};
+  if (const int channel = taken_anywhere(problem, segments); channel >= 0)
+    return problem.channels[static_cast<std::size_t>(channel)].message + " is waited for in several places";
+  return out_of_turn(problem, segments);
 }
 
 }  // namespace pal::analyzer::compositional

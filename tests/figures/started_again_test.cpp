@@ -1,4 +1,4 @@
-// Blocks with rounds of their own, which are not always there.
+// What is not always there, or may be somewhere else: blocks with rounds of their own, who takes a message.
 #include <string>
 
 #include "analyzer/analysis.hpp"
@@ -63,4 +63,16 @@ TEST_CASE("an event is lost with an answer that nobody wants any more") {
 TEST_CASE("a limit counts anew after what comes once") {
   // MC1 holds at 30, is told to go at 60, and holds again at 91.
   compare(pal::test::project_file("tests/figures/granted/commanded.pal"), {{65, 61}});
+}
+
+TEST_CASE("nobody knows which of two blocks takes a message that both wait for") {
+  is_refuted("taken_by_two");
+}
+
+TEST_CASE("nothing is known of a limit for a request") {
+  is_refuted("limit_for_a_request");
+}
+
+TEST_CASE("nothing is known of what a block within a block sends") {
+  is_refuted("sent_from_within");
 }

@@ -37,7 +37,8 @@ TEST_CASE("a loop in no time is looked for in a part of the classes") {
 }
 
 TEST_CASE("an answer that is sent twice is there before it is asked for") {
-  // LS1's second answer is SD1's spare one: it does not take the sensor's 2 ms.
+  // LS1's second answer is SD1's spare one: it does not take the sensor's 2 ms. So nothing is said of such
+  // skills.
   const auto skill = test::sound_skill(test::project_file("tests/property/sandwich/sent_twice.pal"));
   const Analysis above = analyze_compositionally(*skill->problem);
   const Analysis exact = analyze(*skill->problem);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <sstream>
 
@@ -88,11 +89,13 @@ TEST_CASE("simulated, exact and compositional come in this order for skills that
   }
 }
 
-TEST_CASE("simulated, exact and compositional come in this order for chains by chance") {
+namespace {
+
+void compare_chains(const std::function<test::ChainSystem(std::uint64_t)>& chains, std::uint64_t rounds) {
   Tally tally;
   const std::uint64_t first = setting("PAL_SEED", 1);
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 1'000); ++seed) {
-    const test::ChainSystem system = test::small_chains(seed);
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", rounds); ++seed) {
+    const test::ChainSystem system = chains(seed);
     INFO("seed " << seed << "\n" << test::text_of(system));
     analyzer::Problem problem = test::problem_of(system);
     // Every measure of some; of the others the exact analysis is asked for the responses alone.
@@ -101,6 +104,16 @@ TEST_CASE("simulated, exact and compositional come in this order for chains by c
     test::compare(problem, seed, everything ? 150 : 400, tally);
   }
   test::say(tally);
+}
+
+}  // namespace
+
+TEST_CASE("simulated, exact and compositional come in this order for chains by chance") {
+  compare_chains(test::small_chains, 1'000);
+}
+
+TEST_CASE("simulated, exact and compositional come in this order for chains whose events take their time") {
+  compare_chains(test::drifting_chains, 500);
 }
 
 TEST_CASE("simulated, exact and compositional come in this order for chains by conditions") {

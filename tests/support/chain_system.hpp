@@ -23,6 +23,7 @@ struct ChainSystem {
   struct Chain {
     analyzer::Nanoseconds period = 0;
     analyzer::Nanoseconds jitter = 0;
+    bool sporadic = false;
     std::vector<Stage> stages;
   };
   std::vector<bool> preemptive;  // by processor
@@ -117,6 +118,18 @@ inline ChainSystem small_chains(std::uint64_t seed) {
   return made;
 }
 
+/// The same where events may take their time, and what they bring about may come more than a period later.
+inline ChainSystem drifting_chains(std::uint64_t seed) {
+  std::mt19937_64 engine(seed * 31 + 7);
+  const auto below = [&engine](int n) { return static_cast<int>(engine() % static_cast<std::uint64_t>(n)); };
+  constexpr analyzer::Nanoseconds millisecond = 1'000'000;
+  ChainSystem made = small_chains(seed);
+  const analyzer::Nanoseconds soonest = below(12) * millisecond;
+  made.latency = {soonest, soonest + below(2) * millisecond};
+  for (ChainSystem::Chain& chain : made.chains) chain.sporadic = below(3) != 0;
+  return made;
+}
+
 /// 2 to 5 processors, 2 to 8 chains of 1 to 6 stages, load 30 to 90 %.
 inline ChainShape benchmark_shape(std::uint64_t seed) {
   std::mt19937_64 engine(seed * 977 + 5);
@@ -153,6 +166,7 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
     pan::EventDevice event;
     event.period = Duration(chain.period);
     event.jitter = Duration(chain.jitter);
+    event.sporadic = chain.sporadic;
     device.behaviour = event;
     device.event = static_cast<int>(made.channels.size());
     const int device_index = static_cast<int>(made.devices.size());
@@ -277,7 +291,8 @@ inline std::string text_of(const ChainSystem& system) {
     const std::string number = std::to_string(c + 1);
     const std::string clock = "clock-" + number;
     messages += "DEVICE " + clock + "\n";
-    environment += "  DEVICE " + clock + " EVENT x" + number + "-0 EVERY " + ns(chain.period) + " JITTER " +
+    environment += "  DEVICE " + clock + " EVENT x" + number +
+                   (chain.sporadic ? "-0 SPORADIC " : "-0 EVERY ") + ns(chain.period) + " JITTER " +
                    ns(chain.jitter) + "\n";
     for (std::size_t s = 0; s < chain.stages.size(); ++s) {
       const ChainSystem::Stage& stage = chain.stages[s];
