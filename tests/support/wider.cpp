@@ -130,7 +130,7 @@ std::string other_rhythm(pan::DeviceTiming& timing, std::mt19937_64& engine) {
   const bool other = chance(engine, 2) == 0;
   if (auto* frames = std::get_if<pan::FrameDevice>(&timing.behaviour)) {
     if (other) frames->period = period;
-    frames->collecting = chance(engine, 2) == 0 ? Duration{} : frames->period;
+    frames->collecting = chance(engine, 2) == 0 ? std::min(millisecond, frames->period) : frames->period;
     frames->phase = Duration{};
     return timing.device + " every " + text(frames->period) + " collecting " + text(frames->collecting) +
            ", ";
