@@ -28,6 +28,8 @@ class Observer {
       leftovers(static_cast<int>(t));
       returns(static_cast<int>(t));
     }
+    made_.early.assign(nodes, true);
+    for (const ThreadConduct& thread : made_.threads) find_early(thread);
     find_waits();
     for (std::size_t n = 0; n < nodes; ++n) made_.drains.push_back(drains(static_cast<int>(n)));
     protocol();
@@ -195,6 +197,20 @@ class Observer {
         if (!ends_within(fork.step)) of.trouble = name + " starts blocks again and again";
       }
     }
+  }
+
+  /// Conduct::early: no way leads from a wait at which a round begins to where the node begins.
+  void find_early(const ThreadConduct& of) {
+    std::set<int> late;
+    std::vector<int> open;
+    for (int n : of.rounds) open.push_back(beginning(n).step);
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      if (!late.insert(at).second) continue;
+      open.insert(open.end(), step_at(at).next.begin(), step_at(at).next.end());
+    }
+    for (int n : of.nodes) made_.early[static_cast<std::size_t>(n)] = !late.contains(beginning(n).step);
   }
 
   /// Whether a block stops when its siblings have ended.

@@ -27,10 +27,7 @@ Due Releases::latest(int n, const std::vector<std::string>& trouble, const std::
   const Due none{never};
   if (blocked[thread]) return none;
   const Beginning& begins = segment(n).beginning;
-  const Beginning& round = segment(round_of(n)).beginning;
-  // Trouble with rounds is none before they begin.
-  const bool waited = round.kind == Beginning::Kind::arm || round.kind == Beginning::Kind::give_up;
-  if (waited && !trouble[thread].empty()) return none;
+  if (!conduct.early[static_cast<std::size_t>(n)] && !trouble[thread].empty()) return none;
   switch (of.release) {
     case Node::Release::root:
       return source(n).kind == Source::Kind::event ? of_event(n) : Due{};

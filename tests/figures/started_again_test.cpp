@@ -76,3 +76,10 @@ TEST_CASE("nothing is known of a limit for a request") {
 TEST_CASE("nothing is known of what a block within a block sends") {
   is_refuted("sent_from_within");
 }
+
+TEST_CASE("what a thread brings about at its start may be taken in any of its rounds") {
+  // Each is told to stop while it waits for something else, in a round or between two limits.
+  is_refuted("told_later");
+  is_refuted("told_between_limits");
+  is_refuted("told_in_a_branch");
+}
