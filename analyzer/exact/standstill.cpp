@@ -40,7 +40,7 @@ std::vector<int> way_round(const ZoneGraph& graph) {
     const ZoneClass& from = graph.classes()[static_cast<std::size_t>(edge.from)];
     const Place& place = graph.places()[static_cast<std::size_t>(from.state)];
     const Move& move = place.moves[static_cast<std::size_t>(edge.move)];
-    if (from.zone.at(move.variable, 0) > 0) continue;
+    if (move.outcome.hurried || from.zone.at(move.variable, 0) > 0) continue;
     links.emplace_back(edge.from, edge.to);
     edges.push_back(static_cast<int>(e));
   }

@@ -53,7 +53,10 @@ void Firing::fill(int channel, int sender) {
   const bool alike = !near && stays_at_home(sender);
   const auto fly = [this, alike](SlotState::Way& way, int timer, Range latency) {
     if (latency.worst == 0) return;
-    if (latency.best == 0 && !alike && choices_.pick(2) == 1) return;
+    if (latency.best == 0 && !alike && choices_.pick(2) == 1) {
+      outcome_.hurried = true;
+      return;
+    }
     way = SlotState::Way::flying;
     start_timer(timer, latency);
   };

@@ -70,6 +70,7 @@ struct Outcome {
   std::vector<trace::Event> events;  // without times and serial numbers; only if recorded
   bool over_gone = false;            // what grew beyond the cap does so no more
   bool too_many = false;             // a count outgrew the machine: nothing may be concluded
+  bool hurried = false;              // a message's way that may take time took none
 };
 
 class Machine {
