@@ -225,6 +225,16 @@ std::set<int> takers_of_answer(const Problem& problem, int send) {
 }
 
 std::string out_of_turn(const Problem& problem, const Segments& segments) {
+  // Also of what nobody comes to ask for: its answer counts as one all the same.
+  for (std::size_t c = 0; c < problem.channels.size(); ++c) {
+    const Channel& request = problem.channels[c];
+    if (request.answer < 0) continue;
+    const std::string who = receiver_name(problem, static_cast<int>(c));
+    if (request.receiver_device >= 0 && !request.served)
+      return who + " is asked for " + request.message + ", which comes by itself";
+    if (request.receiver_device < 0 && !Answers(problem, request.answer).once())
+      return who + " may not answer each request for " + request.message + " once before it takes the next";
+  }
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
     const int send = static_cast<int>(s);
     const Step& step = problem.steps[s];
@@ -235,16 +245,11 @@ std::string out_of_turn(const Problem& problem, const Segments& segments) {
     const std::string who = problem.threads[static_cast<std::size_t>(segments.owner(send))].name;
     const std::string what = channel.message + " of " + receiver_name(problem, request);
     const Asked asked(problem, send);
-    if (channel.receiver_device >= 0 && !channel.served)
-      return who + " asks for " + what + ", which comes by itself";
     if (asked.again()) return who + " may ask for " + what + " again before it has the answer";
     if (asked.elsewhere()) return who + " asks for " + what + ", and another thread may take the answer";
     if (is_shared(problem, request)) return "blocks beside one another ask for " + what + " or wait for it";
     if (asked_after_cancelled(problem, request))
       return who + " may ask for " + what + " after a block that asked for it was cancelled";
-    if (channel.receiver_device < 0 && !Answers(problem, channel.answer).once())
-      return receiver_name(problem, request) + " may not answer each request for " + channel.message +
-             " once before it takes the next";
   }
   return {};
 }
