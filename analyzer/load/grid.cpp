@@ -60,7 +60,7 @@ std::size_t Grid::Hash::operator()(const std::vector<Nanoseconds>& key) const {
   return static_cast<std::size_t>(hash);
 }
 
-Grid::Grid(const Machine& machine, const Slice& slice) : machine_(machine), sliced_(machine), slice_(slice) {
+Grid::Grid(const Machine& machine, const Slice& slice) : sliced_(machine), slice_(slice) {
   sliced_.free_conditions = slice.free_conditions;
   unit_ = unit_of(machine.problem(), slice);
   unforced_.assign(static_cast<std::size_t>(machine.timer_count()), false);

@@ -78,7 +78,6 @@ class Grid {
   void arrive(int from, const Move& move, Nanoseconds time, std::vector<Nanoseconds>& left, std::size_t next,
               const std::vector<Range>& ranges);
 
-  const Machine& machine_;
   Machine sliced_;
   const Slice& slice_;
   Nanoseconds unit_ = 0;
