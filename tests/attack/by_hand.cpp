@@ -20,6 +20,7 @@ std::int64_t bound(const std::string& text) {
   INFO(verdict.explanation);
   CHECK(verdict.exact);
   CHECK(unconfirmed(*skill->problem, analysis) == "");
+  CHECK(unexplained(verdict) == "");
   const pan::Network& network = skill->specification.skills.front();
   const pan::Environment& environment = skill->specification.environments.front();
   AllRuns runs(network, environment, wanted(network, environment).front(), Duration(1'000'000), 2000);
