@@ -57,11 +57,10 @@ std::int64_t whole(const Json& value, const char* what,
 }
 
 FiledSeat seat_of(const Json& json) {
-  constexpr std::int64_t processors = 100;
+  constexpr int most = std::numeric_limits<int>::max();
   return {json.at("thread").get<std::string>(),
-          static_cast<int>(whole(json.at("processor"), "processor", 0, processors - 1)),
-          static_cast<int>(whole(json.at("priority"), "priority", std::numeric_limits<int>::min(),
-                                 std::numeric_limits<int>::max()))};
+          static_cast<int>(whole(json.at("processor"), "processor", 0, most - 1)),
+          static_cast<int>(whole(json.at("priority"), "priority", std::numeric_limits<int>::min(), most))};
 }
 
 Firing firing_of(const Json& json) {

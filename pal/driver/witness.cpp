@@ -48,6 +48,15 @@ FiledWitness filed(const analyzer::Problem& problem, const analyzer::Verdict& ve
   return made;
 }
 
+/// Where the environment has fewer, so many are added at most (pal whatif --place).
+constexpr std::size_t most_processors = 100;
+
+bool has_processors(const pan::Environment& environment, const FiledWitness& witness) {
+  const std::size_t all = std::max(environment.processors.size(), most_processors);
+  return std::all_of(witness.placement.begin(), witness.placement.end(),
+                     [all](const auto& seat) { return static_cast<std::size_t>(seat.processor) < all; });
+}
+
 /// The environment in which the witness has its threads.
 pan::Environment placed(const pan::Environment& environment, const FiledWitness& witness) {
   if (witness.placement.empty()) return environment;
@@ -150,6 +159,7 @@ std::string refusal(const FiledWitness& witness, Session& session) {
   for (const pan::Network& skill : session.specification.skills) {
     for (const pan::Environment& each : session.specification.environments) {
       if (skill.skill.name != witness.skill || each.name != witness.environment) continue;
+      if (!has_processors(each, witness)) return "a thread is on a processor that there is not";
       const pan::Environment environment = placed(each, witness);
       if (identity_of(skill, environment) != witness.identity) return "it is a run of other texts than these";
       const auto problem = analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);

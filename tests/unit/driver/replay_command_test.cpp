@@ -190,3 +190,29 @@ TEST_CASE("that no placement on one processor does is proved by a run for each")
   CHECK(refused.status == ExitStatus::not_met);
   CHECK(refused.out.find("it is a run of other texts than these") != std::string::npos);
 }
+
+TEST_CASE("a run on the last of very many processors is confirmed, and none beyond is looked for") {
+  std::ifstream in(std::string(PAL_SOURCE_DIR) + "/tests/attack/hand/all_zero.pal");
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  const auto insert = [&text](const std::string& before, const std::string& what) {
+    text.insert(text.find(before), what);
+  };
+  // It is not like the others, as a requirement names it.
+  insert("END SKILL", "  REQUIREMENT idle : LOAD OF Q129 AT MOST 0 %\n");
+  for (int q = 0; q < 130; ++q) insert("  DEVICE clock EVENT", "  PROCESSOR Q" + std::to_string(q) + "\n");
+  text.replace(text.find("obey : 0 ms"), 11, "obey : 7 ms");
+  const pal::MemoryFileSystem files({{"s.pal", text}});
+  const File file("replay_processors");
+  CHECK(pal::test::pal({"whatif", "s.pal", "--place", "1", "--witness", file.path()}, files).status ==
+        ExitStatus::not_met);
+  Json runs = file.read();
+  CHECK(runs.at("witnesses").back().at("placement").at(0).at("processor") == 130);
+  pal::MemoryFileSystem with_runs = files;
+  with_runs.add("runs.json", runs.dump());
+  CHECK(pal::test::pal({"replay", "runs.json", "s.pal"}, with_runs).status == ExitStatus::all_hold);
+  runs.at("witnesses").back().at("placement").at(0)["processor"] = 2'000'000'000;
+  with_runs.add("runs.json", runs.dump());
+  const Answer refused = pal::test::pal({"replay", "runs.json", "s.pal"}, with_runs);
+  CHECK(refused.status == ExitStatus::not_met);
+  CHECK(refused.out.find("a processor that there is not") != std::string::npos);
+}
