@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include "analyzer/compositional/flow.hpp"
+#include "analyzer/compositional/forest.hpp"
+#include "analyzer/compositional/rounds.hpp"
+
 namespace pal::analyzer::compositional {
 namespace {
 
@@ -202,14 +206,12 @@ class Observer {
   /// Conduct::early: no way leads from a wait at which a round begins to where the node begins.
   void find_early(const ThreadConduct& of) {
     std::set<int> late;
-    std::vector<int> open;
-    for (int n : of.rounds) open.push_back(beginning(n).step);
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (!late.insert(at).second) continue;
-      open.insert(open.end(), step_at(at).next.begin(), step_at(at).next.end());
-    }
+    std::vector<int> waits;
+    for (int n : of.rounds) waits.push_back(beginning(n).step);
+    follow(problem_, waits, [&late](int at) {
+      late.insert(at);
+      return Course::goes_on;
+    });
     for (int n : of.nodes) made_.early[static_cast<std::size_t>(n)] = !late.contains(beginning(n).step);
   }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "analyzer/compositional/rounds.hpp"
+
 namespace pal::analyzer::compositional {
 namespace {
 

@@ -2,37 +2,28 @@
 
 #include <algorithm>
 
+#include "analyzer/compositional/flow.hpp"
+#include "analyzer/compositional/protocol.hpp"
+#include "analyzer/compositional/refusal.hpp"
+#include "analyzer/compositional/rounds.hpp"
 #include "analyzer/compositional/sequence.hpp"
+#include "analyzer/compositional/takers.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
 
 using Kind = Step::Kind;
 
-struct Taker {
-  int thread;
-  int step;
-  int arm;
-};
-
 class Planter {
  public:
-  Planter(const Problem& problem, Forest& forest) : problem_(problem), forest_(forest), sequence_(problem) {
-    takers_.resize(problem.channels.size());
-    before_.resize(problem.steps.size());
+  Planter(const Problem& problem, Forest& forest)
+      : problem_(problem), forest_(forest), sequence_(problem), takers_(problem, forest.segments) {
     limited_.assign(problem.steps.size(), false);
     forest.withdrawn = withdrawn_requests(problem);
     for (std::size_t s = 0; s < problem.steps.size(); ++s) {
       const Step& step = problem.steps[s];
-      const int thread = forest.segments.owner(static_cast<int>(s));
-      if (thread < 0) continue;
-      for (int next : step.next) before_[static_cast<std::size_t>(next)].push_back(static_cast<int>(s));
-      if (step.kind != Kind::wait) continue;
+      if (step.kind != Kind::wait || forest.segments.owner(static_cast<int>(s)) < 0) continue;
       limited_[s] = step.within && !goes_round_by_limits(static_cast<int>(s));
-      for (std::size_t arm = 0; arm < step.channels.size(); ++arm) {
-        takers_[static_cast<std::size_t>(step.channels[arm])].push_back(
-            {thread, static_cast<int>(s), static_cast<int>(arm)});
-      }
     }
     most_nodes_ = 40 * problem.steps.size() + 4'000;
   }
@@ -62,17 +53,10 @@ class Planter {
 
   /// Whether the thread can come back to a wait by way of waits with limits alone.
   bool goes_round_by_limits(int wait) const {
-    std::set<int> seen;
-    std::vector<int> open(step_at(wait).next.begin(), step_at(wait).next.end());
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (at == wait) return true;
-      const Step& step = step_at(at);
-      if ((step.kind == Kind::wait && !step.within) || !seen.insert(at).second) continue;
-      open.insert(open.end(), step.next.begin(), step.next.end());
-    }
-    return false;
+    return follow(problem_, step_at(wait).next, [&](int at) {
+      if (at == wait) return Course::found;
+      return step_at(at).kind == Kind::wait && !step_at(at).within ? Course::ends : Course::goes_on;
+    });
   }
 
   void sources() {
@@ -139,7 +123,7 @@ class Planter {
     while (!open_.empty() && forest_.refusal.empty()) {
       const int at = open_.back();
       open_.pop_back();
-      follow(at);
+      add_effects(at);
     }
     open_.clear();
   }
@@ -154,7 +138,7 @@ class Planter {
     int device;
   };
 
-  void follow(int at) {
+  void add_effects(int at) {
     const Segment segment = forest_.segments[node(at).segment];
     const int source = node(at).source;
     for (std::vector<int>& sends : alternatives(segment)) {
@@ -222,7 +206,7 @@ class Planter {
 
   void message(const Link& link, int channel) {
     const std::optional<std::set<int>> known = takers_of(link, channel);
-    for (const Taker& taker : takers_[static_cast<std::size_t>(channel)]) {
+    for (const Taker& taker : takers_.of(channel)) {
       if (known && !known->contains(taker.step)) continue;
       // Such waits are counted by their own threads' rounds.
       if (limited_[static_cast<std::size_t>(taker.step)]) continue;
@@ -234,7 +218,7 @@ class Planter {
   std::optional<std::set<int>> takers_of(const Link& link, int channel) {
     const int request = problem_.channels[static_cast<std::size_t>(channel)].answers;
     if (request < 0) return {};
-    if (link.device >= 0) return takers_after(link.sends);
+    if (link.device >= 0) return takers_.after(link.sends);
     for (int at = link.cause; at >= 0; at = node(at).cause) {
       const Beginning& begins = forest_.segment_of(node(at)).beginning;
       const bool asked = begins.kind == Beginning::Kind::arm && node(at).release == Node::Release::message &&
@@ -242,41 +226,10 @@ class Planter {
                          step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)] == request;
       if (!asked) continue;
       // Between the two its module may have taken another request elsewhere, and answer that.
-      const auto is_this_one = [&](int send) { return last_taken_at(send, request, begins.step); };
-      const bool known = std::all_of(link.sends.begin(), link.sends.end(), is_this_one);
-      if (!known) return {};
-      return takers_after(node(at).sends);
+      if (!takers_.last_taken_at(link.sends, request, begins.step)) return {};
+      return takers_.after(node(at).sends);
     }
     return {};
-  }
-
-  /// Whether on all ways of a thread to `step` the last request is taken at `wait`.
-  bool last_taken_at(int step, int request, int wait) const {
-    std::set<int> seen;
-    std::vector<int> open{step};
-    while (!open.empty()) {
-      const int to = open.back();
-      open.pop_back();
-      if (!seen.insert(to).second) continue;
-      for (int from : before_[static_cast<std::size_t>(to)]) {
-        const Step& of = step_at(from);
-        bool other = of.kind != Kind::wait;  // ways from there that do not take a request
-        for (std::size_t i = 0; i < of.next.size(); ++i) {
-          if (of.kind != Kind::wait || of.next[i] != to) continue;
-          const bool taken = i < of.channels.size() && of.channels[i] == request;
-          if (taken && from != wait) return false;
-          other = other || !taken;
-        }
-        if (other) open.push_back(from);
-      }
-    }
-    return true;
-  }
-
-  std::set<int> takers_after(const std::vector<int>& sends) const {
-    std::set<int> all;
-    for (int send : sends) all.merge(takers_of_answer(problem_, send));
-    return all;
   }
 
   /// Whether a segment may begin after all that leads to it.
@@ -369,8 +322,7 @@ class Planter {
   const Problem& problem_;
   Forest& forest_;
   Sequence sequence_;
-  std::vector<std::vector<Taker>> takers_;
-  std::vector<std::vector<int>> before_;  // by step: those that it comes after in its thread
+  Takers takers_;
   std::vector<bool> limited_;  // by wait: each of its branches is counted as an effect of reaching it
   std::set<int> cuts_;
   std::set<int> found_;
@@ -395,32 +347,6 @@ Range latency(const Problem& problem, int channel, int sender, int receiver) {
   const bool same = problem.threads[static_cast<std::size_t>(sender)].processor ==
                     problem.threads[static_cast<std::size_t>(receiver)].processor;
   return same ? problem.within_processor : problem.between_processors;
-}
-
-bool ends_straight(const Problem& problem, int block) {
-  std::map<int, int> mark;  // 1: open, 2: done
-  std::vector<std::pair<int, std::size_t>> way{{problem.threads[static_cast<std::size_t>(block)].entry, 0}};
-  while (!way.empty()) {
-    auto& [at, place] = way.back();
-    const Step& step = problem.steps[static_cast<std::size_t>(at)];
-    if (place == 0) {
-      mark[at] = 1;
-      for (int inner : step.threads) {
-        if (problem.threads[static_cast<std::size_t>(inner)].can_end && !ends_straight(problem, inner))
-          return false;
-      }
-    }
-    if (place == step.next.size()) {
-      mark[at] = 2;
-      way.pop_back();
-      continue;
-    }
-    const int next = step.next[place++];
-    const int known = mark.contains(next) ? mark[next] : 0;
-    if (known == 1) return false;
-    if (known == 0) way.emplace_back(next, 0);
-  }
-  return true;
 }
 
 Forest forest_of(const Problem& problem) {

@@ -67,42 +67,6 @@ struct Forest {
 
 Forest forest_of(const Problem& problem);
 
-/// Whether a block comes to its end, if it does, without going round: what it does is bounded by what it
-/// waits for.
-bool ends_straight(const Problem& problem, int block);
-
-/// Why nothing can be said of a skill: in words for the reader, or nothing.
-std::string refusal_of(const Problem& problem, const Segments& segments);
-
-/// Where a request is not in turn: in words for the reader, or nothing. Else each is sent only when the
-/// answer to the one before has been taken, or given up, by the same thread, and is answered once, before its
-/// server takes the next. So an answer that is taken is that to the last request, and neither finds its slot
-/// full.
-std::string out_of_turn(const Problem& problem, const Segments& segments);
-
-/// By channel of requests: whether one may be withdrawn before it is taken, by who gives up waiting for the
-/// answer or is cancelled.
-std::vector<bool> withdrawn_requests(const Problem& problem);
-
-/// The waits that may take the answer to what `send` asks for.
-std::set<int> takers_of_answer(const Problem& problem, int send);
-
-/// Whether a segment may run more than once in the life of a skill, whatever causes it.
-bool recurrent(const Problem& problem, const Beginning& beginning);
-
-/// Least time between two beginnings of a segment of one thread.
-Nanoseconds least_round(const Problem& problem, const Beginning& beginning);
-
-/// Whether a thread that goes on by itself, with rounds that begin so, surely has to wait when it comes home:
-/// it gives up only after some time, or is there sooner after each request than the answer can be. It
-/// need not keep up with others for that: what it asks, it asks while it has its processor. `owned`: its
-/// steps.
-bool waits_at_home(const Problem& problem, const Beginning& round, const std::vector<bool>& owned);
-
-/// Least time between two effects of the steps `at` of one thread, by the shortest way; 0: its blocks begin
-/// again and again.
-Nanoseconds least_way(const Problem& problem, int thread, const std::vector<bool>& at);
-
 /// A message needs at least this from its put to where `receiver` can take it, and at most this.
 Range latency(const Problem& problem, int channel, int sender, int receiver);
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/passes.hpp"
+#include "analyzer/compositional/rounds.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "analyzer/compositional/rounds.hpp"
+
 namespace pal::analyzer::compositional {
 namespace {
 

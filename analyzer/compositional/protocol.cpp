@@ -1,8 +1,9 @@
-// Who asks whom, and when: the protocol of requests and answers.
+#include "analyzer/compositional/protocol.hpp"
+
 #include <algorithm>
 #include <iterator>
 
-#include "analyzer/compositional/forest.hpp"
+#include "analyzer/compositional/flow.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -18,26 +19,25 @@ bool sends(const Step& step, int channel) {
   return step.kind == Kind::send && step.channels.front() == channel;
 }
 
-/// Whether the flow comes from a step to such a one; `below`: that, or a block that it begins.
-template <class Such>
-bool comes_to(const Problem& problem, int from, bool below, const Such& such) {
-  std::set<int> seen;
-  std::vector<int> open{from};
-  while (!open.empty()) {
-    const int at = open.back();
-    open.pop_back();
-    if (!seen.insert(at).second) continue;
-    const Step& step = problem.steps[static_cast<std::size_t>(at)];
-    if (such(step)) return true;
-    open.insert(open.end(), step.next.begin(), step.next.end());
-    if (!below) continue;
-    for (int block : step.threads) open.push_back(problem.threads[static_cast<std::size_t>(block)].entry);
-  }
-  return false;
-}
-
 int entry_of(const Problem& problem, int thread) {
   return problem.threads[static_cast<std::size_t>(thread)].entry;
+}
+
+/// Whether the flow comes from a step to such a one.
+template <class Such>
+bool comes_to(const Problem& problem, int from, const Such& such) {
+  return follow(problem, {from}, [&](int at) {
+    return such(problem.steps[static_cast<std::size_t>(at)]) ? Course::found : Course::goes_on;
+  });
+}
+
+/// That, or a block that it begins.
+template <class Such>
+bool comes_below_to(const Problem& problem, int from, const Such& such) {
+  return comes_to(problem, from, [&](const Step& step) {
+    const auto in_block = [&](int block) { return comes_below_to(problem, entry_of(problem, block), such); };
+    return such(step) || std::any_of(step.threads.begin(), step.threads.end(), in_block);
+  });
 }
 
 /// Whether a module sends one answer to each request that it takes, in the thread that has taken it, before
@@ -95,7 +95,7 @@ class Answers {
     int serving = -1;
     for (int block : fork.threads) {
       const auto talks = [this](const Step& step) { return sends(step, answer_) || takes(step, request_); };
-      if (!comes_to(problem_, entry_of(problem_, block), false, talks)) continue;
+      if (!comes_to(problem_, entry_of(problem_, block), talks)) continue;
       if (serving >= 0 || owed != none) return false;
       serving = block;
     }
@@ -104,7 +104,7 @@ class Answers {
       reach(after, owed);
       return true;
     }
-    comes_to(problem_, entry_of(problem_, serving), false, [&](const Step& step) {
+    comes_to(problem_, entry_of(problem_, serving), [&](const Step& step) {
       if (step.kind == Kind::end) after_[static_cast<int>(&step - problem_.steps.data())] = after;
       return false;
     });
@@ -128,7 +128,7 @@ class Answers {
 bool is_shared(const Problem& problem, int request) {
   const int answer = problem.channels[static_cast<std::size_t>(request)].answer;
   const auto uses = [&](int block) {
-    return comes_to(problem, entry_of(problem, block), false,
+    return comes_to(problem, entry_of(problem, block),
                     [&](const Step& step) { return sends(step, request) || takes(step, answer); });
   };
   return std::any_of(problem.steps.begin(), problem.steps.end(), [&uses](const Step& fork) {
@@ -190,9 +190,9 @@ bool asked_after_cancelled(const Problem& problem, int request) {
   return std::any_of(problem.steps.begin(), problem.steps.end(), [&](const Step& fork) {
     const std::vector<int> cancelled = cancelled_blocks(problem, fork);
     const bool asked = std::any_of(cancelled.begin(), cancelled.end(), [&](int block) {
-      return comes_to(problem, entry_of(problem, block), false, asks);
+      return comes_to(problem, entry_of(problem, block), asks);
     });
-    return asked && comes_to(problem, fork.next.front(), true, asks);
+    return asked && comes_below_to(problem, fork.next.front(), asks);
   });
 }
 
@@ -209,7 +209,7 @@ std::vector<bool> withdrawn_requests(const Problem& problem) {
   }
   for (const Step& fork : problem.steps) {
     for (int block : cancelled_blocks(problem, fork)) {
-      comes_to(problem, entry_of(problem, block), false, [&](const Step& step) {
+      comes_to(problem, entry_of(problem, block), [&](const Step& step) {
         if (step.kind != Kind::send) return false;
         const auto channel = static_cast<std::size_t>(step.channels.front());
         withdrawn[channel] = withdrawn[channel] || problem.channels[channel].answer >= 0;

@@ -1,7 +1,9 @@
-// Skills of which nothing is said.
+#include "analyzer/compositional/refusal.hpp"
+
 #include <algorithm>
 
-#include "analyzer/compositional/forest.hpp"
+#include "analyzer/compositional/protocol.hpp"
+#include "analyzer/compositional/rounds.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/pace.hpp"
+#include "analyzer/compositional/rounds.hpp"
 #include "analyzer/compositional/slots.hpp"
 
 namespace pal::analyzer::compositional {

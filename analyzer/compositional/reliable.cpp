@@ -2,7 +2,9 @@
 #include <algorithm>
 
 #include "analyzer/compositional/demand.hpp"
+#include "analyzer/compositional/flow.hpp"
 #include "analyzer/compositional/measures.hpp"
+#include "analyzer/compositional/rounds.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -98,17 +100,17 @@ class Reliability {
   bool comes_home(int thread) const {
     const int home = conduct_.threads[static_cast<std::size_t>(thread)].home;
     if (home < 0) return false;
-    std::set<int> before{home};
-    std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (!before.insert(at).second) continue;
-      const Step& step = step_at(at);
-      if (step.kind == Kind::end || (step.kind == Kind::fork && !goes_on_after(step))) return false;
-      open.insert(open.end(), step.next.begin(), step.next.end());
-    }
-    return true;
+    return !follow(problem_, {entry_of(thread)}, [&](int at) {
+      if (at == home) return Course::ends;
+      return is_last(step_at(at)) ? Course::found : Course::goes_on;
+    });
+  }
+
+  int entry_of(int thread) const { return problem_.threads[static_cast<std::size_t>(thread)].entry; }
+
+  /// Whether its thread does not go on after a step.
+  bool is_last(const Step& step) const {
+    return step.kind == Kind::end || (step.kind == Kind::fork && !goes_on_after(step));
   }
 
   bool goes_on_after(const Step& fork) const {
@@ -125,16 +127,12 @@ class Reliability {
     const int fork = fork_of(thread);
     const int home = conduct_.threads[static_cast<std::size_t>(parent)].home;
     std::set<int> before;
-    std::vector<int> open{problem_.threads[static_cast<std::size_t>(parent)].entry};
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (at == fork || !before.insert(at).second) continue;
-      const Step& step = step_at(at);
-      if (at == home || step.kind == Kind::end || (step.kind == Kind::fork && !goes_on_after(step)))
-        return false;
-      open.insert(open.end(), step.next.begin(), step.next.end());
-    }
+    const bool passed_by = follow(problem_, {entry_of(parent)}, [&](int at) {
+      if (at == fork) return Course::ends;
+      before.insert(at);
+      return at == home || is_last(step_at(at)) ? Course::found : Course::goes_on;
+    });
+    if (passed_by) return false;
     for (int n : conduct_.threads[static_cast<std::size_t>(parent)].nodes) {
       for (const Segment::Arrival& at :
            forest_.segment_of(forest_.nodes[static_cast<std::size_t>(n)]).forks) {
@@ -281,7 +279,7 @@ class Reliability {
   /// Whether the thread has sent the request, and neither it nor a block of it has taken the answer, whenever
   /// it comes to the wait.
   bool surely_asked(int thread, int wait, int request, int answer) const {
-    std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
+    std::vector<int> open{entry_of(thread)};
     for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
       const Step& step = problem_.steps[s];
       if (forest_.segments.owner(static_cast<int>(s)) != thread) continue;
@@ -294,16 +292,11 @@ class Reliability {
         if (step.within) open.push_back(step.next.back());
       }
     }
-    std::set<int> seen;
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (at == wait) return false;
+    return !follow(problem_, open, [&](int at) {
+      if (at == wait) return Course::found;
       const Step& step = step_at(at);
-      if ((step.kind == Kind::send && step.channels.front() == request) || !seen.insert(at).second) continue;
-      open.insert(open.end(), step.next.begin(), step.next.end());
-    }
-    return true;
+      return step.kind == Kind::send && step.channels.front() == request ? Course::ends : Course::goes_on;
+    });
   }
 
   const Problem& problem_;

@@ -1,8 +1,9 @@
-// How soon a thread can come back to where it was.
+#include "analyzer/compositional/rounds.hpp"
+
 #include <algorithm>
 #include <queue>
 
-#include "analyzer/compositional/forest.hpp"
+#include "analyzer/compositional/flow.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -17,16 +18,7 @@ bool may_start_again(const Problem& problem, int thread) {
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
     const Step& fork = problem.steps[s];
     if (std::find(fork.threads.begin(), fork.threads.end(), thread) == fork.threads.end()) continue;
-    std::set<int> seen;
-    std::vector<int> open(fork.next.begin(), fork.next.end());
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (at == static_cast<int>(s)) return true;
-      if (!seen.insert(at).second) continue;
-      const auto& next = problem.steps[static_cast<std::size_t>(at)].next;
-      open.insert(open.end(), next.begin(), next.end());
-    }
+    if (comes_back(problem, static_cast<int>(s))) return true;
   }
   return may_start_again(problem, parent);
 }
@@ -35,19 +27,33 @@ bool may_start_again(const Problem& problem, int thread) {
 
 bool recurrent(const Problem& problem, const Beginning& beginning) {
   if (may_start_again(problem, beginning.thread)) return true;
-  if (beginning.kind == Beginning::Kind::entry) return false;
-  std::set<int> seen;
-  const Step& first = problem.steps[static_cast<std::size_t>(beginning.step)];
-  std::vector<int> open(first.next.begin(), first.next.end());
-  while (!open.empty()) {
-    const int at = open.back();
-    open.pop_back();
-    if (at == beginning.step) return true;
-    if (!seen.insert(at).second) continue;
-    const auto& next = problem.steps[static_cast<std::size_t>(at)].next;
-    open.insert(open.end(), next.begin(), next.end());
+  return beginning.kind != Beginning::Kind::entry && comes_back(problem, beginning.step);
+}
+
+bool ends_straight(const Problem& problem, int block) {
+  std::map<int, int> mark;  // 1: open, 2: done
+  std::vector<std::pair<int, std::size_t>> way{{problem.threads[static_cast<std::size_t>(block)].entry, 0}};
+  while (!way.empty()) {
+    auto& [at, place] = way.back();
+    const Step& step = problem.steps[static_cast<std::size_t>(at)];
+    if (place == 0) {
+      mark[at] = 1;
+      for (int inner : step.threads) {
+        if (problem.threads[static_cast<std::size_t>(inner)].can_end && !ends_straight(problem, inner))
+          return false;
+      }
+    }
+    if (place == step.next.size()) {
+      mark[at] = 2;
+      way.pop_back();
+      continue;
+    }
+    const int next = step.next[place++];
+    const int known = mark.contains(next) ? mark[next] : 0;
+    if (known == 1) return false;
+    if (known == 0) way.emplace_back(next, 0);
   }
-  return false;
+  return true;
 }
 
 namespace {
@@ -117,17 +123,11 @@ class Shortest {
 
   /// Whether a wait can be reached without the request that it waits for having been sent on the way.
   bool reaches_unasked(int first, int wait, int request) const {
-    std::set<int> seen;
-    std::vector<int> open{first};
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (at == wait) return true;
+    return follow(problem_, {first}, [&](int at) {
+      if (at == wait) return Course::found;
       const Step& step = problem_.steps[static_cast<std::size_t>(at)];
-      if ((step.kind == Kind::send && step.channels.front() == request) || !seen.insert(at).second) continue;
-      open.insert(open.end(), step.next.begin(), step.next.end());
-    }
-    return false;
+      return step.kind == Kind::send && step.channels.front() == request ? Course::ends : Course::goes_on;
+    });
   }
 
  private:

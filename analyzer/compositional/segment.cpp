@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "analyzer/compositional/flow.hpp"
+
 namespace pal::analyzer::compositional {
 namespace {
 
@@ -56,20 +58,11 @@ class Order {
 bool comes_after(const Problem& problem, const Segment& segment, int first, int second) {
   std::set<int> inside;
   for (const Segment::Passed& passed : segment.steps) inside.insert(passed.step);
-  const auto next = [&](int step) -> const std::vector<int>& {
-    return problem.steps[static_cast<std::size_t>(step)].next;
-  };
-  std::vector<int> open(next(first).begin(), next(first).end());
-  std::set<int> seen;
-  while (!open.empty()) {
-    const int at = open.back();
-    open.pop_back();
-    if (at == second) return true;
-    if (stops(problem.steps[static_cast<std::size_t>(at)]) || !inside.contains(at) || !seen.insert(at).second)
-      continue;
-    open.insert(open.end(), next(at).begin(), next(at).end());
-  }
-  return false;
+  return follow(problem, problem.steps[static_cast<std::size_t>(first)].next, [&](int at) {
+    if (at == second) return Course::found;
+    const bool last = stops(problem.steps[static_cast<std::size_t>(at)]) || !inside.contains(at);
+    return last ? Course::ends : Course::goes_on;
+  });
 }
 
 Segments::Segments(const Problem& problem) : problem_(problem), owner_(problem.steps.size(), -1) {

@@ -1,6 +1,7 @@
 #include "analyzer/compositional/sequence.hpp"
 
-#include "analyzer/compositional/forest.hpp"
+#include "analyzer/compositional/flow.hpp"
+#include "analyzer/compositional/rounds.hpp"
 
 namespace pal::analyzer::compositional {
 
@@ -14,14 +15,10 @@ Sequence::Sequence(const Problem& problem) : problem_(problem), started_by_(prob
 const std::set<int>& Sequence::after(int step) {
   const auto [place, fresh] = after_.emplace(step, std::set<int>{});
   if (!fresh) return place->second;
-  std::vector<int> open = problem_.steps[static_cast<std::size_t>(step)].next;
-  while (!open.empty()) {
-    const int at = open.back();
-    open.pop_back();
-    if (!place->second.insert(at).second) continue;
-    const auto& next = problem_.steps[static_cast<std::size_t>(at)].next;
-    open.insert(open.end(), next.begin(), next.end());
-  }
+  follow(problem_, problem_.steps[static_cast<std::size_t>(step)].next, [&](int at) {
+    place->second.insert(at);
+    return Course::goes_on;
+  });
   return place->second;
 }
 

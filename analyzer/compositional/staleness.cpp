@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "analyzer/compositional/flow.hpp"
+
 namespace pal::analyzer::compositional {
 namespace {
 
@@ -101,16 +103,10 @@ class Staleness {
 
   /// Every way from the beginning of a module to its first home or CONCURRENT sets the condition.
   bool sets_before_rounds(int thread) const {
-    std::vector<int> open{problem_.threads[static_cast<std::size_t>(thread)].entry};
-    std::set<int> seen;
-    while (!open.empty()) {
-      const int at = open.back();
-      open.pop_back();
-      if (sets(at) || !seen.insert(at).second) continue;
-      if (at == conduct(thread).home || step_at(at).kind == Kind::fork) return false;
-      open.insert(open.end(), step_at(at).next.begin(), step_at(at).next.end());
-    }
-    return true;
+    return !follow(problem_, {problem_.threads[static_cast<std::size_t>(thread)].entry}, [&](int at) {
+      if (sets(at)) return Course::ends;
+      return at == conduct(thread).home || step_at(at).kind == Kind::fork ? Course::found : Course::goes_on;
+    });
   }
 
   const View& view_;
