@@ -1,8 +1,8 @@
 #include "analyzer/compositional/compositional.hpp"
 
 #include "analyzer/compositional/account.hpp"
-#include "analyzer/compositional/apart.hpp"
-#include "analyzer/compositional/measures.hpp"
+#include "analyzer/compositional/causes/apart.hpp"
+#include "analyzer/compositional/measures/measures.hpp"
 
 namespace pal::analyzer {
 namespace {
