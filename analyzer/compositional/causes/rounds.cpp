@@ -6,9 +6,18 @@
 #include "analyzer/compositional/causes/flow.hpp"
 
 namespace pal::analyzer::compositional {
-namespace {
 
 using Kind = Step::Kind;
+
+int fork_of(const Problem& problem, int block) {
+  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    const auto& blocks = problem.steps[s].threads;
+    if (std::find(blocks.begin(), blocks.end(), block) != blocks.end()) return static_cast<int>(s);
+  }
+  return -1;
+}
+
+namespace {
 
 bool may_start_again(const Problem& problem, int thread) {
   // A block is started by a fork; that comes again if the flow can come back to it, or its thread may start

@@ -10,6 +10,9 @@ namespace pal::analyzer::compositional {
 /// Whether a segment may run more than once in the life of a skill, whatever causes it.
 bool recurrent(const Problem& problem, const Beginning& beginning);
 
+/// The CONCURRENT that starts a block; -1: none.
+int fork_of(const Problem& problem, int block);
+
 /// Whether a block comes to its end, if it does, without going round: what it does is bounded by what it
 /// waits for.
 bool ends_straight(const Problem& problem, int block);

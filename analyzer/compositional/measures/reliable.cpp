@@ -300,14 +300,6 @@ bool may_leave(const Problem& problem, int thread) {
          !recurrent(problem, {Beginning::Kind::entry, thread, -1, -1});
 }
 
-int fork_of(const Problem& problem, int block) {
-  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
-    const auto& blocks = problem.steps[s].threads;
-    if (std::find(blocks.begin(), blocks.end(), block) != blocks.end()) return static_cast<int>(s);
-  }
-  return -1;
-}
-
 Endurance::Threads threads_that_endure(const Problem& problem, const Forest& forest, const Conduct& conduct,
                                        const Times& times, bool steady) {
   return Reliability(problem, forest, conduct, times, steady).run();

@@ -12,7 +12,4 @@ Endurance::Threads threads_that_endure(const Problem& problem, const Forest& for
 /// Whether a thread is a block, once in a skill's life, which may end in any of its rounds.
 bool may_leave(const Problem& problem, int thread);
 
-/// The CONCURRENT that starts a block; -1: none.
-int fork_of(const Problem& problem, int block);
-
 }  // namespace pal::analyzer::compositional

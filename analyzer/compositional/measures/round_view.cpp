@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "analyzer/compositional/causes/rounds.hpp"
+
 namespace pal::analyzer::compositional {
 
 bool in_round(const View& view, int node) {
@@ -20,19 +22,6 @@ int source_of_rounds(const View& view, int thread) {
   }
   return source;
 }
-
-namespace {
-
-/// The CONCURRENT that starts a block.
-int fork_of(const Problem& problem, int block) {
-  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
-    const auto& blocks = problem.steps[s].threads;
-    if (std::find(blocks.begin(), blocks.end(), block) != blocks.end()) return static_cast<int>(s);
-  }
-  return -1;
-}
-
-}  // namespace
 
 bool starts_in_rounds(const View& view, int thread) {
   const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];

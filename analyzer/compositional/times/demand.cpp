@@ -143,8 +143,8 @@ void Demand::find_order(const std::vector<bool>& home_again) {
 
 Nanoseconds Demand::greatest_jitter(int node) const {
   const Source& of = ground_.source(node);
-  if (of.period == never) return never;
-  return of.jitter + (2 * ground_.node(node).depth + 2) * of.period;
+  const Nanoseconds periods = 2 * ground_.node(node).depth + 2;
+  return of.period >= (never - of.jitter) / periods ? never : of.jitter + periods * of.period;
 }
 
 void Demand::announce(int node, const NodeTimes& times) {
