@@ -50,8 +50,9 @@ std::vector<bool> asked_for(const Problem& problem) {
   std::vector<bool> at(problem.steps.size());
   for (const Requirement& requirement : problem.requirements) {
     const std::vector<bool> sends = sends_of_events(problem, requirement);
-    for (std::size_t s = 0; s < requirement.at.size(); ++s) at[s] = at[s] || requirement.at[s];
-    for (std::size_t s = 0; s < sends.size(); ++s) at[s] = at[s] || sends[s];
+    for (std::size_t s = 0; s < at.size(); ++s) {
+      if (sends[s] || (s < requirement.at.size() && requirement.at[s])) at[s] = true;
+    }
   }
   return at;
 }

@@ -102,6 +102,11 @@ Bound to_message(const View& view, const Requirement& requirement) {
 
 std::vector<bool> sends_of_events(const Problem& problem, const Requirement& requirement) {
   std::vector<bool> sends(problem.steps.size());
+  const bool by_device =
+      std::all_of(requirement.events.begin(), requirement.events.end(), [&problem](int channel) {
+        return problem.channels[static_cast<std::size_t>(channel)].sender_device >= 0;
+      });
+  if (by_device) return sends;  // no step sends them
   for (std::size_t s = 0; s < sends.size(); ++s) {
     const Step& step = problem.steps[s];
     sends[s] = step.kind == Step::Kind::send && requirement.is_event(step.channels.front());

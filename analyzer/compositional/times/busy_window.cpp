@@ -29,6 +29,15 @@ bool counts(const Task* asker, int transaction, int task) {
          !std::binary_search(asker->without.begin(), asker->without.end(), std::pair{transaction, task});
 }
 
+/// Where to begin looking for the least window in which `fixed`, `carried` and `share` of its length fit, and
+/// perhaps more: not above it (M. Sjödin and H. Hansson, Improved response-time analysis calculations, 1998).
+Nanoseconds least_window(Nanoseconds fixed, double share, double carried) {
+  constexpr double rounding = 1e-9;
+  const double least = (static_cast<double>(fixed) + carried) / (1 - share) * (1 - rounding);
+  if (least >= static_cast<double>(longest_window)) return std::max(fixed, longest_window);
+  return least > 0 ? std::max(fixed, static_cast<Nanoseconds>(least)) : fixed;
+}
+
 /// Whether `task` comes, in one occurrence, only after `before` is done.
 bool follows(const Transaction& of, int before, int task) {
   const auto& followers = of.tasks[static_cast<std::size_t>(before)].followers;
@@ -44,9 +53,12 @@ int BusyWindows::add(Transaction transaction) {
   for (std::size_t t = 0; t < transaction.tasks.size(); ++t) {
     auto& groups = by_processor_[static_cast<std::size_t>(transaction.tasks[t].processor)];
     const int priority = transaction.tasks[t].priority;
-    if (processors.insert(transaction.tasks[t].processor).second) groups.push_back({index, priority, {}});
+    if (processors.insert(transaction.tasks[t].processor).second) groups.push_back({index, priority, {}, {}});
     groups.back().priority = std::max(groups.back().priority, priority);
     groups.back().tasks.push_back(static_cast<int>(t));
+    const double cost = static_cast<double>(transaction.tasks[t].cost);
+    const bool once = transaction.period == never;
+    groups.back().shares.push_back(once ? 0 : cost / static_cast<double>(transaction.period));
   }
   for (const int processor : processors) {
     auto& groups = by_processor_[static_cast<std::size_t>(processor)];
@@ -177,14 +189,40 @@ Nanoseconds BusyWindows::of_siblings(int transaction, int task, Shares* shares) 
   return work;
 }
 
+BusyWindows::Load BusyWindows::load_of(int transaction, const Task& self) const {
+  Load load;
+  for (const Group& group : by_processor_[static_cast<std::size_t>(self.processor)]) {
+    if (group.priority < self.priority) break;
+    const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+    const bool foreign = group.transaction != transaction;
+    for (std::size_t t = 0; t < group.tasks.size(); ++t) {
+      const Task& task = of.tasks[static_cast<std::size_t>(group.tasks[t])];
+      if (task.priority < self.priority || task.cost == 0) continue;
+      if (!counts(&self, group.transaction, group.tasks[t])) continue;
+      load.bounded = load.bounded && task.cost < never && (of.period == never || task.jitter < never);
+      load.whole += group.shares[t];
+      if (!foreign) continue;
+      load.share += group.shares[t];
+      // A task that is alone has one release more than its share; of several not all need have it.
+      if (of.period == never) {
+        load.carried += static_cast<double>(task.cost);
+      } else {
+        load.carried += static_cast<double>(task.jitter) * group.shares[t];
+        if (group.tasks.size() > 1) load.carried -= static_cast<double>(task.cost);
+      }
+    }
+  }
+  return load;
+}
+
 BusyWindows::Critical BusyWindows::critical_once(int transaction, int task, Nanoseconds part,
-                                                 Nanoseconds blocking, Since since) const {
+                                                 Nanoseconds blocking, Since since, const Load& load) const {
   const Task& self =
       transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)];
   const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
   const bool preemptive = preemptive_[static_cast<std::size_t>(self.processor)];
   const Nanoseconds fixed = blocking + of_siblings(transaction, task, nullptr) + (preemptive ? part : 0);
-  Nanoseconds window = fixed;
+  Nanoseconds window = least_window(fixed, load.share, load.carried);
   for (int round = 0; round < most_rounds; ++round) {
     const Nanoseconds next = fixed + of_others(groups, transaction, &self, self.priority, window);
     if (next == window) {
@@ -246,20 +284,9 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
   if (blocking >= never || self.jitter >= never) return {never};
   const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
   const bool preemptive = preemptive_[static_cast<std::size_t>(self.processor)];
-  double demand = 0;
-  for (const Group& group : groups) {
-    if (group.priority < self.priority) break;
-    const Transaction& each = transactions_[static_cast<std::size_t>(group.transaction)];
-    for (int t : group.tasks) {
-      const Task& other = each.tasks[static_cast<std::size_t>(t)];
-      if (other.priority < self.priority || other.cost == 0) continue;
-      if (!counts(&self, group.transaction, t)) continue;
-      if (other.cost >= never || (other.jitter >= never && each.period != never)) return {never};
-      if (each.period != never) demand += static_cast<double>(other.cost) / static_cast<double>(each.period);
-    }
-  }
-  if (demand >= 1) return {never};
-  if (of.period == never) return critical_once(transaction, task, part, blocking, since);
+  const Load load = load_of(transaction, self);
+  if (!load.bounded || load.whole >= 1) return {never};
+  if (of.period == never) return critical_once(transaction, task, part, blocking, since, load);
 
   const Group& own = *group_of(transaction, self.processor);
   const bool drifting = drifts_from(own, task);
@@ -271,13 +298,13 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
     if (drifting && scenario != task) continue;
     const Nanoseconds due = phase(of, first, self);
     const Nanoseconds piled = (self.jitter + due) / of.period;
-    Nanoseconds window = 0;
+    // Until the part is done (preemptive), or begins (not preemptive): the windows of later jobs last longer.
+    Nanoseconds begun = 0;
     for (Nanoseconds job = 1 - piled;; ++job) {
-      // Until the part is done (preemptive), or begins (not preemptive).
       const Asked asked{&self, task, true, due + (job - 1) * of.period - self.offset, drifting};
       const Asked all{&self, task, false, 0, drifting};
       const auto settle = [&](Nanoseconds fixed, const Asked& but) {
-        Nanoseconds at = std::max(window, fixed);
+        Nanoseconds at = std::max(begun, least_window(fixed, load.share, load.carried));
         while (++rounds < most_rounds) {
           const Nanoseconds next = fixed + of_others(groups, transaction, &self, self.priority, at) +
                                    of_scenario(own, scenario, but, self.priority, at);
@@ -288,28 +315,18 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
         return never;
       };
       const Nanoseconds before = blocking + (job + piled - 1) * self.cost;
-      Nanoseconds done = never;
-      Nanoseconds whole = never;
-      if (preemptive) {
-        done = settle(before + part, asked);
-        if (done >= never) return {never};
-        const bool same = part == self.cost && self.followers.empty();
-        whole = same ? done : settle(before + self.cost, all);
-        window = 0;
-      } else {
-        const Nanoseconds begins = settle(before, asked);
-        if (begins >= never) return {never};
-        done = begins + part;
-        // What came while it ran is still to be done: the window goes on (R. I. Davis and others, 2007).
-        whole = settle(before + self.cost, all);
-        window = 0;
-      }
+      begun = settle(before + (preemptive ? part : 0), asked);
+      if (begun >= never) return {never};
+      const Nanoseconds done = preemptive ? begun : begun + part;
+      // What came while it ran is still to be done: the window goes on (R. I. Davis and others, 2007).
+      const bool over = preemptive && part == self.cost && self.followers.empty();
+      const Nanoseconds whole = over ? done : settle(before + self.cost, all);
       if (whole >= never) return {never};
       // The job is released when it is due or later, and not before the window begins.
       const Nanoseconds released = due + (job - 1) * of.period;
       const Nanoseconds finish =
           since == Since::release ? done - std::max<Nanoseconds>(0, released) : done - released + self.offset;
-      if (finish > latest.finish) latest = {finish, preemptive ? done : done - part, scenario, job};
+      if (finish > latest.finish) latest = {finish, begun, scenario, job};
       if (whole < due + job * of.period) break;
     }
   }

@@ -108,6 +108,16 @@ class BusyWindows {
     int transaction;
     int priority;  // the greatest of them
     std::vector<int> tasks;
+    std::vector<double> shares;  // of the processor that each needs; 0: of a transaction that occurs once
+  };
+
+  /// What counts in a window of a task, other than its own transaction: at least `share` of its length, and
+  /// `carried` more.
+  struct Load {
+    double share = 0;
+    double carried = 0;
+    double whole = 0;  // share, and that of the own transaction
+    bool bounded = true;
   };
 
   /// The job that is asked about, and what is known to come after it: its followers of the occurrence at
@@ -143,10 +153,11 @@ class BusyWindows {
   bool drifts(const Group& group, const Task* asker, int priority) const;
   /// The same of others and a task of their own transaction, whose jobs count from their occurrences.
   bool drifts_from(const Group& group, int task) const;
+  Load load_of(int transaction, const Task& self) const;
   Nanoseconds of_siblings(int transaction, int task, Shares* shares) const;
   Critical critical(int transaction, int task, Nanoseconds part, Nanoseconds blocking, Since since) const;
-  Critical critical_once(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
-                         Since since) const;
+  Critical critical_once(int transaction, int task, Nanoseconds part, Nanoseconds blocking, Since since,
+                         const Load& load) const;
   const Group* group_of(int transaction, int processor) const;
   Nanoseconds window(int processor, int priority, Nanoseconds cost) const;
 

@@ -1,6 +1,7 @@
 #include "analyzer/compositional/times/times.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "analyzer/compositional/times/demand.hpp"
 #include "analyzer/compositional/times/pace.hpp"
@@ -14,6 +15,8 @@ namespace {
 using Kind = Step::Kind;
 
 constexpr int most_passes = 400;
+constexpr int everybody = std::numeric_limits<int>::max();
+constexpr int nobody = std::numeric_limits<int>::min();
 
 /// The nodes with their earliest releases, and as if nothing ever had to wait.
 std::vector<NodeTimes> unhindered(const Ground& ground, const std::vector<bool>& at) {
@@ -113,14 +116,20 @@ class Solver : private Ground {
     return false;
   }
 
-  /// Nodes whose work a change of node's release can delay stand on its processor.
+  /// The greatest priority of those that a change of a node's release can delay: they stand on its processor,
+  /// and if that is not preemptive they may be of any.
+  int delays_up_to(const Thread& thread) const {
+    const bool preemptive = problem.processors[static_cast<std::size_t>(thread.processor)].preemptive;
+    return preemptive ? thread.priority : everybody;
+  }
+
   void solve() {
     for (std::size_t n = 0; n < forest.nodes.size(); ++n) demand_.announce(static_cast<int>(n), nodes_[n]);
-    std::vector<bool> dirty(problem.processors.size(), true);
+    std::vector<int> dirty(problem.processors.size(), everybody);  // by processor: delays_up_to()
     for (int pass = 0; pass < most_passes; ++pass) {
       find_bursts();
-      std::vector<bool> now = dirty;
-      dirty.assign(dirty.size(), false);
+      std::vector<int> now = dirty;
+      dirty.assign(dirty.size(), nobody);
       bool changed = false;
       for (std::size_t i = 0; i < forest.nodes.size(); ++i) {
         const int n = static_cast<int>(i);
@@ -128,14 +137,15 @@ class Solver : private Ground {
           times_.interrupted = true;
           return;
         }
-        const auto processor = static_cast<std::size_t>(
-            problem.threads[static_cast<std::size_t>(forest.thread_of(n))].processor);
+        const Thread& thread = thread_of(n);
+        const auto processor = static_cast<std::size_t>(thread.processor);
         const Nanoseconds latest = std::max(times(n).latest, latest_release(n));
-        if (!now[processor] && latest == times(n).latest && !held_longer(n)) continue;
+        const bool delayed = thread.priority <= now[processor];
+        if (!delayed && latest == times(n).latest && !held_longer(n)) continue;
         if (update(n)) {
           changed = true;
-          dirty[processor] = true;
-          now[processor] = true;
+          dirty[processor] = std::max(dirty[processor], delays_up_to(thread));
+          now[processor] = std::max(now[processor], delays_up_to(thread));
         }
       }
       if (!changed) return;
