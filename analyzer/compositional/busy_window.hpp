@@ -22,6 +22,11 @@ inline Nanoseconds plus(Nanoseconds a, Nanoseconds b) {
   return a >= never - b ? never : a + b;
 }
 
+/// Work of so many jobs. Saturates at `never`.
+inline Nanoseconds work_of(Nanoseconds jobs, Nanoseconds cost) {
+  return cost > 0 && jobs > never / cost ? never : jobs * cost;
+}
+
 /// Work that each occurrence of its transaction releases at most once, between `offset` and `offset + jitter`
 /// after the occurrence.
 struct Task {
