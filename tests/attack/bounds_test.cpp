@@ -176,6 +176,15 @@ TEST_CASE("a processor that can do nothing but work has no longest busy period")
   CHECK(bound.state != Verdict::State::holds);
 }
 
+TEST_CASE("a round of more than seventy years is a round") {
+  std::string works;
+  for (int n = 0; n < 2400; ++n) works += "    work\n";
+  const auto skill = test::meaningful_skill(replaced(program("long"), "    work\n", works));
+  const Verdict load = analyze_compositionally(*skill->problem).verdicts.front();
+  REQUIRE(load.bound);
+  CHECK(load.bound->count() == 1'000'000'000);
+}
+
 TEST_CASE("a load whose round has a thousand actions and more ends in time") {
   // Its linear program has a round of more terms than Z3 minds its limit on time for: it went on for more
   // than ten minutes.
