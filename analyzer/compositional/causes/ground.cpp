@@ -35,18 +35,18 @@ Nanoseconds earliest_release(const Ground& ground, int n, const std::vector<Nano
   if (node.release == Release::message) {
     Nanoseconds sent = never;
     for (int send : node.sends) sent = std::min(sent, best_effect(ground.segment(node.cause), send));
-    value = at(node.cause) + sent + ground.way(n).best;
+    value = plus(plus(at(node.cause), sent), ground.way(n).best);
   }
   const auto& previous = ground.conduct.previous[static_cast<std::size_t>(n)];
   const Beginning& begins = ground.segment(n).beginning;
   if (!previous.empty()) {
     Nanoseconds soonest = never;
     for (int before : previous)
-      soonest = std::min(soonest, at(before) + best_arrival(ground.segment(before), begins.step));
+      soonest = std::min(soonest, plus(at(before), best_arrival(ground.segment(before), begins.step)));
     const bool gives_up = begins.kind == Beginning::Kind::give_up;
-    value = std::max(value, soonest + (gives_up ? ground.step_at(begins.step).within.value_or(0) : 0));
+    value = std::max(value, plus(soonest, gives_up ? ground.step_at(begins.step).within.value_or(0) : 0));
   } else if (node.release == Release::fork) {
-    value = at(node.cause) + best_arrival(ground.segment(node.cause), node.cause_step);
+    value = plus(at(node.cause), best_arrival(ground.segment(node.cause), node.cause_step));
   }
   return value;
 }

@@ -67,6 +67,11 @@ bool ends_straight(const Problem& problem, int block) {
 
 namespace {
 
+/// However long a way is, it leads somewhere.
+Nanoseconds later(Nanoseconds time, Nanoseconds by) {
+  return std::min(plus(time, by), never - 1);
+}
+
 /// Shortest ways through threads, with the least that each action, limit and answer takes.
 class Shortest {
  public:
@@ -86,16 +91,18 @@ class Shortest {
       if (ends(index)) return time;
       if (!reached.emplace(index, time).second) continue;
       const Step& step = problem_.steps[static_cast<std::size_t>(index)];
-      if (step.kind == Kind::send) sent.emplace(step.channels.front(), time + step.cost.best);
+      if (step.kind == Kind::send) sent.emplace(step.channels.front(), later(time, step.cost.best));
       for (std::size_t i = 0; i < step.next.size(); ++i) {
-        Nanoseconds after = time + step.cost.best;
+        Nanoseconds after = later(time, step.cost.best);
         if (step.kind == Kind::wait && i == step.channels.size()) {
-          after = time + step.within.value_or(0) + step.give_up_cost.best;
+          after = later(later(time, step.within.value_or(0)), step.give_up_cost.best);
         } else if (step.kind == Kind::wait) {
           const int request = problem_.channels[static_cast<std::size_t>(step.channels[i])].answers;
           const bool asked =
               request >= 0 && sent.contains(request) && !reaches_unasked(first, index, request);
-          if (asked) after = std::max(time, sent[request] + answer(step.channels[i], depth)) + step.cost.best;
+          if (asked)
+            after =
+                later(std::max(time, later(sent[request], answer(step.channels[i], depth))), step.cost.best);
         }
         open.emplace(after, step.next[i]);
       }
@@ -157,7 +164,7 @@ Nanoseconds least_round(const Problem& problem, const Beginning& beginning) {
   const Nanoseconds around =
       shortest.way(home.next[branch], into, 0, [&](int step) { return step == beginning.step; });
   if (around >= never) return never;
-  if (gives_up) return around + home.within.value_or(0);
+  if (gives_up) return later(around, home.within.value_or(0));
   const int answer = home.channels[branch];
   const int request = problem.channels[static_cast<std::size_t>(answer)].answers;
   if (request < 0) return around;
@@ -167,7 +174,7 @@ Nanoseconds least_round(const Problem& problem, const Beginning& beginning) {
     const Step& step = problem.steps[static_cast<std::size_t>(index)];
     return step.kind == Kind::send && step.channels.front() == request;
   });
-  return asked >= never ? around : std::max(around, asked + shortest.answer(answer, 0));
+  return asked >= never ? around : std::max(around, later(asked, shortest.answer(answer, 0)));
 }
 
 namespace {
@@ -238,7 +245,7 @@ Nanoseconds least_way(const Problem& problem, int thread, const std::vector<bool
     itself =
         std::min(itself, step.within ? std::min(step.cost.best, step.give_up_cost.best) : step.cost.best);
   }
-  return plus(least, itself);
+  return least >= never ? never : later(least, itself);
 }
 
 }  // namespace pal::analyzer::compositional

@@ -92,8 +92,9 @@ Nanoseconds BusyWindows::of_scenario(const Group& group, int scenario, const Ask
       const Nanoseconds before = (asked.occurrence + task.offset - due) / of.period;
       jobs = std::min(jobs, std::max<Nanoseconds>(0, before + (task.jitter + due) / of.period));
     }
-    work += jobs * task.cost;
-    if (shares != nullptr) shares->push_back({group.transaction, t, jobs, jobs * task.cost});
+    const Nanoseconds share = work_of(jobs, task.cost);
+    work = plus(work, share);
+    if (shares != nullptr) shares->push_back({group.transaction, t, jobs, share});
   }
   return work;
 }
@@ -138,8 +139,9 @@ Nanoseconds BusyWindows::of_group(const Group& group, const Task* asker, int pri
     if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, t)) continue;
     if (alone) {
       const Nanoseconds jobs = releases(of, task, length);
-      most += jobs * task.cost;
-      if (shares != nullptr) shares->push_back({group.transaction, t, jobs, jobs * task.cost});
+      const Nanoseconds share = work_of(jobs, task.cost);
+      most = plus(most, share);
+      if (shares != nullptr) shares->push_back({group.transaction, t, jobs, share});
       continue;
     }
     const Nanoseconds work = of_scenario(group, t, {asker}, priority, length);
@@ -157,7 +159,7 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, co
     if (group.priority < priority) break;
     if (group.transaction == own) continue;
     if (group.tasks.size() > 1) {
-      work += of_group(group, asker, priority, length, shares);
+      work = plus(work, of_group(group, asker, priority, length, shares));
       continue;
     }
     // The usual case: there is one scenario, whose phase cancels out.
@@ -165,9 +167,9 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, co
     const Task& task = of.tasks[static_cast<std::size_t>(group.tasks.front())];
     if (task.cost == 0 || !counts(asker, group.transaction, group.tasks.front())) continue;
     const Nanoseconds jobs = releases(of, task, length);
-    work += jobs * task.cost;
-    if (shares != nullptr)
-      shares->push_back({group.transaction, group.tasks.front(), jobs, jobs * task.cost});
+    const Nanoseconds share = work_of(jobs, task.cost);
+    work = plus(work, share);
+    if (shares != nullptr) shares->push_back({group.transaction, group.tasks.front(), jobs, share});
   }
   return work;
 }
@@ -182,7 +184,7 @@ Nanoseconds BusyWindows::of_siblings(int transaction, int task, Shares* shares) 
     if (!counts(&self, transaction, static_cast<int>(t))) continue;
     if (static_cast<int>(t) == task || other.processor != self.processor || other.priority < self.priority)
       continue;
-    work += other.cost;
+    work = plus(work, other.cost);
     if (shares != nullptr && other.cost > 0)
       shares->push_back({transaction, static_cast<int>(t), 1, other.cost});
   }
@@ -225,7 +227,7 @@ BusyWindows::Critical BusyWindows::critical_once(int transaction, int task, Nano
   Nanoseconds window = least_window(fixed, load.share, load.carried);
   for (int round = 0; round < most_rounds; ++round) {
     const Nanoseconds next = fixed + of_others(groups, transaction, &self, self.priority, window);
-    if (next == window) {
+    if (next <= window) {
       const Nanoseconds released = since == Since::release ? 0 : self.offset + self.jitter;
       return {released + window + (preemptive ? 0 : part), window, -1, 1};
     }
@@ -269,7 +271,7 @@ Nanoseconds BusyWindows::window(int processor, int priority, Nanoseconds cost) c
   }
   Nanoseconds length = cost;
   for (int round = 0; round < most_rounds; ++round) {
-    const Nanoseconds next = cost + of_others(groups, -1, nullptr, priority, length);
+    const Nanoseconds next = plus(cost, of_others(groups, -1, nullptr, priority, length));
     if (next <= length) return length;
     if (next > longest_window) break;
     length = next;

@@ -143,8 +143,8 @@ void Demand::find_order(const std::vector<bool>& home_again) {
 
 Nanoseconds Demand::greatest_jitter(int node) const {
   const Source& of = ground_.source(node);
-  const Nanoseconds periods = 2 * ground_.node(node).depth + 2;
-  return of.period >= (never - of.jitter) / periods ? never : of.jitter + periods * of.period;
+  if (of.period == never) return never;
+  return plus(of.jitter, work_of(2 * ground_.node(node).depth + 2, of.period));
 }
 
 void Demand::announce(int node, const NodeTimes& times) {
@@ -173,7 +173,7 @@ Nanoseconds Demand::burst(int thread, const std::vector<NodeTimes>& nodes, bool 
   Nanoseconds late = 0;
   for (int n : of.nodes) {
     const NodeTimes& times = nodes[static_cast<std::size_t>(n)];
-    once += ground_.segment(n).worst;
+    once = plus(once, ground_.segment(n).worst);
     late = std::max(late, times.finish >= never ? never : times.finish - times.earliest);
   }
   if (once == 0 || home_again) return once;
@@ -185,7 +185,7 @@ Nanoseconds Demand::burst(int thread, const std::vector<NodeTimes>& nodes, bool 
       const Task& task = transaction.tasks[static_cast<std::size_t>(task_[static_cast<std::size_t>(n)])];
       const Nanoseconds count = BusyWindows::releases(transaction, task, plus(length, late));
       if (ground_.segment(n).worst > 0 && count >= never) return never;
-      next += count * ground_.segment(n).worst;
+      next = plus(next, work_of(count, ground_.segment(n).worst));
     }
     if (next <= length) return length;
     length = next;
