@@ -6,6 +6,8 @@
 namespace pal::analyzer {
 namespace {
 
+constexpr std::size_t tries_between_stops = 4096;
+
 Nanoseconds down(Nanoseconds value, Nanoseconds unit) {
   const Nanoseconds rest = ((value % unit) + unit) % unit;
   return value - rest;
@@ -60,7 +62,7 @@ std::size_t Grid::Hash::operator()(const std::vector<Nanoseconds>& key) const {
   return static_cast<std::size_t>(hash);
 }
 
-Grid::Grid(const Machine& machine, const Slice& slice) : machine_(machine), sliced_(machine), slice_(slice) {
+Grid::Grid(const Machine& machine, const Slice& slice) : sliced_(machine), slice_(slice) {
   sliced_.free_conditions = slice.free_conditions;
   unit_ = unit_of(machine.problem(), slice);
   unforced_.assign(static_cast<std::size_t>(machine.timer_count()), false);
@@ -114,6 +116,7 @@ int Grid::node_of(int place, std::vector<Nanoseconds> left) {
 }
 
 bool Grid::start(const ZoneGraph& graph, const Recurrence& recurrence, const Limits& limits) {
+  Patience patience(limits.stop);
   for (int c : recurrence.entries) {
     const ZoneClass& entry = graph.classes()[static_cast<std::size_t>(c)];
     const Place& from = graph.places()[static_cast<std::size_t>(entry.state)];
@@ -128,15 +131,15 @@ bool Grid::start(const ZoneGraph& graph, const Recurrence& recurrence, const Lim
     std::vector<bool> frozen(timers.size());
     const int place = place_of(masked(from.state), std::move(timers), std::move(frozen));
     std::vector<Nanoseconds> left;
-    points(place, entry.zone, variables, left, c, limits.classes);
-    if (nodes_.size() > limits.classes) return false;
+    points(place, entry.zone, variables, left, c, limits.classes, patience);
+    if (nodes_.size() > limits.classes || patience.over()) return false;
   }
   return !nodes_.empty();
 }
 
 /// All multiples of the unit in the zone, its bounds moved out to the next multiple.
 void Grid::points(int place, const Dbm& zone, const std::vector<std::size_t>& variables,
-                  std::vector<Nanoseconds>& left, int origin, std::size_t most) {
+                  std::vector<Nanoseconds>& left, int origin, std::size_t most, Patience& patience) {
   if (nodes_.size() > most) return;
   if (left.size() == variables.size()) {
     const int node = node_of(place, left);
@@ -158,9 +161,11 @@ void Grid::points(int place, const Dbm& zone, const std::vector<std::size_t>& va
   }
   // When an event may come is what is counted down to, not when it comes.
   if (may_wait(timers[left.size()])) high = low;
-  for (Nanoseconds value = low; value <= high && nodes_.size() <= most; value += unit_) {
+  for (Nanoseconds value = low; value <= high && nodes_.size() <= most && !stopped_; value += unit_) {
+    // Many of them may be known from other classes.
+    if (++tried_ % tries_between_stops == 0) stopped_ = patience.over();
     left.push_back(value);
-    points(place, zone, variables, left, origin, most);
+    points(place, zone, variables, left, origin, most, patience);
     left.pop_back();
   }
 }

@@ -70,7 +70,7 @@ class Grid {
   int place_of(State state, std::vector<int> timers, std::vector<bool> frozen);
   int node_of(int place, std::vector<Nanoseconds> left);
   void points(int place, const Dbm& zone, const std::vector<std::size_t>& variables,
-              std::vector<Nanoseconds>& left, int origin, std::size_t most);
+              std::vector<Nanoseconds>& left, int origin, std::size_t most, Patience& patience);
   const std::vector<Move>& moves(int place);
   void expand(int node);
   void wait(int node, const std::vector<int>& timers, const std::vector<bool>& frozen, Nanoseconds most);
@@ -78,7 +78,6 @@ class Grid {
   void arrive(int from, const Move& move, Nanoseconds time, std::vector<Nanoseconds>& left, std::size_t next,
               const std::vector<Range>& ranges);
 
-  const Machine& machine_;
   Machine sliced_;
   const Slice& slice_;
   Nanoseconds unit_ = 0;
@@ -92,6 +91,8 @@ class Grid {
   std::unordered_map<State, int, StateHash> place_index_;
   std::unordered_map<std::vector<Nanoseconds>, int, Hash> node_index_;
   std::vector<bool> unforced_;  // by timer: of a sporadic event
+  std::size_t tried_ = 0;       // of the points at which a recurrence is entered
+  bool stopped_ = false;
   bool sporadic_ = false;
   bool relaxed_ = false;
 };

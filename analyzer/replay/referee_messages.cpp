@@ -148,8 +148,12 @@ void Referee::drop(const Event& event) {
     // The effect of a wait that gives up has begun: all that is open goes at once.
     demand(!slot(request).given_up, "a request that is not open is withdrawn");
     midway_ = who_gives_up(request);
-    withdraw(request, std::nullopt);
-    slot(request).given_up = true;
+    for (const int awaited : step_of(midway_).channels) {
+      const int asked = channel_of(awaited).answers;
+      if (asked < 0) continue;
+      withdraw(asked, std::nullopt);
+      slot(asked).given_up = true;
+    }
     demand(slot(channel).to_be_dropped, "a message that answers no open request is withdrawn");
   }
   dropped_at_ = now_;

@@ -121,11 +121,10 @@ Origin Origins::answered(int request) {
 
 std::optional<Gained> Origins::gained(int thread, std::size_t before) const {
   const std::vector<Gained>& all = threads_[static_cast<std::size_t>(thread)];
-  for (std::size_t i = all.size(); i-- > 0;) {
-    if (all[i].event > before) continue;
-    return all[i].what.number < 0 ? std::nullopt : std::optional(all[i]);
-  }
-  return std::nullopt;
+  const auto after = std::partition_point(all.begin(), all.end(),
+                                          [before](const Gained& each) { return each.event <= before; });
+  if (after == all.begin() || std::prev(after)->what.number < 0) return std::nullopt;
+  return *std::prev(after);
 }
 
 std::optional<std::size_t> Origins::put_of(std::size_t take) const {

@@ -22,6 +22,13 @@ std::vector<std::vector<Slice>> running_on(const Problem& problem, const std::ve
   return by_processor;
 }
 
+/// By thread and device: what it did, in order.
+std::vector<std::vector<Slice>> by_actor(const trace::Trace& trace, const std::vector<Slice>& slices) {
+  std::vector<std::vector<Slice>> by(trace.actors.size());
+  for (const Slice& slice : slices) by[static_cast<std::size_t>(slice.actor)].push_back(slice);
+  return by;
+}
+
 struct Story {
   const Problem& problem;
   const Requirement& requirement;
@@ -29,6 +36,7 @@ struct Story {
   Origins origins{problem, requirement, trace};
   std::vector<Slice> slices = trace::slices(trace);
   std::vector<std::vector<Slice>> running = running_on(problem, slices);
+  std::vector<std::vector<Slice>> of_actor = by_actor(trace, slices);
 
   const trace::Statement& statement(int index) const {
     return trace.statements[static_cast<std::size_t>(index)];
@@ -83,8 +91,12 @@ struct Story {
   /// What a thread did in [from, to], without gaps.
   void tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out) const {
     Nanoseconds at = from;
-    for (const Slice& slice : slices) {
-      if (slice.actor != thread || slice.to_ns <= at || slice.from_ns >= to) continue;
+    const std::vector<Slice>& own = of_actor[static_cast<std::size_t>(thread)];
+    auto next = std::partition_point(own.begin(), own.end(),
+                                     [from](const Slice& slice) { return slice.to_ns <= from; });
+    for (; next != own.end() && next->from_ns < to; ++next) {
+      const Slice& slice = *next;
+      if (slice.to_ns <= at) continue;
       if (slice.from_ns > at) out.push_back(reason(at, slice.from_ns, thread, "has not begun", -1));
       const Nanoseconds end = std::min<Nanoseconds>(slice.to_ns, to);
       const Nanoseconds begin = std::max<Nanoseconds>(slice.from_ns, at);
@@ -112,49 +124,69 @@ struct Story {
 
   bool is_device(int actor) const { return trace.actors[static_cast<std::size_t>(actor)].device; }
 
+  /// What a thread knew at an event of the run.
+  struct Known {
+    int thread;
+    std::size_t event;
+  };
+
   /// From the birth of what `thread` knew last before event `until` to that event: the way that it came,
   /// message by message and condition by condition.
-  void known_since(int thread, std::size_t until, std::vector<Reason>& out, int depth = 64) const {
-    const std::optional<Gained> gained = origins.gained(thread, until);
-    if (!gained || depth == 0) return;
-    const trace::Event& event = trace.events[gained->event];
-    Nanoseconds from = event.time_ns;
-    if (event.kind == Kind::block) {
-      known_since(event.actor, gained->event, out, depth - 1);
-    } else if (event.kind == Kind::read) {
-      since_set(gained->event, gained->what, out, depth);
-    } else if (const auto put = origins.put_of(gained->event)) {
-      const trace::Event& putting = trace.events[*put];
-      from = putting.time_ns;
-      if (!is_device(putting.actor)) {
-        known_since(putting.actor, *put, out, depth - 1);
-      } else if (gained->what.born < from) {
-        const std::string message = trace.channels[static_cast<std::size_t>(putting.subject)].message;
-        out.push_back(
-            reason(gained->what.born, from, putting.actor, "takes the sample and gives " + message, -1));
-      }
+  void known_since(int thread, std::size_t until, std::vector<Reason>& out) const {
+    std::vector<std::vector<Reason>> way;  // the last piece first
+    for (std::optional<Known> at = Known{thread, until}; at;) {
+      const std::optional<Gained> gained = origins.gained(at->thread, at->event);
+      if (!gained) break;
+      const Nanoseconds to = trace.events[at->event].time_ns;
+      const int here = at->thread;
+      way.emplace_back();
+      Nanoseconds from = trace.events[gained->event].time_ns;
+      at = source(*gained, from, way.back());
+      if (from < to) tell(here, from, to, way.back());
     }
-    if (from < trace.events[until].time_ns) tell(thread, from, trace.events[until].time_ns, out);
+    for (auto piece = way.rbegin(); piece != way.rend(); ++piece)
+      out.insert(out.end(), piece->begin(), piece->end());
   }
 
-  /// From the birth of what a condition carries to its being read.
-  void since_set(std::size_t read, const Origin& what, std::vector<Reason>& out, int depth) const {
+  /// Who had it before whoever gained it, and when; nobody: it was born there. `from`: since when it was on
+  /// the way; what it did then comes to `out`.
+  std::optional<Known> source(const Gained& gained, Nanoseconds& from, std::vector<Reason>& out) const {
+    const trace::Event& event = trace.events[gained.event];
+    if (event.kind == Kind::block) return Known{event.actor, gained.event};
+    if (event.kind == Kind::read) return since_set(gained.event, gained.what, out);
+    const auto put = origins.put_of(gained.event);
+    if (!put) return std::nullopt;
+    const trace::Event& putting = trace.events[*put];
+    from = putting.time_ns;
+    if (!is_device(putting.actor)) return Known{putting.actor, *put};
+    if (gained.what.born < from) {
+      const std::string message = trace.channels[static_cast<std::size_t>(putting.subject)].message;
+      out.push_back(
+          reason(gained.what.born, from, putting.actor, "takes the sample and gives " + message, -1));
+    }
+    return std::nullopt;
+  }
+
+  /// From the set of what a condition carries to its being read. Who set it to a sample knew that before.
+  std::optional<Known> since_set(std::size_t read, const Origin& what, std::vector<Reason>& out) const {
     const trace::Event& reading = trace.events[read];
     const std::string condition = trace.conditions[static_cast<std::size_t>(reading.subject)];
     const std::optional<std::size_t> set = origins.set_of(read);
-    const bool sample = !requirement.samples.empty();
-    if (sample && set) known_since(trace.events[*set].actor, *set, out, depth - 1);
     const Nanoseconds from = set ? trace.events[*set].time_ns : what.born;
-    if (from == reading.time_ns) return;
     if (!set) {
-      out.push_back(reason(from, reading.time_ns, -1, condition + " has had its value since the start", -1));
-      return;
+      if (from < reading.time_ns)
+        out.push_back(
+            reason(from, reading.time_ns, -1, condition + " has had its value since the start", -1));
+      return std::nullopt;
     }
     const trace::Event& setting = trace.events[*set];
-    out.push_back(reason(from, reading.time_ns, setting.actor,
-                         statement(setting.statement).text + " gave " + condition +
-                             " its value; it ages until " + statement(reading.statement).text + " reads it",
-                         setting.statement));
+    if (from < reading.time_ns)
+      out.push_back(reason(from, reading.time_ns, setting.actor,
+                           statement(setting.statement).text + " gave " + condition +
+                               " its value; it ages until " + statement(reading.statement).text + " reads it",
+                           setting.statement));
+    if (requirement.samples.empty()) return std::nullopt;
+    return Known{setting.actor, *set};
   }
 
   /// From what just missed the change to what reflects it, then its way.

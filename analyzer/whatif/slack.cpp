@@ -45,7 +45,8 @@ class Growth {
 
  private:
   Nanoseconds share(Nanoseconds worst, Nanoseconds extra) const {
-    if (single_ || longest_ == 0) return single_ ? extra : 0;
+    // Where all are 0 there is no proportion: all grow alike.
+    if (single_ || longest_ == 0) return extra;
     return static_cast<Nanoseconds>((static_cast<Wide>(worst) * extra + longest_ - 1) / longest_);
   }
 

@@ -94,7 +94,8 @@ void look_for_standstills(const std::vector<std::string>& changes, Session& sess
   }
 }
 
-ExitStatus write_witnesses(const std::vector<WhatIfAnswer>& answers, const std::string& path,
+/// `listed`: says on the standard output where they are; what is JSON there stays JSON.
+ExitStatus write_witnesses(const std::vector<WhatIfAnswer>& answers, const std::string& path, bool listed,
                            const Session& session, const Console& console) {
   std::vector<analyzer::rules::FiledWitness> all;
   std::size_t refuted = 0;
@@ -108,7 +109,10 @@ ExitStatus write_witnesses(const std::vector<WhatIfAnswer>& answers, const std::
   }
   std::ostringstream text;
   analyzer::rules::write_witnesses(all, text);
-  return write_and_list({{path, text.str()}}, inputs_of(session), console);
+  if (listed) return write_and_list({{path, text.str()}}, inputs_of(session), console);
+  const auto problem = write_files({{path, text.str()}});
+  if (problem) console.err << "pal: " << *problem << "\n";
+  return problem ? ExitStatus::usage : ExitStatus::all_hold;
 }
 
 }  // namespace
@@ -153,7 +157,8 @@ ExitStatus what_if(const WhatIfOptions& options, const Console& console) {
     for (const WhatIfAnswer& answer : answers) console.out << text(answer);
   }
   if (!options.witness.empty()) {
-    const ExitStatus written = write_witnesses(answers, options.witness, session, console);
+    const bool listed = options.format != Format::json;
+    const ExitStatus written = write_witnesses(answers, options.witness, listed, session, console);
     if (written != ExitStatus::all_hold) return written;
   }
   // What the end of the time left open was not answered.

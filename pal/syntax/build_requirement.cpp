@@ -63,7 +63,13 @@ std::optional<Requirement> Builder::requirement(Parser::RequirementSlotContext* 
                           "write a part of the processor's time, such as 80 %");
     } else if (percent) {
       constexpr double nanoseconds_per_percent = 1e7;  // of work in a second
-      result.limit = Duration{std::llround(*percent * nanoseconds_per_percent)};
+      const double limit = *percent * nanoseconds_per_percent;
+      result.limit = Duration{std::llround(limit)};
+      constexpr double least_rest = 1e-3;  // more than a double is out of by
+      if (std::abs(limit - std::round(limit)) > least_rest)
+        diagnostics_.report(Code::PAL0801, span(c->NUMBER(), c->PERCENT()),
+                            "a load is known to a ten-millionth of a percent, and this is finer",
+                            "write seven digits behind the point, or fewer");
     }
     return result;
   }

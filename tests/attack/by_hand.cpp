@@ -2,6 +2,7 @@
 
 #include "analyzer/exact/exact.hpp"
 #include "tests/support/any_skill.hpp"
+#include "tests/support/confirm.hpp"
 #include "tests/support/project_file.hpp"
 #include "tests/support/runs/all_runs.hpp"
 
@@ -18,6 +19,8 @@ std::int64_t bound(const std::string& text) {
   const analyzer::Verdict& verdict = analysis.verdicts.front();
   INFO(verdict.explanation);
   CHECK(verdict.exact);
+  CHECK(unconfirmed(*skill->problem, analysis) == "");
+  CHECK(unexplained(verdict) == "");
   const pan::Network& network = skill->specification.skills.front();
   const pan::Environment& environment = skill->specification.environments.front();
   AllRuns runs(network, environment, wanted(network, environment).front(), Duration(1'000'000), 2000);

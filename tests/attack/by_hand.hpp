@@ -11,7 +11,8 @@ namespace pal::test {
 std::string program(const std::string& name);
 
 /// The bound in milliseconds of a program's first requirement, which must be exact, and what the runs attain
-/// that are made without the analyzer; -1: it fails without one.
+/// that are made without the analyzer; -1: it fails without one. The referee must confirm the run that shows
+/// it.
 std::int64_t bound(const std::string& text);
 
 }  // namespace pal::test

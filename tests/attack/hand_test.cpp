@@ -39,6 +39,11 @@ TEST_CASE("a module that begins with blocks comes to their queues in any order w
   CHECK(bound(program("hand/begins_with_blocks")) == 4);
 }
 
+TEST_CASE("what goes to and fro for long with a value that was read is followed all the way") {
+  // SM1 and MC1 play for 100 ms, a hit a millisecond, after MC1 has read c at 0.
+  CHECK(bound(program("hand/long_way")) == 100);
+}
+
 TEST_CASE("times near the limit do not overflow") {
   // The condition is set once, before a loop without end: its age has no bound.
   const Verdict verdict = first_verdict("hand/near_the_limit");

@@ -1,17 +1,15 @@
 // Both analyses against single runs of larger skills that are made without the analyzer
 // (tests/support/runs/all_runs.hpp).
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include "tests/attack/compare.hpp"
+#include "tests/support/kept.hpp"
 #include "tests/support/kinds.hpp"
 #include "tests/support/mutant.hpp"
-#include "tests/support/project_file.hpp"
 #include "tests/support/setting.hpp"
 
 using namespace pal;
@@ -27,24 +25,9 @@ std::string with_mistakes(std::uint64_t seed) {
       .text(1 + static_cast<int>(seed / kinds % 4));
 }
 
-/// Those that the tests keep, mostly because they broke something once.
-std::vector<std::string> kept() {
-  std::vector<std::string> texts;
-  const std::filesystem::path root = PAL_SOURCE_DIR;
-  for (const char* folder : {"attack", "figures", "golden/check", "property/sandwich"}) {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "tests" / folder)) {
-      if (entry.path().extension() != ".pal") continue;
-      const std::string text = test::project_file(std::filesystem::relative(entry.path(), root).string());
-      if (has_meaning(text)) texts.push_back(text);
-    }
-  }
-  std::sort(texts.begin(), texts.end());
-  return texts;
-}
-
-/// One of them with up to four mistakes in it.
+/// One of those that the tests keep with up to four mistakes in it.
 std::string kept_with_mistakes(std::uint64_t seed) {
-  static const std::vector<std::string> all = kept();
+  const std::vector<std::string>& all = test::kept_skills();
   return test::Mutant(seed, all[seed % all.size()], has_meaning)
       .text(static_cast<int>(seed / all.size() % 5));
 }

@@ -6,6 +6,7 @@
 
 #include "analyzer/whatif/placement.hpp"
 #include "analyzer/whatif/slack.hpp"
+#include "tests/attack/by_hand.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/random_cell.hpp"
 #include "tests/support/runs/all_runs.hpp"
@@ -180,4 +181,16 @@ TEST_CASE("what meets everything in some places no run breaks there, and what is
             << " that are refuted, compared with all runs\n";
   CHECK(meet > 0);
   if (rounds >= 100) CHECK(refuted > 0);  // one skill in ten or so has one
+}
+
+TEST_CASE("figures that are all nothing grow together, too, each as much as any other") {
+  // MC1 interrupts SM1, receives, obeys and sends: three times 2 ms.
+  const auto skill = test::meaningful_skill(test::program("hand/all_zero"));
+  const Slack together =
+      slacks(skill->specification.skills.front(), skill->specification.environments.front(), few_states())
+          .back();
+  CHECK(together.figure.empty());
+  CHECK(together.exact());
+  CHECK(together.holds == Duration(2'000'000));
+  CHECK(together.fails == Duration(2'000'001));
 }

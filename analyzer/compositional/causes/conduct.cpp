@@ -33,7 +33,7 @@ class Observer {
       returns(static_cast<int>(t));
     }
     made_.early.assign(nodes, true);
-    for (const ThreadConduct& thread : made_.threads) find_early(thread);
+    for (std::size_t t = 0; t < problem_.threads.size(); ++t) find_early(static_cast<int>(t));
     find_waits();
     for (std::size_t n = 0; n < nodes; ++n) made_.drains.push_back(drains(static_cast<int>(n)));
     protocol();
@@ -109,13 +109,18 @@ class Observer {
       return;
     }
     const Beginning& begins = beginning(n);
+    const std::string waits =
+        problem_.threads[static_cast<std::size_t>(begins.thread)].name + " waits at " + text(begins.step);
+    // It may come twice for what the round has sent; then the next round takes what this one has brought
+    // about.
+    const int channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
+    const bool again = forest_.sources[static_cast<std::size_t>(node(n).source)].period < never;
+    if (again && problem_.channels[static_cast<std::size_t>(channel)].answers < 0)
+      thread(begins.thread).trouble = waits + " in its rounds for what answers no request";
     const auto known = arrivals_.find({made_.round[static_cast<std::size_t>(n)], begins.step});
     if (known != arrivals_.end()) previous = known->second;
-    if (previous.empty()) {
-      thread(begins.thread).trouble = problem_.threads[static_cast<std::size_t>(begins.thread)].name +
-                                      " waits at " + text(begins.step) +
-                                      " for something that another round brings about";
-    }
+    if (previous.empty())
+      thread(begins.thread).trouble = waits + " for something that another round brings about";
     waited_for_.insert({made_.round[static_cast<std::size_t>(n)], begins.step});
   }
 
@@ -203,8 +208,11 @@ class Observer {
     }
   }
 
-  /// Conduct::early: no way leads from a wait at which a round begins to where the node begins.
-  void find_early(const ThreadConduct& of) {
+  /// Conduct::early: no way leads from a wait at which a round begins to where the node begins, and the
+  /// thread begins once.
+  void find_early(int t) {
+    const ThreadConduct& of = thread(t);
+    const bool again = recurrent(problem_, {Beginning::Kind::entry, t, -1, -1});
     std::set<int> late;
     std::vector<int> waits;
     for (int n : of.rounds) waits.push_back(beginning(n).step);
@@ -212,7 +220,8 @@ class Observer {
       late.insert(at);
       return Course::goes_on;
     });
-    for (int n : of.nodes) made_.early[static_cast<std::size_t>(n)] = !late.contains(beginning(n).step);
+    for (int n : of.nodes)
+      made_.early[static_cast<std::size_t>(n)] = !again && !late.contains(beginning(n).step);
   }
 
   /// Whether a block stops when its siblings have ended.

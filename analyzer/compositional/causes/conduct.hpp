@@ -28,7 +28,8 @@ struct Conduct {
   std::vector<int> round;
   /// By node: the nodes of its thread after which it comes; none for those that begin rounds or threads.
   std::vector<std::vector<int>> previous;
-  /// By node: it comes before its thread can have begun a round. Trouble with rounds is none there.
+  /// By node: it comes before its thread, which begins once, can have begun a round. Trouble with rounds is
+  /// none there.
   std::vector<bool> early;
   /// By node: the message that begins its round is there when it is put, and while the slot is full the
   /// node's thread has something to do, but for its own waits for slots. So who waits for the slot does not

@@ -168,6 +168,9 @@ TEST_CASE("that no placement on one processor does is proved by a run for each")
             .status == ExitStatus::not_met);
   Json runs = file.read();
   CHECK(runs.at("witnesses").size() == 13);
+  const Answer json = pal::test::pal({"whatif", places, "--environment-name", "reading", "--place", "1",
+                                      "--priorities", "--witness", file.path(), "--format", "json"});
+  CHECK(Json::parse(json.out).contains("what_if"));
   const Answer confirmed = pal::test::pal({"replay", file.path(), places});
   CHECK(confirmed.status == ExitStatus::all_hold);
   CHECK(confirmed.out.find("refused") == std::string::npos);
