@@ -82,6 +82,11 @@ TEST_CASE("what a round waits for may come twice, and be left to the next round"
   compare(granted("asked_twice_for"), {{-1, 11.5}});
 }
 
+TEST_CASE("a set that is read before the same set is as old as the loop between them is long") {
+  // SM1 is at home in its second loop; the first one goes round with the beat.
+  compare(granted("set_round_a_loop"), {{-1, 10}});
+}
+
 TEST_CASE("frames that nobody asks for any more are lost") {
   // LS1 asks once, at the start.
   has_none(granted("asked_once"));

@@ -128,7 +128,9 @@ class Ageing {
           read,
           [&](Place at) {
             if (!sets(at.step)) return oldest.bounded();
-            oldest = greater(oldest, distance(at, statement));
+            // A set before itself, in a loop elsewhere than at home: nobody knows how long that takes.
+            const bool elsewhere = at.step == statement && at.rounds == 0;
+            oldest = greater(oldest, elsewhere ? Sum::unbounded() : distance(at, statement));
             return false;
           },
           [&](int rounds) {
