@@ -124,7 +124,7 @@ class Solver : private Ground {
       bool changed = false;
       for (std::size_t i = 0; i < forest.nodes.size(); ++i) {
         const int n = static_cast<int>(i);
-        if (stop_ && i % 64 == 0 && stop_()) {
+        if (stop_ && stop_()) {
           times_.interrupted = true;
           return;
         }
