@@ -17,7 +17,8 @@ struct Taker {
 
 class Planter {
  public:
-  Planter(const Problem& problem, Forest& forest) : problem_(problem), forest_(forest), sequence_(problem) {
+  Planter(const Problem& problem, Forest& forest, const std::function<bool()>& stop)
+      : problem_(problem), forest_(forest), stop_(stop), sequence_(problem) {
     takers_.resize(problem.channels.size());
     before_.resize(problem.steps.size());
     limited_.assign(problem.steps.size(), false);
@@ -140,6 +141,7 @@ class Planter {
       const int at = open_.back();
       open_.pop_back();
       follow(at);
+      if (stop_ && stop_()) forest_.refusal = "it was interrupted";
     }
     open_.clear();
   }
@@ -368,6 +370,7 @@ class Planter {
 
   const Problem& problem_;
   Forest& forest_;
+  const std::function<bool()>& stop_;
   Sequence sequence_;
   std::vector<std::vector<Taker>> takers_;
   std::vector<std::vector<int>> before_;  // by step: those that it comes after in its thread
@@ -423,9 +426,9 @@ bool ends_straight(const Problem& problem, int block) {
   return true;
 }
 
-Forest forest_of(const Problem& problem) {
+Forest forest_of(const Problem& problem, const std::function<bool()>& stop) {
   Forest forest(problem);
-  Planter(problem, forest).plant();
+  Planter(problem, forest, stop).plant();
   return forest;
 }
 

@@ -1,6 +1,7 @@
 // Which segment makes which run: trees of causes, one for each thing that begins by itself.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -65,7 +66,8 @@ struct Forest {
   int cause_in(int node, int thread) const;
 };
 
-Forest forest_of(const Problem& problem);
+/// Once `stop` says so, the forest is refused as it is.
+Forest forest_of(const Problem& problem, const std::function<bool()>& stop);
 
 /// Whether a block comes to its end, if it does, without going round: what it does is bounded by what it
 /// waits for.
