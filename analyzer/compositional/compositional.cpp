@@ -72,7 +72,7 @@ Analysis analyze_compositionally(const Problem& skill, const Options& options) {
     verdict.at_least = requirement.at_least;
     verdict.where = requirement.where;
   }
-  const Forest forest = forest_of(problem);
+  const Forest forest = forest_of(problem, options.stop);
   std::string refusal = forest.refusal;
   if (refusal.empty()) {
     const Conduct conduct = conduct_of(problem, forest);

@@ -194,6 +194,17 @@ TEST_CASE("a load whose round has a thousand actions and more ends in time") {
   CHECK(analyze(*skill->problem).verdicts.front().state != Verdict::State::holds);
 }
 
+TEST_CASE("the compositional analysis asks whether to end at each segment") {
+  // One may take a tenth of a second where two thousand share a processor.
+  int asked = 0;
+  Options options;
+  options.stop = [&asked] { return ++asked > 6; };
+  const auto skill = test::meaningful_skill(program("slow"));
+  const Verdict load = analyze_compositionally(*skill->problem, options).verdicts.front();
+  CHECK(asked == 7);
+  CHECK(load.state != Verdict::State::holds);
+}
+
 TEST_CASE("a request that a block takes may be answered at once when the block has ended") {
   // Every other answer needs 10 ms of work: SM1 works for 2 ms in every 12 ms, not for 1 ms in every 11 ms.
   const auto skill = test::meaningful_skill(program("in_turns"));

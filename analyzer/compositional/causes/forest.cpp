@@ -16,8 +16,12 @@ using Kind = Step::Kind;
 
 class Planter {
  public:
-  Planter(const Problem& problem, Forest& forest)
-      : problem_(problem), forest_(forest), sequence_(problem), takers_(problem, forest.segments) {
+  Planter(const Problem& problem, Forest& forest, const std::function<bool()>& stop)
+      : problem_(problem),
+        forest_(forest),
+        stop_(stop),
+        sequence_(problem),
+        takers_(problem, forest.segments) {
     limited_.assign(problem.steps.size(), false);
     forest.withdrawn = withdrawn_requests(problem);
     for (std::size_t s = 0; s < problem.steps.size(); ++s) {
@@ -124,6 +128,7 @@ class Planter {
       const int at = open_.back();
       open_.pop_back();
       add_effects(at);
+      if (stop_ && stop_()) forest_.refusal = "it was interrupted";
     }
     open_.clear();
   }
@@ -321,6 +326,7 @@ class Planter {
 
   const Problem& problem_;
   Forest& forest_;
+  const std::function<bool()>& stop_;
   Sequence sequence_;
   Takers takers_;
   std::vector<bool> limited_;  // by wait: each of its branches is counted as an effect of reaching it
@@ -349,9 +355,9 @@ Range latency(const Problem& problem, int channel, int sender, int receiver) {
   return same ? problem.within_processor : problem.between_processors;
 }
 
-Forest forest_of(const Problem& problem) {
+Forest forest_of(const Problem& problem, const std::function<bool()>& stop) {
   Forest forest(problem);
-  Planter(problem, forest).plant();
+  Planter(problem, forest, stop).plant();
   return forest;
 }
 

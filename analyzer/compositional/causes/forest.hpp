@@ -1,6 +1,7 @@
 // Which segment makes which run: trees of causes, one for each thing that begins by itself.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -65,7 +66,8 @@ struct Forest {
   int cause_in(int node, int thread) const;
 };
 
-Forest forest_of(const Problem& problem);
+/// Once `stop` says so, the forest is refused as it is.
+Forest forest_of(const Problem& problem, const std::function<bool()>& stop);
 
 /// A message needs at least this from its put to where `receiver` can take it, and at most this.
 Range latency(const Problem& problem, int channel, int sender, int receiver);

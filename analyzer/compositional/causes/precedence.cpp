@@ -19,8 +19,11 @@ bool ends_with(const Ground& ground, const std::vector<int>& sends) {
 
 class Precedence {
  public:
-  explicit Precedence(const Ground& ground)
-      : ground_(ground), later_(ground.forest.nodes.size()), apart_(ground.forest.nodes.size()) {}
+  Precedence(const Ground& ground, const std::function<bool()>& stop)
+      : ground_(ground),
+        stop_(stop),
+        later_(ground.forest.nodes.size()),
+        apart_(ground.forest.nodes.size()) {}
 
   Order run() {
     in_programs();
@@ -36,12 +39,15 @@ class Precedence {
  private:
   using Nodes = std::set<int>;
 
+  bool is_over() const { return stop_ && stop_(); }
+
   void in_programs() {
     std::map<int, std::vector<int>> by_module;
     for (std::size_t n = 0; n < later_.size(); ++n)
       by_module[ground_.thread_of(static_cast<int>(n)).module].push_back(static_cast<int>(n));
     Sequence sequence(ground_.problem);
     for (const auto& [module, nodes] : by_module) {
+      if (is_over()) return;
       if (nodes.size() * nodes.size() > most_pairs) continue;
       for (int node : nodes) {
         for (int other : nodes) {
@@ -55,7 +61,7 @@ class Precedence {
 
   /// Blocks have ended, or stopped, when what comes after them begins, and begin again only after it.
   void by_blocks() {
-    for (std::size_t n = 0; n < apart_.size(); ++n) {
+    for (std::size_t n = 0; n < apart_.size() && !is_over(); ++n) {
       const Beginning& begins = ground_.segment(static_cast<int>(n)).beginning;
       if (begins.kind != Beginning::Kind::joined) continue;
       for (std::size_t other = 0; other < apart_.size(); ++other) {
@@ -75,7 +81,7 @@ class Precedence {
 
   /// What comes once and brings about something else that comes once.
   void by_causes() {
-    for (std::size_t n = 0; n < later_.size(); ++n) {
+    for (std::size_t n = 0; n < later_.size() && !is_over(); ++n) {
       if (ground_.source(static_cast<int>(n)).period < never) continue;
       for (int at = static_cast<int>(n); ground_.node(at).cause >= 0; at = ground_.node(at).cause) {
         const auto cause = static_cast<std::size_t>(ground_.node(at).cause);
@@ -93,7 +99,7 @@ class Precedence {
     for (std::size_t n = 0; n < later_.size(); ++n)
       nodes_of[static_cast<std::size_t>(ground_.node(static_cast<int>(n)).source)].push_back(
           static_cast<int>(n));
-    for (std::size_t s = 0; s < sources.size(); ++s) {
+    for (std::size_t s = 0; s < sources.size() && !is_over(); ++s) {
       for (int before : before_source(static_cast<int>(s), {})) {
         auto& later = later_[static_cast<std::size_t>(before)];
         later.insert(later.end(), nodes_of[s].begin(), nodes_of[s].end());
@@ -183,6 +189,7 @@ class Precedence {
   }
 
   const Ground& ground_;
+  const std::function<bool()>& stop_;
   std::vector<std::vector<int>> later_;
   std::vector<std::vector<int>> apart_;
 };
@@ -195,8 +202,8 @@ bool ends_with_cause(const Ground& ground, int node) {
   return of.release != Node::Release::message || ends_with(ground, of.sends);
 }
 
-Order order_of(const Ground& ground) {
-  return Precedence(ground).run();
+Order order_of(const Ground& ground, const std::function<bool()>& stop) {
+  return Precedence(ground, stop).run();
 }
 
 }  // namespace pal::analyzer::compositional

@@ -1,6 +1,8 @@
 // Which segments can be under way at a time, and which never are.
 #pragma once
 
+#include <functional>
+
 #include "analyzer/compositional/causes/ground.hpp"
 
 namespace pal::analyzer::compositional {
@@ -16,7 +18,8 @@ struct Order {
   std::vector<std::vector<int>> apart;
 };
 
-Order order_of(const Ground& ground);
+/// Once `stop` says so, it is what is known by then.
+Order order_of(const Ground& ground, const std::function<bool()>& stop);
 
 /// Whether the node's cause has nothing more to do once it has brought the node about.
 bool ends_with_cause(const Ground& ground, int node);

@@ -25,14 +25,14 @@ bool brings_about(const Ground& ground, int node, int other) {
 
 }  // namespace
 
-Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes)
+Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes, const std::function<bool()>& stop)
     : ground_(ground),
       windows_(preemptive(ground.problem)),
       task_(nodes.size()),
       nodes_of_(ground.forest.sources.size()),
       threads_on_(ground.problem.processors.size()),
       burst_(ground.problem.threads.size()),
-      order_(order_of(ground)) {
+      order_(order_of(ground, stop)) {
   std::vector<Transaction> transactions(ground.forest.sources.size());
   for (std::size_t s = 0; s < transactions.size(); ++s) {
     transactions[s].period = ground.forest.sources[s].period;
@@ -132,8 +132,9 @@ void Demand::exclude(int node, bool home_again) {
   windows_.set_without(ground_.node(node).source, task_[n], std::move(without));
 }
 
-void Demand::find_order(const std::vector<bool>& home_again) {
+void Demand::find_order(const std::vector<bool>& home_again, const std::function<bool()>& stop) {
   for (std::size_t n = 0; n < task_.size(); ++n) {
+    if (stop && stop()) return;
     const auto thread = static_cast<std::size_t>(ground_.forest.thread_of(static_cast<int>(n)));
     if (home_again_.empty() || home_again_[thread] != home_again[thread])
       exclude(static_cast<int>(n), home_again[thread]);

@@ -11,7 +11,8 @@ namespace pal::analyzer::compositional {
 class Demand {
  public:
   /// Registers each node as a task of its source's transaction, released at its earliest.
-  Demand(const Ground& ground, const std::vector<NodeTimes>& nodes);
+  /// Once `stop` says so, it is of no use.
+  Demand(const Ground& ground, const std::vector<NodeTimes>& nodes, const std::function<bool()>& stop);
 
   /// Tells the windows how late the node may be released after its earliest.
   void announce(int node, const NodeTimes& times);
@@ -20,7 +21,7 @@ class Demand {
   Nanoseconds greatest_jitter(int node) const;
   /// Says of which threads no round is due before the one before is over, as releases are announced: rounds
   /// of one thread do not delay one another then.
-  void find_order(const std::vector<bool>& home_again);
+  void find_order(const std::vector<bool>& home_again, const std::function<bool()>& stop);
   /// How long threads keep a processor that is not preemptive once they have it, as releases are announced.
   /// By thread: `home_again`, no round is due before the one before is over; `blocked`, it may have to wait
   /// in a send.

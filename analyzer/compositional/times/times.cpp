@@ -49,7 +49,7 @@ class Solver : private Ground {
       : Ground(ground),
         stop_(stop),
         nodes_(unhindered(ground, at)),
-        demand_(ground, nodes_),
+        demand_(ground, nodes_, stop),
         releases_(*this, nodes_, demand_) {}
 
   Times run() {
@@ -133,7 +133,7 @@ class Solver : private Ground {
       bool changed = false;
       for (std::size_t i = 0; i < forest.nodes.size(); ++i) {
         const int n = static_cast<int>(i);
-        if (stop_ && i % 64 == 0 && stop_()) {
+        if (stop_ && stop_()) {
           times_.interrupted = true;
           return;
         }
@@ -167,7 +167,7 @@ class Solver : private Ground {
       home_again.push_back(of.rounds.size() <= 1 &&
                            (of.rounds.empty() || at_home_again(*this, nodes_, of.rounds.front())));
     }
-    demand_.find_order(home_again);
+    demand_.find_order(home_again, stop_);
     demand_.find_bursts(nodes_, home_again, times_.blocked);
   }
 
