@@ -5,9 +5,6 @@
 namespace pal::analyzer::rules {
 namespace {
 
-/// Of a run that is reckoned with: what lies beyond is no time of a skill, and sums of it are no numbers.
-constexpr Nanoseconds latest_instant = 4'000'000'000'000'000'000;
-
 /// Whether the tables of the run are those of the problem; the first difference, or nothing.
 std::string tables_differ(const Problem& problem, const trace::Trace& run) {
   if (run.skill != problem.skill) return "the run is one of skill " + run.skill;

@@ -12,6 +12,9 @@
 
 namespace pal::analyzer::rules {
 
+/// Of a run that is reckoned with: what lies beyond is no time of a skill, and sums of it are no numbers.
+constexpr Nanoseconds latest_instant = 4'000'000'000'000'000'000;
+
 /// A value of the requirement's measure in the run.
 struct Measured {
   Nanoseconds value = 0;  // of a loss: a number

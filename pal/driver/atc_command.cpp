@@ -63,7 +63,7 @@ std::string trace_text(const trace::Trace& run, bool chrome) {
 
 /// The trace in `path`; says why it cannot be had.
 std::optional<trace::Trace> read_trace(const std::string& path, const Console& console) {
-  const auto content = read_text(path, console);
+  const auto content = read_runs(path, console);
   if (!content) return std::nullopt;
   try {
     std::istringstream in(*content);

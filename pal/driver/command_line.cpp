@@ -2,10 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <ostream>
 
+#include "analyzer/replay/check_run.hpp"
 #include "pal/driver/commands.hpp"
 #include "pal/support/duration_text.hpp"
 #include "pal/support/nearest.hpp"
@@ -41,8 +44,11 @@ CLI::Option* add_choice(CLI::App& command, const char* name, Value& value,
 /// Also where a number below 0 would be taken for a great one.
 CLI::Validator whole_number() {
   const auto complaint = [](const std::string& text) {
-    const bool whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-    return whole ? "" : "'" + text + "' is no whole number from 0 on";
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (end == text.data() + text.size() && error == std::errc()) return std::string();
+    return "'" + text + "' is no whole number from 0 on" +
+           (error == std::errc::result_out_of_range ? ", of 64 bits" : "");
   };
   return CLI::Validator(complaint, "");
 }
@@ -171,7 +177,12 @@ void add_simulate(CLI::App& app, SimulateOptions& options) {
       ->excludes(script);
   command
       ->add_option_function<std::string>(
-          "--until", [&options](const std::string& text) { options.until = duration_of(text, "--until"); },
+          "--until",
+          [&options](const std::string& text) {
+            options.until = duration_of(text, "--until");
+            if (options.until.count() > analyzer::rules::latest_instant)
+              throw CLI::ValidationError("--until", "a run is no longer than 4000000000 s");
+          },
           "a run's length in its own time, if the skill does not complete before (10 s)")
       ->type_name("DURATION")
       ->excludes(script);

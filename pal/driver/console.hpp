@@ -16,7 +16,7 @@ struct Console {
   const FileSystem& files;
 };
 
-/// The text of a file of the command line; says on `console.err` why it cannot be had.
-std::optional<std::string> read_text(const std::string& path, const Console& console);
+/// The text of a file of the command line with runs; says on `console.err` why it cannot be had.
+std::optional<std::string> read_runs(const std::string& path, const Console& console);
 
 }  // namespace pal::driver

@@ -135,7 +135,7 @@ std::vector<FiledWitness> witnesses_of(const std::vector<analyzer::Placements>& 
 }
 
 std::optional<std::vector<FiledWitness>> read_witness_file(const std::string& path, const Console& console) {
-  const auto content = read_text(path, console);
+  const auto content = read_runs(path, console);
   if (!content) return std::nullopt;
   try {
     std::istringstream in(*content);

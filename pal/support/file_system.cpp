@@ -12,13 +12,13 @@ namespace pal {
 
 namespace {
 
-std::string too_large() {
-  return "it is larger than " + std::to_string(largest_file >> 20) + " MB";
+std::string larger_than(std::size_t most) {
+  return "it is larger than " + std::to_string(most >> 20) + " MB";
 }
 
 }  // namespace
 
-std::variant<std::string, FileError> DiskFileSystem::read(const std::string& path) const {
+std::variant<std::string, FileError> DiskFileSystem::read(const std::string& path, std::size_t most) const {
   namespace fs = std::filesystem;
   std::error_code error;
   const auto status = fs::status(path, error);
@@ -34,13 +34,13 @@ std::variant<std::string, FileError> DiskFileSystem::read(const std::string& pat
   constexpr std::size_t piece = std::size_t{1} << 16;
   while (in) {
     const auto had = text.size();
-    if (had > largest_file) return FileError{too_large()};
+    if (had > most) return FileError{larger_than(most)};
     text.resize(had + piece);
     in.read(text.data() + had, static_cast<std::streamsize>(piece));
     text.resize(had + static_cast<std::size_t>(in.gcount()));
   }
   if (in.bad()) return FileError{"reading it failed"};
-  if (text.size() > largest_file) return FileError{too_large()};
+  if (text.size() > most) return FileError{larger_than(most)};
   text.shrink_to_fit();  // of thousands of small files the pieces would be most
   return text;
 }
@@ -92,10 +92,10 @@ std::optional<std::vector<std::string>> MemoryFileSystem::list(const std::string
   return exists ? std::optional(found) : std::nullopt;
 }
 
-std::variant<std::string, FileError> MemoryFileSystem::read(const std::string& path) const {
+std::variant<std::string, FileError> MemoryFileSystem::read(const std::string& path, std::size_t most) const {
   const auto found = files_.find(path);
   if (found == files_.end()) return FileError{"no such file"};
-  if (found->second.size() > largest_file) return FileError{too_large()};
+  if (found->second.size() > most) return FileError{larger_than(most)};
   return found->second;
 }
 

@@ -19,12 +19,16 @@ struct FileError {
 /// What every text must satisfy, wherever it comes from.
 constexpr std::size_t largest_file = std::size_t{16} << 20;
 
+/// Runs are written by programs, thousands in one file perhaps.
+constexpr std::size_t largest_runs = std::size_t{1024} << 20;
+
 class FileSystem {
  public:
   virtual ~FileSystem() = default;
 
-  /// The whole file, byte for byte. Never throws.
-  virtual std::variant<std::string, FileError> read(const std::string& path) const = 0;
+  /// The whole file, byte for byte, if it has no more than `most`. Never throws.
+  virtual std::variant<std::string, FileError> read(const std::string& path,
+                                                    std::size_t most = largest_file) const = 0;
 
   /// The paths of all files in the directory `path` and those below it, in order, whose names end in
   /// `ending`; hidden ones are left out. Nothing if it is no directory, or cannot be read. Never throws.
@@ -37,10 +41,11 @@ class FileSystem {
   virtual std::string identity(const std::string& path) const;
 };
 
-/// The real one. Refuses directories and files above `largest_file` without reading them.
+/// The real one. Refuses directories.
 class DiskFileSystem : public FileSystem {
  public:
-  std::variant<std::string, FileError> read(const std::string& path) const override;
+  std::variant<std::string, FileError> read(const std::string& path,
+                                            std::size_t most = largest_file) const override;
   std::optional<std::vector<std::string>> list(const std::string& path,
                                                std::string_view ending) const override;
   std::string identity(const std::string& path) const override;
@@ -53,7 +58,8 @@ class MemoryFileSystem : public FileSystem {
   explicit MemoryFileSystem(std::map<std::string, std::string> files) : files_(std::move(files)) {}
 
   void add(std::string path, std::string text) { files_[std::move(path)] = std::move(text); }
-  std::variant<std::string, FileError> read(const std::string& path) const override;
+  std::variant<std::string, FileError> read(const std::string& path,
+                                            std::size_t most = largest_file) const override;
   std::optional<std::vector<std::string>> list(const std::string& path,
                                                std::string_view ending) const override;
 

@@ -26,8 +26,9 @@ std::string read(const std::string& path) {
 /// Files by names that are the same wherever the source tree is.
 class InSourceTree final : public FileSystem {
  public:
-  std::variant<std::string, FileError> read(const std::string& path) const override {
-    return disk_.read(PAL_SOURCE_DIR "/" + path);
+  std::variant<std::string, FileError> read(const std::string& path,
+                                            std::size_t most = largest_file) const override {
+    return disk_.read(PAL_SOURCE_DIR "/" + path, most);
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "pal/support/file_system.hpp"
 #include "tests/unit/driver/program.hpp"
 
 using namespace pal::test;
@@ -50,6 +51,13 @@ TEST_CASE("check --witness writes a run for each requirement, and replay confirm
   CHECK(answer.out.find("confirmed  fresh-force of touch-read-first in workcell: age 35 ms") !=
         std::string::npos);
   CHECK(answer.out.find("refused") == std::string::npos);
+}
+
+TEST_CASE("a file of very many runs is read, however large a text may be") {
+  const File file("replay_large");
+  pal::test::pal({"check", read_first, "-e", cell, "--witness", file.path()});
+  std::ofstream(file.path(), std::ios::app) << std::string(pal::largest_file, ' ');
+  CHECK(replayed(file, read_first).status == ExitStatus::all_hold);
 }
 
 TEST_CASE("replay refuses a witness of other texts, of another value, and of another run") {

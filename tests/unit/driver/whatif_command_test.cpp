@@ -47,6 +47,9 @@ TEST_CASE("what an option cannot be is refused with what it can be") {
   is_refused({"check", touch, "--threads", "many"}, "'many' is no whole number from 0 on");
   is_refused({"check", touch, "--max-errors", "-1"}, "'-1' is no whole number from 0 on");
   is_refused({"simulate", touch, "-e", cell, "--seed", "-1"}, "'-1' is no whole number from 0 on");
+  is_refused({"simulate", touch, "-e", cell, "--until", "4000000001 s"},
+             "a run is no longer than 4000000000 s");
+  is_refused({"simulate", touch, "-e", cell, "--seed", "18446744073709551616"}, "of 64 bits");
   is_refused({"simulate", touch, "-e", cell, "--times", "odd"},
              "'odd' is none of best, extremes, random, worst");
 }

@@ -24,8 +24,9 @@ class MendedFileSystem : public FileSystem {
     path_ = std::move(path);
     text_ = std::move(text);
   }
-  std::variant<std::string, FileError> read(const std::string& path) const override {
-    return path == path_ ? text_ : DiskFileSystem().read(path);
+  std::variant<std::string, FileError> read(const std::string& path,
+                                            std::size_t most = largest_file) const override {
+    return path == path_ ? text_ : DiskFileSystem().read(path, most);
   }
 
  private:
