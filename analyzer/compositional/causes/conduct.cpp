@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "analyzer/compositional/causes/flow.hpp"
 #include "analyzer/compositional/causes/forest.hpp"
 #include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "analyzer/compositional/causes/flow.hpp"
 #include "analyzer/compositional/causes/protocol.hpp"
 #include "analyzer/compositional/causes/refusal.hpp"
 #include "analyzer/compositional/causes/rounds.hpp"
 #include "analyzer/compositional/causes/sequence.hpp"
 #include "analyzer/compositional/causes/takers.hpp"
+#include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <queue>
 
-#include "analyzer/compositional/causes/flow.hpp"
+#include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "analyzer/compositional/causes/flow.hpp"
+#include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -67,13 +67,9 @@ bool comes_after(const Problem& problem, const Segment& segment, int first, int 
 
 Segments::Segments(const Problem& problem) : problem_(problem), owner_(problem.steps.size(), -1) {
   for (std::size_t t = 0; t < problem.threads.size(); ++t) {
-    std::vector<int> open{problem.threads[t].entry};
-    while (!open.empty()) {
-      const auto step = static_cast<std::size_t>(open.back());
-      open.pop_back();
-      if (owner_[step] >= 0) continue;
-      owner_[step] = static_cast<int>(t);
-      open.insert(open.end(), problem.steps[step].next.begin(), problem.steps[step].next.end());
+    for (const int step : steps_of(problem, problem.threads[t])) {
+      int& owner = owner_[static_cast<std::size_t>(step)];
+      if (owner < 0) owner = static_cast<int>(t);
     }
   }
 }

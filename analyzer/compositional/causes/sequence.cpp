@@ -1,7 +1,7 @@
 #include "analyzer/compositional/causes/sequence.hpp"
 
-#include "analyzer/compositional/causes/flow.hpp"
 #include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {
 

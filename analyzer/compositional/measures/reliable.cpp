@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "analyzer/compositional/causes/flow.hpp"
 #include "analyzer/compositional/causes/rounds.hpp"
 #include "analyzer/compositional/measures/measures.hpp"
 #include "analyzer/compositional/times/demand.hpp"
+#include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {

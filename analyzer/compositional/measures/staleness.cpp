@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analyzer/compositional/causes/flow.hpp"
+#include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "analyzer/problem/problem.hpp"
 
-namespace pal::analyzer::compositional {
+namespace pal::analyzer {
 
 /// What becomes of a way at a step: it goes on, ends there, or has found what was looked for.
 enum class Course { goes_on, ends, found };
@@ -29,10 +29,20 @@ bool follow(const Problem& problem, std::vector<int> open, const At& at) {
   return false;
 }
 
+/// The steps of a thread, without those of its blocks.
+inline std::set<int> steps_of(const Problem& problem, const Thread& thread) {
+  std::set<int> steps;
+  follow(problem, {thread.entry}, [&steps](int at) {
+    steps.insert(at);
+    return Course::goes_on;
+  });
+  return steps;
+}
+
 /// Whether a thread may come from a step back to it.
 inline bool comes_back(const Problem& problem, int step) {
   return follow(problem, problem.steps[static_cast<std::size_t>(step)].next,
                 [step](int at) { return at == step ? Course::found : Course::goes_on; });
 }
 
-}  // namespace pal::analyzer::compositional
+}  // namespace pal::analyzer
