@@ -29,6 +29,25 @@ std::vector<std::vector<Slice>> by_actor(const trace::Trace& trace, const std::v
   return by;
 }
 
+/// The thread whose step it is: a statement of an executed module is one step for each thread that executes
+/// it.
+int thread_of(const Problem& problem, int step) {
+  std::vector<bool> seen(problem.steps.size());
+  for (std::size_t t = 0; t < problem.threads.size(); ++t) {
+    std::vector<int> open{problem.threads[t].entry};
+    while (!open.empty()) {
+      const int here = open.back();
+      open.pop_back();
+      if (here == step) return static_cast<int>(t);
+      if (seen[static_cast<std::size_t>(here)]) continue;
+      seen[static_cast<std::size_t>(here)] = true;
+      const std::vector<int>& next = problem.steps[static_cast<std::size_t>(here)].next;
+      open.insert(open.end(), next.begin(), next.end());
+    }
+  }
+  return -1;
+}
+
 struct Story {
   const Problem& problem;
   const Requirement& requirement;
@@ -113,10 +132,11 @@ struct Story {
   /// The event at which the measured statement had its effect; the number of events if there is none.
   std::size_t used_at(const Measurement& measured) const {
     const int of = problem.steps[static_cast<std::size_t>(measured.step)].statement;
+    const int thread = thread_of(problem, measured.step);
     for (std::size_t e = trace.events.size(); e-- > 0;) {
       const trace::Event& event = trace.events[e];
       if (event.kind == Kind::done && event.statement == of && event.time_ns == measured.at &&
-          event.actor >= 0)
+          event.actor == thread)
         return e;
     }
     return trace.events.size();

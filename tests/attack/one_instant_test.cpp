@@ -52,6 +52,12 @@ TEST_CASE("of two stopped blocks one has asked for the message that the other wa
   CHECK(bound(program("one_instant/asked_by_another")) == 56);
 }
 
+TEST_CASE("of two threads that do one statement at an instant each has its own past") {
+  // At 15 ms MC1 takes the first X. That lets SM1.1 send, whose X is discarded, with the value of c from the
+  // start; and SM1.2 with that of 11 ms.
+  CHECK(bound(program("one_instant/same_statement")) == 15);
+}
+
 TEST_CASE("blocks behind blocks that are over at once share a queue with modules from the beginning") {
   // MC1 goes on to its second CONCURRENT at once. Its block may come to the queue of SM1 before SM1.
   CHECK(bound(program("one_instant/over_at_once")) == 12);
