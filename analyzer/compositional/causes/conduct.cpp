@@ -288,7 +288,8 @@ class Observer {
       request = channel;
     }
     const Channel& channel = problem_.channels[static_cast<std::size_t>(request)];
-    if (channel.answer < 0) return;
+    // A device that sends requests by itself waits for no answer.
+    if (channel.answer < 0 || channel.sender_device >= 0) return;
     for (const Step& step : problem_.steps) {
       const bool gives_up =
           step.kind == Kind::wait && step.within &&

@@ -33,15 +33,17 @@ bool talks_or_sets(const Step& step) {
   return step.kind == Step::Kind::wait || step.kind == Step::Kind::send || step.kind == Step::Kind::set;
 }
 
-/// A channel from which several waits take; -1: there is none. Requests are served wherever their server is,
-/// and of an answer it is known where it is taken; of other messages nobody knows who gets them.
+/// A channel from which several waits take; -1: there is none. Requests of modules are served wherever their
+/// server is, and of an answer it is known where it is taken; of other messages nobody knows who gets them.
+/// What a device sends by itself, be it called a request, may come between two of them.
 int taken_anywhere(const Problem& problem, const Segments& segments) {
   std::vector<int> waits(problem.channels.size());
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
     if (problem.steps[s].kind != Step::Kind::wait || segments.owner(static_cast<int>(s)) < 0) continue;
     for (int channel : problem.steps[s].channels) {
       const Channel& of = problem.channels[static_cast<std::size_t>(channel)];
-      if (of.answer < 0 && of.answers < 0 && ++waits[static_cast<std::size_t>(channel)] > 1) return channel;
+      const bool asked = of.answer >= 0 && of.sender_device < 0;
+      if (!asked && of.answers < 0 && ++waits[static_cast<std::size_t>(channel)] > 1) return channel;
     }
   }
   return -1;
