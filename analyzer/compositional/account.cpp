@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "analyzer/compositional/release.hpp"
-#include "analyzer/compositional/slots.hpp"
+#include "analyzer/compositional/times/release.hpp"
+#include "analyzer/compositional/times/slots.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {

@@ -1,7 +1,7 @@
 // The arithmetic of a bound, as a person would write it down.
 #pragma once
 
-#include "analyzer/compositional/measures.hpp"
+#include "analyzer/compositional/measures/measures.hpp"
 #include "analyzer/verdict/verdict.hpp"
 
 namespace pal::analyzer::compositional {

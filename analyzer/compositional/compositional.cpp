@@ -1,8 +1,8 @@
 #include "analyzer/compositional/compositional.hpp"
 
 #include "analyzer/compositional/account.hpp"
-#include "analyzer/compositional/apart.hpp"
-#include "analyzer/compositional/measures.hpp"
+#include "analyzer/compositional/causes/apart.hpp"
+#include "analyzer/compositional/measures/measures.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -50,8 +50,9 @@ std::vector<bool> asked_for(const Problem& problem) {
   std::vector<bool> at(problem.steps.size());
   for (const Requirement& requirement : problem.requirements) {
     const std::vector<bool> sends = sends_of_events(problem, requirement);
-    for (std::size_t s = 0; s < requirement.at.size(); ++s) at[s] = at[s] || requirement.at[s];
-    for (std::size_t s = 0; s < sends.size(); ++s) at[s] = at[s] || sends[s];
+    for (std::size_t s = 0; s < at.size(); ++s) {
+      if (sends[s] || (s < requirement.at.size() && requirement.at[s])) at[s] = true;
+    }
   }
   return at;
 }
@@ -71,7 +72,7 @@ Analysis analyze_compositionally(const Problem& skill, const Options& options) {
     verdict.at_least = requirement.at_least;
     verdict.where = requirement.where;
   }
-  const Forest forest = forest_of(problem);
+  const Forest forest = forest_of(problem, options.stop);
   std::string refusal = forest.refusal;
   if (refusal.empty()) {
     const Conduct conduct = conduct_of(problem, forest);

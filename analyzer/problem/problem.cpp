@@ -1,8 +1,8 @@
 #include "analyzer/problem/problem.hpp"
 
 #include <algorithm>
-#include <unordered_set>
 
+#include "analyzer/problem/flow.hpp"
 #include "analyzer/problem/problem_builder.hpp"
 #include "pal/pan/threads.hpp"
 #include "pal/support/diagnostic_code.hpp"
@@ -244,26 +244,11 @@ void ProblemBuilder::latencies() {
   }
 }
 
-/// Steps that a thread can reach, its blocks' steps left out.
-std::vector<std::size_t> ProblemBuilder::steps_of(const Thread& thread) const {
-  std::unordered_set<std::size_t> seen;
-  std::vector<std::size_t> found;
-  std::vector<int> open{thread.entry};
-  while (!open.empty()) {
-    const auto at = static_cast<std::size_t>(open.back());
-    open.pop_back();
-    if (!seen.insert(at).second) continue;
-    found.push_back(at);
-    open.insert(open.end(), problem_.steps[at].next.begin(), problem_.steps[at].next.end());
-  }
-  return found;
-}
-
 std::vector<std::set<int>> ProblemBuilder::takers() const {
   std::vector<std::set<int>> found(problem_.channels.size());
   for (const Thread& thread : problem_.threads) {
-    for (std::size_t s : steps_of(thread)) {
-      const Step& step = problem_.steps[s];
+    for (const int s : steps_of(problem_, thread)) {
+      const Step& step = problem_.steps[static_cast<std::size_t>(s)];
       if (step.kind != Step::Kind::wait) continue;
       for (int c : step.channels) found[static_cast<std::size_t>(c)].insert(thread.processor);
     }

@@ -33,7 +33,6 @@ class ProblemBuilder final : public TimesAndPlaces {
   void common_times();
   void channels();
   void latencies();
-  std::vector<std::size_t> steps_of(const Thread& thread) const;
   /// By channel: the processors of the threads that wait for it.
   std::vector<std::set<int>> takers() const;
   void limits();

@@ -3,6 +3,7 @@
 #include <functional>
 #include <queue>
 
+#include "analyzer/problem/flow.hpp"
 #include "analyzer/problem/problem_builder.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
@@ -69,8 +70,8 @@ void ProblemBuilder::overload() {
   const std::vector<bool> events = event_channels(problem_);
   std::vector<Taker> takers(problem_.channels.size());
   for (const Thread& thread : problem_.threads) {
-    for (const std::size_t s : steps_of(thread)) {
-      const Step& step = problem_.steps[s];
+    for (const int s : steps_of(problem_, thread)) {
+      const Step& step = problem_.steps[static_cast<std::size_t>(s)];
       for (std::size_t i = 0; step.kind == Step::Kind::wait && i < step.channels.size(); ++i) {
         const auto channel = static_cast<std::size_t>(step.channels[i]);
         if (!events[channel]) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analyzer/problem/flow.hpp"
 #include "analyzer/verdict/origins.hpp"
 #include "runtime/trace/slices.hpp"
 
@@ -32,20 +33,12 @@ std::vector<std::vector<Slice>> by_actor(const trace::Trace& trace, const std::v
 /// The thread whose step it is: a statement of an executed module is one step for each thread that executes
 /// it.
 int thread_of(const Problem& problem, int step) {
-  std::vector<bool> seen(problem.steps.size());
-  for (std::size_t t = 0; t < problem.threads.size(); ++t) {
-    std::vector<int> open{problem.threads[t].entry};
-    while (!open.empty()) {
-      const int here = open.back();
-      open.pop_back();
-      if (here == step) return static_cast<int>(t);
-      if (seen[static_cast<std::size_t>(here)]) continue;
-      seen[static_cast<std::size_t>(here)] = true;
-      const std::vector<int>& next = problem.steps[static_cast<std::size_t>(here)].next;
-      open.insert(open.end(), next.begin(), next.end());
-    }
-  }
-  return -1;
+  const auto has = [&](const Thread& thread) {
+    return follow(problem, {thread.entry},
+                  [step](int at) { return at == step ? Course::found : Course::goes_on; });
+  };
+  const auto thread = std::find_if(problem.threads.begin(), problem.threads.end(), has);
+  return thread == problem.threads.end() ? -1 : static_cast<int>(thread - problem.threads.begin());
 }
 
 struct Story {

@@ -167,6 +167,24 @@ TEST_CASE("the load of an activity of many seconds is that of one of as many mil
   }
 }
 
+TEST_CASE("a processor that can do nothing but work has no longest busy period") {
+  // Events every microsecond, 100 s of work for each: in 100 s that adds up to more than 64 bits hold.
+  std::string text = replaced(program("slow"), "LOAD OF P0 AT MOST 10 %", "BUSY PERIOD OF P0 AT MOST 300 s");
+  text = replaced(replaced(text, "100 ms", "1 us"), "20 ms", "100 s");
+  const Verdict bound = analyze_compositionally(*test::meaningful_skill(text)->problem).verdicts.front();
+  CHECK_FALSE(bound.bound);
+  CHECK(bound.state != Verdict::State::holds);
+}
+
+TEST_CASE("a round of more than seventy years is a round") {
+  std::string works;
+  for (int n = 0; n < 2400; ++n) works += "    work\n";
+  const auto skill = test::meaningful_skill(replaced(program("long"), "    work\n", works));
+  const Verdict load = analyze_compositionally(*skill->problem).verdicts.front();
+  REQUIRE(load.bound);
+  CHECK(load.bound->count() == 1'000'000'000);
+}
+
 TEST_CASE("a load whose round has a thousand actions and more ends in time") {
   // Its linear program has a round of more terms than Z3 minds its limit on time for: it went on for more
   // than ten minutes.
@@ -174,6 +192,19 @@ TEST_CASE("a load whose round has a thousand actions and more ends in time") {
   for (int n = 0; n < 1400; ++n) works += "    work\n";
   const auto skill = test::meaningful_skill(replaced(program("long"), "    work\n", works));
   CHECK(analyze(*skill->problem).verdicts.front().state != Verdict::State::holds);
+}
+
+TEST_CASE("the compositional analysis asks whether to end at each segment") {
+  // Two thousand that share a processor take a minute, and five thousand in a row with two ways on from each
+  // a minute and a half.
+  int asked = 0;
+  Options options;
+  options.stop = [&asked] { return ++asked > 20; };
+  const auto skill = test::meaningful_skill(program("slow"));
+  const Verdict load = analyze_compositionally(*skill->problem, options).verdicts.front();
+  CHECK(asked > 20);
+  REQUIRE(load.bound);
+  CHECK(load.bound->count() == 1'000'000'000);  // nothing is known
 }
 
 TEST_CASE("a request that a block takes may be answered at once when the block has ended") {

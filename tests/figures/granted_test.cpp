@@ -76,6 +76,17 @@ TEST_CASE("an answer that a round leaves is taken by the next") {
   compare(granted("left"), {{-1, 20.5}, {-1, 1.5}});
 }
 
+TEST_CASE("what a round waits for may come twice, and be left to the next round") {
+  // SM1 asks at 2 and, since MC1 moves till 6 and its answer is under way till 8, once more at 7. MC1 takes
+  // that in the round of 11.5, before the gauge was asked again.
+  compare(granted("asked_twice_for"), {{-1, 11.5}});
+}
+
+TEST_CASE("a set that is read before the same set is as old as the loop between them is long") {
+  // SM1 is at home in its second loop; the first one goes round with the beat.
+  compare(granted("set_round_a_loop"), {{-1, 10}});
+}
+
 TEST_CASE("frames that nobody asks for any more are lost") {
   // LS1 asks once, at the start.
   has_none(granted("asked_once"));

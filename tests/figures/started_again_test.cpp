@@ -83,3 +83,12 @@ TEST_CASE("what a thread brings about at its start may be taken in any of its ro
   is_refuted("told_between_limits");
   is_refuted("told_in_a_branch");
 }
+
+TEST_CASE("a device that asks by itself asks again before it has its answer") {
+  is_refuted("asked_by_a_device");
+}
+
+TEST_CASE("what a device asks for between two blocks that answer waits for the second one") {
+  // A request of 15 ms or more waits for the second block, and the next one comes with it.
+  is_refuted("asked_in_between");
+}

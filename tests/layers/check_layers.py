@@ -7,7 +7,8 @@ import re
 import sys
 
 # The proof, from the bottom up: each stage may use those before it.
-PROOF = ["problem", "machine", "zones", "runs", "verdict", "load", "exact", "compositional"]
+BOUNDS = [f"compositional/{stage}" for stage in ["causes", "times", "measures"]]
+PROOF = ["problem", "machine", "zones", "runs", "verdict", "load", "exact", "compositional/saturating.hpp", *BOUNDS, "compositional"]
 MODEL = ["pal/support", "pal/pan", "runtime/trace"]
 STAGES = [f"analyzer/{stage}" for stage in PROOF]
 
@@ -65,6 +66,7 @@ def self_test():
     assert list(breaks("codegen/plan.cpp", '#include "analyzer/problem/problem.hpp"\n'))
     assert list(breaks("sim/model.hpp", "#include <mujoco/mujoco.h>\n"))
     assert list(breaks("analyzer/problem/compile.cpp", '#include "analyzer/zones/dbm.hpp"\n'))
+    assert list(breaks("analyzer/compositional/times/slots.cpp", '#include "analyzer/compositional/measures/sum.hpp"\n'))
     assert list(breaks("analyzer/replay/referee.cpp", '#include "analyzer/machine/machine.hpp"\n'))
     assert not list(breaks("analyzer/exact/exact.cpp", '#include "pal/pan/graph.hpp"\n#include <vector>\n'))
 

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "analyzer/compositional/apart.hpp"
+#include "analyzer/compositional/causes/apart.hpp"
 #include "pal/pan/threads.hpp"
 #include "tests/support/skill.hpp"
 

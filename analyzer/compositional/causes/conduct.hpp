@@ -1,0 +1,44 @@
+// How each thread spends its life: rounds that begin at one wait, its home.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "analyzer/compositional/causes/forest.hpp"
+
+namespace pal::analyzer::compositional {
+
+struct ThreadConduct {
+  int home = -1;              // the wait at which its rounds begin and end; -1: it has no rounds
+  std::vector<int> rounds;    // nodes with which a round begins
+  std::vector<int> nodes;     // all
+  bool waits_within = false;  // a round waits for something before it ends
+  bool leaves = false;        // a round may end elsewhere, the skill going on
+  bool may_be_cancelled = false;
+  bool asked_by_one =
+      false;  // all rounds answer the requests of one client, which asks again only afterwards
+  /// Why nothing is known of when it goes on; empty if it is.
+  std::string trouble;
+};
+
+struct Conduct {
+  std::vector<ThreadConduct> threads;
+  /// By node: the node that began its round, or the thread.
+  std::vector<int> round;
+  /// By node: the nodes of its thread after which it comes; none for those that begin rounds or threads.
+  std::vector<std::vector<int>> previous;
+  /// By node: it comes before its thread, which begins once, can have begun a round. Trouble with rounds is
+  /// none there.
+  std::vector<bool> early;
+  /// By node: the message that begins its round is there when it is put, and while the slot is full the
+  /// node's thread has something to do, but for its own waits for slots. So who waits for the slot does not
+  /// keep the thread waiting.
+  std::vector<bool> drains;
+  std::vector<bool>
+      never_full;  // by channel: the protocol of request and answer keeps its slot free for a put
+};
+
+Conduct conduct_of(const Problem& problem, const Forest& forest);
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,102 @@
+#include "analyzer/compositional/causes/ground.hpp"
+
+#include <algorithm>
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+using Release = Node::Release;
+
+constexpr int most_passes = 50;
+
+Nanoseconds best_arrival(const Segment& segment, int wait) {
+  for (const Segment::Arrival& each : segment.waits) {
+    if (each.step == wait) return each.best;
+  }
+  for (const Segment::Arrival& each : segment.forks) {
+    if (each.step == wait) return each.best;
+  }
+  return 0;
+}
+
+Nanoseconds best_effect(const Segment& segment, int step) {
+  for (const Segment::Passed& each : segment.steps) {
+    if (each.step == step) return each.best;
+  }
+  return 0;
+}
+
+/// From those that are known of its causes.
+Nanoseconds earliest_release(const Ground& ground, int n, const std::vector<Nanoseconds>& known) {
+  const Node& node = ground.node(n);
+  const auto at = [&known](int other) { return known[static_cast<std::size_t>(other)]; };
+  Nanoseconds value = 0;
+  if (node.release == Release::message) {
+    Nanoseconds sent = never;
+    for (int send : node.sends) sent = std::min(sent, best_effect(ground.segment(node.cause), send));
+    value = plus(plus(at(node.cause), sent), ground.way(n).best);
+  }
+  const auto& previous = ground.conduct.previous[static_cast<std::size_t>(n)];
+  const Beginning& begins = ground.segment(n).beginning;
+  if (!previous.empty()) {
+    Nanoseconds soonest = never;
+    for (int before : previous)
+      soonest = std::min(soonest, plus(at(before), best_arrival(ground.segment(before), begins.step)));
+    const bool gives_up = begins.kind == Beginning::Kind::give_up;
+    value = std::max(value, plus(soonest, gives_up ? ground.step_at(begins.step).within.value_or(0) : 0));
+  } else if (node.release == Release::fork) {
+    value = plus(at(node.cause), best_arrival(ground.segment(node.cause), node.cause_step));
+  }
+  return value;
+}
+
+}  // namespace
+
+bool may_give_up(const Problem& problem, int request) {
+  const int answer = problem.channels[static_cast<std::size_t>(request)].answer;
+  return std::any_of(problem.steps.begin(), problem.steps.end(), [&](const Step& step) {
+    return step.kind == Kind::wait && step.within &&
+           std::find(step.channels.begin(), step.channels.end(), answer) != step.channels.end();
+  });
+}
+
+Range Ground::device_time(int device) const {
+  const auto& behaviour = problem.devices[static_cast<std::size_t>(device)].behaviour;
+  if (const auto* request = std::get_if<pan::RequestDevice>(&behaviour))
+    return {request->answer.best.count(), request->answer.worst.count()};
+  if (const auto* frames = std::get_if<pan::FrameDevice>(&behaviour))
+    return {frames->collecting.count(), frames->period.count() + frames->collecting.count()};
+  return {0, never};
+}
+
+Range Ground::way(int n) const {
+  if (node(n).device >= 0) return device_time(node(n).device);
+  return latency(problem, sent_channel(n), forest.thread_of(node(n).cause), forest.thread_of(n));
+}
+
+Nanoseconds Ground::answer_queue(int device, int request) const {
+  const Device& of = problem.devices[static_cast<std::size_t>(device)];
+  const auto* behaviour = std::get_if<pan::RequestDevice>(&of.behaviour);
+  if (behaviour == nullptr) return 0;
+  // It takes any of those that wait: the others could be served again and again before this one.
+  if (of.requests.size() > 1) return never;
+  return may_give_up(problem, request) ? behaviour->answer.worst.count() : 0;
+}
+
+/// Lower bounds, each got from lower bounds; the last ones are the greatest.
+std::vector<Nanoseconds> earliest_releases(const Ground& ground) {
+  std::vector<Nanoseconds> known(ground.forest.nodes.size(), 0);
+  for (int pass = 0; pass < most_passes; ++pass) {
+    bool changed = false;
+    for (std::size_t n = 0; n < known.size(); ++n) {
+      const Nanoseconds value = earliest_release(ground, static_cast<int>(n), known);
+      changed = changed || value != known[n];
+      known[n] = value;
+    }
+    if (!changed) break;
+  }
+  return known;
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,39 @@
+// What the times of a problem are reckoned from.
+#pragma once
+
+#include "analyzer/compositional/causes/conduct.hpp"
+
+namespace pal::analyzer::compositional {
+
+struct Ground {
+  const Problem& problem;
+  const Forest& forest;
+  const Conduct& conduct;
+
+  const Node& node(int n) const { return forest.nodes[static_cast<std::size_t>(n)]; }
+  const Segment& segment(int n) const { return forest.segment_of(node(n)); }
+  const Source& source(int n) const { return forest.sources[static_cast<std::size_t>(node(n).source)]; }
+  const Step& step_at(int step) const { return problem.steps[static_cast<std::size_t>(step)]; }
+  const Thread& thread_at(int thread) const { return problem.threads[static_cast<std::size_t>(thread)]; }
+  const Thread& thread_of(int n) const { return thread_at(forest.thread_of(n)); }
+  const ThreadConduct& conduct_of(int thread) const {
+    return conduct.threads[static_cast<std::size_t>(thread)];
+  }
+  int round_of(int n) const { return conduct.round[static_cast<std::size_t>(n)]; }
+  int sent_channel(int n) const { return step_at(node(n).sends.front()).channels.front(); }
+
+  /// Distance from a request's effect to its answer, once the device is free.
+  Range device_time(int device) const;
+  /// Distance from the send to where the node's message, or the device's answer to it, can be taken.
+  Range way(int n) const;
+  /// How long a request may wait for a device that answers on request; `never`: nothing bounds it.
+  Nanoseconds answer_queue(int device, int request) const;
+};
+
+/// Whether somebody may give up waiting for the answer to a request.
+bool may_give_up(const Problem& problem, int request);
+
+/// The earliest that each node can be released, from the nominal instant of its source.
+std::vector<Nanoseconds> earliest_releases(const Ground& ground);
+
+}  // namespace pal::analyzer::compositional

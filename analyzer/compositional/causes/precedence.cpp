@@ -1,0 +1,209 @@
+#include "analyzer/compositional/causes/precedence.hpp"
+
+#include <algorithm>
+
+#include "analyzer/compositional/causes/sequence.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+/// More pairs of segments in one module than this are not looked at.
+constexpr std::size_t most_pairs = 40'000;
+
+bool ends_with(const Ground& ground, const std::vector<int>& sends) {
+  return std::all_of(sends.begin(), sends.end(), [&](int send) {
+    const Step::Kind next = ground.step_at(ground.step_at(send).next.front()).kind;
+    return next == Step::Kind::wait || next == Step::Kind::fork || next == Step::Kind::end;
+  });
+}
+
+class Precedence {
+ public:
+  Precedence(const Ground& ground, const std::function<bool()>& stop)
+      : ground_(ground),
+        stop_(stop),
+        later_(ground.forest.nodes.size()),
+        apart_(ground.forest.nodes.size()) {}
+
+  Order run() {
+    in_programs();
+    by_blocks();
+    by_causes();
+    in_life();
+    for (std::size_t s = 0; s < ground_.forest.sources.size(); ++s) in_circle(static_cast<int>(s));
+    sort(later_);
+    sort(apart_);
+    return {std::move(later_), std::move(apart_)};
+  }
+
+ private:
+  using Nodes = std::set<int>;
+
+  bool is_over() const { return stop_ && stop_(); }
+
+  void in_programs() {
+    std::map<int, std::vector<int>> by_module;
+    for (std::size_t n = 0; n < later_.size(); ++n)
+      by_module[ground_.thread_of(static_cast<int>(n)).module].push_back(static_cast<int>(n));
+    Sequence sequence(ground_.problem);
+    for (const auto& [module, nodes] : by_module) {
+      if (is_over()) return;
+      if (nodes.size() * nodes.size() > most_pairs) continue;
+      for (int node : nodes) {
+        for (int other : nodes) {
+          if (node != other &&
+              !sequence.may_follow(ground_.segment(other).beginning, ground_.segment(node).beginning))
+            later_[static_cast<std::size_t>(node)].push_back(other);
+        }
+      }
+    }
+  }
+
+  /// Blocks have ended, or stopped, when what comes after them begins, and begin again only after it.
+  void by_blocks() {
+    for (std::size_t n = 0; n < apart_.size() && !is_over(); ++n) {
+      const Beginning& begins = ground_.segment(static_cast<int>(n)).beginning;
+      if (begins.kind != Beginning::Kind::joined) continue;
+      for (std::size_t other = 0; other < apart_.size(); ++other) {
+        if (is_below(ground_.forest.thread_of(static_cast<int>(other)), begins.step))
+          apart_[n].push_back(static_cast<int>(other));
+      }
+    }
+  }
+
+  /// Whether a thread is one of the blocks of a CONCURRENT, or below one.
+  bool is_below(int thread, int fork) const {
+    const std::vector<int>& blocks = ground_.step_at(fork).threads;
+    while (thread >= 0 && std::find(blocks.begin(), blocks.end(), thread) == blocks.end())
+      thread = ground_.thread_at(thread).parent;
+    return thread >= 0;
+  }
+
+  /// What comes once and brings about something else that comes once.
+  void by_causes() {
+    for (std::size_t n = 0; n < later_.size() && !is_over(); ++n) {
+      if (ground_.source(static_cast<int>(n)).period < never) continue;
+      for (int at = static_cast<int>(n); ground_.node(at).cause >= 0; at = ground_.node(at).cause) {
+        const auto cause = static_cast<std::size_t>(ground_.node(at).cause);
+        if (!ends_with_cause(ground_, at)) continue;
+        later_[cause].push_back(static_cast<int>(n));
+        apart_[n].push_back(static_cast<int>(cause));
+      }
+    }
+  }
+
+  /// What begins anew, or goes round, after something that comes once.
+  void in_life() {
+    const auto& sources = ground_.forest.sources;
+    std::vector<std::vector<int>> nodes_of(sources.size());
+    for (std::size_t n = 0; n < later_.size(); ++n)
+      nodes_of[static_cast<std::size_t>(ground_.node(static_cast<int>(n)).source)].push_back(
+          static_cast<int>(n));
+    for (std::size_t s = 0; s < sources.size() && !is_over(); ++s) {
+      for (int before : before_source(static_cast<int>(s), {})) {
+        auto& later = later_[static_cast<std::size_t>(before)];
+        later.insert(later.end(), nodes_of[s].begin(), nodes_of[s].end());
+        for (int n : nodes_of[s]) apart_[static_cast<std::size_t>(n)].push_back(before);
+      }
+    }
+  }
+
+  /// The nodes on the way round of a loop of which one message goes round: brought about once, from outside,
+  /// and in each round by one of them.
+  void in_circle(int source) {
+    const Source& of = ground_.forest.sources[static_cast<std::size_t>(source)];
+    if (of.kind != Source::Kind::loop || of.feeds.size() != 2) return;
+    const auto own = std::find_if(of.feeds.begin(), of.feeds.end(), [&](const Source::Feed& feed) {
+      return feed.node >= 0 && ground_.node(feed.node).source == source;
+    });
+    const auto outer = std::find_if(of.feeds.begin(), of.feeds.end(), [&](const Source::Feed& feed) {
+      return feed.node >= 0 && ground_.source(feed.node).kind == Source::Kind::start;
+    });
+    if (own == of.feeds.end() || outer == of.feeds.end()) return;
+    std::vector<int> circle;
+    bool ended = own->wait >= 0 || ends_with(ground_, own->sends);
+    for (int at = own->node; at >= 0; at = ground_.node(at).cause) {
+      if (!ended) return;
+      circle.push_back(at);
+      ended = ends_with_cause(ground_, at);
+    }
+    for (int node : circle) {
+      for (int other : circle) {
+        if (other != node) apart_[static_cast<std::size_t>(node)].push_back(other);
+      }
+    }
+  }
+
+  static void sort(std::vector<std::vector<int>>& lists) {
+    for (std::vector<int>& each : lists) {
+      std::sort(each.begin(), each.end());
+      each.erase(std::unique(each.begin(), each.end()), each.end());
+    }
+  }
+
+  /// The nodes that come once and are done before a source occurs for the first time. `asked`: sources on the
+  /// way to this one, which cannot be what first brings it about.
+  Nodes before_source(int source, std::set<int> asked) const {
+    const Source& of = ground_.forest.sources[static_cast<std::size_t>(source)];
+    asked.insert(source);
+    std::optional<Nodes> all;
+    const auto also = [&all](Nodes nodes) {
+      if (!all) {
+        all = std::move(nodes);
+        return;
+      }
+      std::erase_if(*all, [&nodes](int node) { return !nodes.contains(node); });
+    };
+    if (of.kind == Source::Kind::loop) {
+      for (const Source::Feed& feed : of.feeds) {
+        if (feed.node < 0) return {};
+        const int by = ground_.node(feed.node).source;
+        if (asked.contains(by)) continue;
+        const bool ends = feed.wait >= 0 || ends_with(ground_, feed.sends);
+        also(up_to(feed.node, ends, asked));
+      }
+    } else if (of.kind == Source::Kind::joined) {
+      for (std::size_t n = 0; n < later_.size(); ++n) {
+        const auto& forks = ground_.segment(static_cast<int>(n)).forks;
+        const bool starts = std::any_of(forks.begin(), forks.end(),
+                                        [&of](const Segment::Arrival& at) { return at.step == of.fork; });
+        if (starts) also(up_to(static_cast<int>(n), true, asked));
+      }
+    }
+    return all.value_or(Nodes{});
+  }
+
+  /// A node, if it has `ended`, and its causes, if they come once; else what is done before their source
+  /// occurs.
+  Nodes up_to(int node, bool ended, const std::set<int>& asked) const {
+    const Source& source = ground_.source(node);
+    if (source.kind != Source::Kind::start && source.kind != Source::Kind::joined)
+      return before_source(ground_.node(node).source, asked);
+    Nodes all =
+        source.kind == Source::Kind::joined ? before_source(ground_.node(node).source, asked) : Nodes{};
+    for (int at = node; at >= 0; at = ground_.node(at).cause) {
+      if (ended) all.insert(at);
+      ended = ends_with_cause(ground_, at);
+    }
+    return all;
+  }
+
+  const Ground& ground_;
+  const std::function<bool()>& stop_;
+  std::vector<std::vector<int>> later_;
+  std::vector<std::vector<int>> apart_;
+};
+
+}  // namespace
+
+bool ends_with_cause(const Ground& ground, int node) {
+  const Node& of = ground.node(node);
+  // Without a message it has come to a wait, or to its blocks.
+  return of.release != Node::Release::message || ends_with(ground, of.sends);
+}
+
+Order order_of(const Ground& ground, const std::function<bool()>& stop) {
+  return Precedence(ground, stop).run();
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,84 @@
+#include "analyzer/compositional/causes/refusal.hpp"
+
+#include <algorithm>
+
+#include "analyzer/compositional/causes/protocol.hpp"
+#include "analyzer/compositional/causes/rounds.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+const std::string& name_of(const Problem& problem, int thread) {
+  return problem.threads[static_cast<std::size_t>(thread)].name;
+}
+
+/// When a block within a block is there depends on rounds of several threads.
+bool is_nested(const Problem& problem, int thread) {
+  const int parent = problem.threads[static_cast<std::size_t>(thread)].parent;
+  return parent >= 0 && problem.threads[static_cast<std::size_t>(parent)].parent >= 0;
+}
+
+/// Blocks that are started again before nobody knows when, or stopped in each round.
+bool starts_rounds_again(const Problem& problem, int fork, int thread) {
+  const std::vector<int>& blocks = problem.steps[static_cast<std::size_t>(fork)].threads;
+  const bool straight = std::all_of(blocks.begin(), blocks.end(), [&problem](int block) {
+    return problem.threads[static_cast<std::size_t>(block)].can_end && ends_straight(problem, block);
+  });
+  return !straight && recurrent(problem, {Beginning::Kind::joined, thread, fork, -1});
+}
+
+/// Whether a block does more than compute: where that stands in a block within a block nothing is known of
+/// when.
+bool talks_or_sets(const Step& step) {
+  return step.kind == Step::Kind::wait || step.kind == Step::Kind::send || step.kind == Step::Kind::set;
+}
+
+/// A channel from which several waits take; -1: there is none. Requests of modules are served wherever their
+/// server is, and of an answer it is known where it is taken; of other messages nobody knows who gets them.
+/// What a device sends by itself, be it called a request, may come between two of them.
+int taken_anywhere(const Problem& problem, const Segments& segments) {
+  std::vector<int> waits(problem.channels.size());
+  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    if (problem.steps[s].kind != Step::Kind::wait || segments.owner(static_cast<int>(s)) < 0) continue;
+    for (int channel : problem.steps[s].channels) {
+      const Channel& of = problem.channels[static_cast<std::size_t>(channel)];
+      const bool asked = of.answer >= 0 && of.sender_device < 0;
+      if (!asked && of.answers < 0 && ++waits[static_cast<std::size_t>(channel)] > 1) return channel;
+    }
+  }
+  return -1;
+}
+
+/// Why nothing can be said of a skill that has this step, or nothing.
+std::string refusal_of_step(const Problem& problem, int index, int thread) {
+  const Step& step = problem.steps[static_cast<std::size_t>(index)];
+  const std::string& who = name_of(problem, thread);
+  if (step.kind == Step::Kind::fork && starts_rounds_again(problem, index, thread))
+    return who + " starts blocks again and again of which some go round";
+  if (talks_or_sets(step) && is_nested(problem, thread))
+    return who + " waits, sends or sets in a block within a block";
+  // The limit counts anew when what the thread is about to take is withdrawn, and others may take it, too.
+  const bool serves = std::any_of(step.channels.begin(), step.channels.end(), [&problem](int channel) {
+    return problem.channels[static_cast<std::size_t>(channel)].answer >= 0;
+  });
+  if (step.kind == Step::Kind::wait && step.within && serves)
+    return who + " waits with a limit for a request";
+  return {};
+}
+
+}  // namespace
+
+std::string refusal_of(const Problem& problem, const Segments& segments) {
+  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    const int step = static_cast<int>(s);
+    const int thread = segments.owner(step);
+    if (thread < 0) continue;
+    const std::string why = refusal_of_step(problem, step, thread);
+    if (!why.empty()) return why;
+  }
+  if (const int channel = taken_anywhere(problem, segments); channel >= 0)
+    return problem.channels[static_cast<std::size_t>(channel)].message + " is waited for in several places";
+  return out_of_turn(problem, segments);
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,71 @@
+// What a thread does between two waits.
+#pragma once
+
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "analyzer/compositional/saturating.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// How a segment begins.
+struct Beginning {
+  enum class Kind { entry, arm, give_up, joined };
+  Kind kind = Kind::entry;
+  int thread = -1;
+  int step = -1;  // the wait, or the fork
+  int arm = -1;   // of the wait: which of its channels
+
+  auto operator<=>(const Beginning&) const = default;
+};
+
+struct Segment {
+  struct Passed {
+    int step = -1;
+    Nanoseconds best = 0;   // processor time from the segment's beginning to the step's effect, on the
+    Nanoseconds worst = 0;  // shortest and on the longest way
+  };
+  struct Arrival {
+    int step = -1;  // a wait or a fork that ends the segment
+    Nanoseconds best = 0;
+    Nanoseconds worst = 0;
+  };
+  Beginning beginning;
+  std::vector<Passed> steps;  // each before those that follow it
+  std::vector<Arrival> waits;
+  std::vector<Arrival> forks;
+  bool ends = false;      // may end its thread
+  bool spins = false;     // has a loop without a wait: its time has no bound
+  Nanoseconds worst = 0;  // longest way through
+};
+
+/// Whether a run of the segment may come to `second` after `first`.
+bool comes_after(const Problem& problem, const Segment& segment, int first, int second);
+
+/// A test that ends the skill if no guard holds.
+inline bool may_match_nothing(const Step& step) {
+  return step.kind == Step::Kind::test && step.next.size() == step.guards.size();
+}
+
+/// All segments of a problem, made when asked for.
+class Segments {
+ public:
+  explicit Segments(const Problem& problem);
+
+  int find(const Beginning& beginning);
+  const Segment& operator[](int index) const { return segments_[static_cast<std::size_t>(index)]; }
+  int size() const { return static_cast<int>(segments_.size()); }
+  /// The thread that a step belongs to; -1: none reaches it.
+  int owner(int step) const { return owner_[static_cast<std::size_t>(step)]; }
+
+ private:
+  Segment make(const Beginning& beginning) const;
+
+  const Problem& problem_;
+  std::vector<int> owner_;
+  std::map<Beginning, int> known_;
+  std::vector<Segment> segments_;
+};
+
+}  // namespace pal::analyzer::compositional

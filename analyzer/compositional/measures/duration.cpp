@@ -1,0 +1,31 @@
+// How long a skill runs.
+#include <algorithm>
+
+#include "analyzer/compositional/measures/round_view.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// A completion that a module comes to from the start, or with the first occurrence of something that comes
+/// at a known pace.
+Bound duration_bound(const View& view, const Requirement& requirement) {
+  Sum longest;
+  bool any = false;
+  for (std::size_t i = 0; i < view.forest.nodes.size(); ++i) {
+    const int n = static_cast<int>(i);
+    const Node& node = view.forest.nodes[i];
+    const Source& source = view.forest.sources[static_cast<std::size_t>(node.source)];
+    for (const Segment::Passed& passed : view.forest.segment_of(node).steps) {
+      const Step& step = view.problem.steps[static_cast<std::size_t>(passed.step)];
+      const bool completes = step.kind == Step::Kind::complete && step.code == requirement.code;
+      const bool fails = may_match_nothing(step) && requirement.code == view.problem.error_code;
+      if (!completes && !fails) continue;
+      any = true;
+      const bool at_start = source.kind == Source::Kind::start;
+      longest = greater(longest, at_start ? latest(view, n, passed.step) : Sum::unbounded());
+    }
+  }
+  if (!any) return {Sum::unbounded(), "nothing completes the skill with this code"};
+  return {longest, "nothing bounds in which round the skill is completed"};
+}
+
+}  // namespace pal::analyzer::compositional

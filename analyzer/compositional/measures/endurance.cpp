@@ -1,0 +1,93 @@
+// How long threads go on, and how long after the first that leaves its rounds.
+#include <algorithm>
+
+#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/measures/reliable.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+
+/// From the end of a block's rounds to the end of the skill.
+class Ending {
+ public:
+  Ending(const Problem& problem, const Forest& forest, const Conduct& conduct, const Times& times,
+         const std::vector<bool>& lively)
+      : problem_(problem), forest_(forest), conduct_(conduct), times_(times), lively_(lively) {}
+
+  Sum after(int fork, int leaver) const {
+    Sum others;    // latest end of the other blocks, from time 0
+    Sum stopping;  // of those that cannot end
+    for (int block : problem_.steps[static_cast<std::size_t>(fork)].threads) {
+      const auto b = static_cast<std::size_t>(block);
+      if (block == leaver) continue;
+      if (!problem_.threads[b].can_end) {
+        const Nanoseconds within = stops_within(problem_, times_.demand->windows(), block);
+        stopping =
+            greater(stopping,
+                    {within, {Term::Kind::said, -1, -1, -1, "cancelled blocks finish what they have begun"}});
+        continue;
+      }
+      if (conduct_.threads[b].home >= 0 || !lively_[b] || !ends_straight(problem_, block))
+        return Sum::unbounded();
+      for (int n : conduct_.threads[b].nodes) {
+        const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
+        const bool at_start =
+            forest_.sources[static_cast<std::size_t>(node.source)].kind == Source::Kind::start;
+        others = greater(others, at_start ? finish(n) : Sum::unbounded());
+      }
+    }
+    return others + stopping + to_completion(fork);
+  }
+
+ private:
+  Sum finish(int node) const {
+    return {times_.nodes[static_cast<std::size_t>(node)].finish, {Term::Kind::latest, node, -1, -1, ""}};
+  }
+
+  /// From when the blocks are over; all ways must complete the skill without another wait.
+  Sum to_completion(int fork) const {
+    for (std::size_t n = 0; n < forest_.nodes.size(); ++n) {
+      const Segment& segment = forest_.segment_of(forest_.nodes[n]);
+      const Source& source = forest_.sources[static_cast<std::size_t>(forest_.nodes[n].source)];
+      if (source.kind != Source::Kind::joined || source.fork != fork || forest_.nodes[n].cause >= 0) continue;
+      const bool completes =
+          segment.waits.empty() && segment.forks.empty() && !segment.ends && sends_freely(segment);
+      return completes ? finish(static_cast<int>(n)) : Sum::unbounded();
+    }
+    return Sum::unbounded();
+  }
+
+  bool sends_freely(const Segment& segment) const {
+    return std::all_of(segment.steps.begin(), segment.steps.end(), [this](const Segment::Passed& passed) {
+      return problem_.steps[static_cast<std::size_t>(passed.step)].kind != Kind::send;
+    });
+  }
+
+  const Problem& problem_;
+  const Forest& forest_;
+  const Conduct& conduct_;
+  const Times& times_;
+  const std::vector<bool>& lively_;
+};
+
+}  // namespace
+
+Endurance endurance_of(const Problem& problem, const Forest& forest, const Conduct& conduct,
+                       const Times& times) {
+  Endurance made;
+  made.always = threads_that_endure(problem, forest, conduct, times, false);
+  made.steady = threads_that_endure(problem, forest, conduct, times, true);
+  const Ending ending(problem, forest, conduct, times, made.always.lively);
+  for (std::size_t t = 0; t < problem.threads.size(); ++t) {
+    const int thread = static_cast<int>(t);
+    if (!conduct.threads[t].leaves) continue;
+    made.leavers.push_back(thread);
+    const bool known = may_leave(problem, thread) && made.steady.reliable[t];
+    made.over = greater(made.over, known ? ending.after(fork_of(problem, thread), thread) : Sum::unbounded());
+  }
+  return made;
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,110 @@
+// How far apart effects of statements can be, and how near.
+#include <algorithm>
+
+#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/measures/passes.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+/// From an effect in one thread to the next.
+Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, bool from_start) {
+  const auto t = static_cast<std::size_t>(thread);
+  const std::string& name = view.problem.threads[t].name;
+  Passes passes(view, thread, at);
+  const ThreadConduct& of = view.conduct.threads[t];
+  const std::string& trouble = view.times.trouble[t];
+  const Bound none{Sum::unbounded(),
+                   trouble.empty() ? name + " need not come to it in every round" : trouble};
+  const bool rounds = of.home >= 0 || starts_in_rounds(view, thread);
+  // What has had an effect has begun.
+  if (rounds ? !view.reliable[t] && !goes_on(view, thread) : !view.lively[t]) return none;
+  Sum longest = from_start ? passes.first() + passes.latest() : Sum();
+  // Others may come to it when this thread does not any more.
+  const bool always = passes.every_round() && !passes.in_rounds().empty() && goes_on(view, thread);
+  if (from_start && !always) return none;
+  Sum end;
+  for (int n : of.nodes) {
+    if (in_paced_round(view, n)) end = greater(end, finish(view, n));
+  }
+  const auto follow = [&](Pass pass, const Sum& apart) {
+    const Way way = passes.after(pass);
+    if (way.lost || (way.home && !passes.every_round())) return Sum::unbounded();
+    Sum next = way.latest;
+    if (way.home) next = greater(next, apart + passes.latest());
+    // What a cancelled block has begun it finishes.
+    if (of.may_be_cancelled) next = greater(next, end);
+    return next - earliest(view, pass.node, pass.step);
+  };
+  for (const Pass& pass : passes.in_rounds()) longest = greater(longest, follow(pass, passes.gap()));
+  for (const Pass& pass : passes.before_rounds()) longest = greater(longest, follow(pass, passes.first()));
+  return {longest, none.why};
+}
+
+Bound greatest_interval(const View& view, const Requirement& requirement) {
+  const std::set<int> threads = owners(view, requirement.at);
+  Bound least{Sum::unbounded(), "no thread comes to it"};
+  for (int thread : threads) {
+    const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
+    // One of several must go on for as long as any of them.
+    if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || !goes_on(view, thread))) continue;
+    const Bound bound = greatest_in(view, requirement.at, thread, threads.size() > 1);
+    if (bound.sum.value() < least.sum.value() || !least.known()) least = bound;
+  }
+  return least;
+}
+
+/// If each occurrence of one source brings one effect at most: from the latest in one round to the earliest
+/// in the next.
+Sum least_by_source(const View& view, const std::vector<Pass>& all) {
+  if (all.empty()) return {};
+  const int source = view.forest.nodes[static_cast<std::size_t>(all.front().node)].source;
+  const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
+  if (of.period >= never) return {};
+  Sum sooner = Sum::unbounded();
+  Sum later;
+  for (const Pass& pass : all) {
+    if (pass.node != all.front().node) return {};
+    const Segment& segment = view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(pass.node)]);
+    for (const Pass& other : all) {
+      if (comes_after(view.problem, segment, pass.step, other.step)) return {};
+    }
+    sooner = less(sooner, earliest(view, pass.node, pass.step));
+    later = greater(later, latest(view, pass.node, pass.step));
+  }
+  if (!later.bounded()) return {};
+  return greater(
+      Sum(), Sum(of.period, {Term::Kind::said, -1, -1, source, "comes no sooner again"}) + sooner - later);
+}
+
+/// What the shortest way through the program takes.
+Sum by_the_way(const View& view, const std::vector<bool>& at, int thread) {
+  return {least_way(view.problem, thread, at),
+          {Term::Kind::said, -1, -1, -1, "what lies on the shortest way from one to the next"}};
+}
+
+Bound least_interval(const View& view, const Requirement& requirement) {
+  const Sum least = least_distance(view, requirement.at);
+  if (!least.bounded()) return {Sum::unbounded(), "it comes once at most"};
+  if (least.value() == 0) return {Sum::unbounded(), "nothing keeps two passes apart"};
+  return {least, ""};
+}
+
+}  // namespace
+
+Sum least_distance(const View& view, const std::vector<bool>& at) {
+  const std::set<int> threads = owners(view, at);
+  if (threads.size() != 1) return {};
+  std::vector<Pass> all;
+  for (std::size_t s = 0; s < at.size(); ++s) {
+    if (!at[s] || view.forest.segments.owner(static_cast<int>(s)) < 0) continue;
+    for (int n : nodes_with(view, static_cast<int>(s))) all.push_back({n, static_cast<int>(s)});
+  }
+  return greater(least_by_source(view, all), by_the_way(view, at, *threads.begin()));
+}
+
+Bound interval_bound(const View& view, const Requirement& requirement) {
+  return requirement.at_least ? least_interval(view, requirement) : greatest_interval(view, requirement);
+}
+
+}  // namespace pal::analyzer::compositional

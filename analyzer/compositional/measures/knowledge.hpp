@@ -1,0 +1,65 @@
+// What threads surely know, of a device's samples or of the sets of a condition.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "analyzer/compositional/measures/passes.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// Knowledge grows: what a thread knew it still knows, and reads and messages can only make it newer. So each
+/// way by which it must come gives a lower bound of the instant known, which counts here from the nominal
+/// instant of the node's source. Where the source's nominal instant plus the bound is at or before time 0 the
+/// thread may know nothing yet; whatever it knows is younger than the skill.
+///
+/// M. Günzel and others, Timing analysis of asynchronized distributed cause-effect chains, 2021: the chains
+/// are followed backward, from the statement to what it was told last.
+class Knowledge {
+ public:
+  /// The instant known; nothing: none is.
+  using Known = std::optional<Sum>;
+
+  Knowledge(const View& view, const Requirement& requirement);
+
+  /// At the effect of a step in a node.
+  Known at(Pass pass) const;
+
+ private:
+  struct State {
+    Known known;
+    Known set;  // the last set of the condition, as far as the thread's way says
+  };
+  struct Setter {
+    int thread;
+    std::unique_ptr<Passes> sets;
+  };
+
+  void find_setters();
+  bool visit(int node);
+  State begin(int node) const;
+  State before_home(int node) const;
+  Known set_by_blocks(const Node& joined) const;
+  Known told(int node) const;
+  Known told_by(int sender, const std::vector<int>& sends, int device) const;
+  Known told_in_loop(const Source& source, int index) const;
+  void transfer(int node, int step, State& state);
+  Sum age_when_read(int condition, int reader);
+  Sum sample_age(int condition, int reader) const;
+  bool surely_read(int step, int condition) const;
+  bool sampled(int channel) const;
+
+  const View& view_;
+  const Problem& problem_;
+  const Requirement& requirement_;
+  std::vector<State> begins_;                   // by node
+  std::vector<std::vector<Known>> effects_;     // by node and place in its segment
+  std::vector<std::map<int, State>> arrivals_;  // by node: at the waits and forks that end it
+  std::vector<bool> regular_;                   // by thread
+  std::vector<std::set<int>> latched_;          // by thread: conditions that it reads by RPC
+  std::map<int, std::vector<bool>> set_at_;     // by condition
+  std::map<int, std::vector<Setter>> setters_;  // by condition
+  std::map<std::pair<int, int>, Sum> ages_;     // by condition and reader
+};
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,71 @@
+// Skills that end when a block leaves its rounds.
+#include <algorithm>
+
+#include "analyzer/compositional/measures/round_view.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Measure = Requirement::Measure;
+
+/// The next event but one must not come while the skill is ending: the first may find nobody at home. Whoever
+/// was to take that is still at work with the one before until it would have taken it.
+bool over_before_next(const View& view, int device, const Sum& over) {
+  const auto in_time = [&](const Source& source, int root) {
+    const Nanoseconds taken = view.times.nodes[static_cast<std::size_t>(root)].effects.front();
+    return plus(over.value(), taken) < source.period;
+  };
+  return std::any_of(view.forest.sources.begin(), view.forest.sources.end(), [&](const Source& source) {
+    return source.kind == Source::Kind::event && source.device == device &&
+           std::all_of(source.roots.begin(), source.roots.end(),
+                       [&](int root) { return in_time(source, root); });
+  });
+}
+
+/// Whether the statements are in one thread, and that is the only one to leave its rounds.
+bool only_in_leaver(const View& view, const Endurance& endurance, const Requirement& requirement) {
+  const std::set<int> threads = owners(view, requirement.at);
+  return endurance.leavers.size() == 1 && threads.size() == 1 && threads.contains(endurance.leavers.front());
+}
+
+}  // namespace
+
+Bound until_left(const View& always, const Endurance& endurance, const Requirement& requirement,
+                 const std::function<Bound(const View&, const Requirement&)>& bound_of) {
+  const View steady{always.problem,
+                    always.forest,
+                    always.conduct,
+                    always.times,
+                    endurance.steady.reliable,
+                    endurance.steady.lively,
+                    endurance.steady.begun,
+                    true};
+  const Bound strict = bound_of(always, requirement);
+  if (endurance.leavers.empty()) return strict;
+  switch (requirement.measure) {
+    case Measure::age:
+      // Once its thread has left its rounds a statement has no effect any more.
+      return only_in_leaver(always, endurance, requirement) ? bound_of(steady, requirement) : strict;
+    case Measure::reaction:
+    case Measure::interval: {
+      if (requirement.at_least) return strict;
+      Bound bound = bound_of(steady, requirement);
+      if (!only_in_leaver(always, endurance, requirement)) bound.sum = bound.sum + endurance.over;
+      return bound.known() ? bound : strict;
+    }
+    case Measure::response:
+    case Measure::loss: {
+      if (!over_before_next(always, requirement.device, endurance.over)) return strict;
+      Bound bound = bound_of(steady, requirement);
+      if (requirement.measure == Measure::response) bound.sum = bound.sum + endurance.over;
+      return bound.known() ? bound : strict;
+    }
+    case Measure::load:
+    case Measure::busy:
+    case Measure::duration:
+      break;
+  }
+  return strict;
+}
+
+}  // namespace pal::analyzer::compositional

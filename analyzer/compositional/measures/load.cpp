@@ -1,0 +1,59 @@
+// How much of its time a processor is busy.
+#include <algorithm>
+
+#include "analyzer/compositional/measures/measures.hpp"
+#include "analyzer/load/fraction.hpp"
+#include "analyzer/verdict/explain.hpp"
+
+namespace pal::analyzer::compositional {
+
+Bound load_bound(const View& view, const Requirement& requirement) {
+  constexpr Nanoseconds second = 1'000'000'000;
+  const std::string whole_time = "the rates that are known add up to the whole time";
+  const Sum whole(second, {Term::Kind::said, -1, -1, -1, whole_time});
+  std::vector<Sum> busy(view.problem.processors.size());
+  for (std::size_t n = 0; n < view.forest.nodes.size(); ++n) {
+    const Node& node = view.forest.nodes[n];
+    const Segment& segment = view.forest.segment_of(node);
+    const Source& source = view.forest.sources[static_cast<std::size_t>(node.source)];
+    if (source.period == never || segment.worst == 0) continue;
+    const auto thread = static_cast<std::size_t>(segment.beginning.thread);
+    Sum& sum = busy[static_cast<std::size_t>(view.problem.threads[thread].processor)];
+    // More than the whole time is the whole time.
+    const Nanoseconds share =
+        segment.worst < source.period ? per_second({segment.worst, source.period}) : second;
+    const std::string what =
+        "runs " + milliseconds(segment.worst) + " in each " + milliseconds(source.period);
+    sum = sum + Sum(share, {Term::Kind::said, static_cast<int>(n), -1, -1, what});
+    if (sum.value() >= second) sum = whole;
+  }
+  Sum most;
+  for (int processor : requirement.processors)
+    most = greater(most, busy[static_cast<std::size_t>(processor)]);
+  return {most, most.value() == second ? whole_time : ""};
+}
+
+namespace {
+
+Sum busy_without_pause(const View& view, int processor) {
+  const Nanoseconds busy = view.windows().busy(processor);
+  if (busy >= never) return Sum::unbounded();
+  Sum all;
+  for (const Account::Share& share : view.windows().work(processor, busy)) {
+    const int node = view.times.demand->node_of(share.transaction, share.task);
+    const std::string what = share.jobs == 1 ? "runs" : "runs " + std::to_string(share.jobs) + " times";
+    all = all + Sum(share.work, {Term::Kind::said, node, -1, -1, what});
+  }
+  return all;
+}
+
+}  // namespace
+
+Bound busy_bound(const View& view, const Requirement& requirement) {
+  Sum longest;
+  for (int processor : requirement.processors)
+    longest = greater(longest, busy_without_pause(view, processor));
+  return {longest, "a processor may have work without end"};
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,62 @@
+// How much of what devices send nobody takes.
+#include <algorithm>
+
+#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/measures/passes.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+/// Why an answer to a request may get lost; empty: none may.
+std::string answers_lost(const View& view, int request, std::vector<bool>& sends) {
+  const Problem& problem = view.problem;
+  if (may_give_up(problem, request)) return "somebody may give up waiting for an answer";
+  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    const Step& step = problem.steps[s];
+    const int owner = view.forest.segments.owner(static_cast<int>(s));
+    if (owner < 0 || step.kind != Step::Kind::send || step.channels.front() != request) continue;
+    if (view.conduct.threads[static_cast<std::size_t>(owner)].may_be_cancelled)
+      return "a block that waits for an answer may be cancelled";
+    sends[s] = true;
+  }
+  return "";
+}
+
+/// A request is served by the frame that starts within a period of it; so between two frames that serve
+/// somebody there are at most as many as start between two requests.
+Bound frames_lost(const View& view, const Requirement& requirement, const pan::FrameDevice& frames,
+                  const std::vector<bool>& sends) {
+  const std::set<int> threads = owners(view, sends);
+  const bool endless = std::any_of(threads.begin(), threads.end(), [&](int thread) {
+    if (!view.lasts(thread) || !goes_on(view, thread) ||
+        view.conduct.threads[static_cast<std::size_t>(thread)].leaves)
+      return false;
+    const Passes asks(view, thread, sends);
+    return asks.every_round() && !asks.in_rounds().empty();
+  });
+  if (!endless || view.steady) return {Sum::unbounded(), "nobody asks for frames for ever"};
+  Requirement asked;
+  asked.measure = Requirement::Measure::interval;
+  asked.at = sends;
+  const Bound apart = interval_bound(view, asked);
+  if (!apart.known()) return apart;
+  const Nanoseconds lost = apart.sum.value() / frames.period.count();
+  return {Sum::number(requirement.in - requirement.in / (lost + 1)), ""};
+}
+
+}  // namespace
+
+Bound loss_bound(const View& view, const Requirement& requirement) {
+  const Device& device = view.problem.devices[static_cast<std::size_t>(requirement.device)];
+  if (std::holds_alternative<pan::EventDevice>(device.behaviour)) return event_loss_bound(view, requirement);
+  std::vector<bool> sends(view.problem.steps.size());
+  for (int request : device.requests) {
+    const std::string why = answers_lost(view, request, sends);
+    if (!why.empty()) return {Sum::unbounded(), why};
+  }
+  if (const auto* frames = std::get_if<pan::FrameDevice>(&device.behaviour))
+    return frames_lost(view, requirement, *frames, sends);
+  return {Sum(), ""};
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,98 @@
+// Bounds of what requirements measure, from the times of segments.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "analyzer/compositional/measures/sum.hpp"
+#include "analyzer/compositional/times/demand.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// No run exceeds it; if it is not bounded, nothing is known, for the reason that `why` gives.
+struct Bound {
+  Sum sum = Sum::unbounded();
+  std::string why;
+
+  bool known() const { return sum.bounded(); }
+};
+
+struct View {
+  const Problem& problem;
+  const Forest& forest;
+  const Conduct& conduct;
+  const Times& times;
+  /// By thread: it comes home from every round, whatever the run, as long as the skill lasts and it is not
+  /// cancelled.
+  const std::vector<bool>& reliable;
+  /// By thread: what it waits for outside of its home comes.
+  const std::vector<bool>& lively;
+  /// By thread: it begins, whatever the run.
+  const std::vector<bool>& begun;
+  /// Only what is so before the first block leaves its rounds; nobody is cancelled till then.
+  bool steady = false;
+
+  const BusyWindows& windows() const { return times.demand->windows(); }
+  bool lasts(int thread) const {
+    const auto t = static_cast<std::size_t>(thread);
+    return (steady || !conduct.threads[t].may_be_cancelled) && reliable[t];
+  }
+};
+
+/// The effect of a step in a node at the latest, and at the earliest; the node's end.
+Sum latest(const View& view, int node, int step);
+Sum earliest(const View& view, int node, int step);
+Sum finish(const View& view, int node);
+/// The release of a node at the latest.
+Sum release(const View& view, int node);
+/// The effect of a step in a node, and the node's end, at the latest after the event that brings it about.
+Sum since_event(const View& view, int node, int step);
+Sum finish_since_event(const View& view, int node);
+/// From one occurrence of a source to the next, and from time 0 to the first, at the latest.
+Sum gap(const View& view, int source);
+Sum first(const View& view, int source);
+
+Bound response_bound(const View& view, const Requirement& requirement);
+/// By step: whether it sends what a response is required to.
+std::vector<bool> sends_of_events(const Problem& problem, const Requirement& requirement);
+/// Whether each occurrence of a source of one root leads to a statement, as long as the skill lasts.
+bool always_comes(const View& view, int source, const std::vector<bool>& at);
+/// Number of events, answers or frames lost of any so many in a row.
+Bound loss_bound(const View& view, const Requirement& requirement);
+Bound event_loss_bound(const View& view, const Requirement& requirement);
+Bound age_bound(const View& view, const Requirement& requirement);
+/// By what the threads surely know; of a condition age_bound may know a nearer one.
+Bound known_age_bound(const View& view, const Requirement& requirement);
+Bound reaction_bound(const View& view, const Requirement& requirement);
+/// Between two effects of statements, at the least: 0 if nothing keeps them apart, unbounded if there is one
+/// at most.
+Sum least_distance(const View& view, const std::vector<bool>& at);
+/// Of a least interval: no run falls below the value.
+Bound interval_bound(const View& view, const Requirement& requirement);
+Bound duration_bound(const View& view, const Requirement& requirement);
+/// Nanoseconds of work in a second; of the processor that has most.
+Bound load_bound(const View& view, const Requirement& requirement);
+Bound busy_bound(const View& view, const Requirement& requirement);
+
+/// How long threads go on.
+struct Endurance {
+  struct Threads {
+    std::vector<bool> reliable;  // View::reliable
+    std::vector<bool> lively;    // View::lively
+    std::vector<bool> begun;     // View::begun
+  };
+  Threads always;
+  Threads steady;            // until the first block leaves its rounds
+  std::vector<int> leavers;  // the blocks that do
+  Sum over;                  // from then until the skill has ended; unbounded: it may go on
+};
+
+/// A bound for skills that end when a block leaves its rounds: what `bound_of` says of the time before, and
+/// what may be added till the skill has ended.
+Bound until_left(const View& always, const Endurance& endurance, const Requirement& requirement,
+                 const std::function<Bound(const View&, const Requirement&)>& bound_of);
+
+Endurance endurance_of(const Problem& problem, const Forest& forest, const Conduct& conduct,
+                       const Times& times);
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,152 @@
+#include "analyzer/compositional/measures/passes.hpp"
+
+#include <algorithm>
+
+#include "analyzer/compositional/causes/rounds.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+
+/// Steps from which one of `at` may come in the same thread.
+std::vector<bool> reaching(const Problem& problem, const std::vector<bool>& at) {
+  std::vector<bool> found = at;
+  found.resize(problem.steps.size());
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t s = problem.steps.size(); s-- > 0;) {
+      if (found[s]) continue;
+      const auto& next = problem.steps[s].next;
+      found[s] = std::any_of(next.begin(), next.end(),
+                             [&](int after) { return found[static_cast<std::size_t>(after)]; });
+      changed = changed || found[s];
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
+    : view_(view),
+      thread_(thread),
+      at_(at),
+      reachable_(reaching(view.problem, at)),
+      begins_again_(recurrent(view.problem, {Beginning::Kind::entry, thread, -1, -1})) {
+  const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
+  for (int n : of.nodes) {
+    for (const Segment::Passed& passed :
+         view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(n)]).steps) {
+      if (!at[static_cast<std::size_t>(passed.step)]) continue;
+      (in_paced_round(view, n) ? in_rounds_ : before_rounds_).push_back({n, passed.step});
+    }
+  }
+  const int source = paced_source(view, thread);
+  if (source < 0 || !regular(view, thread)) return;
+  gap_ = compositional::gap(view, source);
+  first_ = compositional::first(view, source);
+  Way round;
+  for (int n : of.nodes) {
+    const bool begins = view.conduct.round[static_cast<std::size_t>(n)] == n;
+    if (begins && in_paced_round(view, n)) merge(round, begun(n));
+  }
+  every_round_ = !round.home && !round.lost;
+  latest_ = round.latest;
+  released_ = round.released;
+}
+
+void Passes::merge(Way& into, const Way& other) const {
+  into.latest = greater(into.latest, other.latest);
+  into.released = greater(into.released, other.released);
+  into.home = into.home || other.home;
+  into.lost = into.lost || other.lost || !other.latest.bounded();
+}
+
+Way Passes::begun(int node) {
+  const Beginning& begins =
+      view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(node)]).beginning;
+  if (begins.kind == Beginning::Kind::entry) {
+    return from(node, view_.problem.threads[static_cast<std::size_t>(begins.thread)].entry);
+  }
+  const Step& step = view_.problem.steps[static_cast<std::size_t>(begins.step)];
+  if (begins.kind == Beginning::Kind::joined) return from(node, step.next.front());
+  if (at_[static_cast<std::size_t>(begins.step)]) {
+    return {compositional::latest(view_, node, begins.step), release(view_, node), false, false};
+  }
+  const bool gives_up = begins.kind == Beginning::Kind::give_up;
+  return from(node, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
+}
+
+Way Passes::from_entry() {
+  Way way;
+  bool any = false;
+  for (int n : view_.conduct.threads[static_cast<std::size_t>(thread_)].nodes) {
+    if (view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(n)]).beginning.kind ==
+        Beginning::Kind::entry) {
+      any = true;
+      merge(way, begun(n));
+    }
+  }
+  way.lost = way.lost || !any;
+  return way;
+}
+
+Way Passes::after(Pass pass) {
+  Way way;
+  const Beginning& begins =
+      view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(pass.node)]).beginning;
+  const Step& step = view_.problem.steps[static_cast<std::size_t>(pass.step)];
+  if (step.kind == Kind::wait) {
+    const bool gives_up = begins.kind == Beginning::Kind::give_up;
+    return from(pass.node, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
+  }
+  if (step.next.empty()) way = {finish(view_, pass.node), release(view_, pass.node), false, false};
+  for (int next : step.next) merge(way, from(pass.node, next));
+  return way;
+}
+
+Way Passes::from(int node, int at) {
+  const auto [place, fresh] = known_.emplace(std::pair{node, at}, Way{Sum(), Sum(), false, true});
+  if (!fresh) return place->second;
+  const Step& step = view_.problem.steps[static_cast<std::size_t>(at)];
+  Way way;
+  if (!reachable_[static_cast<std::size_t>(at)]) {
+    if (begins_again_) {
+      way.home = true;
+    } else {
+      way = {finish(view_, node), release(view_, node), false, false};
+    }
+  } else if (step.kind == Kind::wait || step.kind == Kind::fork) {
+    way = beyond_wait(node, at);
+  } else if (at_[static_cast<std::size_t>(at)]) {
+    way = {compositional::latest(view_, node, at), release(view_, node), false, false};
+  } else {
+    // The skill may end.
+    if (may_match_nothing(step)) way = {finish(view_, node), release(view_, node), false, false};
+    for (int next : step.next) merge(way, from(node, next));
+  }
+  way.lost = way.lost || !way.latest.bounded();
+  known_[{node, at}] = way;
+  return way;
+}
+
+/// What the thread does when its wait, or its blocks, are over.
+Way Passes::beyond_wait(int node, int wait) {
+  const ThreadConduct& of = view_.conduct.threads[static_cast<std::size_t>(thread_)];
+  if (wait == of.home) return {Sum(), Sum(), true, false};
+  Way way;
+  bool any = false;
+  for (int other : of.nodes) {
+    const Beginning& begins =
+        view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(other)]).beginning;
+    const auto& previous = view_.conduct.previous[static_cast<std::size_t>(other)];
+    if (begins.step != wait || std::find(previous.begin(), previous.end(), node) == previous.end()) continue;
+    any = true;
+    merge(way, begun(other));
+  }
+  way.lost = way.lost || !any;
+  return way;
+}
+
+}  // namespace pal::analyzer::compositional

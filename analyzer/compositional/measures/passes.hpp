@@ -1,0 +1,66 @@
+// When statements come in one thread, round after round.
+#pragma once
+
+#include "analyzer/compositional/measures/round_view.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// The effect of a statement in a node.
+struct Pass {
+  int node = -1;
+  int step = -1;
+};
+
+/// The ways on from a place: until one of the statements has had its effect, or none can come any more.
+struct Way {
+  Sum latest;         // from the nominal instant of the source, of those ways that get there
+  Sum released;       // the same, of the release of the segment in which they get there
+  bool home = false;  // some way comes home first
+  bool lost = false;  // nothing is known of some way
+};
+
+/// The effects of the statements `at` in one thread, as long as it comes home from every round.
+class Passes {
+ public:
+  Passes(const View& view, int thread, const std::vector<bool>& at);
+
+  const std::vector<Pass>& in_rounds() const { return in_rounds_; }
+  const std::vector<Pass>& before_rounds() const { return before_rounds_; }
+
+  /// After a pass.
+  Way after(Pass pass);
+  /// From where the thread begins.
+  Way from_entry();
+  /// Whether each round passes one, or goes where none can come any more, and rounds come at a known pace.
+  bool every_round() const { return every_round_; }
+  /// With every_round: latest pass of a round, from the nominal instant of its source.
+  const Sum& latest() const { return latest_; }
+  /// With every_round: latest release of the segment in which a round passes one. From then on the thread has
+  /// something to do until it does.
+  const Sum& released() const { return released_; }
+  /// Greatest distance of nominal instants of rounds, and of the first from time 0; unbounded: not known.
+  const Sum& gap() const { return gap_; }
+  const Sum& first() const { return first_; }
+
+ private:
+  Way from(int node, int step);
+  Way beyond_wait(int node, int wait);
+  Way begun(int node);
+  void merge(Way& into, const Way& other) const;
+
+  const View& view_;
+  int thread_;
+  const std::vector<bool>& at_;
+  std::vector<bool> reachable_;  // by step: one of the statements can still come
+  bool begins_again_;            // a block of a CONCURRENT that comes again
+  std::vector<Pass> in_rounds_;
+  std::vector<Pass> before_rounds_;
+  std::map<std::pair<int, int>, Way> known_;
+  bool every_round_ = false;
+  Sum latest_;
+  Sum released_;
+  Sum gap_ = Sum::unbounded();
+  Sum first_ = Sum::unbounded();
+};
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,133 @@
+#include "analyzer/compositional/measures/pursuit.hpp"
+
+#include <algorithm>
+
+#include "analyzer/compositional/causes/ground.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+using Release = Node::Release;
+
+}  // namespace
+
+std::string Pursuit::trouble_of(int n) const {
+  return view_.times.trouble[static_cast<std::size_t>(view_.forest.thread_of(n))];
+}
+
+bool Pursuit::certain(int n) {
+  const auto thread = static_cast<std::size_t>(view_.forest.thread_of(n));
+  // A device is closed until somebody waits for its event.
+  const bool opens = node(view_.conduct.round[static_cast<std::size_t>(n)]).release == Release::root;
+  if (view_.lasts(static_cast<int>(thread)) && (view_.begun[thread] || opens)) return true;
+  // A block that the event itself starts, and that ends.
+  const Thread& block = problem_.threads[thread];
+  const bool started = node(view_.conduct.round[static_cast<std::size_t>(n)]).release == Release::fork;
+  if (started && block.can_end && view_.lively[thread] &&
+      !view_.conduct.threads[static_cast<std::size_t>(block.parent)].may_be_cancelled) {
+    return true;
+  }
+  if (why_.empty()) {
+    why_ = view_.times.trouble[thread];
+    if (why_.empty()) why_ = problem_.threads[thread].name + " may leave its round, or wait in it for ever";
+  }
+  return false;
+}
+
+Sum Pursuit::node_value(int n) {
+  const auto known = nodes_.find(n);
+  if (known != nodes_.end()) return known->second;
+  Sum value = Sum::unbounded();
+  if (certain(n)) {
+    value = beginning_value(n);
+    if (!value.bounded() && why_.empty()) why_ = trouble_of(n);
+  }
+  nodes_[n] = value;
+  return value;
+}
+
+Sum Pursuit::beginning_value(int n) {
+  const Beginning& begins = segment(n).beginning;
+  if (begins.kind == Beginning::Kind::entry)
+    return step_value(n, problem_.threads[static_cast<std::size_t>(begins.thread)].entry);
+  const Step& step = step_at(begins.step);
+  if (begins.kind == Beginning::Kind::joined) return step_value(n, step.next.front());
+  if (at_[static_cast<std::size_t>(begins.step)]) return reached(n, begins.step);
+  const bool gives_up = begins.kind == Beginning::Kind::give_up;
+  return step_value(n, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
+}
+
+Sum Pursuit::step_value(int n, int at) {
+  const auto known = steps_.find({n, at});
+  if (known != steps_.end()) return known->second;
+  const Step& step = step_at(at);
+  Sum value = Sum::unbounded();
+  if (step.kind == Kind::wait) {
+    value = wait_value(n, at);
+  } else if (step.kind == Kind::fork) {
+    const bool is_end = at_[static_cast<std::size_t>(at)];
+    value = is_end ? finished(n) : fork_value(n, at);
+  } else if (at_[static_cast<std::size_t>(at)] || step.kind == Kind::complete) {
+    value = reached(n, at);
+  } else if (step.kind != Kind::end) {
+    value = may_match_nothing(step) ? reached(n, at) : no_way();
+    for (int next : step.next) value = greater(value, step_value(n, next));
+    if (step.kind == Kind::send && is_put(at)) value = less(value, sent_value(n, at));
+  }
+  steps_[{n, at}] = value;
+  return value;
+}
+
+bool Pursuit::is_put(int send) {
+  const int request = problem_.channels[static_cast<std::size_t>(step_at(send).channels.front())].answers;
+  if (request < 0 || !view_.forest.withdrawn[static_cast<std::size_t>(request)]) return true;
+  if (why_.empty()) why_ = "an answer may be discarded, since its request has been withdrawn";
+  return false;
+}
+
+Sum Pursuit::sent_value(int n, int send) {
+  const int channel = step_at(send).channels.front();
+  if (problem_.channels[static_cast<std::size_t>(channel)].answer >= 0 && may_give_up(problem_, channel)) {
+    if (why_.empty()) why_ = "a request may be withdrawn before it is taken";
+    return Sum::unbounded();
+  }
+  int taker = -1;
+  for (int effect : node(n).effects) {
+    const auto& sends = node(effect).sends;
+    if (std::find(sends.begin(), sends.end(), send) == sends.end()) continue;
+    if (taker >= 0 || node(effect).release != Release::message) return Sum::unbounded();
+    taker = effect;
+  }
+  if (taker < 0 || view_.forest.thread_of(taker) == view_.forest.thread_of(n)) return Sum::unbounded();
+  // What comes back to a thread in the middle of its round is followed there.
+  if (!view_.conduct.previous[static_cast<std::size_t>(taker)].empty()) return Sum::unbounded();
+  return node_value(taker);
+}
+
+Sum Pursuit::fork_value(int n, int fork) {
+  Sum value = Sum::unbounded();
+  for (int effect : node(n).effects) {
+    if (node(effect).release == Release::fork && node(effect).cause_step == fork)
+      value = less(value, node_value(effect));
+  }
+  return value;
+}
+
+Sum Pursuit::wait_value(int n, int wait) {
+  const int thread = view_.forest.thread_of(n);
+  if (wait == view_.conduct.threads[static_cast<std::size_t>(thread)].home) return Sum::unbounded();
+  Sum value = no_way();
+  bool any = false;
+  for (int other : view_.conduct.threads[static_cast<std::size_t>(thread)].nodes) {
+    const auto& previous = view_.conduct.previous[static_cast<std::size_t>(other)];
+    if (segment(other).beginning.step != wait ||
+        std::find(previous.begin(), previous.end(), n) == previous.end())
+      continue;
+    any = true;
+    value = greater(value, node_value(other));
+  }
+  return any ? value : Sum::unbounded();
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,87 @@
+// Samples and reactions: how old what a thread knows can be where it is used, and until something newer is.
+#include <algorithm>
+
+#include "analyzer/compositional/measures/knowledge.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+Sum since_known(const Knowledge& knowledge, Pass pass, const Sum& until) {
+  const std::optional<Sum> known = knowledge.at(pass);
+  return known ? until - *known : Sum::unbounded();
+}
+
+/// From what one effect reflects to the next effect of the same thread.
+/// `alone`: no other thread comes to it, so that nothing goes on once this one does not any more.
+Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement& requirement, int thread,
+                bool alone) {
+  const auto t = static_cast<std::size_t>(thread);
+  const std::string& name = view.problem.threads[t].name;
+  Passes passes(view, thread, requirement.at);
+  if (passes.in_rounds().empty()) {
+    // Once each, at the start.
+    const Bound none{Sum::unbounded(), "nothing bounds when " + name + " comes to it"};
+    const Way way = passes.from_entry();
+    if (!alone || !view.lively[t] || !view.begun[t] || way.home || way.lost) return none;
+    Sum longest = way.latest;
+    for (const Pass& pass : passes.before_rounds()) {
+      const int source = view.forest.nodes[static_cast<std::size_t>(pass.node)].source;
+      const Way next = passes.after(pass);
+      if (view.forest.sources[static_cast<std::size_t>(source)].kind != Source::Kind::start || next.home ||
+          next.lost) {
+        return none;
+      }
+      longest = greater(longest, since_known(knowledge, pass, next.latest));
+    }
+    return {longest, none.why};
+  }
+  if (!goes_on(view, thread) || !passes.every_round()) {
+    const std::string& trouble = view.times.trouble[t];
+    return {Sum::unbounded(), trouble.empty() ? name + " need not come to it in every round" : trouble};
+  }
+  Sum longest = passes.first() + passes.latest();
+  Sum end;
+  for (int n : view.conduct.threads[t].nodes) {
+    if (in_paced_round(view, n)) end = greater(end, finish(view, n));
+  }
+  const Sum next = passes.gap() + passes.latest();
+  for (const Pass& pass : passes.in_rounds()) {
+    longest = greater(longest, since_known(knowledge, pass, next));
+    // A statement that a cancelled block finishes.
+    if (view.conduct.threads[t].may_be_cancelled)
+      longest = greater(longest, since_known(knowledge, pass, end));
+  }
+  return {longest, "nothing bounds how old what " + name + " knows can be"};
+}
+
+}  // namespace
+
+Bound known_age_bound(const View& view, const Requirement& requirement) {
+  const Knowledge knowledge(view, requirement);
+  Sum oldest;
+  for (std::size_t s = 0; s < view.problem.steps.size(); ++s) {
+    if (!requirement.at[s] || view.forest.segments.owner(static_cast<int>(s)) < 0) continue;
+    for (int n : nodes_with(view, static_cast<int>(s))) {
+      const Pass pass{n, static_cast<int>(s)};
+      oldest = greater(oldest, since_known(knowledge, pass, latest(view, n, pass.step)));
+    }
+  }
+  return {oldest, "nothing bounds how old the sample is that is known there"};
+}
+
+Bound reaction_bound(const View& view, const Requirement& requirement) {
+  const std::set<int> threads = owners(view, requirement.at);
+  const Knowledge knowledge(view, requirement);
+  Bound least{Sum::unbounded(), "no thread comes to it"};
+  for (int thread : threads) {
+    // One of several must go on for as long as any of them.
+    const auto t = static_cast<std::size_t>(thread);
+    const ThreadConduct& of = view.conduct.threads[t];
+    if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || !goes_on(view, thread))) continue;
+    const Bound bound = in_thread(view, knowledge, requirement, thread, threads.size() == 1);
+    if (bound.sum.value() < least.sum.value() || !least.known()) least = bound;
+  }
+  return least;
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,308 @@
+#include "analyzer/compositional/measures/reliable.hpp"
+
+#include <algorithm>
+
+#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/measures/measures.hpp"
+#include "analyzer/compositional/times/demand.hpp"
+#include "analyzer/problem/flow.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+
+class Reliability {
+ public:
+  /// `steady`: as long as no block has left its rounds.
+  Reliability(const Problem& problem, const Forest& forest, const Conduct& conduct, const Times& times,
+              bool steady)
+      : problem_(problem), forest_(forest), conduct_(conduct), times_(times), steady_(steady) {}
+
+  /// The greatest set of threads each of which relies on members alone.
+  Endurance::Threads run() {
+    const std::size_t count = problem_.threads.size();
+    std::vector<std::vector<int>> relies(count);
+    std::vector<std::vector<int>> begins_by(count);
+    made_.reliable.assign(count, false);
+    made_.lively.assign(count, false);
+    made_.begun.assign(count, true);
+    for (std::size_t t = 0; t < count; ++t) {
+      const int thread = static_cast<int>(t);
+      const ThreadConduct& of = conduct_.threads[t];
+      const bool goes_on = servers(thread, relies[t]) && joins(thread, relies[t]);
+      made_.lively[t] = times_.trouble[t].empty() && goes_on;
+      made_.begun[t] = comes_to_begin(thread, begins_by[t]);
+      made_.reliable[t] =
+          made_.lively[t] && comes_home(thread) && (!of.leaves || (steady_ && may_leave(problem_, thread)));
+    }
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t t = 0; t < count; ++t) {
+        const auto serve = [this](int other) {
+          const auto o = static_cast<std::size_t>(other);
+          return made_.reliable[o] && made_.begun[o] && lasts(other);
+        };
+        const bool sound = std::all_of(relies[t].begin(), relies[t].end(), serve);
+        const int parent = problem_.threads[t].parent;
+        const bool begun = made_.begun[t] && std::all_of(begins_by[t].begin(), begins_by[t].end(), serve) &&
+                           (parent < 0 || made_.begun[static_cast<std::size_t>(parent)]);
+        const bool home = made_.reliable[t] && sound && (!steady_ || lasts(static_cast<int>(t)));
+        if (made_.lively[t] == (made_.lively[t] && sound) && made_.reliable[t] == home &&
+            made_.begun[t] == begun)
+          continue;
+        made_.lively[t] = made_.lively[t] && sound;
+        made_.begun[t] = begun;
+        made_.reliable[t] = home;
+        changed = true;
+      }
+    }
+    return std::move(made_);
+  }
+
+ private:
+  const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
+
+  /// Whether the thread is not cancelled; in the steady state, before another block has left its rounds.
+  bool lasts(int thread) const {
+    if (!conduct_.threads[static_cast<std::size_t>(thread)].may_be_cancelled) return true;
+    if (!steady_) return false;
+    for (int block = thread; problem_.threads[static_cast<std::size_t>(block)].parent >= 0;
+         block = problem_.threads[static_cast<std::size_t>(block)].parent) {
+      if (problem_.threads[static_cast<std::size_t>(block)].can_end) continue;
+      bool ending = false;
+      bool leaving = false;
+      for (int other : step_at(fork_of(problem_, block)).threads) {
+        ending = ending || problem_.threads[static_cast<std::size_t>(other)].can_end;
+        leaving = leaving || (conduct_.threads[static_cast<std::size_t>(other)].leaves &&
+                              made_.reliable[static_cast<std::size_t>(other)]);
+      }
+      if (ending && !leaving) return false;
+    }
+    return true;
+  }
+
+  /// Whether no way through a thread ends, or comes to blocks that never do, before it has come home.
+  bool comes_home(int thread) const {
+    const int home = conduct_.threads[static_cast<std::size_t>(thread)].home;
+    if (home < 0) return false;
+    return !follow(problem_, {entry_of(thread)}, [&](int at) {
+      if (at == home) return Course::ends;
+      return is_last(step_at(at)) ? Course::found : Course::goes_on;
+    });
+  }
+
+  int entry_of(int thread) const { return problem_.threads[static_cast<std::size_t>(thread)].entry; }
+
+  /// Whether its thread does not go on after a step.
+  bool is_last(const Step& step) const {
+    return step.kind == Kind::end || (step.kind == Kind::fork && !goes_on_after(step));
+  }
+
+  bool goes_on_after(const Step& fork) const {
+    return std::any_of(fork.threads.begin(), fork.threads.end(), [this](int block) {
+      return problem_.threads[static_cast<std::size_t>(block)].can_end;
+    });
+  }
+
+  /// Whether a thread begins at the start of the skill, or on every way of its parent before that has rounds,
+  /// if those that it relies on go on.
+  bool comes_to_begin(int thread, std::vector<int>& relies) const {
+    const int parent = problem_.threads[static_cast<std::size_t>(thread)].parent;
+    if (parent < 0) return true;
+    const int fork = fork_of(problem_, thread);
+    const int home = conduct_.threads[static_cast<std::size_t>(parent)].home;
+    std::set<int> before;
+    const bool passed_by = follow(problem_, {entry_of(parent)}, [&](int at) {
+      if (at == fork) return Course::ends;
+      before.insert(at);
+      return at == home || is_last(step_at(at)) ? Course::found : Course::goes_on;
+    });
+    if (passed_by) return false;
+    for (int n : conduct_.threads[static_cast<std::size_t>(parent)].nodes) {
+      for (const Segment::Arrival& at :
+           forest_.segment_of(forest_.nodes[static_cast<std::size_t>(n)]).forks) {
+        if (before.contains(at.step) && !joins_at(at.step, relies)) return false;
+      }
+    }
+    return sends_through(parent, before, relies) && std::all_of(before.begin(), before.end(), [&](int step) {
+             return step_at(step).kind != Kind::wait || comes(parent, step, relies);
+           });
+  }
+
+  /// Whether a thread's sends, those of `among`, do not wait for ever, if their takers go on.
+  bool sends_through(int thread, const std::set<int>& among, std::vector<int>& relies) const {
+    const auto may_wait = [this](int step) {
+      const Step& send = step_at(step);
+      return send.kind == Kind::send &&
+             problem_.channels[static_cast<std::size_t>(send.channels.front())].receiver_device < 0 &&
+             !conduct_.never_full[static_cast<std::size_t>(send.channels.front())];
+    };
+    if (times_.blocked[static_cast<std::size_t>(thread)] && std::any_of(among.begin(), among.end(), may_wait))
+      return false;
+    for (int n : conduct_.threads[static_cast<std::size_t>(thread)].nodes) {
+      for (int effect : forest_.nodes[static_cast<std::size_t>(n)].effects) {
+        const std::vector<int>& sends = forest_.nodes[static_cast<std::size_t>(effect)].sends;
+        const bool waits = std::any_of(sends.begin(), sends.end(),
+                                       [&](int send) { return among.contains(send) && may_wait(send); });
+        if (waits) relies.push_back(forest_.thread_of(effect));
+      }
+    }
+    return true;
+  }
+
+  /// Whether the blocks that a thread starts all come to their end, on the way to its home.
+  bool joins(int thread, std::vector<int>& relies) const {
+    for (int n : conduct_.threads[static_cast<std::size_t>(thread)].nodes) {
+      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
+      for (const Segment::Arrival& fork : forest_.segment_of(node).forks) {
+        if (!joins_at(fork.step, relies)) return false;
+      }
+    }
+    return true;
+  }
+
+  bool joins_at(int fork, std::vector<int>& relies) const {
+    for (int block : step_at(fork).threads) {
+      const auto b = static_cast<std::size_t>(block);
+      if (!problem_.threads[b].can_end) continue;
+      if (!ends_straight(problem_, block) || !times_.trouble[b].empty()) return false;
+      // What comes by itself need not come.
+      if (conduct_.threads[b].home >= 0) return false;
+      if (!servers(block, relies) || !joins(block, relies)) return false;
+    }
+    return true;
+  }
+
+  /// The threads that answer what `thread` waits for; false: something that it waits for may never come.
+  bool servers(int thread, std::vector<int>& relies) const {
+    const ThreadConduct& of = conduct_.threads[static_cast<std::size_t>(thread)];
+    std::set<int> waits;
+    for (int n : of.nodes) {
+      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
+      for (const Segment::Arrival& wait : forest_.segment_of(node).waits) waits.insert(wait.step);
+    }
+    for (int n : of.nodes) {
+      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
+      for (int effect : node.effects) {
+        // A message that nobody takes would stop its sender, sooner or later.
+        const Node& taker = forest_.nodes[static_cast<std::size_t>(effect)];
+        if (taker.release != Node::Release::message || taker.device >= 0) continue;
+        const int channel = step_at(taker.sends.front()).channels.front();
+        if (conduct_.never_full[static_cast<std::size_t>(channel)]) continue;
+        relies.push_back(forest_.thread_of(effect));
+      }
+    }
+    return std::all_of(waits.begin(), waits.end(), [&](int wait) {
+      return (wait == of.home && !goes_on_by_itself(of)) || comes(thread, wait, relies);
+    });
+  }
+
+  /// Whether a wait ends: it gives up, or what it waits for has been asked for and is answered, if the server
+  /// goes on.
+  bool comes(int thread, int wait, std::vector<int>& relies) const {
+    const Step& step = step_at(wait);
+    if (step.within) return true;
+    if (step.channels.size() != 1) return false;
+    const int answer = step.channels.front();
+    const Channel& channel = problem_.channels[static_cast<std::size_t>(answer)];
+    if (channel.answers < 0) return false;
+    if (!surely_asked(thread, wait, channel.answers, answer)) return false;
+    if (channel.sender_device >= 0)
+      return serves_all(problem_.devices[static_cast<std::size_t>(channel.sender_device)]);
+    if (!conduct_.never_full[static_cast<std::size_t>(answer)]) return false;
+    const int server = taker_of(channel.answers);
+    if (server < 0) return false;
+    relies.push_back(server);
+    return true;
+  }
+
+  /// Whether a device serves each request sooner or later. One that takes any of several that wait may leave
+  /// one of them for ever.
+  static bool serves_all(const Device& device) {
+    if (std::holds_alternative<pan::RequestDevice>(device.behaviour)) return device.requests.size() == 1;
+    return std::holds_alternative<pan::FrameDevice>(device.behaviour);
+  }
+
+  bool goes_on_by_itself(const ThreadConduct& of) const {
+    return std::any_of(of.rounds.begin(), of.rounds.end(), [&](int n) {
+      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
+      return forest_.sources[static_cast<std::size_t>(node.source)].kind == Source::Kind::loop &&
+             node.cause < 0;
+    });
+  }
+
+  /// The one thread that takes a request, at home; -1: there is none.
+  int taker_of(int request) const {
+    int server = -1;
+    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+      const Step& step = problem_.steps[s];
+      if (step.kind != Kind::wait) continue;
+      if (std::find(step.channels.begin(), step.channels.end(), request) == step.channels.end()) continue;
+      const int owner = forest_.segments.owner(static_cast<int>(s));
+      if (owner < 0) continue;
+      if (server >= 0 || conduct_.threads[static_cast<std::size_t>(owner)].home != static_cast<int>(s))
+        return -1;
+      server = owner;
+    }
+    return server;
+  }
+
+  /// Whether a wait of a block, or of one below it, may take the message, or give it up.
+  bool may_take(int block, int message) const {
+    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+      const Step& step = problem_.steps[s];
+      if (step.kind != Kind::wait) continue;
+      if (std::find(step.channels.begin(), step.channels.end(), message) == step.channels.end()) continue;
+      for (int at = forest_.segments.owner(static_cast<int>(s)); at >= 0;
+           at = problem_.threads[static_cast<std::size_t>(at)].parent) {
+        if (at == block) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Whether the thread has sent the request, and neither it nor a block of it has taken the answer, whenever
+  /// it comes to the wait.
+  bool surely_asked(int thread, int wait, int request, int answer) const {
+    std::vector<int> open{entry_of(thread)};
+    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+      const Step& step = problem_.steps[s];
+      if (forest_.segments.owner(static_cast<int>(s)) != thread) continue;
+      const auto takes = [&](int block) { return may_take(block, answer); };
+      if (std::any_of(step.threads.begin(), step.threads.end(), takes)) open.push_back(step.next.front());
+      if (step.kind != Kind::wait) continue;
+      for (std::size_t arm = 0; arm < step.channels.size(); ++arm) {
+        if (step.channels[arm] != answer) continue;
+        open.push_back(step.next[arm]);
+        if (step.within) open.push_back(step.next.back());
+      }
+    }
+    return !follow(problem_, open, [&](int at) {
+      if (at == wait) return Course::found;
+      const Step& step = step_at(at);
+      return step.kind == Kind::send && step.channels.front() == request ? Course::ends : Course::goes_on;
+    });
+  }
+
+  const Problem& problem_;
+  const Forest& forest_;
+  const Conduct& conduct_;
+  const Times& times_;
+  bool steady_;
+  Endurance::Threads made_;
+};
+
+}  // namespace
+
+bool may_leave(const Problem& problem, int thread) {
+  return problem.threads[static_cast<std::size_t>(thread)].parent >= 0 &&
+         !recurrent(problem, {Beginning::Kind::entry, thread, -1, -1});
+}
+
+Endurance::Threads threads_that_endure(const Problem& problem, const Forest& forest, const Conduct& conduct,
+                                       const Times& times, bool steady) {
+  return Reliability(problem, forest, conduct, times, steady).run();
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,142 @@
+// How long an event, or a message, waits for its answer.
+#include <algorithm>
+
+#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/measures/passes.hpp"
+#include "analyzer/compositional/measures/pursuit.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+Bound unknown(std::string why) {
+  return {Sum::unbounded(), std::move(why)};
+}
+
+/// Of the events of a device; -1: nobody waits for them.
+int source_of(const View& view, int device) {
+  for (std::size_t s = 0; s < view.forest.sources.size(); ++s) {
+    const Source& of = view.forest.sources[s];
+    if (of.kind == Source::Kind::event && of.device == device) return static_cast<int>(s);
+  }
+  return -1;
+}
+
+/// Whether events cannot overtake one another although several are on their way: every thread that they
+/// meet serves them alone, in one round each, and one thread answers.
+bool in_order(const View& view, const Requirement& requirement, int source) {
+  std::set<int> answering;
+  for (std::size_t i = 0; i < view.forest.nodes.size(); ++i) {
+    if (view.forest.nodes[i].source != source) continue;
+    const int n = static_cast<int>(i);
+    const int thread = view.forest.thread_of(n);
+    if (view.conduct.threads[static_cast<std::size_t>(thread)].rounds.size() != 1) return false;
+    for (const Segment::Passed& passed : view.forest.segment_of(view.forest.nodes[i]).steps) {
+      if (requirement.at[static_cast<std::size_t>(passed.step)]) answering.insert(thread);
+    }
+  }
+  return answering.size() == 1;
+}
+
+Bound to_event(const View& view, const Requirement& requirement, int source) {
+  const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
+  const std::string& device = view.problem.devices[static_cast<std::size_t>(of.device)].name;
+  if (of.roots.empty()) return unknown("nobody waits for events of " + device);
+  const int root = of.roots.front();
+  if (!view.times.no_overrun[static_cast<std::size_t>(source)]) {
+    const std::string& trouble = view.times.trouble[static_cast<std::size_t>(view.forest.thread_of(root))];
+    return unknown(trouble.empty() ? "an event of " + device + " may come before the last one was taken"
+                                   : trouble);
+  }
+  Pursuit pursuit(view, requirement.at, Pursuit::Since::event);
+  const Sum answer = pursuit.node_value(root);
+  if (!answer.bounded())
+    return unknown(pursuit.why().empty() ? "an event may stay without a response" : pursuit.why());
+  const Nanoseconds apart = of.period - of.jitter;
+  if ((answer.value() >= apart || view.steady) && !in_order(view, requirement, source))
+    return unknown("an event may be answered after the next one has come, by another way");
+  return {greater(Sum(), answer), ""};
+}
+
+/// Whether the statements are all sends of the answer to a request that is made only when the answer to the
+/// one before has been taken. Of one that goes to several parties one may be made before another is answered.
+bool answered_in_turn(const View& view, const Requirement& requirement) {
+  if (requirement.events.size() != 1) return false;
+  const int request = requirement.events.front();
+  const int answer = view.problem.channels[static_cast<std::size_t>(request)].answer;
+  if (answer < 0 || view.problem.channels[static_cast<std::size_t>(answer)].sender_module < 0) return false;
+  if (may_give_up(view.problem, request)) return false;
+  const auto& steps = view.problem.steps;
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    const bool answers = steps[s].kind == Step::Kind::send && steps[s].channels.front() == answer;
+    if (answers && !requirement.at[s]) return false;
+  }
+  return true;
+}
+
+/// Each message is put at some instant of a round of its sender, and answered at another that the same source
+/// brings about. It must be answered before the next one can be put.
+Bound to_message(const View& view, const Requirement& requirement) {
+  const std::vector<bool> sends = sends_of_events(view.problem, requirement);
+  Pursuit pursuit(view, requirement.at, Pursuit::Since::nominal);
+  Sum longest;
+  for (std::size_t s = 0; s < sends.size(); ++s) {
+    if (!sends[s]) continue;
+    const int send = static_cast<int>(s);
+    for (int n : nodes_with(view, send)) {
+      const int source = view.forest.nodes[static_cast<std::size_t>(n)].source;
+      const bool event = view.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::event;
+      if (event && !view.times.no_overrun[static_cast<std::size_t>(source)])
+        return unknown("an event that brings it about may come before the last one was taken");
+      const Sum answered = pursuit.sent_value(n, send);
+      if (!answered.bounded())
+        return unknown(pursuit.why().empty() ? "a message may stay without a response" : pursuit.why());
+      longest = greater(longest, answered - earliest(view, n, send));
+    }
+  }
+  if (!answered_in_turn(view, requirement) && longest.value() >= least_distance(view, sends).value())
+    return unknown("a message may be answered after the next one has been sent");
+  return {longest, ""};
+}
+
+}  // namespace
+
+std::vector<bool> sends_of_events(const Problem& problem, const Requirement& requirement) {
+  std::vector<bool> sends(problem.steps.size());
+  const bool by_device =
+      std::all_of(requirement.events.begin(), requirement.events.end(), [&problem](int channel) {
+        return problem.channels[static_cast<std::size_t>(channel)].sender_device >= 0;
+      });
+  if (by_device) return sends;  // no step sends them
+  for (std::size_t s = 0; s < sends.size(); ++s) {
+    const Step& step = problem.steps[s];
+    sends[s] = step.kind == Step::Kind::send && requirement.is_event(step.channels.front());
+  }
+  return sends;
+}
+
+Bound response_bound(const View& view, const Requirement& requirement) {
+  if (requirement.device < 0) return to_message(view, requirement);
+  const int source = source_of(view, requirement.device);
+  return source < 0 ? unknown("it is known of events of a device and of messages of modules only")
+                    : to_event(view, requirement, source);
+}
+
+bool always_comes(const View& view, int source, const std::vector<bool>& at) {
+  Pursuit pursuit(view, at, Pursuit::Since::event);
+  const auto& roots = view.forest.sources[static_cast<std::size_t>(source)].roots;
+  return std::any_of(roots.begin(), roots.end(),
+                     [&](int root) { return pursuit.node_value(root).bounded(); });
+}
+
+Bound event_loss_bound(const View& view, const Requirement& requirement) {
+  const int source = source_of(view, requirement.device);
+  if (source < 0) return unknown("nobody waits for its events");
+  const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
+  Pursuit pursuit(view, requirement.at, Pursuit::Since::event);
+  const bool none = !of.roots.empty() && view.times.no_overrun[static_cast<std::size_t>(source)] &&
+                    pursuit.certain(of.roots.front());
+  if (none) return {Sum(), ""};
+  return unknown(pursuit.why().empty() ? "an event may come before the last one was taken" : pursuit.why());
+}
+
+}  // namespace pal::analyzer::compositional

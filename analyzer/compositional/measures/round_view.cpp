@@ -1,0 +1,104 @@
+#include "analyzer/compositional/measures/round_view.hpp"
+
+#include <algorithm>
+
+#include "analyzer/compositional/causes/rounds.hpp"
+
+namespace pal::analyzer::compositional {
+
+bool in_round(const View& view, int node) {
+  const auto thread = static_cast<std::size_t>(view.forest.thread_of(node));
+  const auto& rounds = view.conduct.threads[thread].rounds;
+  return std::find(rounds.begin(), rounds.end(), view.conduct.round[static_cast<std::size_t>(node)]) !=
+         rounds.end();
+}
+
+int source_of_rounds(const View& view, int thread) {
+  int source = -1;
+  for (int n : view.conduct.threads[static_cast<std::size_t>(thread)].rounds) {
+    const int of = view.forest.nodes[static_cast<std::size_t>(n)].source;
+    if (source >= 0 && source != of) return -1;
+    source = of;
+  }
+  return source;
+}
+
+bool starts_in_rounds(const View& view, int thread) {
+  const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
+  const Thread& block = view.problem.threads[static_cast<std::size_t>(thread)];
+  return block.parent >= 0 && of.home < 0 && !of.nodes.empty() &&
+         std::all_of(of.nodes.begin(), of.nodes.end(), [&](int n) {
+           const Node& node = view.forest.nodes[static_cast<std::size_t>(n)];
+           return view.forest.sources[static_cast<std::size_t>(node.source)].period < never;
+         });
+}
+
+bool goes_on(const View& view, int thread) {
+  const auto t = static_cast<std::size_t>(thread);
+  if (view.reliable[t]) return view.begun[t];
+  // What cannot end may be stopped in each round, before it has done anything.
+  return view.lively[t] && view.problem.threads[t].can_end && starts_in_rounds(view, thread) &&
+         goes_on(view, view.problem.threads[t].parent);
+}
+
+int paced_source(const View& view, int thread) {
+  const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
+  int source = -1;
+  for (int n : starts_in_rounds(view, thread) ? of.nodes : of.rounds) {
+    const int from = view.forest.nodes[static_cast<std::size_t>(n)].source;
+    if (view.forest.sources[static_cast<std::size_t>(from)].period == never) continue;
+    if (source >= 0 && source != from) return -1;
+    source = from;
+  }
+  return source;
+}
+
+bool in_paced_round(const View& view, int node) {
+  const int thread = view.forest.thread_of(node);
+  const int source = view.forest.nodes[static_cast<std::size_t>(node)].source;
+  return (in_round(view, node) || starts_in_rounds(view, thread)) && source == paced_source(view, thread);
+}
+
+bool regular(const View& view, int thread) {
+  const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
+  const int paced = paced_source(view, thread);
+  if (paced < 0) return false;
+  const Source& source = view.forest.sources[static_cast<std::size_t>(paced)];
+  const bool itself = std::any_of(of.rounds.begin(), of.rounds.end(), [&](int n) {
+    const Node& node = view.forest.nodes[static_cast<std::size_t>(n)];
+    return node.source == paced && node.cause < 0;
+  });
+  if (source.kind == Source::Kind::loop && itself) return true;
+  std::vector<bool> at(view.problem.steps.size());
+  at[static_cast<std::size_t>(of.home >= 0 ? of.home : fork_of(view.problem, thread))] = true;
+  if (source.kind == Source::Kind::loop) return source.roots.size() == 1 && always_comes(view, paced, at);
+  if (source.kind != Source::Kind::event) return false;
+  Requirement comes;
+  comes.measure = Requirement::Measure::response;
+  comes.device = source.device;
+  comes.at = std::move(at);
+  return response_bound(view, comes).known();
+}
+
+std::vector<int> nodes_with(const View& view, int step) {
+  std::vector<int> found;
+  const int owner = view.forest.segments.owner(step);
+  for (int n : view.conduct.threads[static_cast<std::size_t>(owner)].nodes) {
+    for (const Segment::Passed& passed :
+         view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(n)]).steps) {
+      if (passed.step == step) found.push_back(n);
+    }
+  }
+  return found;
+}
+
+std::set<int> owners(const View& view, const std::vector<bool>& at) {
+  std::set<int> found;
+  for (std::size_t s = 0; s < at.size(); ++s) {
+    const int owner = view.forest.segments.owner(static_cast<int>(s));
+    if (at[s] && owner >= 0) found.insert(owner);
+  }
+  return found;
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,149 @@
+#include "analyzer/compositional/measures/staleness.hpp"
+
+#include <algorithm>
+
+#include "analyzer/problem/flow.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+
+/// Whether two threads are blocks of one CONCURRENT.
+bool beside(const Problem& problem, int one, int other) {
+  return std::any_of(problem.steps.begin(), problem.steps.end(), [one, other](const Step& step) {
+    return std::count(step.threads.begin(), step.threads.end(), one) > 0 &&
+           std::count(step.threads.begin(), step.threads.end(), other) > 0;
+  });
+}
+
+class Staleness {
+ public:
+  Staleness(const View& view, int condition, int reader)
+      : view_(view), problem_(view.problem), condition_(condition), reader_(reader) {
+    at_.resize(problem_.steps.size());
+    for (std::size_t s = 0; s < at_.size(); ++s) at_[s] = sets(static_cast<int>(s));
+    setters_ = owners(view, at_);
+  }
+
+  Bound run() const {
+    if (setters_.empty()) return {Sum::unbounded(), "nobody sets the condition"};
+    if (setters_.size() == 1) return sets_apart(*setters_.begin());
+    return several_setters();
+  }
+
+ private:
+  const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
+  const ThreadConduct& conduct(int thread) const {
+    return view_.conduct.threads[static_cast<std::size_t>(thread)];
+  }
+  const Segment& segment(int n) const {
+    return view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(n)]);
+  }
+  bool sets(int step) const {
+    return step_at(step).kind == Kind::set && step_at(step).condition == condition_;
+  }
+
+  /// A module may set a condition before its CONCURRENT, and then in a block.
+  Bound several_setters() const {
+    const Bound none{Sum::unbounded(), "several threads set the condition"};
+    int block = -1;
+    for (int setter : setters_) {
+      if (problem_.threads[static_cast<std::size_t>(setter)].parent < 0) continue;
+      if (block >= 0) return none;
+      block = setter;
+    }
+    if (block < 0 || setters_.size() != 2) return none;
+    if (!setters_.contains(problem_.threads[static_cast<std::size_t>(block)].parent)) return none;
+    // What the parent sets after its blocks only makes values younger, as does what it sets before.
+    return sets_apart(block);
+  }
+
+  Bound sets_apart(int setter) const {
+    const std::string& name = problem_.threads[static_cast<std::size_t>(setter)].name;
+    const Passes passes(view_, setter, at_);
+    if (!outlasts(view_, setter, reader_) || !passes.every_round() || passes.in_rounds().empty()) {
+      const std::string& trouble = view_.times.trouble[static_cast<std::size_t>(setter)];
+      return {Sum::unbounded(),
+              trouble.empty() ? name + " may leave the condition as it is for long" : trouble};
+    }
+    Sum soonest = Sum::unbounded();
+    for (const Pass& pass : passes.in_rounds())
+      soonest = less(soonest, earliest(view_, pass.node, pass.step));
+    const Sum& set_again = replaced(view_, passes, setter, reader_);
+    const Sum next = passes.gap() + set_again;
+    if (!next.bounded())
+      return {Sum::unbounded(), "nothing says how long " + name + " may wait between two rounds"};
+    return {greater(next - soonest, until_first(setter, passes.first() + set_again)),
+            "nothing bounds when " + name + " sets first"};
+  }
+
+  /// Until the first set in a round a value is as old as the skill, or as what was set before the rounds.
+  Sum until_first(int setter, const Sum& first) const {
+    const int parent = problem_.threads[static_cast<std::size_t>(setter)].parent;
+    const int above = parent < 0 ? setter : parent;
+    Sum soonest = Sum::unbounded();
+    Sum last;
+    for (int n : conduct(above).nodes) {
+      const int source = view_.forest.nodes[static_cast<std::size_t>(n)].source;
+      const bool at_start =
+          view_.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::start;
+      if (!at_start || in_round(view_, n)) continue;
+      for (const Segment::Passed& passed : segment(n).steps) {
+        if (!sets(passed.step)) continue;
+        const Sum effect = latest(view_, n, passed.step);
+        if (!effect.bounded()) continue;  // after the blocks
+        soonest = less(soonest, earliest(view_, n, passed.step));
+        last = greater(last, effect);
+      }
+    }
+    if (!soonest.bounded() || !first.bounded() || !sets_before_rounds(above)) return first;
+    return greater(last, first - soonest);
+  }
+
+  /// Every way from the beginning of a module to its first home or CONCURRENT sets the condition.
+  bool sets_before_rounds(int thread) const {
+    return !follow(problem_, {problem_.threads[static_cast<std::size_t>(thread)].entry}, [&](int at) {
+      if (sets(at)) return Course::ends;
+      return at == conduct(thread).home || step_at(at).kind == Kind::fork ? Course::found : Course::goes_on;
+    });
+  }
+
+  const View& view_;
+  const Problem& problem_;
+  int condition_;
+  int reader_;
+  std::vector<bool> at_;  // the sets
+  std::set<int> setters_;
+};
+
+}  // namespace
+
+bool outlasts(const View& view, int thread, int reader) {
+  if (!goes_on(view, thread)) return false;
+  if (thread == reader || view.steady) return true;
+  if (starts_in_rounds(view, thread))
+    return outlasts(view, view.problem.threads[static_cast<std::size_t>(thread)].parent, reader);
+  const auto conduct = [&view](int of) { return view.conduct.threads[static_cast<std::size_t>(of)]; };
+  if (!conduct(thread).may_be_cancelled) return true;
+  const Thread& lasting = view.problem.threads[static_cast<std::size_t>(thread)];
+  const Thread& reads = view.problem.threads[static_cast<std::size_t>(reader)];
+  // Blocks that end are over before those beside them are cancelled.
+  if (lasting.can_end || !reads.can_end || !beside(view.problem, thread, reader)) return false;
+  return !conduct(lasting.parent).may_be_cancelled;
+}
+
+const Sum& replaced(const View& view, const Passes& sets, int setter, int reader) {
+  const Thread& sets_it = view.problem.threads[static_cast<std::size_t>(setter)];
+  const Thread& reads_it = view.problem.threads[static_cast<std::size_t>(reader)];
+  const bool gives_way = sets_it.processor == reads_it.processor &&
+                         view.problem.processors[static_cast<std::size_t>(sets_it.processor)].preemptive &&
+                         reads_it.priority < sets_it.priority;
+  return gives_way ? sets.released() : sets.latest();
+}
+
+Bound value_age(const View& view, int condition, int reader) {
+  return Staleness(view, condition, reader).run();
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,74 @@
+// Times that know what they are made of.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "analyzer/compositional/saturating.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// One of the numbers that are added up.
+struct Term {
+  enum class Kind {
+    latest,       // effect of `step` in `node` at the latest; of its last step: `step` is -1
+    since_event,  // the same, counted from the event itself
+    earliest,     // and at the earliest
+    release,      // of `node` at the latest
+    gap,          // from one occurrence of `source` to the next, at the latest
+    first,        // from time 0 to its first
+    said,         // `what`
+  };
+  Kind kind = Kind::said;
+  int node = -1;  // said: whose thread does it, if anybody's
+  int step = -1;
+  int source = -1;
+  std::string what;
+};
+
+/// A time, or a difference of times, and the terms that make it up. Saturates at `never`, which has none.
+class Sum {
+ public:
+  Sum() = default;
+  Sum(Nanoseconds amount, Term term);
+  static Sum unbounded() { return Sum(never); }
+  /// Of a number there is nothing to say.
+  static Sum number(Nanoseconds value) { return Sum(value); }
+
+  Nanoseconds value() const { return value_; }
+  bool bounded() const { return value_ < never; }
+
+  friend Sum operator+(const Sum& one, const Sum& other);
+  friend Sum operator-(const Sum& one, const Sum& other);
+
+  struct Addend {
+    Nanoseconds amount;  // negative: taken away
+    Term term;
+  };
+  /// They add up to value().
+  std::vector<Addend> addends() const;
+
+ private:
+  struct Made {
+    Term term;                               // a leaf's
+    std::shared_ptr<const Made> one, other;  // of a node
+    Nanoseconds amount = 0;                  // a leaf's
+    bool minus = false;                      // the other is taken away
+  };
+  explicit Sum(Nanoseconds value) : value_(value) {}
+  Sum(Nanoseconds value, std::shared_ptr<const Made> made) : value_(value), made_(std::move(made)) {}
+  static void collect(const Made* made, bool minus, std::vector<Addend>& out);
+
+  Nanoseconds value_ = 0;
+  std::shared_ptr<const Made> made_;  // nothing: there is no term
+};
+
+inline const Sum& greater(const Sum& one, const Sum& other) {
+  return other.value() > one.value() ? other : one;
+}
+inline const Sum& less(const Sum& one, const Sum& other) {
+  return other.value() < one.value() ? other : one;
+}
+
+}  // namespace pal::analyzer::compositional

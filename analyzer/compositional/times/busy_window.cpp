@@ -1,0 +1,375 @@
+#include "analyzer/compositional/times/busy_window.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace pal::analyzer::compositional {
+namespace {
+
+constexpr int most_rounds = 20'000;
+constexpr Nanoseconds longest_window = 1'000'000'000'000'000;
+
+/// When, in a window that begins with `scenario`'s release after its whole jitter, the next release of `task`
+/// is due: in (0, period].
+Nanoseconds phase(const Transaction& of, const Task& scenario, const Task& task) {
+  const Nanoseconds since = (scenario.offset + scenario.jitter - task.offset) % of.period;
+  return of.period - (since < 0 ? since + of.period : since);
+}
+
+/// Releases in the closed window: those that piled up before it, and those due in it.
+Nanoseconds count(const Transaction& of, const Task& task, Nanoseconds phase, Nanoseconds length) {
+  const Nanoseconds piled = (task.jitter + phase) / of.period;
+  return piled + (length >= phase ? (length - phase) / of.period + 1 : 0);
+}
+
+/// Whether a task's work counts in windows of `asker`.
+bool counts(const Task* asker, int transaction, int task) {
+  return asker == nullptr || asker->without.empty() ||
+         !std::binary_search(asker->without.begin(), asker->without.end(), std::pair{transaction, task});
+}
+
+/// Where to begin looking for the least window in which `fixed`, `carried` and `share` of its length fit, and
+/// perhaps more: not above it (M. Sjödin and H. Hansson, Improved response-time analysis calculations, 1998).
+Nanoseconds least_window(Nanoseconds fixed, double share, double carried) {
+  constexpr double rounding = 1e-9;
+  const double least = (static_cast<double>(fixed) + carried) / (1 - share) * (1 - rounding);
+  if (least >= static_cast<double>(longest_window)) return std::max(fixed, longest_window);
+  return least > 0 ? std::max(fixed, static_cast<Nanoseconds>(least)) : fixed;
+}
+
+/// Whether `task` comes, in one occurrence, only after `before` is done.
+bool follows(const Transaction& of, int before, int task) {
+  const auto& followers = of.tasks[static_cast<std::size_t>(before)].followers;
+  return std::binary_search(followers.begin(), followers.end(), task);
+}
+
+}  // namespace
+
+int BusyWindows::add(Transaction transaction) {
+  const int index = static_cast<int>(transactions_.size());
+  by_processor_.resize(preemptive_.size());
+  std::set<int> processors;
+  for (std::size_t t = 0; t < transaction.tasks.size(); ++t) {
+    auto& groups = by_processor_[static_cast<std::size_t>(transaction.tasks[t].processor)];
+    const int priority = transaction.tasks[t].priority;
+    if (processors.insert(transaction.tasks[t].processor).second) groups.push_back({index, priority, {}, {}});
+    groups.back().priority = std::max(groups.back().priority, priority);
+    groups.back().tasks.push_back(static_cast<int>(t));
+    const double cost = static_cast<double>(transaction.tasks[t].cost);
+    const bool once = transaction.period == never;
+    groups.back().shares.push_back(once ? 0 : cost / static_cast<double>(transaction.period));
+  }
+  for (const int processor : processors) {
+    auto& groups = by_processor_[static_cast<std::size_t>(processor)];
+    const auto above = [](const Group& one, const Group& other) { return one.priority > other.priority; };
+    const auto place = std::upper_bound(groups.begin(), groups.end() - 1, groups.back(), above);
+    std::rotate(place, groups.end() - 1, groups.end());
+  }
+  transactions_.push_back(std::move(transaction));
+  return index;
+}
+
+Nanoseconds BusyWindows::releases(const Transaction& of, const Task& task, Nanoseconds length) {
+  if (of.period == never) return 1;
+  if (length >= never || task.jitter >= never) return never;
+  return (length + task.jitter) / of.period + 1;
+}
+
+Nanoseconds BusyWindows::of_scenario(const Group& group, int scenario, const Asked& asked, int priority,
+                                     Nanoseconds length, Shares* shares) const {
+  const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+  const Task& first = of.tasks[static_cast<std::size_t>(scenario)];
+  Nanoseconds work = 0;
+  for (int t : group.tasks) {
+    const Task& task = of.tasks[static_cast<std::size_t>(t)];
+    if (t == asked.task || task.priority < priority || task.cost == 0) continue;
+    if (!counts(asked.asker, group.transaction, t)) continue;
+    const Nanoseconds due = phase(of, first, task);
+    Nanoseconds jobs = asked.drifting ? releases(of, task, length) : count(of, task, due, length);
+    if (!asked.drifting && asked.precedes && follows(of, asked.task, t)) {
+      // Those of earlier occurrences; job 1 is of the occurrence at `due - offset`.
+      const Nanoseconds before = (asked.occurrence + task.offset - due) / of.period;
+      jobs = std::min(jobs, std::max<Nanoseconds>(0, before + (task.jitter + due) / of.period));
+    }
+    const Nanoseconds share = work_of(jobs, task.cost);
+    work = plus(work, share);
+    if (shares != nullptr) shares->push_back({group.transaction, t, jobs, share});
+  }
+  return work;
+}
+
+bool BusyWindows::drifts(const Group& group, const Task* asker, int priority) const {
+  const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+  if (of.regular || of.period == never) return false;
+  Nanoseconds soonest = never;
+  Nanoseconds latest = 0;
+  for (int t : group.tasks) {
+    const Task& task = of.tasks[static_cast<std::size_t>(t)];
+    if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, t)) continue;
+    soonest = std::min(soonest, task.offset);
+    latest = std::max(latest, task.offset);
+  }
+  return latest > plus(soonest, of.period);
+}
+
+bool BusyWindows::drifts_from(const Group& group, int task) const {
+  const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+  if (of.regular) return false;
+  const Task& self = of.tasks[static_cast<std::size_t>(task)];
+  return std::any_of(group.tasks.begin(), group.tasks.end(), [&](int t) {
+    const Task& other = of.tasks[static_cast<std::size_t>(t)];
+    if (t == task || other.priority < self.priority || other.cost == 0 ||
+        !counts(&self, group.transaction, t))
+      return false;
+    return other.offset > self.offset + of.period ||
+           self.offset + self.jitter > of.period + other.offset + other.jitter;
+  });
+}
+
+/// Of the worst of a transaction's scenarios.
+Nanoseconds BusyWindows::of_group(const Group& group, const Task* asker, int priority, Nanoseconds length,
+                                  Shares* shares) const {
+  const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+  const bool alone = of.period == never || drifts(group, asker, priority);
+  Nanoseconds most = 0;
+  int worst = -1;
+  for (int t : group.tasks) {
+    const Task& task = of.tasks[static_cast<std::size_t>(t)];
+    if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, t)) continue;
+    if (alone) {
+      const Nanoseconds jobs = releases(of, task, length);
+      const Nanoseconds share = work_of(jobs, task.cost);
+      most = plus(most, share);
+      if (shares != nullptr) shares->push_back({group.transaction, t, jobs, share});
+      continue;
+    }
+    const Nanoseconds work = of_scenario(group, t, {asker}, priority, length);
+    if (worst < 0 || work > most) worst = t;
+    most = std::max(most, work);
+  }
+  if (shares != nullptr && worst >= 0) of_scenario(group, worst, {asker}, priority, length, shares);
+  return most;
+}
+
+Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, const Task* asker, int priority,
+                                   Nanoseconds length, Shares* shares) const {
+  Nanoseconds work = 0;
+  for (const Group& group : groups) {
+    if (group.priority < priority) break;
+    if (group.transaction == own) continue;
+    if (group.tasks.size() > 1) {
+      work = plus(work, of_group(group, asker, priority, length, shares));
+      continue;
+    }
+    // The usual case: there is one scenario, whose phase cancels out.
+    const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+    const Task& task = of.tasks[static_cast<std::size_t>(group.tasks.front())];
+    if (task.cost == 0 || !counts(asker, group.transaction, group.tasks.front())) continue;
+    const Nanoseconds jobs = releases(of, task, length);
+    const Nanoseconds share = work_of(jobs, task.cost);
+    work = plus(work, share);
+    if (shares != nullptr) shares->push_back({group.transaction, group.tasks.front(), jobs, share});
+  }
+  return work;
+}
+
+/// Tasks of a transaction that occurs once, which may all come before one of them.
+Nanoseconds BusyWindows::of_siblings(int transaction, int task, Shares* shares) const {
+  const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
+  const Task& self = of.tasks[static_cast<std::size_t>(task)];
+  Nanoseconds work = 0;
+  for (std::size_t t = 0; t < of.tasks.size(); ++t) {
+    const Task& other = of.tasks[t];
+    if (!counts(&self, transaction, static_cast<int>(t))) continue;
+    if (static_cast<int>(t) == task || other.processor != self.processor || other.priority < self.priority)
+      continue;
+    work = plus(work, other.cost);
+    if (shares != nullptr && other.cost > 0)
+      shares->push_back({transaction, static_cast<int>(t), 1, other.cost});
+  }
+  return work;
+}
+
+BusyWindows::Load BusyWindows::load_of(int transaction, const Task& self) const {
+  Load load;
+  for (const Group& group : by_processor_[static_cast<std::size_t>(self.processor)]) {
+    if (group.priority < self.priority) break;
+    const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+    const bool foreign = group.transaction != transaction;
+    for (std::size_t t = 0; t < group.tasks.size(); ++t) {
+      const Task& task = of.tasks[static_cast<std::size_t>(group.tasks[t])];
+      if (task.priority < self.priority || task.cost == 0) continue;
+      if (!counts(&self, group.transaction, group.tasks[t])) continue;
+      load.bounded = load.bounded && task.cost < never && (of.period == never || task.jitter < never);
+      load.whole += group.shares[t];
+      if (!foreign) continue;
+      load.share += group.shares[t];
+      // A task that is alone has one release more than its share; of several not all need have it.
+      if (of.period == never) {
+        load.carried += static_cast<double>(task.cost);
+      } else {
+        load.carried += static_cast<double>(task.jitter) * group.shares[t];
+        if (group.tasks.size() > 1) load.carried -= static_cast<double>(task.cost);
+      }
+    }
+  }
+  return load;
+}
+
+BusyWindows::Critical BusyWindows::critical_once(int transaction, int task, Nanoseconds part,
+                                                 Nanoseconds blocking, Since since, const Load& load) const {
+  const Task& self =
+      transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)];
+  const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
+  const bool preemptive = preemptive_[static_cast<std::size_t>(self.processor)];
+  const Nanoseconds fixed = blocking + of_siblings(transaction, task, nullptr) + (preemptive ? part : 0);
+  Nanoseconds window = least_window(fixed, load.share, load.carried);
+  for (int round = 0; round < most_rounds; ++round) {
+    const Nanoseconds next = fixed + of_others(groups, transaction, &self, self.priority, window);
+    if (next <= window) {
+      const Nanoseconds released = since == Since::release ? 0 : self.offset + self.jitter;
+      return {released + window + (preemptive ? 0 : part), window, -1, 1};
+    }
+    if (next > longest_window) break;
+    window = next;
+  }
+  return {never};
+}
+
+Nanoseconds BusyWindows::stretch(int processor, int priority, Nanoseconds cost) const {
+  if (!preemptive_[static_cast<std::size_t>(processor)]) return cost;
+  return window(processor, priority + 1, cost);
+}
+
+Nanoseconds BusyWindows::level(int processor, int priority) const {
+  return preemptive_[static_cast<std::size_t>(processor)] ? window(processor, priority, 0) : busy(processor);
+}
+
+Nanoseconds BusyWindows::busy(int processor) const {
+  return window(processor, std::numeric_limits<int>::min(), 0);
+}
+
+std::vector<Account::Share> BusyWindows::work(int processor, Nanoseconds busy) const {
+  Shares shares;
+  of_others(by_processor_[static_cast<std::size_t>(processor)], -1, nullptr, std::numeric_limits<int>::min(),
+            busy, &shares);
+  return shares;
+}
+
+/// The least time in which `cost`, and all that is released in it with at least `priority`, is done.
+Nanoseconds BusyWindows::window(int processor, int priority, Nanoseconds cost) const {
+  const auto& groups = by_processor_[static_cast<std::size_t>(processor)];
+  for (const Group& group : groups) {
+    if (group.priority < priority) break;
+    const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+    for (int t : group.tasks) {
+      const Task& task = of.tasks[static_cast<std::size_t>(t)];
+      if (task.priority >= priority && (task.cost >= never || (task.jitter >= never && of.period != never)))
+        return never;
+    }
+  }
+  Nanoseconds length = cost;
+  for (int round = 0; round < most_rounds; ++round) {
+    const Nanoseconds next = plus(cost, of_others(groups, -1, nullptr, priority, length));
+    if (next <= length) return length;
+    if (next > longest_window) break;
+    length = next;
+  }
+  return never;
+}
+
+BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+                                            Since since) const {
+  const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
+  const Task& self = of.tasks[static_cast<std::size_t>(task)];
+  if (blocking >= never || self.jitter >= never) return {never};
+  const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
+  const bool preemptive = preemptive_[static_cast<std::size_t>(self.processor)];
+  const Load load = load_of(transaction, self);
+  if (!load.bounded || load.whole >= 1) return {never};
+  if (of.period == never) return critical_once(transaction, task, part, blocking, since, load);
+
+  const Group& own = *group_of(transaction, self.processor);
+  const bool drifting = drifts_from(own, task);
+  Critical latest{-1};
+  int rounds = 0;
+  for (int scenario : own.tasks) {
+    const Task& first = of.tasks[static_cast<std::size_t>(scenario)];
+    if (first.priority < self.priority || (first.cost == 0 && scenario != task)) continue;
+    if (drifting && scenario != task) continue;
+    const Nanoseconds due = phase(of, first, self);
+    const Nanoseconds piled = (self.jitter + due) / of.period;
+    // Until the part is done (preemptive), or begins (not preemptive): the windows of later jobs last longer.
+    Nanoseconds begun = 0;
+    for (Nanoseconds job = 1 - piled;; ++job) {
+      const Asked asked{&self, task, true, due + (job - 1) * of.period - self.offset, drifting};
+      const Asked all{&self, task, false, 0, drifting};
+      const auto settle = [&](Nanoseconds fixed, const Asked& but) {
+        Nanoseconds at = std::max(begun, least_window(fixed, load.share, load.carried));
+        while (++rounds < most_rounds) {
+          const Nanoseconds next = fixed + of_others(groups, transaction, &self, self.priority, at) +
+                                   of_scenario(own, scenario, but, self.priority, at);
+          if (next <= at) return at;
+          if (next > longest_window) break;
+          at = next;
+        }
+        return never;
+      };
+      const Nanoseconds before = blocking + (job + piled - 1) * self.cost;
+      begun = settle(before + (preemptive ? part : 0), asked);
+      if (begun >= never) return {never};
+      const Nanoseconds done = preemptive ? begun : begun + part;
+      // What came while it ran is still to be done: the window goes on (R. I. Davis and others, 2007).
+      const bool over = preemptive && part == self.cost && self.followers.empty();
+      const Nanoseconds whole = over ? done : settle(before + self.cost, all);
+      if (whole >= never) return {never};
+      // The job is released when it is due or later, and not before the window begins.
+      const Nanoseconds released = due + (job - 1) * of.period;
+      const Nanoseconds finish =
+          since == Since::release ? done - std::max<Nanoseconds>(0, released) : done - released + self.offset;
+      if (finish > latest.finish) latest = {finish, begun, scenario, job};
+      if (whole < due + job * of.period) break;
+    }
+  }
+  return latest;
+}
+
+Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+                                Since since) const {
+  return critical(transaction, task, part, blocking, since).finish;
+}
+
+Account BusyWindows::account(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+                             Since since) const {
+  const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
+  const Task& self = of.tasks[static_cast<std::size_t>(task)];
+  const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
+  const Critical worst = critical(transaction, task, part, blocking, since);
+  Account account;
+  account.blocking = blocking;
+  of_others(groups, transaction, &self, self.priority, worst.length, &account.others);
+  if (worst.scenario < 0) {
+    of_siblings(transaction, task, &account.others);
+    return account;
+  }
+  const Nanoseconds due = phase(of, of.tasks[static_cast<std::size_t>(worst.scenario)], self);
+  const Nanoseconds earlier = worst.job - 1 + (self.jitter + due) / of.period;
+  const Group& own = *group_of(transaction, self.processor);
+  const Asked asked{&self, task, true, due + (worst.job - 1) * of.period - self.offset,
+                    drifts_from(own, task)};
+  of_scenario(own, worst.scenario, asked, self.priority, worst.length, &account.others);
+  account.others.push_back({transaction, task, earlier, earlier * self.cost});
+  const Nanoseconds released = due + (worst.job - 1) * of.period;
+  account.done_before = since == Since::release ? std::max<Nanoseconds>(0, released) : released + self.jitter;
+  return account;
+}
+
+const BusyWindows::Group* BusyWindows::group_of(int transaction, int processor) const {
+  for (const Group& group : by_processor_[static_cast<std::size_t>(processor)]) {
+    if (group.transaction == transaction) return &group;
+  }
+  return nullptr;
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,169 @@
+// Busy windows of transactions with offsets and jitter, under fixed priorities: the arithmetic of the
+// compositional analysis, without anything of PAL.
+//
+// J. C. Palencia and M. González Harbour, Schedulability analysis for tasks with static and dynamic offsets,
+// RTSS 1998 (the approximation of section 4: one candidate a foreign transaction, all candidates of one's
+// own). What follows a job within its own transaction does not delay it: the same authors, Exploiting
+// precedence relations in the schedulability analysis of distributed real-time systems, RTSS 1999.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "analyzer/compositional/saturating.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// Work that each occurrence of its transaction releases at most once, between `offset` and `offset + jitter`
+/// after the occurrence.
+struct Task {
+  int processor = 0;
+  int priority = 0;
+  Nanoseconds cost = 0;
+  Nanoseconds offset = 0;
+  Nanoseconds jitter = 0;
+  /// Tasks of its transaction that come only after it is done, of the same occurrence; ascending.
+  std::vector<int> followers;
+  /// Transactions and tasks whose work does not count in its windows; ascending.
+  std::vector<std::pair<int, int>> without;
+};
+
+/// Occurrences are at least `period` apart; `never`: there is one.
+struct Transaction {
+  Nanoseconds period = 0;
+  bool regular = false;  // exactly so far apart
+  std::vector<Task> tasks;
+};
+
+/// What the finish of a job counts from.
+enum class Since {
+  occurrence,  // of its transaction
+  release,     // of the job
+};
+
+/// What the finish of a job is made of: `latest` release (if it counts from the occurrence), its own work,
+/// and these.
+struct Account {
+  struct Share {
+    int transaction = -1;
+    int task = -1;
+    Nanoseconds jobs = 0;
+    Nanoseconds work = 0;
+  };
+  std::vector<Share> others;    // work that goes first, the task's own earlier jobs included
+  Nanoseconds blocking = 0;     // by lower priority
+  Nanoseconds done_before = 0;  // of all that, so much is over when the job is released, at its latest or
+                                // (if it counts from the release) at its earliest
+};
+
+class BusyWindows {
+ public:
+  /// `preemptive` by processor.
+  explicit BusyWindows(std::vector<bool> preemptive) : preemptive_(std::move(preemptive)) {}
+
+  /// Adds a transaction; its tasks' jitter, and what counts for them, may change later, nothing else.
+  int add(Transaction transaction);
+  void set_jitter(int transaction, int task, Nanoseconds jitter) {
+    transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)].jitter =
+        jitter;
+  }
+  void set_without(int transaction, int task, std::vector<std::pair<int, int>> without) {
+    transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)].without =
+        std::move(without);
+  }
+  const Transaction& transaction(int index) const { return transactions_[static_cast<std::size_t>(index)]; }
+
+  /// Processor time that tasks of one thread need at most in any closed window of `length`, and how often a
+  /// task is released in one.
+  static Nanoseconds releases(const Transaction& of, const Task& task, Nanoseconds length);
+
+  /// How long after the occurrence, or the release, the first `part` of the task's cost is done at the
+  /// latest, if `blocking` is the longest that work of lower priority keeps the processor. `never`: no bound.
+  ///
+  /// Work of the same priority counts as if it went first. What is released at the very instant at which the
+  /// work ends comes before that end: PAL leaves the order at one instant open.
+  Nanoseconds finish(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+                     Since since = Since::occurrence) const;
+
+  /// Adds up to finish(), with `part` and, since the occurrence, the latest release; for a finish that is
+  /// bounded.
+  Account account(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+                  Since since = Since::occurrence) const;
+
+  /// How long `cost` takes at most for somebody of `priority` who has the processor: what is of higher
+  /// priority has nothing left to do when that begins.
+  Nanoseconds stretch(int processor, int priority, Nanoseconds cost) const;
+
+  /// How long a thread of `priority` that is ready may take at most to do what it has begun.
+  Nanoseconds level(int processor, int priority) const;
+
+  /// The longest that a processor has something to do without a pause, and the work that adds up to it.
+  Nanoseconds busy(int processor) const;
+  std::vector<Account::Share> work(int processor, Nanoseconds busy) const;
+
+ private:
+  /// Tasks of one transaction on one processor.
+  struct Group {
+    int transaction;
+    int priority;  // the greatest of them
+    std::vector<int> tasks;
+    std::vector<double> shares;  // of the processor that each needs; 0: of a transaction that occurs once
+  };
+
+  /// What counts in a window of a task, other than its own transaction: at least `share` of its length, and
+  /// `carried` more.
+  struct Load {
+    double share = 0;
+    double carried = 0;
+    double whole = 0;  // share, and that of the own transaction
+    bool bounded = true;
+  };
+
+  /// The job that is asked about, and what is known to come after it: its followers of the occurrence at
+  /// `occurrence`, from the beginning of the window, and of later ones.
+  struct Asked {
+    const Task* asker = nullptr;  // whose `without` does not count
+    int task = -1;
+    bool precedes = false;
+    Nanoseconds occurrence = 0;
+    bool drifting = false;  // drifts_from() the task
+  };
+
+  /// The window and the job in it that finishes last.
+  struct Critical {
+    Nanoseconds finish = 0;
+    Nanoseconds length = 0;  // until the part is done (preemptive), or begins (not preemptive)
+    int scenario = -1;       // task whose release begins the window; -1: its transaction occurs once
+    Nanoseconds job = 0;
+  };
+  using Shares = std::vector<Account::Share>;
+
+  /// Work in a window; if `shares` is given, also what it is made of.
+  Nanoseconds of_scenario(const Group& group, int scenario, const Asked& asked, int priority,
+                          Nanoseconds length, Shares* shares = nullptr) const;
+  Nanoseconds of_group(const Group& group, const Task* asker, int priority, Nanoseconds length,
+                       Shares* shares) const;
+  /// Of all transactions but `own`, without what does not count for `asker`, if that is given.
+  Nanoseconds of_others(const std::vector<Group>& groups, int own, const Task* asker, int priority,
+                        Nanoseconds length, Shares* shares = nullptr) const;
+  /// Whether tasks can come nearer together than occurrences a period apart let them: those are further apart
+  /// at times, and one of the tasks comes more than a period later after its occurrence than another. Then
+  /// each counts by itself.
+  bool drifts(const Group& group, const Task* asker, int priority) const;
+  /// The same of others and a task of their own transaction, whose jobs count from their occurrences.
+  bool drifts_from(const Group& group, int task) const;
+  Load load_of(int transaction, const Task& self) const;
+  Nanoseconds of_siblings(int transaction, int task, Shares* shares) const;
+  Critical critical(int transaction, int task, Nanoseconds part, Nanoseconds blocking, Since since) const;
+  Critical critical_once(int transaction, int task, Nanoseconds part, Nanoseconds blocking, Since since,
+                         const Load& load) const;
+  const Group* group_of(int transaction, int processor) const;
+  Nanoseconds window(int processor, int priority, Nanoseconds cost) const;
+
+  std::vector<bool> preemptive_;
+  std::vector<Transaction> transactions_;
+  std::vector<std::vector<Group>> by_processor_;  // the greatest priority first
+};
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,234 @@
+#include "analyzer/compositional/times/demand.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "analyzer/compositional/causes/rounds.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+constexpr int most_rounds = 1'000;
+
+std::vector<bool> preemptive(const Problem& problem) {
+  std::vector<bool> all;
+  for (const pan::Processor& processor : problem.processors) all.push_back(processor.preemptive);
+  return all;
+}
+
+/// Whether `other` comes of what `node` does.
+bool brings_about(const Ground& ground, int node, int other) {
+  int at = ground.node(other).cause;
+  while (at >= 0 && at != node) at = ground.node(at).cause;
+  return at == node;
+}
+
+}  // namespace
+
+Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes, const std::function<bool()>& stop)
+    : ground_(ground),
+      windows_(preemptive(ground.problem)),
+      task_(nodes.size()),
+      nodes_of_(ground.forest.sources.size()),
+      threads_on_(ground.problem.processors.size()),
+      burst_(ground.problem.threads.size()),
+      order_(order_of(ground, stop)) {
+  std::vector<Transaction> transactions(ground.forest.sources.size());
+  for (std::size_t s = 0; s < transactions.size(); ++s) {
+    transactions[s].period = ground.forest.sources[s].period;
+    transactions[s].regular = ground.forest.sources[s].regular;
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const int n = static_cast<int>(i);
+    const Thread& thread = ground.thread_of(n);
+    auto& tasks = transactions[static_cast<std::size_t>(ground.node(n).source)].tasks;
+    task_[i] = static_cast<int>(tasks.size());
+    nodes_of_[static_cast<std::size_t>(ground.node(n).source)].push_back(n);
+    tasks.push_back(
+        {thread.processor, thread.priority, ground.segment(n).worst, nodes[i].earliest, 0, {}, {}});
+  }
+  for (std::size_t n = 0; n < nodes.size(); ++n) precede(ground, static_cast<int>(n), transactions);
+  for (Transaction& transaction : transactions) windows_.add(std::move(transaction));
+  for (std::size_t t = 0; t < ground.problem.threads.size(); ++t)
+    threads_on_[static_cast<std::size_t>(ground.problem.threads[t].processor)].push_back(static_cast<int>(t));
+  nodes_on_.resize(ground.problem.processors.size());
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    nodes_on_[static_cast<std::size_t>(ground.thread_of(static_cast<int>(n)).processor)].push_back(
+        static_cast<int>(n));
+  for (std::size_t t = 0; t < ground.problem.threads.size(); ++t)
+    pauses_.push_back(pauses(static_cast<int>(t)));
+}
+
+/// A thread that asks for what begins its next round may find it there when it comes home, and go on.
+bool Demand::pauses(int thread) const {
+  const Thread& of = ground_.thread_at(thread);
+  if (ground_.problem.processors[static_cast<std::size_t>(of.processor)].preemptive) return true;
+  std::vector<bool> owned;
+  for (int n : ground_.conduct_of(thread).rounds) {
+    const Source& source = ground_.source(n);
+    if (source.kind != Source::Kind::loop || source.thread != thread || ground_.node(n).cause >= 0) continue;
+    owned.resize(ground_.problem.steps.size());
+    for (std::size_t s = 0; s < owned.size(); ++s)
+      owned[s] = ground_.forest.segments.owner(static_cast<int>(s)) == thread;
+    if (!waits_at_home(ground_.problem, ground_.segment(n).beginning, owned)) return false;
+  }
+  return true;
+}
+
+/// Enters the node with the causes on its processor that are done before it begins.
+void Demand::precede(const Ground& ground, int node, std::vector<Transaction>& transactions) const {
+  Transaction& of = transactions[static_cast<std::size_t>(ground.node(node).source)];
+  if (of.period == never) return;
+  const int task = task_[static_cast<std::size_t>(node)];
+  const Task& self = of.tasks[static_cast<std::size_t>(task)];
+  for (int at = node; ground.node(at).cause >= 0; at = ground.node(at).cause) {
+    const int cause = task_[static_cast<std::size_t>(ground.node(at).cause)];
+    Task& before = of.tasks[static_cast<std::size_t>(cause)];
+    if (before.processor != self.processor || before.priority > self.priority) continue;
+    if (ends_with_cause(ground, at)) before.followers.push_back(task);
+  }
+}
+
+/// What comes later never counts. Nor does, on a preemptive processor, what is over before the node is
+/// released, if nothing that counts has its priority or a lower one (down to the node's): while it had the
+/// processor nothing that counts was waiting, so a window that begins when it ends has all that can delay the
+/// node.
+///
+/// A thread's own segments are one after the other. Those of the node's round are over when it is released.
+/// Another round may still be at work then, also in what occurs once: its thread was sent something else
+/// before, or serves a request that was withdrawn.
+void Demand::exclude(int node, bool home_again) {
+  const Thread& mine = ground_.thread_of(node);
+  const auto n = static_cast<std::size_t>(node);
+  const int thread = ground_.forest.thread_of(node);
+  const auto once_with = [&](int other) {
+    return ground_.source(node).period == never && ground_.forest.thread_of(other) == thread &&
+           ground_.node(other).source == ground_.node(node).source;
+  };
+  const auto comes_later = [&](int other) {
+    return (once_with(other) && brings_about(ground_, node, other)) ||
+           std::binary_search(order_.later[n].begin(), order_.later[n].end(), other);
+  };
+  const auto is_apart = [&](int other) {
+    return (home_again && ground_.forest.thread_of(other) == thread) ||
+           (once_with(other) && ground_.round_of(other) == ground_.round_of(node)) ||
+           std::binary_search(order_.apart[n].begin(), order_.apart[n].end(), other);
+  };
+  const auto& here = nodes_on_[static_cast<std::size_t>(mine.processor)];
+  const bool preemptive = ground_.problem.processors[static_cast<std::size_t>(mine.processor)].preemptive;
+  int nearest = preemptive ? std::numeric_limits<int>::max() : mine.priority;  // least priority that counts
+  for (int other : here) {
+    const int priority = ground_.thread_of(other).priority;
+    const bool works = other != node && ground_.segment(other).worst > 0 && priority >= mine.priority;
+    if (works && !comes_later(other) && !is_apart(other)) nearest = std::min(nearest, priority);
+  }
+  std::vector<std::pair<int, int>> without;
+  for (int other : here) {
+    if (other == node) continue;
+    if (comes_later(other) || (is_apart(other) && ground_.thread_of(other).priority < nearest))
+      without.emplace_back(ground_.node(other).source, task_[static_cast<std::size_t>(other)]);
+  }
+  std::sort(without.begin(), without.end());
+  windows_.set_without(ground_.node(node).source, task_[n], std::move(without));
+}
+
+void Demand::find_order(const std::vector<bool>& home_again, const std::function<bool()>& stop) {
+  for (std::size_t n = 0; n < task_.size(); ++n) {
+    if (stop && stop()) return;
+    const auto thread = static_cast<std::size_t>(ground_.forest.thread_of(static_cast<int>(n)));
+    if (home_again_.empty() || home_again_[thread] != home_again[thread])
+      exclude(static_cast<int>(n), home_again[thread]);
+  }
+  home_again_ = home_again;
+}
+
+Nanoseconds Demand::greatest_jitter(int node) const {
+  const Source& of = ground_.source(node);
+  if (of.period == never) return never;
+  return plus(of.jitter, work_of(2 * ground_.node(node).depth + 2, of.period));
+}
+
+void Demand::announce(int node, const NodeTimes& times) {
+  const Nanoseconds jitter = times.latest >= never ? never : times.latest - times.earliest;
+  windows_.set_jitter(ground_.node(node).source, task_[static_cast<std::size_t>(node)],
+                      std::min(jitter, greatest_jitter(node)));
+}
+
+/// Who was held in a send may find what it asked for before that when it comes home, and go on for one round
+/// more.
+void Demand::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& home_again,
+                         const std::vector<bool>& blocked) {
+  burst_.assign(ground_.problem.threads.size(), 0);
+  for (std::size_t t = 0; t < burst_.size(); ++t) {
+    const int processor = ground_.problem.threads[t].processor;
+    if (ground_.problem.processors[static_cast<std::size_t>(processor)].preemptive) continue;
+    const Nanoseconds found = burst(static_cast<int>(t), nodes, home_again[t] && pauses_[t]);
+    burst_[t] = blocked[t] ? plus(found, found) : found;
+  }
+}
+
+/// A thread goes on without a pause as long as it finds messages.
+Nanoseconds Demand::burst(int thread, const std::vector<NodeTimes>& nodes, bool home_again) const {
+  const ThreadConduct& of = ground_.conduct_of(thread);
+  Nanoseconds once = 0;
+  Nanoseconds late = 0;
+  for (int n : of.nodes) {
+    const NodeTimes& times = nodes[static_cast<std::size_t>(n)];
+    once = plus(once, ground_.segment(n).worst);
+    late = std::max(late, times.finish >= never ? never : times.finish - times.earliest);
+  }
+  if (once == 0 || home_again) return once;
+  Nanoseconds length = once;
+  for (int round = 0; round < most_rounds; ++round) {
+    Nanoseconds next = 0;
+    for (int n : of.nodes) {
+      const Transaction& transaction = windows_.transaction(ground_.node(n).source);
+      const Task& task = transaction.tasks[static_cast<std::size_t>(task_[static_cast<std::size_t>(n)])];
+      const Nanoseconds count = BusyWindows::releases(transaction, task, plus(length, late));
+      if (ground_.segment(n).worst > 0 && count >= never) return never;
+      next = plus(next, work_of(count, ground_.segment(n).worst));
+    }
+    if (next <= length) return length;
+    length = next;
+  }
+  return never;
+}
+
+int Demand::blocking_thread(int node) const {
+  const Thread& mine = ground_.thread_of(node);
+  if (ground_.problem.processors[static_cast<std::size_t>(mine.processor)].preemptive) return -1;
+  int longest = -1;
+  for (int t : threads_on_[static_cast<std::size_t>(mine.processor)]) {
+    if (ground_.thread_at(t).priority >= mine.priority) continue;
+    if (longest < 0 || burst_[static_cast<std::size_t>(t)] > burst_[static_cast<std::size_t>(longest)])
+      longest = t;
+  }
+  return longest;
+}
+
+Nanoseconds Demand::blocking(int node) const {
+  const int thread = blocking_thread(node);
+  return thread < 0 ? 0 : burst_[static_cast<std::size_t>(thread)];
+}
+
+Nanoseconds Demand::finish(int node, Nanoseconds part, Nanoseconds blocking, Since since) const {
+  return windows_.finish(ground_.node(node).source, task_[static_cast<std::size_t>(node)], part, blocking,
+                         since);
+}
+
+Account Demand::account(int node, Nanoseconds part, Since since) const {
+  return windows_.account(ground_.node(node).source, task_[static_cast<std::size_t>(node)], part,
+                          blocking(node), since);
+}
+
+Nanoseconds stops_within(const Problem& problem, const BusyWindows& windows, int block) {
+  const Thread& of = problem.threads[static_cast<std::size_t>(block)];
+  Nanoseconds longest = windows.level(of.processor, of.priority);
+  for (std::size_t t = 0; t < problem.threads.size(); ++t) {
+    if (problem.threads[t].parent == block)
+      longest = std::max(longest, stops_within(problem, windows, static_cast<int>(t)));
+  }
+  return longest;
+}
+
+}  // namespace pal::analyzer::compositional

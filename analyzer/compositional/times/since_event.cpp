@@ -1,0 +1,82 @@
+#include "analyzer/compositional/times/since_event.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "analyzer/compositional/times/release.hpp"
+#include "analyzer/compositional/times/slots.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+constexpr int most_passes = 20;
+
+/// Begins with the times from the nominal instants and lowers them: each pass follows the ways from bounds
+/// to bounds, so it may stop after any.
+class SinceEvents : private Ground {
+ public:
+  SinceEvents(const Ground& ground, const Times& times, const Demand& demand)
+      : Ground(ground),
+        times_(times),
+        demand_(demand),
+        made_(times.nodes),
+        releases_(*this, made_, times.nodes, demand) {}
+
+  std::vector<NodeTimes> run() {
+    for (int pass = 0; pass < most_passes; ++pass) {
+      bool changed = false;
+      for (std::size_t i = 0; i < made_.size(); ++i) {
+        const int n = static_cast<int>(i);
+        // Without jitter the ways are no shorter than the times from the nominal instant.
+        const bool late = source(n).kind == Source::Kind::event && source(n).jitter > 0;
+        if (late && made_[i].latest < never) changed = lower(n) || changed;
+      }
+      if (!changed) break;
+    }
+    return std::move(made_);
+  }
+
+ private:
+  bool lower(int n) {
+    NodeTimes& mine = made_[static_cast<std::size_t>(n)];
+    const NodeTimes before = mine;
+    const Segment& of = segment(n);
+    mine.latest = std::min(mine.latest, releases_.latest(n, times_.trouble, times_.blocked).at);
+    const auto done = [&](Nanoseconds part) { return plus(mine.latest, from_release(n, part)); };
+    for (std::size_t s = 0; s < of.steps.size(); ++s) {
+      if (mine.effects[s] == NodeTimes::unknown) continue;
+      mine.worked[s] = std::min(mine.worked[s], done(of.steps[s].worst));
+      const Nanoseconds held = held_until(*this, times_.nodes, n, of.steps[s].step);
+      mine.effects[s] = std::min(mine.effects[s], std::max(mine.worked[s], held));
+    }
+    for (std::size_t w = 0; w < of.waits.size(); ++w) {
+      const Nanoseconds sent = sent_before(*this, mine, n, of.waits[w].step);
+      mine.arrivals[w] = std::min(mine.arrivals[w], std::max(done(of.waits[w].worst), sent));
+    }
+    mine.finish = std::min(mine.finish, done(of.worst));
+    return mine.latest != before.latest || mine.finish != before.finish || mine.effects != before.effects ||
+           mine.worked != before.worked || mine.arrivals != before.arrivals;
+  }
+
+  /// Latest end of the first `part` of a node's work after its release.
+  Nanoseconds from_release(int n, Nanoseconds part) {
+    if (segment(n).steps.empty()) return 0;
+    const auto [place, fresh] = known_.emplace(std::pair{n, part}, 0);
+    if (fresh) place->second = demand_.finish(n, part, demand_.blocking(n), Since::release);
+    return place->second;
+  }
+
+  const Times& times_;
+  const Demand& demand_;
+  std::vector<NodeTimes> made_;
+  Releases releases_;
+  std::map<std::pair<int, Nanoseconds>, Nanoseconds> known_;  // by node and part
+};
+
+}  // namespace
+
+std::vector<NodeTimes> since_events(const Ground& ground, const Times& times, const Demand& demand) {
+  return SinceEvents(ground, times, demand).run();
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,139 @@
+#include "analyzer/compositional/times/slots.hpp"
+
+#include <algorithm>
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+
+/// Latest effect of the take that begins a node.
+Nanoseconds taken(const std::vector<NodeTimes>& nodes, int node) {
+  return nodes[static_cast<std::size_t>(node)].effects.front();
+}
+
+bool sent_by(const Node& taker, int send) {
+  return std::find(taker.sends.begin(), taker.sends.end(), send) != taker.sends.end();
+}
+
+}  // namespace
+
+bool take_in_time(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, Nanoseconds put) {
+  const Nanoseconds period = ground.source(node).period;
+  return taken(nodes, node) < (period == never ? never : plus(period, put));
+}
+
+bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, int node) {
+  const Source& of = ground.source(node);
+  const int thread = ground.forest.thread_of(node);
+  if (of.kind == Source::Kind::loop && of.thread == thread && ground.node(node).cause < 0) return true;
+  if (of.period == never) return true;
+  Nanoseconds last = 0;
+  for (int other : ground.conduct_of(thread).nodes) {
+    if (ground.round_of(other) == node) last = std::max(last, nodes[static_cast<std::size_t>(other)].finish);
+  }
+  return last < plus(of.period, nodes[static_cast<std::size_t>(node)].earliest);
+}
+
+Nanoseconds sent_before(const Ground& ground, const NodeTimes& times, int node, int wait) {
+  const Segment& of = ground.segment(node);
+  Nanoseconds latest = 0;
+  for (std::size_t s = 0; s < of.steps.size(); ++s) {
+    const Step& step = ground.step_at(of.steps[s].step);
+    if (step.kind == Kind::send && step.next.front() == wait) latest = std::max(latest, times.effects[s]);
+  }
+  return latest;
+}
+
+Nanoseconds held_until(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, int send) {
+  const Nanoseconds period = ground.source(node).period;
+  if (ground.step_at(send).kind != Kind::send || period == never) return 0;
+  const int channel = ground.step_at(send).channels.front();
+  if (ground.conduct.never_full[static_cast<std::size_t>(channel)]) return 0;
+  Nanoseconds latest = 0;
+  for (int effect : ground.node(node).effects) {
+    const Node& taker = ground.node(effect);
+    if (taker.device >= 0 || !sent_by(taker, send)) continue;
+    const Nanoseconds end = taken(nodes, effect);
+    latest = std::max(latest, end >= never ? never : end - period);
+  }
+  return latest;
+}
+
+Slots::Slots(const Ground& ground) : ground_(ground), puts_(ground.problem.channels.size()) {
+  for (std::size_t i = 0; i < ground.forest.nodes.size(); ++i) {
+    const int n = static_cast<int>(i);
+    for (const Segment::Passed& passed : ground.segment(n).steps) {
+      const Step& step = ground.step_at(passed.step);
+      if (step.kind == Kind::send)
+        puts_[static_cast<std::size_t>(step.channels.front())].push_back({n, passed.step});
+    }
+  }
+}
+
+/// Whether every message of the channel is taken before the next is put.
+bool Slots::is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) const {
+  const Channel& of = ground_.problem.channels[channel];
+  if (of.receiver_device >= 0 && !of.served) return true;
+  if (ground_.conduct.never_full[channel]) return true;
+  const auto& puts = puts_[channel];
+  if (puts.empty()) return true;
+  const int n = puts.front().node;
+  for (const Put& put : puts) {
+    if (put.node != n) return false;
+  }
+  if (ground_.source(n).period == never && puts.size() == 1) return true;  // one message, ever
+  for (const Put& put : puts) {
+    bool known = false;
+    for (int effect : ground_.node(n).effects) {
+      if (!sent_by(ground_.node(effect), put.step)) continue;
+      known = true;
+      const std::size_t place = place_of(ground_.segment(n), put.step);
+      const Nanoseconds soonest =
+          nodes[static_cast<std::size_t>(n)].earliest + ground_.segment(n).steps[place].best;
+      if (!take_in_time(ground_, nodes, effect, soonest) && !may_be_held(nodes, put, effect)) return false;
+    }
+    if (!known) return false;
+    for (const Put& other : puts) {
+      if (&other != &put && comes_after(ground_.problem, ground_.segment(n), put.step, other.step))
+        return false;
+    }
+  }
+  return true;
+}
+
+/// Whether it is known what a wait for the slot does: the send ends its thread's only kind of round.
+bool Slots::may_be_held(const std::vector<NodeTimes>& nodes, Put put, int taker) const {
+  const ThreadConduct& of = ground_.conduct_of(ground_.forest.thread_of(put.node));
+  return taken(nodes, taker) < never && of.rounds.size() == 1 && !of.waits_within &&
+         ground_.round_of(put.node) == of.rounds.front() && ground_.step_at(put.step).next.front() == of.home;
+}
+
+std::vector<Slots::Trouble> Slots::trouble(const Times& times) const {
+  std::vector<Trouble> found;
+  for (std::size_t c = 0; c < puts_.size(); ++c) {
+    if (is_free(times.nodes, c)) continue;
+    for (const Put& put : puts_[c]) {
+      const int statement = ground_.step_at(put.step).statement;
+      found.push_back(
+          {ground_.forest.thread_of(put.node), true,
+           "may find the slot full at " +
+               (statement < 0 ? std::string("a send")
+                              : ground_.problem.statements[static_cast<std::size_t>(statement)].text)});
+    }
+  }
+  for (std::size_t t = 0; t < ground_.problem.threads.size(); ++t) {
+    const ThreadConduct& of = ground_.conduct.threads[t];
+    if (!of.waits_within || of.rounds.empty() || of.asked_by_one) continue;
+    if (of.rounds.size() > 1) {
+      found.push_back(
+          {static_cast<int>(t), false, "begins rounds for several reasons, and waits within them"});
+    } else if (!at_home_again(ground_, times.nodes, of.rounds.front())) {
+      found.push_back(
+          {static_cast<int>(t), false, "may still be waiting within one round when the next is due"});
+    }
+  }
+  return found;
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,47 @@
+// What the times rest on: that slots are free when messages are put, and threads at home when they are due.
+#pragma once
+
+#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/times/times.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// Whether the node's message is taken before the next one is put, if it is put at `put` at the earliest.
+bool take_in_time(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, Nanoseconds put);
+
+/// Whether the work of the round that `node` begins is over before the next one is asked for. The thread may
+/// still wait for the slot of its last send.
+bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, int node);
+
+/// Latest end of a send by which the node comes straight to `wait`; 0: there is none.
+Nanoseconds sent_before(const Ground& ground, const NodeTimes& times, int node, int wait);
+
+/// Until when a send may have to wait for its slot: the message before it is taken a period earlier than its
+/// own.
+Nanoseconds held_until(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, int send);
+
+class Slots {
+ public:
+  explicit Slots(const Ground& ground);
+
+  struct Trouble {
+    int thread = -1;
+    bool blocked = false;  // it may have to wait in a send
+    std::string why;
+  };
+  /// The threads of which nothing bounds when they go on, by these times.
+  std::vector<Trouble> trouble(const Times& times) const;
+
+ private:
+  struct Put {
+    int node;
+    int step;
+  };
+  bool is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) const;
+  bool may_be_held(const std::vector<NodeTimes>& nodes, Put put, int taker) const;
+
+  Ground ground_;
+  std::vector<std::vector<Put>> puts_;  // by channel
+};
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,221 @@
+#include "analyzer/compositional/times/times.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "analyzer/compositional/times/demand.hpp"
+#include "analyzer/compositional/times/pace.hpp"
+#include "analyzer/compositional/times/release.hpp"
+#include "analyzer/compositional/times/since_event.hpp"
+#include "analyzer/compositional/times/slots.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+
+constexpr int most_passes = 400;
+constexpr int everybody = std::numeric_limits<int>::max();
+constexpr int nobody = std::numeric_limits<int>::min();
+
+/// The nodes with their earliest releases, and as if nothing ever had to wait.
+std::vector<NodeTimes> unhindered(const Ground& ground, const std::vector<bool>& at) {
+  std::vector<NodeTimes> nodes(ground.forest.nodes.size());
+  const std::vector<Nanoseconds> earliest = earliest_releases(ground);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const Segment& of = ground.segment(static_cast<int>(n));
+    NodeTimes& mine = nodes[n];
+    mine.earliest = mine.latest = earliest[n];
+    mine.effects.assign(of.steps.size(), NodeTimes::unknown);
+    mine.arrivals.assign(of.waits.size(), 0);
+    for (std::size_t s = 0; s < of.steps.size(); ++s) {
+      const Step& step = ground.step_at(of.steps[s].step);
+      const bool asked = at[static_cast<std::size_t>(of.steps[s].step)] || step.kind == Kind::send ||
+                         step.kind == Kind::set || step.kind == Kind::wait || step.kind == Kind::complete ||
+                         may_match_nothing(step);
+      if (asked) mine.effects[s] = 0;
+    }
+    mine.worked = mine.effects;
+  }
+  return nodes;
+}
+
+/// Raises all times together until they agree. Each pass derives the latest releases from the latest effects,
+/// and these from the work that the releases can pile up (J. C. Palencia, M. González Harbour 1998; the
+/// argument that the least solution bounds every run is in docs/compositional.md).
+class Solver : private Ground {
+ public:
+  Solver(const Ground& ground, const std::vector<bool>& at, const std::function<bool()>& stop)
+      : Ground(ground),
+        stop_(stop),
+        nodes_(unhindered(ground, at)),
+        demand_(ground, nodes_, stop),
+        releases_(*this, nodes_, demand_) {}
+
+  Times run() {
+    times_.trouble.resize(problem.threads.size());
+    times_.blocked.assign(problem.threads.size(), false);
+    for (std::size_t t = 0; t < problem.threads.size(); ++t) times_.trouble[t] = conduct.threads[t].trouble;
+    const Slots slots(*this);
+    do {
+      solve();
+      times_.nodes = nodes_;
+      if (times_.interrupted) return std::move(times_);
+    } while (finds_trouble(slots));
+    find_pace(*this, times_);
+    times_.since_event = since_events(*this, times_, demand_);
+    times_.demand = std::make_shared<const Demand>(demand_);
+    return std::move(times_);
+  }
+
+ private:
+  NodeTimes& times(int n) { return nodes_[static_cast<std::size_t>(n)]; }
+
+  Nanoseconds latest_release(int n) const { return releases_.latest(n, times_.trouble, times_.blocked).at; }
+
+  bool update(int n) {
+    NodeTimes& mine = times(n);
+    const NodeTimes before = mine;
+    mine.latest = std::max(mine.latest, latest_release(n));
+    // Later than what can pile up: something on the way does not keep pace.
+    if (mine.latest < never && mine.latest - mine.earliest > demand_.greatest_jitter(n)) mine.latest = never;
+    demand_.announce(n, mine);
+    const Segment& of = segment(n);
+    const Nanoseconds keeps = mine.latest >= never ? 0 : demand_.blocking(n);
+    std::map<Nanoseconds, Nanoseconds> known;
+    const auto done = [&](Nanoseconds part) {
+      if (mine.latest >= never) return never;
+      if (of.steps.empty()) return mine.latest;  // reaching a wait needs no processor
+      const auto [place, fresh] = known.emplace(part, 0);
+      if (fresh) place->second = demand_.finish(n, part, keeps);
+      return place->second;
+    };
+    for (std::size_t s = 0; s < of.steps.size(); ++s) {
+      if (mine.effects[s] == NodeTimes::unknown) continue;
+      mine.worked[s] = std::max(mine.worked[s], done(of.steps[s].worst));
+      mine.effects[s] =
+          std::max({mine.effects[s], mine.worked[s], held_until(*this, nodes_, n, of.steps[s].step)});
+    }
+    for (std::size_t w = 0; w < of.waits.size(); ++w) {
+      mine.arrivals[w] = std::max(
+          {mine.arrivals[w], done(of.waits[w].worst), sent_before(*this, mine, n, of.waits[w].step)});
+    }
+    mine.finish = std::max(mine.finish, done(of.worst));
+    return mine.latest != before.latest || mine.finish != before.finish || mine.effects != before.effects ||
+           mine.worked != before.worked || mine.arrivals != before.arrivals;
+  }
+
+  /// Whether one of its sends may have to wait for longer than is known: its taker may be on any processor.
+  bool held_longer(int n) const {
+    const Segment& of = segment(n);
+    const NodeTimes& mine = nodes_[static_cast<std::size_t>(n)];
+    for (std::size_t s = 0; s < of.steps.size(); ++s) {
+      if (mine.effects[s] == NodeTimes::unknown) continue;
+      if (held_until(*this, nodes_, n, of.steps[s].step) > mine.effects[s]) return true;
+    }
+    return false;
+  }
+
+  /// The greatest priority of those that a change of a node's release can delay: they stand on its processor,
+  /// and if that is not preemptive they may be of any.
+  int delays_up_to(const Thread& thread) const {
+    const bool preemptive = problem.processors[static_cast<std::size_t>(thread.processor)].preemptive;
+    return preemptive ? thread.priority : everybody;
+  }
+
+  void solve() {
+    for (std::size_t n = 0; n < forest.nodes.size(); ++n) demand_.announce(static_cast<int>(n), nodes_[n]);
+    std::vector<int> dirty(problem.processors.size(), everybody);  // by processor: delays_up_to()
+    for (int pass = 0; pass < most_passes; ++pass) {
+      find_bursts();
+      std::vector<int> now = dirty;
+      dirty.assign(dirty.size(), nobody);
+      bool changed = false;
+      for (std::size_t i = 0; i < forest.nodes.size(); ++i) {
+        const int n = static_cast<int>(i);
+        if (stop_ && stop_()) {
+          times_.interrupted = true;
+          return;
+        }
+        const Thread& thread = thread_of(n);
+        const auto processor = static_cast<std::size_t>(thread.processor);
+        const Nanoseconds latest = std::max(times(n).latest, latest_release(n));
+        const bool delayed = thread.priority <= now[processor];
+        if (!delayed && latest == times(n).latest && !held_longer(n)) continue;
+        if (update(n)) {
+          changed = true;
+          dirty[processor] = std::max(dirty[processor], delays_up_to(thread));
+          now[processor] = std::max(now[processor], delays_up_to(thread));
+        }
+      }
+      if (!changed) return;
+    }
+    // Times that go on rising have no bound: give them up, and see what is left.
+    for (std::size_t n = 0; n < forest.nodes.size(); ++n) {
+      NodeTimes& mine = times(static_cast<int>(n));
+      mine.latest = mine.finish = never;
+      for (Nanoseconds& each : mine.effects) each = each == NodeTimes::unknown ? each : never;
+      mine.worked = mine.effects;
+      mine.arrivals.assign(mine.arrivals.size(), never);
+      demand_.announce(static_cast<int>(n), mine);
+    }
+  }
+
+  void find_bursts() {
+    std::vector<bool> home_again;
+    for (const ThreadConduct& of : conduct.threads) {
+      home_again.push_back(of.rounds.size() <= 1 &&
+                           (of.rounds.empty() || at_home_again(*this, nodes_, of.rounds.front())));
+    }
+    demand_.find_order(home_again, stop_);
+    demand_.find_bursts(nodes_, home_again, times_.blocked);
+  }
+
+  /// Whether something is found that the times do not count with yet.
+  bool finds_trouble(const Slots& slots) {
+    bool found = false;
+    for (const Slots::Trouble& each : slots.trouble(times_)) {
+      const auto thread = static_cast<std::size_t>(each.thread);
+      found = found || times_.trouble[thread].empty() || (each.blocked && !times_.blocked[thread]);
+      if (each.blocked) times_.blocked[thread] = true;
+      if (times_.trouble[thread].empty())
+        times_.trouble[thread] = thread_at(each.thread).name + " " + each.why;
+    }
+    return found;
+  }
+
+  const std::function<bool()>& stop_;
+  std::vector<NodeTimes> nodes_;
+  Demand demand_;
+  Releases releases_;
+  Times times_;
+};
+
+}  // namespace
+
+std::size_t place_of(const Segment& segment, int step) {
+  for (std::size_t s = 0; s < segment.steps.size(); ++s) {
+    if (segment.steps[s].step == step) return s;
+  }
+  return segment.steps.size();
+}
+
+Times times_of(const Problem& problem, const Forest& forest, const Conduct& conduct,
+               const std::vector<bool>& at, const std::function<bool()>& stop) {
+  return Solver({problem, forest, conduct}, at, stop).run();
+}
+
+Nanoseconds latest_effect(const Forest& forest, const std::vector<NodeTimes>& nodes, int node, int step) {
+  const std::size_t place = place_of(forest.segment_of(forest.nodes[static_cast<std::size_t>(node)]), step);
+  const auto& effects = nodes[static_cast<std::size_t>(node)].effects;
+  return place < effects.size() && effects[place] != NodeTimes::unknown ? effects[place] : never;
+}
+
+Nanoseconds earliest_effect(const Forest& forest, const Times& times, int node, int step) {
+  const Segment& segment = forest.segment_of(forest.nodes[static_cast<std::size_t>(node)]);
+  const std::size_t place = place_of(segment, step);
+  return times.nodes[static_cast<std::size_t>(node)].earliest +
+         (place < segment.steps.size() ? segment.steps[place].best : 0);
+}
+
+}  // namespace pal::analyzer::compositional

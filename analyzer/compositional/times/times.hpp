@@ -1,0 +1,75 @@
+// When everything that a source causes is done, at the earliest and at the latest.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "analyzer/compositional/causes/conduct.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// All times count from the nominal instant of the occurrence of the node's source; those of a module's start
+/// from time 0. `never`: no bound.
+struct NodeTimes {
+  Nanoseconds earliest = 0;  // release
+  Nanoseconds latest = 0;    // release
+  Nanoseconds finish = 0;    // of the whole segment
+  std::vector<Nanoseconds>
+      effects;  // latest effect of each of the segment's steps that anything depends on, else `unknown`
+  std::vector<Nanoseconds> worked;    // the same, but for a send's wait for its slot
+  std::vector<Nanoseconds> arrivals;  // latest arrival at each of the segment's waits
+  static constexpr Nanoseconds unknown = -1;
+};
+
+/// What an instant is due to: it is that of what is waited for, and `after` more.
+struct Due {
+  enum class By {
+    source,   // the nominal instant of its source
+    held,     // its thread was held in the last send of its round
+    home,     // its thread comes home for the first time
+    arrival,  // `node` arrives at the wait or CONCURRENT `step`
+    blocks,   // the blocks that `node` has started at `step` are over
+    message,  // `node` has sent by `step`
+    put,      // `node` has come to where `step` puts, or waits for its slot
+  };
+  Nanoseconds at = 0;  // `never`: no bound
+  By by = By::source;
+  int node = -1;
+  int step = -1;
+  Nanoseconds after = 0;
+};
+
+class Demand;
+
+struct Times {
+  std::vector<NodeTimes> nodes;
+  /// The same counted from the event itself, which may come after its nominal instant; of what no event
+  /// brings about they are those of `nodes`.
+  std::vector<NodeTimes> since_event;
+  /// By thread, why nothing bounds when it goes on; empty if something does.
+  std::vector<std::string> trouble;
+  std::vector<bool> blocked;  // by thread: it may have to wait in a send
+  /// By source: its events are all taken before the next can come.
+  std::vector<bool> no_overrun;
+  /// By source: latest distance from one occurrence to the next, and of the first from time 0; `never`: none.
+  std::vector<Due> longest_gap;
+  std::vector<Due> first;
+  std::shared_ptr<const Demand> demand;  // with the jitter found
+  bool interrupted = false;
+};
+
+/// `at`: steps whose times are asked for, besides those that the analysis needs.
+Times times_of(const Problem& problem, const Forest& forest, const Conduct& conduct,
+               const std::vector<bool>& at, const std::function<bool()>& stop);
+
+/// Where a segment has a step; the number of its steps: it has not.
+std::size_t place_of(const Segment& segment, int step);
+
+/// Latest effect of `step` in a node; `never` if there is no bound, or it is not one of its steps.
+Nanoseconds latest_effect(const Forest& forest, const std::vector<NodeTimes>& nodes, int node, int step);
+/// And its earliest.
+Nanoseconds earliest_effect(const Forest& forest, const Times& times, int node, int step);
+
+}  // namespace pal::analyzer::compositional

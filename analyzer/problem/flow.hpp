@@ -1,0 +1,48 @@
+// The ways of a thread from step to step.
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "analyzer/problem/problem.hpp"
+
+namespace pal::analyzer {
+
+/// What becomes of a way at a step: it goes on, ends there, or has found what was looked for.
+enum class Course { goes_on, ends, found };
+
+/// Follows all ways on from the steps `open`, these among them, through each step once; whether one finds
+/// something. `at` says of a step's index what becomes of the way.
+template <class At>
+bool follow(const Problem& problem, std::vector<int> open, const At& at) {
+  std::set<int> seen;
+  while (!open.empty()) {
+    const int step = open.back();
+    open.pop_back();
+    if (!seen.insert(step).second) continue;
+    const Course way = at(step);
+    if (way == Course::found) return true;
+    if (way == Course::ends) continue;
+    const std::vector<int>& next = problem.steps[static_cast<std::size_t>(step)].next;
+    open.insert(open.end(), next.begin(), next.end());
+  }
+  return false;
+}
+
+/// The steps of a thread, without those of its blocks.
+inline std::set<int> steps_of(const Problem& problem, const Thread& thread) {
+  std::set<int> steps;
+  follow(problem, {thread.entry}, [&steps](int at) {
+    steps.insert(at);
+    return Course::goes_on;
+  });
+  return steps;
+}
+
+/// Whether a thread may come from a step back to it.
+inline bool comes_back(const Problem& problem, int step) {
+  return follow(problem, problem.steps[static_cast<std::size_t>(step)].next,
+                [step](int at) { return at == step ? Course::found : Course::goes_on; });
+}
+
+}  // namespace pal::analyzer
