@@ -23,12 +23,13 @@ bool any_after(const Problem& problem, const Step& step, const std::vector<bool>
   return false;
 }
 
-/// Steps from which one of `at` may come.
+/// Steps from which one of `at` may come. Most steps stand behind those that lead to them: what is found goes
+/// from the last to the first, here and below.
 std::vector<bool> before(const Problem& problem, const std::vector<bool>& at) {
   std::vector<bool> found = at;
   for (bool changed = true; changed;) {
     changed = false;
-    for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    for (std::size_t s = problem.steps.size(); s-- > 0;) {
       if (found[s] || !any_after(problem, problem.steps[s], found)) continue;
       found[s] = changed = true;
     }
@@ -52,7 +53,7 @@ std::vector<bool> completions(const Problem& problem, int code) {
 void follow_reads(const Problem& problem, Watch& watch) {
   for (bool changed = true; changed;) {
     changed = false;
-    for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    for (std::size_t s = problem.steps.size(); s-- > 0;) {
       const Step& step = problem.steps[s];
       const bool reads_always = step.kind == Step::Kind::read && step.condition == watch.condition;
       const bool used = watch.at[s] || any_after(problem, step, watch.counts);
@@ -78,7 +79,7 @@ class Samples {
   void follow() {
     for (bool changed = true; changed;) {
       changed = false;
-      for (std::size_t s = 0; s < problem_.steps.size(); ++s) changed = visit(s) || changed;
+      for (std::size_t s = problem_.steps.size(); s-- > 0;) changed = visit(s) || changed;
     }
   }
 

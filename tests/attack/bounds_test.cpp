@@ -194,6 +194,17 @@ TEST_CASE("a load whose round has a thousand actions and more ends in time") {
   CHECK(analyze(*skill->problem).verdicts.front().state != Verdict::State::holds);
 }
 
+TEST_CASE("a module may have as many statements in a row as there may be in a skill") {
+  // Calls within calls, one for each statement, did not find the room.
+  std::string works;
+  for (int n = 0; n < 28'000; ++n) works += "    short\n";
+  const auto skill = test::meaningful_skill(replaced(program("in_a_row"), "    short\n", works));
+  for (const Verdict& each : analyze_compositionally(*skill->problem).verdicts) {
+    REQUIRE(each.bound);
+    CHECK(each.bound->count() >= 28'000'000);
+  }
+}
+
 TEST_CASE("the compositional analysis asks whether to end at each segment") {
   // Two thousand that share a processor take a minute, and five thousand in a row with two ways on from each
   // a minute and a half.

@@ -185,17 +185,30 @@ class Straight {
   Straight(const Problem& problem, int home) : problem_(problem), home_(home) {}
 
   Nanoseconds home_from(int step) {
-    if (step == home_) return 0;
-    const auto [place, fresh] = known_.emplace(step, never);  // on the way: it goes round
-    if (!fresh) return place->second;
-    const Step& of = problem_.steps[static_cast<std::size_t>(step)];
-    if (of.kind == Kind::wait || of.kind == Kind::fork) return never;
-    Nanoseconds longest = 0;
-    for (int next : of.next) longest = std::max(longest, home_from(next));
-    return known_[step] = plus(longest, of.cost.worst);
+    const auto leads_on = [this](int at) { return at != home_ && !stops(at) && !known_.contains(at); };
+    backwards(problem_, step, leads_on, [this](int at) { known_.emplace(at, from(at)); });
+    return known_.at(step);
   }
 
  private:
+  bool stops(int step) const {
+    const Kind kind = problem_.steps[static_cast<std::size_t>(step)].kind;
+    return kind == Kind::wait || kind == Kind::fork;
+  }
+
+  /// From one step, if it is known of those that follow; of who goes round it is not.
+  Nanoseconds from(int step) const {
+    if (step == home_) return 0;
+    if (stops(step)) return never;
+    const Step& of = problem_.steps[static_cast<std::size_t>(step)];
+    Nanoseconds longest = 0;
+    for (int next : of.next) {
+      const auto after = known_.find(next);
+      longest = std::max(longest, after == known_.end() ? never : after->second);
+    }
+    return plus(longest, of.cost.worst);
+  }
+
   const Problem& problem_;
   int home_;
   std::map<int, Nanoseconds> known_;

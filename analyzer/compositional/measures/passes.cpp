@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -107,8 +108,19 @@ Way Passes::after(Pass pass) {
 }
 
 Way Passes::from(int node, int at) {
-  const auto [place, fresh] = known_.emplace(std::pair{node, at}, Way{Sum(), Sum(), false, true});
-  if (!fresh) return place->second;
+  const auto leads_on = [&](int step) {
+    const Kind kind = view_.problem.steps[static_cast<std::size_t>(step)].kind;
+    const bool ends = kind == Kind::wait || kind == Kind::fork || !reachable_[static_cast<std::size_t>(step)];
+    return !ends && !at_[static_cast<std::size_t>(step)] && !known_.contains({node, step});
+  };
+  backwards(view_.problem, at, leads_on, [&](int step) {
+    const auto [place, fresh] = known_.emplace(std::pair{node, step}, Way{Sum(), Sum(), false, true});
+    if (fresh) place->second = way_from(node, step);
+  });
+  return known_.at({node, at});
+}
+
+Way Passes::way_from(int node, int at) {
   const Step& step = view_.problem.steps[static_cast<std::size_t>(at)];
   Way way;
   if (!reachable_[static_cast<std::size_t>(at)]) {
@@ -124,10 +136,12 @@ Way Passes::from(int node, int at) {
   } else {
     // The skill may end.
     if (may_match_nothing(step)) way = {finish(view_, node), release(view_, node), false, false};
-    for (int next : step.next) merge(way, from(node, next));
+    for (int next : step.next) {
+      const auto after = known_.find({node, next});
+      merge(way, after == known_.end() ? Way{Sum(), Sum(), false, true} : after->second);
+    }
   }
   way.lost = way.lost || !way.latest.bounded();
-  known_[{node, at}] = way;
   return way;
 }
 

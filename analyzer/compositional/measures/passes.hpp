@@ -44,6 +44,8 @@ class Passes {
 
  private:
   Way from(int node, int step);
+  /// The same, if it is known of the steps that follow; of a circle of steps it is not.
+  Way way_from(int node, int step);
   Way beyond_wait(int node, int wait);
   Way begun(int node);
   void merge(Way& into, const Way& other) const;

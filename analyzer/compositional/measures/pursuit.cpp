@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -59,8 +60,19 @@ Sum Pursuit::beginning_value(int n) {
 }
 
 Sum Pursuit::step_value(int n, int at) {
-  const auto known = steps_.find({n, at});
-  if (known != steps_.end()) return known->second;
+  const auto known = [&](int step) { return steps_.contains({n, step}); };
+  const auto leads_on = [&](int step) {
+    const Kind kind = step_at(step).kind;
+    const bool ends = kind == Kind::wait || kind == Kind::fork || kind == Kind::complete || kind == Kind::end;
+    return !ends && !at_[static_cast<std::size_t>(step)] && !known(step);
+  };
+  backwards(problem_, at, leads_on, [&](int step) {
+    if (!known(step)) steps_[{n, step}] = value_of_step(n, step);
+  });
+  return steps_.at({n, at});
+}
+
+Sum Pursuit::value_of_step(int n, int at) {
   const Step& step = step_at(at);
   Sum value = Sum::unbounded();
   if (step.kind == Kind::wait) {
@@ -72,10 +84,12 @@ Sum Pursuit::step_value(int n, int at) {
     value = reached(n, at);
   } else if (step.kind != Kind::end) {
     value = may_match_nothing(step) ? reached(n, at) : no_way();
-    for (int next : step.next) value = greater(value, step_value(n, next));
+    for (int next : step.next) {
+      const auto after = steps_.find({n, next});
+      value = greater(value, after == steps_.end() ? Sum::unbounded() : after->second);
+    }
     if (step.kind == Kind::send && is_put(at)) value = less(value, sent_value(n, at));
   }
-  steps_[{n, at}] = value;
   return value;
 }
 

@@ -49,6 +49,8 @@ class Pursuit {
   bool is_put(int send);
   Sum beginning_value(int n);
   Sum step_value(int n, int at);
+  /// The same, if it is known of the steps that follow.
+  Sum value_of_step(int n, int at);
   /// Each block carries the event, as does its parent when they are over.
   Sum fork_value(int n, int fork);
   Sum wait_value(int n, int wait);
