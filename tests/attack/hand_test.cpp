@@ -138,3 +138,16 @@ TEST_CASE("what has grown beyond all that is followed when a skill stands still 
   INFO(verdict.explanation);
   CHECK(verdict.state == Verdict::State::fails);
 }
+
+TEST_CASE("two blocks that take from one clock may answer its events in the other order") {
+  // The long block takes a tick at 0 and is done at 7 ms; the short one takes that of 5 ms and is done at 7
+  // ms too, perhaps before: the tick of 0 is overtaken. A microsecond later it is not, and all are done in 7
+  // ms.
+  CHECK(first_verdict("hand/overtaken").state == Verdict::State::fails);
+  CHECK(bound(program("hand/not_overtaken")) == 7);
+}
+
+TEST_CASE("an inner block may begin its next activity at the instant at which all around it is cancelled") {
+  // MC1.1 and the first activity of MC1.4 are over at 2 ms. If MC1.4 is earlier it has begun its second one.
+  CHECK(bound(program("hand/inner_begins_last")) == 11);
+}
