@@ -43,7 +43,8 @@ Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, boo
 
 Bound greatest_interval(const View& view, const Requirement& requirement) {
   const std::set<int> threads = owners(view, requirement.at);
-  Bound least{Sum::unbounded(), "no thread comes to it"};
+  Bound least{Sum::unbounded(), threads.empty() ? "no thread comes to it"
+                                                : "none of the threads that come to it surely goes on"};
   for (int thread : threads) {
     const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
     // One of several must go on for as long as any of them.
