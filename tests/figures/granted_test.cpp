@@ -149,3 +149,8 @@ TEST_CASE("what stands after blocks that never end takes nothing") {
   has_none(granted("never_past"));
   has_none(granted("never_past_to_blocks"));
 }
+
+TEST_CASE("a round that may send to one slot three times finds it full") {
+  // MC2 obeys the first motion until 6, the one of 3 is in the slot till then, and the one of 4 waits for it.
+  compare(granted("sent_thrice"), {{-1, 7}});
+}

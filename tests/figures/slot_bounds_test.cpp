@@ -31,3 +31,11 @@ TEST_CASE("who waits for a slot does not keep its taker waiting") {
   // for 6. No message is done later than 14 and 1 after its event.
   compare(slots("full_slot"), {{6, 6}, {15, 15}});
 }
+
+TEST_CASE("sends of one round of which each run comes to one are taken before the next round's") {
+  // 3 or 5 to ask, 1 to think, 2 to obey. On the sensors' processor, and in MC2, the bounds count one branch
+  // beside the other.
+  compare(slots("sent_after_branches"), {{9, 6}, {11, 8}, {25, 22}, {15, 18}, {7, 2}});
+  // The answer is there after 2 to 5, or given up at 5 and guessed by 6.
+  compare(slots("sent_after_a_limit"), {{6, 6}, {9, 8}, {26, 24}, {14, 16}, {9, 2}});
+}

@@ -64,12 +64,8 @@ Sum least_by_source(const View& view, const std::vector<Pass>& all) {
   if (of.period >= never) return {};
   Sum sooner = Sum::unbounded();
   Sum later;
+  if (!are_exclusive({view.problem, view.forest, view.conduct}, all)) return {};
   for (const Pass& pass : all) {
-    if (pass.node != all.front().node) return {};
-    const Segment& segment = view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(pass.node)]);
-    for (const Pass& other : all) {
-      if (comes_after(view.problem, segment, pass.step, other.step)) return {};
-    }
     sooner = less(sooner, earliest(view, pass.node, pass.step));
     later = greater(later, latest(view, pass.node, pass.step));
   }

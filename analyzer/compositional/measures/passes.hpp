@@ -1,15 +1,10 @@
 // When statements come in one thread, round after round.
 #pragma once
 
+#include "analyzer/compositional/causes/exclusive.hpp"
 #include "analyzer/compositional/measures/round_view.hpp"
 
 namespace pal::analyzer::compositional {
-
-/// The effect of a statement in a node.
-struct Pass {
-  int node = -1;
-  int step = -1;
-};
 
 /// The ways on from a place: until one of the statements has had its effect, or none can come any more.
 struct Way {

@@ -37,16 +37,24 @@ bool in_order(const View& view, const Requirement& requirement, int source) {
   return answering.size() == 1;
 }
 
+/// Why events of a source may find their slot full.
+std::string overrun(const View& view, int source) {
+  const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
+  for (int root : of.roots) {
+    const std::string& trouble = view.times.trouble[static_cast<std::size_t>(view.forest.thread_of(root))];
+    if (!trouble.empty()) return trouble;
+  }
+  return "an event of " + view.problem.devices[static_cast<std::size_t>(of.device)].name +
+         " may come before the last one was taken";
+}
+
 Bound to_event(const View& view, const Requirement& requirement, int source) {
   const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
-  const std::string& device = view.problem.devices[static_cast<std::size_t>(of.device)].name;
-  if (of.roots.empty()) return unknown("nobody waits for events of " + device);
+  if (of.roots.empty())
+    return unknown("nobody waits for events of " +
+                   view.problem.devices[static_cast<std::size_t>(of.device)].name);
   const int root = of.roots.front();
-  if (!view.times.no_overrun[static_cast<std::size_t>(source)]) {
-    const std::string& trouble = view.times.trouble[static_cast<std::size_t>(view.forest.thread_of(root))];
-    return unknown(trouble.empty() ? "an event of " + device + " may come before the last one was taken"
-                                   : trouble);
-  }
+  if (!view.times.no_overrun[static_cast<std::size_t>(source)]) return unknown(overrun(view, source));
   Pursuit pursuit(view, requirement.at, Pursuit::Since::event);
   const Sum answer = pursuit.node_value(root);
   if (!answer.bounded())
@@ -86,7 +94,7 @@ Bound to_message(const View& view, const Requirement& requirement) {
       const int source = view.forest.nodes[static_cast<std::size_t>(n)].source;
       const bool event = view.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::event;
       if (event && !view.times.no_overrun[static_cast<std::size_t>(source)])
-        return unknown("an event that brings it about may come before the last one was taken");
+        return unknown(overrun(view, source));
       const Sum answered = pursuit.sent_value(n, send);
       if (!answered.bounded())
         return unknown(pursuit.why().empty() ? "a message may stay without a response" : pursuit.why());
@@ -132,11 +140,10 @@ Bound event_loss_bound(const View& view, const Requirement& requirement) {
   const int source = source_of(view, requirement.device);
   if (source < 0) return unknown("nobody waits for its events");
   const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
+  if (of.roots.empty()) return unknown("nobody waits for its events");
+  if (!view.times.no_overrun[static_cast<std::size_t>(source)]) return unknown(overrun(view, source));
   Pursuit pursuit(view, requirement.at, Pursuit::Since::event);
-  const bool none = !of.roots.empty() && view.times.no_overrun[static_cast<std::size_t>(source)] &&
-                    pursuit.certain(of.roots.front());
-  if (none) return {Sum(), ""};
-  return unknown(pursuit.why().empty() ? "an event may come before the last one was taken" : pursuit.why());
+  return pursuit.certain(of.roots.front()) ? Bound{Sum(), ""} : unknown(pursuit.why());
 }
 
 }  // namespace pal::analyzer::compositional

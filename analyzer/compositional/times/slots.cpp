@@ -78,48 +78,61 @@ bool Slots::is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) co
   if (ground_.conduct.never_full[channel]) return true;
   const auto& puts = puts_[channel];
   if (puts.empty()) return true;
-  const int n = puts.front().node;
-  for (const Put& put : puts) {
-    if (put.node != n) return false;
+  if (!are_exclusive(ground_, puts)) return false;
+  if (ground_.source(puts.front().node).period == never) return true;  // one message, ever
+  Nanoseconds soonest = never;
+  bool one_node = true;
+  for (const Pass& put : puts) {
+    const Segment& segment = ground_.segment(put.node);
+    soonest = std::min(soonest, nodes[static_cast<std::size_t>(put.node)].earliest +
+                                    segment.steps[place_of(segment, put.step)].best);
+    one_node = one_node && put.node == puts.front().node;
   }
-  if (ground_.source(n).period == never && puts.size() == 1) return true;  // one message, ever
-  for (const Put& put : puts) {
-    bool known = false;
-    for (int effect : ground_.node(n).effects) {
-      if (!sent_by(ground_.node(effect), put.step)) continue;
-      known = true;
-      const std::size_t place = place_of(ground_.segment(n), put.step);
-      const Nanoseconds soonest =
-          nodes[static_cast<std::size_t>(n)].earliest + ground_.segment(n).steps[place].best;
-      if (!take_in_time(ground_, nodes, effect, soonest) && !may_be_held(nodes, put, effect)) return false;
-    }
-    if (!known) return false;
-    for (const Put& other : puts) {
-      if (&other != &put && comes_after(ground_.problem, ground_.segment(n), put.step, other.step))
-        return false;
-    }
+  return std::all_of(puts.begin(), puts.end(),
+                     [&](const Pass& put) { return is_taken_in_time(nodes, put, soonest, one_node); });
+}
+
+/// Whether a put of a round is taken before the round after it puts, at `soonest` at the earliest, or it is
+/// known what that waits for.
+bool Slots::is_taken_in_time(const std::vector<NodeTimes>& nodes, Pass put, Nanoseconds soonest,
+                             bool may_hold) const {
+  bool known = false;
+  for (int effect : ground_.node(put.node).effects) {
+    if (!sent_by(ground_.node(effect), put.step)) continue;
+    known = true;
+    const bool held = may_hold && may_be_held(nodes, put, effect);
+    if (!take_in_time(ground_, nodes, effect, soonest) && !held) return false;
   }
-  return true;
+  return known;
 }
 
 /// Whether it is known what a wait for the slot does: the send ends its thread's only kind of round.
-bool Slots::may_be_held(const std::vector<NodeTimes>& nodes, Put put, int taker) const {
+bool Slots::may_be_held(const std::vector<NodeTimes>& nodes, Pass put, int taker) const {
   const ThreadConduct& of = ground_.conduct_of(ground_.forest.thread_of(put.node));
   return taken(nodes, taker) < never && of.rounds.size() == 1 && !of.waits_within &&
          ground_.round_of(put.node) == of.rounds.front() && ground_.step_at(put.step).next.front() == of.home;
+}
+
+std::vector<int> Slots::takers_of(Pass put) const {
+  std::vector<int> threads;
+  for (int effect : ground_.node(put.node).effects) {
+    if (sent_by(ground_.node(effect), put.step)) threads.push_back(ground_.forest.thread_of(effect));
+  }
+  return threads;
 }
 
 std::vector<Slots::Trouble> Slots::trouble(const Times& times) const {
   std::vector<Trouble> found;
   for (std::size_t c = 0; c < puts_.size(); ++c) {
     if (is_free(times.nodes, c)) continue;
-    for (const Put& put : puts_[c]) {
+    for (const Pass& put : puts_[c]) {
       const int statement = ground_.step_at(put.step).statement;
       found.push_back(
           {ground_.forest.thread_of(put.node), true,
            "may find the slot full at " +
                (statement < 0 ? std::string("a send")
-                              : ground_.problem.statements[static_cast<std::size_t>(statement)].text)});
+                              : ground_.problem.statements[static_cast<std::size_t>(statement)].text),
+           takers_of(put)});
     }
   }
   for (std::size_t t = 0; t < ground_.problem.threads.size(); ++t) {
@@ -127,10 +140,10 @@ std::vector<Slots::Trouble> Slots::trouble(const Times& times) const {
     if (!of.waits_within || of.rounds.empty() || of.asked_by_one) continue;
     if (of.rounds.size() > 1) {
       found.push_back(
-          {static_cast<int>(t), false, "begins rounds for several reasons, and waits within them"});
+          {static_cast<int>(t), false, "begins rounds for several reasons, and waits within them", {}});
     } else if (!at_home_again(ground_, times.nodes, of.rounds.front())) {
       found.push_back(
-          {static_cast<int>(t), false, "may still be waiting within one round when the next is due"});
+          {static_cast<int>(t), false, "may still be waiting within one round when the next is due", {}});
     }
   }
   return found;

@@ -1,7 +1,7 @@
 // What the times rest on: that slots are free when messages are put, and threads at home when they are due.
 #pragma once
 
-#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/causes/exclusive.hpp"
 #include "analyzer/compositional/times/times.hpp"
 
 namespace pal::analyzer::compositional {
@@ -28,20 +28,20 @@ class Slots {
     int thread = -1;
     bool blocked = false;  // it may have to wait in a send
     std::string why;
+    std::vector<int> takers;  // the threads that may not make room for it
   };
   /// The threads of which nothing bounds when they go on, by these times.
   std::vector<Trouble> trouble(const Times& times) const;
 
  private:
-  struct Put {
-    int node;
-    int step;
-  };
   bool is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) const;
-  bool may_be_held(const std::vector<NodeTimes>& nodes, Put put, int taker) const;
+  bool is_taken_in_time(const std::vector<NodeTimes>& nodes, Pass put, Nanoseconds soonest,
+                        bool may_hold) const;
+  std::vector<int> takers_of(Pass put) const;
+  bool may_be_held(const std::vector<NodeTimes>& nodes, Pass put, int taker) const;
 
   Ground ground_;
-  std::vector<std::vector<Put>> puts_;  // by channel
+  std::vector<std::vector<Pass>> puts_;  // by channel
 };
 
 }  // namespace pal::analyzer::compositional

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "analyzer/compositional/times/demand.hpp"
 #include "analyzer/compositional/times/pace.hpp"
@@ -56,12 +57,14 @@ class Solver : private Ground {
     times_.trouble.resize(problem.threads.size());
     times_.blocked.assign(problem.threads.size(), false);
     for (std::size_t t = 0; t < problem.threads.size(); ++t) times_.trouble[t] = conduct.threads[t].trouble;
+    since_.assign(problem.threads.size(), -1);
     const Slots slots(*this);
     do {
       solve();
       times_.nodes = nodes_;
       if (times_.interrupted) return std::move(times_);
     } while (finds_trouble(slots));
+    name_roots();
     find_pace(*this, times_);
     times_.since_event = since_events(*this, times_, demand_);
     times_.demand = std::make_shared<const Demand>(demand_);
@@ -174,14 +177,38 @@ class Solver : private Ground {
   /// Whether something is found that the times do not count with yet.
   bool finds_trouble(const Slots& slots) {
     bool found = false;
-    for (const Slots::Trouble& each : slots.trouble(times_)) {
+    const auto trouble = [this](int thread) -> std::string& {
+      return times_.trouble[static_cast<std::size_t>(thread)];
+    };
+    std::vector<Slots::Trouble> fresh;
+    for (Slots::Trouble& each : slots.trouble(times_)) {
       const auto thread = static_cast<std::size_t>(each.thread);
-      found = found || times_.trouble[thread].empty() || (each.blocked && !times_.blocked[thread]);
+      found = found || trouble(each.thread).empty() || (each.blocked && !times_.blocked[thread]);
       if (each.blocked) times_.blocked[thread] = true;
-      if (times_.trouble[thread].empty())
-        times_.trouble[thread] = thread_at(each.thread).name + " " + each.why;
+      if (!trouble(each.thread).empty()) continue;
+      trouble(each.thread) = thread_at(each.thread).name + " " + each.why;
+      fresh.push_back(std::move(each));
+    }
+    for (const Slots::Trouble& each : fresh) {
+      for (int taker : each.takers) {
+        if (taker != each.thread && !trouble(taker).empty())
+          since_[static_cast<std::size_t>(each.thread)] = taker;
+      }
     }
     return found;
+  }
+
+  /// Adds to each trouble the one that it comes from in the end.
+  void name_roots() {
+    const std::vector<std::string> own = times_.trouble;
+    for (std::size_t t = 0; t < own.size(); ++t) {
+      std::set<int> seen{static_cast<int>(t)};
+      int at = static_cast<int>(t);
+      for (int next = since_[t]; next >= 0 && seen.insert(next).second;
+           next = since_[static_cast<std::size_t>(next)])
+        at = next;
+      if (at != static_cast<int>(t)) times_.trouble[t] += ", since " + own[static_cast<std::size_t>(at)];
+    }
   }
 
   const std::function<bool()>& stop_;
@@ -189,6 +216,7 @@ class Solver : private Ground {
   Demand demand_;
   Releases releases_;
   Times times_;
+  std::vector<int> since_;  // by thread: the one whose trouble brought about its own; -1: none
 };
 
 }  // namespace
