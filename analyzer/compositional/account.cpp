@@ -208,7 +208,7 @@ class Writer {
       say(account.blocking, name,
           "is kept from its processor by " + thread_name(thread) + ", which cannot be preempted");
     }
-    for (const Account::Share& share : account.others) {
+    for (const Share& share : account.others) {
       const int other = view_.times.demand->node_of(share.transaction, share.task);
       const std::string times = share.jobs == 1 ? "" : ", " + std::to_string(share.jobs) + " times";
       const bool itself = view_.forest.thread_of(other) == view_.forest.thread_of(node);

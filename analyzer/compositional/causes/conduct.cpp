@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analyzer/compositional/causes/forest.hpp"
+#include "analyzer/compositional/causes/alternatives.hpp"
 #include "analyzer/compositional/causes/rounds.hpp"
 #include "analyzer/problem/flow.hpp"
 
@@ -37,7 +37,11 @@ class Observer {
     find_waits();
     for (std::size_t n = 0; n < nodes; ++n) made_.drains.push_back(drains(static_cast<int>(n)));
     protocol();
-    for (ThreadConduct& thread : made_.threads) servers(thread);
+    for (ThreadConduct& thread : made_.threads) {
+      thread.one_round = are_alternatives(problem_, forest_, thread.rounds);
+      servers(thread);
+    }
+    made_.alternatives = alternatives_of(problem_, forest_);
     return std::move(made_);
   }
 

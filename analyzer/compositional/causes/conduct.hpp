@@ -13,6 +13,7 @@ struct ThreadConduct {
   int home = -1;              // the wait at which its rounds begin and end; -1: it has no rounds
   std::vector<int> rounds;    // nodes with which a round begins
   std::vector<int> nodes;     // all
+  bool one_round = false;     // each occurrence of their one source begins one of them at most
   bool waits_within = false;  // a round waits for something before it ends
   bool leaves = false;        // a round may end elsewhere, the skill going on
   bool may_be_cancelled = false;
@@ -35,6 +36,7 @@ struct Conduct {
   /// node's thread has something to do, but for its own waits for slots. So who waits for the slot does not
   /// keep the thread waiting.
   std::vector<bool> drains;
+  std::vector<std::vector<int>> alternatives;  // alternatives_of()
   std::vector<bool>
       never_full;  // by channel: the protocol of request and answer keeps its slot free for a put
 };

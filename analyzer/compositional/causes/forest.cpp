@@ -268,6 +268,7 @@ class Planter {
       if (again && !comes_again(node(at).segment)) break;
       circle.push_back(at);
       if (node(at).segment != segment) continue;
+      if (again && is_asked_anew(circle)) break;
       if (again) found_.insert(cut(circle));
       return;
     }
@@ -302,6 +303,20 @@ class Planter {
     const auto [place, fresh] = comes_again_.emplace(segment, false);
     if (fresh) place->second = recurrent(problem_, forest_.segments[segment].beginning);
     return place->second;
+  }
+
+  bool takes_request(int index) const {
+    const Beginning& begins = forest_.segment_of(forest_.nodes[static_cast<std::size_t>(index)]).beginning;
+    if (begins.kind != Beginning::Kind::arm) return false;
+    const int channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
+    return problem_.channels[static_cast<std::size_t>(channel)].answer >= 0;
+  }
+
+  /// Whether a circle leads back to a server that somebody asks once more. If that goes on for ever, the
+  /// asking is a circle, too, and is found there.
+  bool is_asked_anew(const std::vector<int>& circle) const {
+    return takes_request(circle.back()) &&
+           !std::all_of(circle.begin(), circle.end(), [this](int index) { return takes_request(index); });
   }
 
   /// The segment of a circle of causes that its rounds are counted at: one of a thread that in this circle

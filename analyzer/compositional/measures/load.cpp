@@ -7,16 +7,35 @@
 
 namespace pal::analyzer::compositional {
 
+namespace {
+
+/// Nodes that need not come, since a longer one may come in their place.
+std::vector<bool> replaced_by_longer(const View& view) {
+  const auto worst = [&view](int n) {
+    return view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(n)]).worst;
+  };
+  std::vector<bool> replaced(view.forest.nodes.size());
+  for (const std::vector<int>& alternatives : view.conduct.alternatives) {
+    const int longest = *std::max_element(alternatives.begin(), alternatives.end(),
+                                          [&](int one, int other) { return worst(one) < worst(other); });
+    for (int n : alternatives) replaced[static_cast<std::size_t>(n)] = n != longest;
+  }
+  return replaced;
+}
+
+}  // namespace
+
 Bound load_bound(const View& view, const Requirement& requirement) {
   constexpr Nanoseconds second = 1'000'000'000;
   const std::string whole_time = "the rates that are known add up to the whole time";
   const Sum whole(second, {Term::Kind::said, -1, -1, -1, whole_time});
   std::vector<Sum> busy(view.problem.processors.size());
+  const std::vector<bool> replaced = replaced_by_longer(view);
   for (std::size_t n = 0; n < view.forest.nodes.size(); ++n) {
     const Node& node = view.forest.nodes[n];
     const Segment& segment = view.forest.segment_of(node);
     const Source& source = view.forest.sources[static_cast<std::size_t>(node.source)];
-    if (source.period == never || segment.worst == 0) continue;
+    if (source.period == never || segment.worst == 0 || replaced[n]) continue;
     const auto thread = static_cast<std::size_t>(segment.beginning.thread);
     Sum& sum = busy[static_cast<std::size_t>(view.problem.threads[thread].processor)];
     // More than the whole time is the whole time.
@@ -39,7 +58,7 @@ Sum busy_without_pause(const View& view, int processor) {
   const Nanoseconds busy = view.windows().busy(processor);
   if (busy >= never) return Sum::unbounded();
   Sum all;
-  for (const Account::Share& share : view.windows().work(processor, busy)) {
+  for (const Share& share : view.windows().work(processor, busy)) {
     const int node = view.times.demand->node_of(share.transaction, share.task);
     const std::string what = share.jobs == 1 ? "runs" : "runs " + std::to_string(share.jobs) + " times";
     all = all + Sum(share.work, {Term::Kind::said, node, -1, -1, what});

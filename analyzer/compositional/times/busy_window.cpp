@@ -10,25 +10,6 @@ namespace {
 constexpr int most_rounds = 20'000;
 constexpr Nanoseconds longest_window = 1'000'000'000'000'000;
 
-/// When, in a window that begins with `scenario`'s release after its whole jitter, the next release of `task`
-/// is due: in (0, period].
-Nanoseconds phase(const Transaction& of, const Task& scenario, const Task& task) {
-  const Nanoseconds since = (scenario.offset + scenario.jitter - task.offset) % of.period;
-  return of.period - (since < 0 ? since + of.period : since);
-}
-
-/// Releases in the closed window: those that piled up before it, and those due in it.
-Nanoseconds count(const Transaction& of, const Task& task, Nanoseconds phase, Nanoseconds length) {
-  const Nanoseconds piled = (task.jitter + phase) / of.period;
-  return piled + (length >= phase ? (length - phase) / of.period + 1 : 0);
-}
-
-/// Whether a task's work counts in windows of `asker`.
-bool counts(const Task* asker, int transaction, int task) {
-  return asker == nullptr || asker->without.empty() ||
-         !std::binary_search(asker->without.begin(), asker->without.end(), std::pair{transaction, task});
-}
-
 /// Where to begin looking for the least window in which `fixed`, `carried` and `share` of its length fit, and
 /// perhaps more: not above it (M. Sjödin and H. Hansson, Improved response-time analysis calculations, 1998).
 Nanoseconds least_window(Nanoseconds fixed, double share, double carried) {
@@ -36,12 +17,6 @@ Nanoseconds least_window(Nanoseconds fixed, double share, double carried) {
   const double least = (static_cast<double>(fixed) + carried) / (1 - share) * (1 - rounding);
   if (least >= static_cast<double>(longest_window)) return std::max(fixed, longest_window);
   return least > 0 ? std::max(fixed, static_cast<Nanoseconds>(least)) : fixed;
-}
-
-/// Whether `task` comes, in one occurrence, only after `before` is done.
-bool follows(const Transaction& of, int before, int task) {
-  const auto& followers = of.tasks[static_cast<std::size_t>(before)].followers;
-  return std::binary_search(followers.begin(), followers.end(), task);
 }
 
 }  // namespace
@@ -53,12 +28,9 @@ int BusyWindows::add(Transaction transaction) {
   for (std::size_t t = 0; t < transaction.tasks.size(); ++t) {
     auto& groups = by_processor_[static_cast<std::size_t>(transaction.tasks[t].processor)];
     const int priority = transaction.tasks[t].priority;
-    if (processors.insert(transaction.tasks[t].processor).second) groups.push_back({index, priority, {}, {}});
+    if (processors.insert(transaction.tasks[t].processor).second) groups.push_back({index, priority, {}});
     groups.back().priority = std::max(groups.back().priority, priority);
     groups.back().tasks.push_back(static_cast<int>(t));
-    const double cost = static_cast<double>(transaction.tasks[t].cost);
-    const bool once = transaction.period == never;
-    groups.back().shares.push_back(once ? 0 : cost / static_cast<double>(transaction.period));
   }
   for (const int processor : processors) {
     auto& groups = by_processor_[static_cast<std::size_t>(processor)];
@@ -70,33 +42,28 @@ int BusyWindows::add(Transaction transaction) {
   return index;
 }
 
-Nanoseconds BusyWindows::releases(const Transaction& of, const Task& task, Nanoseconds length) {
-  if (of.period == never) return 1;
-  if (length >= never || task.jitter >= never) return never;
-  return (length + task.jitter) / of.period + 1;
-}
-
 Nanoseconds BusyWindows::of_scenario(const Group& group, int scenario, const Asked& asked, int priority,
                                      Nanoseconds length, Shares* shares) const {
   const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
   const Task& first = of.tasks[static_cast<std::size_t>(scenario)];
-  Nanoseconds work = 0;
+  const auto released = [&](const auto& task, Nanoseconds due) {
+    return asked.drifting ? releases(of, task.jitter, length) : count(of, task.jitter, due, length);
+  };
+  Tally tally(of, group.transaction, shares);
   for (int t : group.tasks) {
     const Task& task = of.tasks[static_cast<std::size_t>(t)];
     if (t == asked.task || task.priority < priority || task.cost == 0) continue;
     if (!counts(asked.asker, group.transaction, t)) continue;
-    const Nanoseconds due = phase(of, first, task);
-    Nanoseconds jobs = asked.drifting ? releases(of, task, length) : count(of, task, due, length);
+    const Nanoseconds due = phase(of, first, task.offset);
+    Nanoseconds jobs = released(task, due);
     if (!asked.drifting && asked.precedes && follows(of, asked.task, t)) {
       // Those of earlier occurrences; job 1 is of the occurrence at `due - offset`.
       const Nanoseconds before = (asked.occurrence + task.offset - due) / of.period;
       jobs = std::min(jobs, std::max<Nanoseconds>(0, before + (task.jitter + due) / of.period));
     }
-    const Nanoseconds share = work_of(jobs, task.cost);
-    work = plus(work, share);
-    if (shares != nullptr) shares->push_back({group.transaction, t, jobs, share});
+    tally.add(t, jobs);
   }
-  return work;
+  return tally.total([&](const Alternatives& all) { return released(all, phase(of, first, all.offset)); });
 }
 
 bool BusyWindows::drifts(const Group& group, const Task* asker, int priority) const {
@@ -107,7 +74,9 @@ bool BusyWindows::drifts(const Group& group, const Task* asker, int priority) co
   for (int t : group.tasks) {
     const Task& task = of.tasks[static_cast<std::size_t>(t)];
     if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, t)) continue;
-    soonest = std::min(soonest, task.offset);
+    const Nanoseconds offset =
+        task.among < 0 ? task.offset : of.alternatives[static_cast<std::size_t>(task.among)].offset;
+    soonest = std::min(soonest, offset);
     latest = std::max(latest, task.offset);
   }
   return latest > plus(soonest, of.period);
@@ -134,20 +103,20 @@ Nanoseconds BusyWindows::of_group(const Group& group, const Task* asker, int pri
   const bool alone = of.period == never || drifts(group, asker, priority);
   Nanoseconds most = 0;
   int worst = -1;
+  Tally one_by_one(of, group.transaction, shares);
   for (int t : group.tasks) {
     const Task& task = of.tasks[static_cast<std::size_t>(t)];
     if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, t)) continue;
     if (alone) {
-      const Nanoseconds jobs = releases(of, task, length);
-      const Nanoseconds share = work_of(jobs, task.cost);
-      most = plus(most, share);
-      if (shares != nullptr) shares->push_back({group.transaction, t, jobs, share});
+      one_by_one.add(t, releases(of, task.jitter, length));
       continue;
     }
     const Nanoseconds work = of_scenario(group, t, {asker}, priority, length);
     if (worst < 0 || work > most) worst = t;
     most = std::max(most, work);
   }
+  if (alone)
+    return one_by_one.total([&](const Alternatives& all) { return releases(of, all.jitter, length); });
   if (shares != nullptr && worst >= 0) of_scenario(group, worst, {asker}, priority, length, shares);
   return most;
 }
@@ -166,7 +135,7 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, co
     const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
     const Task& task = of.tasks[static_cast<std::size_t>(group.tasks.front())];
     if (task.cost == 0 || !counts(asker, group.transaction, group.tasks.front())) continue;
-    const Nanoseconds jobs = releases(of, task, length);
+    const Nanoseconds jobs = releases(of, task.jitter, length);
     const Nanoseconds share = work_of(jobs, task.cost);
     work = plus(work, share);
     if (shares != nullptr) shares->push_back({group.transaction, group.tasks.front(), jobs, share});
@@ -178,41 +147,48 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, co
 Nanoseconds BusyWindows::of_siblings(int transaction, int task, Shares* shares) const {
   const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
   const Task& self = of.tasks[static_cast<std::size_t>(task)];
-  Nanoseconds work = 0;
+  Tally tally(of, transaction, shares);
   for (std::size_t t = 0; t < of.tasks.size(); ++t) {
     const Task& other = of.tasks[t];
-    if (!counts(&self, transaction, static_cast<int>(t))) continue;
+    if (!counts(&self, transaction, static_cast<int>(t)) || other.cost == 0) continue;
     if (static_cast<int>(t) == task || other.processor != self.processor || other.priority < self.priority)
       continue;
-    work = plus(work, other.cost);
-    if (shares != nullptr && other.cost > 0)
-      shares->push_back({transaction, static_cast<int>(t), 1, other.cost});
+    tally.add(static_cast<int>(t), 1);
   }
-  return work;
+  return tally.total([](const Alternatives&) { return Nanoseconds{1}; });
 }
 
 BusyWindows::Load BusyWindows::load_of(int transaction, const Task& self) const {
   Load load;
+  std::vector<double> longest;  // by alternatives: cost
   for (const Group& group : by_processor_[static_cast<std::size_t>(self.processor)]) {
     if (group.priority < self.priority) break;
     const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
     const bool foreign = group.transaction != transaction;
-    for (std::size_t t = 0; t < group.tasks.size(); ++t) {
-      const Task& task = of.tasks[static_cast<std::size_t>(group.tasks[t])];
-      if (task.priority < self.priority || task.cost == 0) continue;
-      if (!counts(&self, group.transaction, group.tasks[t])) continue;
-      load.bounded = load.bounded && task.cost < never && (of.period == never || task.jitter < never);
-      load.whole += group.shares[t];
-      if (!foreign) continue;
-      load.share += group.shares[t];
+    const bool several = group.tasks.size() > 1;
+    longest.assign(of.alternatives.size(), 0);
+    const auto add = [&](double cost, double jitter) {
+      const double share = of.period == never ? 0 : cost / static_cast<double>(of.period);
+      load.whole += share;
+      if (!foreign) return;
+      load.share += share;
       // A task that is alone has one release more than its share; of several not all need have it.
-      if (of.period == never) {
-        load.carried += static_cast<double>(task.cost);
+      load.carried += of.period == never ? cost : jitter * share - (several ? cost : 0);
+    };
+    for (int t : group.tasks) {
+      const Task& task = of.tasks[static_cast<std::size_t>(t)];
+      if (task.priority < self.priority || task.cost == 0) continue;
+      if (!counts(&self, group.transaction, t)) continue;
+      load.bounded = load.bounded && task.cost < never && (of.period == never || task.jitter < never);
+      const auto cost = static_cast<double>(task.cost);
+      if (task.among < 0) {
+        add(cost, static_cast<double>(task.jitter));
       } else {
-        load.carried += static_cast<double>(task.jitter) * group.shares[t];
-        if (group.tasks.size() > 1) load.carried -= static_cast<double>(task.cost);
+        double& most = longest[static_cast<std::size_t>(task.among)];
+        most = std::max(most, cost);
       }
     }
+    for (double cost : longest) add(cost, 0);
   }
   return load;
 }
@@ -250,7 +226,7 @@ Nanoseconds BusyWindows::busy(int processor) const {
   return window(processor, std::numeric_limits<int>::min(), 0);
 }
 
-std::vector<Account::Share> BusyWindows::work(int processor, Nanoseconds busy) const {
+std::vector<Share> BusyWindows::work(int processor, Nanoseconds busy) const {
   Shares shares;
   of_others(by_processor_[static_cast<std::size_t>(processor)], -1, nullptr, std::numeric_limits<int>::min(),
             busy, &shares);
@@ -298,7 +274,7 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
     const Task& first = of.tasks[static_cast<std::size_t>(scenario)];
     if (first.priority < self.priority || (first.cost == 0 && scenario != task)) continue;
     if (drifting && scenario != task) continue;
-    const Nanoseconds due = phase(of, first, self);
+    const Nanoseconds due = phase(of, first, self.offset);
     const Nanoseconds piled = (self.jitter + due) / of.period;
     // Until the part is done (preemptive), or begins (not preemptive): the windows of later jobs last longer.
     Nanoseconds begun = 0;
@@ -353,7 +329,7 @@ Account BusyWindows::account(int transaction, int task, Nanoseconds part, Nanose
     of_siblings(transaction, task, &account.others);
     return account;
   }
-  const Nanoseconds due = phase(of, of.tasks[static_cast<std::size_t>(worst.scenario)], self);
+  const Nanoseconds due = phase(of, of.tasks[static_cast<std::size_t>(worst.scenario)], self.offset);
   const Nanoseconds earlier = worst.job - 1 + (self.jitter + due) / of.period;
   const Group& own = *group_of(transaction, self.processor);
   const Asked asked{&self, task, true, due + (worst.job - 1) * of.period - self.offset,

@@ -11,30 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "analyzer/compositional/saturating.hpp"
+#include "analyzer/compositional/times/transaction.hpp"
 
 namespace pal::analyzer::compositional {
-
-/// Work that each occurrence of its transaction releases at most once, between `offset` and `offset + jitter`
-/// after the occurrence.
-struct Task {
-  int processor = 0;
-  int priority = 0;
-  Nanoseconds cost = 0;
-  Nanoseconds offset = 0;
-  Nanoseconds jitter = 0;
-  /// Tasks of its transaction that come only after it is done, of the same occurrence; ascending.
-  std::vector<int> followers;
-  /// Transactions and tasks whose work does not count in its windows; ascending.
-  std::vector<std::pair<int, int>> without;
-};
-
-/// Occurrences are at least `period` apart; `never`: there is one.
-struct Transaction {
-  Nanoseconds period = 0;
-  bool regular = false;  // exactly so far apart
-  std::vector<Task> tasks;
-};
 
 /// What the finish of a job counts from.
 enum class Since {
@@ -45,12 +24,6 @@ enum class Since {
 /// What the finish of a job is made of: `latest` release (if it counts from the occurrence), its own work,
 /// and these.
 struct Account {
-  struct Share {
-    int transaction = -1;
-    int task = -1;
-    Nanoseconds jobs = 0;
-    Nanoseconds work = 0;
-  };
   std::vector<Share> others;    // work that goes first, the task's own earlier jobs included
   Nanoseconds blocking = 0;     // by lower priority
   Nanoseconds done_before = 0;  // of all that, so much is over when the job is released, at its latest or
@@ -65,18 +38,13 @@ class BusyWindows {
   /// Adds a transaction; its tasks' jitter, and what counts for them, may change later, nothing else.
   int add(Transaction transaction);
   void set_jitter(int transaction, int task, Nanoseconds jitter) {
-    transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)].jitter =
-        jitter;
+    transactions_[static_cast<std::size_t>(transaction)].set_jitter(task, jitter);
   }
   void set_without(int transaction, int task, std::vector<std::pair<int, int>> without) {
     transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)].without =
         std::move(without);
   }
   const Transaction& transaction(int index) const { return transactions_[static_cast<std::size_t>(index)]; }
-
-  /// Processor time that tasks of one thread need at most in any closed window of `length`, and how often a
-  /// task is released in one.
-  static Nanoseconds releases(const Transaction& of, const Task& task, Nanoseconds length);
 
   /// How long after the occurrence, or the release, the first `part` of the task's cost is done at the
   /// latest, if `blocking` is the longest that work of lower priority keeps the processor. `never`: no bound.
@@ -100,7 +68,7 @@ class BusyWindows {
 
   /// The longest that a processor has something to do without a pause, and the work that adds up to it.
   Nanoseconds busy(int processor) const;
-  std::vector<Account::Share> work(int processor, Nanoseconds busy) const;
+  std::vector<Share> work(int processor, Nanoseconds busy) const;
 
  private:
   /// Tasks of one transaction on one processor.
@@ -108,7 +76,6 @@ class BusyWindows {
     int transaction;
     int priority;  // the greatest of them
     std::vector<int> tasks;
-    std::vector<double> shares;  // of the processor that each needs; 0: of a transaction that occurs once
   };
 
   /// What counts in a window of a task, other than its own transaction: at least `share` of its length, and
@@ -137,7 +104,7 @@ class BusyWindows {
     int scenario = -1;       // task whose release begins the window; -1: its transaction occurs once
     Nanoseconds job = 0;
   };
-  using Shares = std::vector<Account::Share>;
+  using Shares = std::vector<Share>;
 
   /// Work in a window; if `shares` is given, also what it is made of.
   Nanoseconds of_scenario(const Group& group, int scenario, const Asked& asked, int priority,

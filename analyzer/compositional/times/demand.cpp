@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
+#include "analyzer/compositional/causes/alternatives.hpp"
 #include "analyzer/compositional/causes/rounds.hpp"
 
 namespace pal::analyzer::compositional {
@@ -32,7 +34,8 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes, const 
       nodes_of_(ground.forest.sources.size()),
       threads_on_(ground.problem.processors.size()),
       burst_(ground.problem.threads.size()),
-      order_(order_of(ground, stop)) {
+      order_(order_of(ground, stop)),
+      alternatives_(alternatives_to_each(ground.problem, ground.forest)) {
   std::vector<Transaction> transactions(ground.forest.sources.size());
   for (std::size_t s = 0; s < transactions.size(); ++s) {
     transactions[s].period = ground.forest.sources[s].period;
@@ -48,6 +51,12 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes, const 
         {thread.processor, thread.priority, ground.segment(n).worst, nodes[i].earliest, 0, {}, {}});
   }
   for (std::size_t n = 0; n < nodes.size(); ++n) precede(ground, static_cast<int>(n), transactions);
+  for (const std::vector<int>& alternatives : ground.conduct.alternatives) {
+    std::vector<int> tasks;
+    for (int n : alternatives) tasks.push_back(task_[static_cast<std::size_t>(n)]);
+    const int source = ground.node(alternatives.front()).source;
+    transactions[static_cast<std::size_t>(source)].exclude(std::move(tasks));
+  }
   for (Transaction& transaction : transactions) windows_.add(std::move(transaction));
   for (std::size_t t = 0; t < ground.problem.threads.size(); ++t)
     threads_on_[static_cast<std::size_t>(ground.problem.threads[t].processor)].push_back(static_cast<int>(t));
@@ -96,8 +105,9 @@ void Demand::precede(const Ground& ground, int node, std::vector<Transaction>& t
 ///
 /// A thread's own segments are one after the other. Those of the node's round are over when it is released.
 /// Another round may still be at work then, also in what occurs once: its thread was sent something else
-/// before, or serves a request that was withdrawn.
-void Demand::exclude(int node, bool home_again) {
+/// before, or serves a request that was withdrawn. Alternatives never are there together, but for those of
+/// another occurrence.
+void Demand::exclude(int node, bool home_again, bool in_turn) {
   const Thread& mine = ground_.thread_of(node);
   const auto n = static_cast<std::size_t>(node);
   const int thread = ground_.forest.thread_of(node);
@@ -112,6 +122,7 @@ void Demand::exclude(int node, bool home_again) {
   const auto is_apart = [&](int other) {
     return (home_again && ground_.forest.thread_of(other) == thread) ||
            (once_with(other) && ground_.round_of(other) == ground_.round_of(node)) ||
+           (in_turn && std::binary_search(alternatives_[n].begin(), alternatives_[n].end(), other)) ||
            std::binary_search(order_.apart[n].begin(), order_.apart[n].end(), other);
   };
   const auto& here = nodes_on_[static_cast<std::size_t>(mine.processor)];
@@ -132,14 +143,20 @@ void Demand::exclude(int node, bool home_again) {
   windows_.set_without(ground_.node(node).source, task_[n], std::move(without));
 }
 
-void Demand::find_order(const std::vector<bool>& home_again, const std::function<bool()>& stop) {
+bool Demand::find_order(const std::vector<bool>& home_again, const std::vector<bool>& in_turn,
+                        const std::function<bool()>& stop) {
+  if (home_again_ == home_again && in_turn_ == in_turn) return false;
   for (std::size_t n = 0; n < task_.size(); ++n) {
-    if (stop && stop()) return;
+    if (stop && stop()) return true;
     const auto thread = static_cast<std::size_t>(ground_.forest.thread_of(static_cast<int>(n)));
-    if (home_again_.empty() || home_again_[thread] != home_again[thread])
-      exclude(static_cast<int>(n), home_again[thread]);
+    const auto source = static_cast<std::size_t>(ground_.node(static_cast<int>(n)).source);
+    const bool known = !home_again_.empty() && home_again_[thread] == home_again[thread] &&
+                       in_turn_[source] == in_turn[source];
+    if (!known) exclude(static_cast<int>(n), home_again[thread], in_turn[source]);
   }
   home_again_ = home_again;
+  in_turn_ = in_turn;
+  return true;
 }
 
 Nanoseconds Demand::greatest_jitter(int node) const {
@@ -167,27 +184,41 @@ void Demand::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<
   }
 }
 
+/// Work of a thread, if `jobs_of` says of a transaction how often what it releases with a jitter comes.
+template <class JobsOf>
+Nanoseconds Demand::work_of_thread(int thread, const JobsOf& jobs_of) const {
+  std::map<int, Tally> tallies;  // by source
+  for (int n : ground_.conduct_of(thread).nodes) {
+    if (ground_.segment(n).worst == 0) continue;
+    const int source = ground_.node(n).source;
+    const Transaction& of = windows_.transaction(source);
+    const int task = task_[static_cast<std::size_t>(n)];
+    tallies.try_emplace(source, of, source, nullptr)
+        .first->second.add(task, jobs_of(of, of.tasks[static_cast<std::size_t>(task)].jitter));
+  }
+  Nanoseconds work = 0;
+  for (auto& [source, tally] : tallies) {
+    const Transaction& of = windows_.transaction(source);
+    work = plus(work, tally.total([&](const Alternatives& all) { return jobs_of(of, all.jitter); }));
+  }
+  return work;
+}
+
 /// A thread goes on without a pause as long as it finds messages.
 Nanoseconds Demand::burst(int thread, const std::vector<NodeTimes>& nodes, bool home_again) const {
-  const ThreadConduct& of = ground_.conduct_of(thread);
-  Nanoseconds once = 0;
+  const Nanoseconds once =
+      work_of_thread(thread, [](const Transaction&, Nanoseconds) { return Nanoseconds{1}; });
+  if (once == 0 || home_again) return once;
   Nanoseconds late = 0;
-  for (int n : of.nodes) {
+  for (int n : ground_.conduct_of(thread).nodes) {
     const NodeTimes& times = nodes[static_cast<std::size_t>(n)];
-    once = plus(once, ground_.segment(n).worst);
     late = std::max(late, times.finish >= never ? never : times.finish - times.earliest);
   }
-  if (once == 0 || home_again) return once;
   Nanoseconds length = once;
   for (int round = 0; round < most_rounds; ++round) {
-    Nanoseconds next = 0;
-    for (int n : of.nodes) {
-      const Transaction& transaction = windows_.transaction(ground_.node(n).source);
-      const Task& task = transaction.tasks[static_cast<std::size_t>(task_[static_cast<std::size_t>(n)])];
-      const Nanoseconds count = BusyWindows::releases(transaction, task, plus(length, late));
-      if (ground_.segment(n).worst > 0 && count >= never) return never;
-      next = plus(next, work_of(count, ground_.segment(n).worst));
-    }
+    const Nanoseconds next = work_of_thread(thread, [&](const Transaction& of, Nanoseconds jitter) {
+      return releases(of, jitter, plus(length, late));
+    });
     if (next <= length) return length;
     length = next;
   }

@@ -19,9 +19,12 @@ class Demand {
   /// However late a node's causes are: what can have piled up on the way to it is one message a slot and one
   /// a thread.
   Nanoseconds greatest_jitter(int node) const;
-  /// Says of which threads no round is due before the one before is over, as releases are announced: rounds
-  /// of one thread do not delay one another then.
-  void find_order(const std::vector<bool>& home_again, const std::function<bool()>& stop);
+  /// Says, as releases are announced, of which threads no round is due before the one before is over
+  /// (`home_again`): rounds of one thread do not delay one another then; and of which sources all that an
+  /// occurrence brings about is over before the next one (`in_turn`): alternatives do not, either. Whether
+  /// that is not what it was.
+  bool find_order(const std::vector<bool>& home_again, const std::vector<bool>& in_turn,
+                  const std::function<bool()>& stop);
   /// How long threads keep a processor that is not preemptive once they have it, as releases are announced.
   /// By thread: `home_again`, no round is due before the one before is over; `blocked`, it may have to wait
   /// in a send.
@@ -43,7 +46,9 @@ class Demand {
 
  private:
   void precede(const Ground& ground, int node, std::vector<Transaction>& transactions) const;
-  void exclude(int node, bool home_again);
+  void exclude(int node, bool home_again, bool in_turn);
+  template <class JobsOf>
+  Nanoseconds work_of_thread(int thread, const JobsOf& jobs_of) const;
   Nanoseconds burst(int thread, const std::vector<NodeTimes>& nodes, bool home_again) const;
   bool pauses(int thread) const;
 
@@ -55,8 +60,10 @@ class Demand {
   std::vector<std::vector<int>> nodes_on_;    // by processor
   std::vector<Nanoseconds> burst_;            // by thread
   Order order_;
-  std::vector<bool> home_again_;  // by thread, as it was told
-  std::vector<bool> pauses_;      // by thread: if it goes on by itself, it surely has to wait in each round
+  std::vector<std::vector<int>> alternatives_;  // by node: alternatives_to_each()
+  std::vector<bool> home_again_;                // by thread, as it was told
+  std::vector<bool> in_turn_;                   // by source, as it was told
+  std::vector<bool> pauses_;  // by thread: if it goes on by itself, it surely has to wait in each round
 };
 
 /// A block that is cancelled finishes what it has begun, as do its own: how long that may take.

@@ -23,16 +23,23 @@ bool take_in_time(const Ground& ground, const std::vector<NodeTimes>& nodes, int
   return taken(nodes, node) < (period == never ? never : plus(period, put));
 }
 
-bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, int node) {
-  const Source& of = ground.source(node);
-  const int thread = ground.forest.thread_of(node);
-  if (of.kind == Source::Kind::loop && of.thread == thread && ground.node(node).cause < 0) return true;
+bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, int thread) {
+  const ThreadConduct& conduct = ground.conduct_of(thread);
+  if (conduct.rounds.empty()) return true;
+  if (!conduct.one_round) return false;
+  const Source& of = ground.source(conduct.rounds.front());
+  const bool itself = ground.node(conduct.rounds.front()).cause < 0;
+  if (of.kind == Source::Kind::loop && of.thread == thread && itself) return true;
   if (of.period == never) return true;
+  Nanoseconds soonest = never;
   Nanoseconds last = 0;
-  for (int other : ground.conduct_of(thread).nodes) {
-    if (ground.round_of(other) == node) last = std::max(last, nodes[static_cast<std::size_t>(other)].finish);
+  for (int n : conduct.rounds) soonest = std::min(soonest, nodes[static_cast<std::size_t>(n)].earliest);
+  for (int n : conduct.nodes) {
+    const auto& rounds = conduct.rounds;
+    if (std::find(rounds.begin(), rounds.end(), ground.round_of(n)) != rounds.end())
+      last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
   }
-  return last < plus(of.period, nodes[static_cast<std::size_t>(node)].earliest);
+  return last < plus(of.period, soonest);
 }
 
 Nanoseconds sent_before(const Ground& ground, const NodeTimes& times, int node, int wait) {
@@ -138,10 +145,10 @@ std::vector<Slots::Trouble> Slots::trouble(const Times& times) const {
   for (std::size_t t = 0; t < ground_.problem.threads.size(); ++t) {
     const ThreadConduct& of = ground_.conduct.threads[t];
     if (!of.waits_within || of.rounds.empty() || of.asked_by_one) continue;
-    if (of.rounds.size() > 1) {
+    if (!of.one_round) {
       found.push_back(
           {static_cast<int>(t), false, "begins rounds for several reasons, and waits within them", {}});
-    } else if (!at_home_again(ground_, times.nodes, of.rounds.front())) {
+    } else if (!at_home_again(ground_, times.nodes, static_cast<int>(t))) {
       found.push_back(
           {static_cast<int>(t), false, "may still be waiting within one round when the next is due", {}});
     }

@@ -9,9 +9,9 @@ namespace pal::analyzer::compositional {
 /// Whether the node's message is taken before the next one is put, if it is put at `put` at the earliest.
 bool take_in_time(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, Nanoseconds put);
 
-/// Whether the work of the round that `node` begins is over before the next one is asked for. The thread may
-/// still wait for the slot of its last send.
-bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, int node);
+/// Whether the work of a thread's round is over before the next one is asked for. The thread may still wait
+/// for the slot of its last send.
+bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, int thread);
 
 /// Latest end of a send by which the node comes straight to `wait`; 0: there is none.
 Nanoseconds sent_before(const Ground& ground, const NodeTimes& times, int node, int wait);

@@ -130,7 +130,7 @@ class Solver : private Ground {
     for (std::size_t n = 0; n < forest.nodes.size(); ++n) demand_.announce(static_cast<int>(n), nodes_[n]);
     std::vector<int> dirty(problem.processors.size(), everybody);  // by processor: delays_up_to()
     for (int pass = 0; pass < most_passes; ++pass) {
-      find_bursts();
+      if (find_overlaps()) dirty.assign(dirty.size(), everybody);
       std::vector<int> now = dirty;
       dirty.assign(dirty.size(), nobody);
       bool changed = false;
@@ -164,14 +164,22 @@ class Solver : private Ground {
     }
   }
 
-  void find_bursts() {
+  /// Tells the demand what does not overlap by now. Whether it is less than before: that may delay anybody.
+  bool find_overlaps() {
     std::vector<bool> home_again;
-    for (const ThreadConduct& of : conduct.threads) {
-      home_again.push_back(of.rounds.size() <= 1 &&
-                           (of.rounds.empty() || at_home_again(*this, nodes_, of.rounds.front())));
+    for (std::size_t t = 0; t < conduct.threads.size(); ++t)
+      home_again.push_back(at_home_again(*this, nodes_, static_cast<int>(t)));
+    std::vector<Nanoseconds> over(forest.sources.size(), 0);
+    for (std::size_t n = 0; n < forest.nodes.size(); ++n) {
+      Nanoseconds& last = over[static_cast<std::size_t>(forest.nodes[n].source)];
+      last = std::max(last, nodes_[n].finish);
     }
-    demand_.find_order(home_again, stop_);
+    std::vector<bool> in_turn;
+    for (std::size_t s = 0; s < over.size(); ++s)
+      in_turn.push_back(forest.sources[s].period == never || over[s] < forest.sources[s].period);
+    const bool changed = demand_.find_order(home_again, in_turn, stop_);
     demand_.find_bursts(nodes_, home_again, times_.blocked);
+    return changed;
   }
 
   /// Whether something is found that the times do not count with yet.

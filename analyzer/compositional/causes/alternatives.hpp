@@ -1,0 +1,21 @@
+// Segments of which only one can come: what they come from parts.
+#pragma once
+
+#include <vector>
+
+#include "analyzer/compositional/causes/forest.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// Whether an occurrence of their source brings about one of the nodes at most: the ways to any two part at a
+/// test, at a wait, or at a message that is taken in one of several places. Not of nodes of several sources.
+bool are_alternatives(const Problem& problem, const Forest& forest, const std::vector<int>& nodes);
+
+/// All nodes that have alternatives in their thread, in groups of such. No node is in two groups.
+std::vector<std::vector<int>> alternatives_of(const Problem& problem, const Forest& forest);
+
+/// By node: those on its processor, of whichever thread, that its source brings about in its place;
+/// ascending.
+std::vector<std::vector<int>> alternatives_to_each(const Problem& problem, const Forest& forest);
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,85 @@
+#include "analyzer/compositional/times/transaction.hpp"
+
+#include <algorithm>
+
+namespace pal::analyzer::compositional {
+
+void Transaction::exclude(std::vector<int> among) {
+  const int index = static_cast<int>(alternatives.size());
+  Alternatives made{std::move(among), never, 0};
+  for (int t : made.tasks) {
+    Task& task = tasks[static_cast<std::size_t>(t)];
+    task.among = index;
+    made.offset = std::min(made.offset, task.offset);
+  }
+  alternatives.push_back(std::move(made));
+  for (int t : alternatives.back().tasks) set_jitter(t, tasks[static_cast<std::size_t>(t)].jitter);
+}
+
+void Transaction::set_jitter(int task, Nanoseconds jitter) {
+  Task& of = tasks[static_cast<std::size_t>(task)];
+  of.jitter = jitter;
+  if (of.among < 0) return;
+  Alternatives& all = alternatives[static_cast<std::size_t>(of.among)];
+  all.jitter = 0;
+  for (int t : all.tasks) {
+    const Task& each = tasks[static_cast<std::size_t>(t)];
+    all.jitter = std::max(all.jitter, plus(each.offset - all.offset, each.jitter));
+  }
+}
+
+bool counts(const Task* asker, int transaction, int task) {
+  return asker == nullptr || asker->without.empty() ||
+         !std::binary_search(asker->without.begin(), asker->without.end(), std::pair{transaction, task});
+}
+
+bool follows(const Transaction& of, int before, int task) {
+  const auto& followers = of.tasks[static_cast<std::size_t>(before)].followers;
+  return std::binary_search(followers.begin(), followers.end(), task);
+}
+
+Nanoseconds phase(const Transaction& of, const Task& scenario, Nanoseconds offset) {
+  const Nanoseconds since = (scenario.offset + scenario.jitter - offset) % of.period;
+  return of.period - (since < 0 ? since + of.period : since);
+}
+
+Nanoseconds count(const Transaction& of, Nanoseconds jitter, Nanoseconds phase, Nanoseconds length) {
+  const Nanoseconds piled = (jitter + phase) / of.period;
+  return piled + (length >= phase ? (length - phase) / of.period + 1 : 0);
+}
+
+Nanoseconds releases(const Transaction& of, Nanoseconds jitter, Nanoseconds length) {
+  if (of.period == never) return 1;
+  if (length >= never || jitter >= never) return never;
+  return (length + jitter) / of.period + 1;
+}
+
+void Tally::count(const Share& share) {
+  work_ = plus(work_, share.work);
+  if (shares_ != nullptr) shares_->push_back(share);
+}
+
+void Tally::add(int task, Nanoseconds jobs) {
+  const Task& added = of_.tasks[static_cast<std::size_t>(task)];
+  const Share share{transaction_, task, jobs, work_of(jobs, added.cost)};
+  if (added.among < 0) return count(share);
+  auto among = std::find_if(among_.begin(), among_.end(),
+                            [&](const Among& each) { return each.alternatives == added.among; });
+  if (among == among_.end()) {
+    among = among_.insert(among_.end(), Among());
+    among->alternatives = added.among;
+  }
+  among->shares.push_back(share);
+  among->work = plus(among->work, share.work);
+  if (added.cost <= among->cost) return;
+  among->cost = added.cost;
+  among->longest = share;
+}
+
+void Tally::together(const Among& of, Nanoseconds jobs) {
+  const Nanoseconds work = work_of(jobs, of.cost);
+  if (work < of.work) return count({transaction_, of.longest.task, jobs, work});
+  for (const Share& share : of.shares) count(share);
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,107 @@
+// Tasks that one thing releases again and again, and how much work they bring to a window.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "analyzer/compositional/saturating.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// Work that each occurrence of its transaction releases at most once, between `offset` and `offset + jitter`
+/// after the occurrence.
+struct Task {
+  int processor = 0;
+  int priority = 0;
+  Nanoseconds cost = 0;
+  Nanoseconds offset = 0;
+  Nanoseconds jitter = 0;
+  /// Tasks of its transaction that come only after it is done, of the same occurrence; ascending.
+  std::vector<int> followers;
+  /// Transactions and tasks whose work does not count in its windows; ascending.
+  std::vector<std::pair<int, int>> without;
+  int among = -1;  // of its transaction's alternatives; -1: none
+};
+
+/// Tasks on one processor, of one priority, of which each occurrence releases one at most.
+struct Alternatives {
+  std::vector<int> tasks;
+  Nanoseconds offset = 0;  // of the soonest
+  Nanoseconds jitter = 0;  // from then to the latest release of any
+};
+
+/// Occurrences are at least `period` apart; `never`: there is one.
+struct Transaction {
+  Nanoseconds period = 0;
+  bool regular = false;  // exactly so far apart
+  std::vector<Task> tasks;
+  std::vector<Alternatives> alternatives;
+
+  /// Makes alternatives of tasks that are none yet.
+  void exclude(std::vector<int> tasks);
+  void set_jitter(int task, Nanoseconds jitter);
+};
+
+/// Whether a task's work counts in windows of `asker`.
+bool counts(const Task* asker, int transaction, int task);
+
+/// Whether `task` comes, in one occurrence, only after `before` is done.
+bool follows(const Transaction& of, int before, int task);
+
+/// When, in a window that begins with `scenario`'s release after its whole jitter, the next release of what
+/// is released from `offset` on is due: in (0, period].
+Nanoseconds phase(const Transaction& of, const Task& scenario, Nanoseconds offset);
+
+/// Releases in the closed window: those that piled up before it, and those due in it.
+Nanoseconds count(const Transaction& of, Nanoseconds jitter, Nanoseconds phase, Nanoseconds length);
+
+/// The same, whenever the window begins.
+Nanoseconds releases(const Transaction& of, Nanoseconds jitter, Nanoseconds length);
+
+/// What a task brings to a window.
+struct Share {
+  int transaction = -1;
+  int task = -1;
+  Nanoseconds jobs = 0;
+  Nanoseconds work = 0;
+};
+
+/// Adds up what the tasks of a transaction bring to a window. Alternatives bring no more than if each
+/// occurrence brought the longest of them.
+class Tally {
+ public:
+  /// `shares`: where to add what it is made of, or null.
+  Tally(const Transaction& of, int transaction, std::vector<Share>* shares)
+      : of_(of), transaction_(transaction), shares_(shares) {}
+
+  void add(int task, Nanoseconds jobs);
+
+  /// `jobs_of`: how often alternatives, taken as one, are released in the window.
+  template <class JobsOf>
+  Nanoseconds total(const JobsOf& jobs_of) {
+    for (const Among& each : among_)
+      together(each, jobs_of(of_.alternatives[static_cast<std::size_t>(each.alternatives)]));
+    return work_;
+  }
+
+ private:
+  /// What counts of alternatives, one by one.
+  struct Among {
+    int alternatives = -1;
+    std::vector<Share> shares;
+    Nanoseconds work = 0;
+    Share longest;  // the task whose cost is the greatest
+    Nanoseconds cost = 0;
+  };
+
+  void count(const Share& share);
+  void together(const Among& of, Nanoseconds jobs);
+
+  const Transaction& of_;
+  int transaction_;
+  std::vector<Share>* shares_;
+  std::vector<Among> among_;
+  Nanoseconds work_ = 0;
+};
+
+}  // namespace pal::analyzer::compositional
