@@ -8,102 +8,128 @@ namespace {
 
 using Release = Node::Release;
 
-/// More pairs of nodes of one thread and source than this are not looked at.
+/// More pairs of nodes of one source than this are not looked at.
 constexpr std::size_t most_pairs = 1'000'000;
 
-/// The causes of a node, from its source on, and itself.
-using Way = std::vector<int>;
-
-const Node& node_at(const Forest& forest, int node) {
-  return forest.nodes[static_cast<std::size_t>(node)];
+bool too_many(const std::vector<int>& nodes) {
+  return nodes.size() * nodes.size() > most_pairs;
 }
 
-Way way_to(const Forest& forest, int node) {
-  Way way;
-  for (int at = node; at >= 0; at = node_at(forest, at).cause) way.push_back(at);
-  std::reverse(way.begin(), way.end());
-  return way;
-}
+/// Where the ways to nodes part.
+class Ways {
+ public:
+  Ways(const Problem& problem, const Forest& forest) : problem_(problem), forest_(forest) {}
 
-/// Whether a run of the cause of two nodes brings about one of them at most.
-bool part_at_cause(const Problem& problem, const Forest& forest, const Node& one, const Node& other) {
-  if (one.release != other.release) return false;
-  if (one.release == Release::limit) return true;  // it comes to one wait, which ends in one way
-  if (one.release != Release::message) return false;
-  const Segment& cause = forest.segment_of(node_at(forest, one.cause));
-  return std::all_of(one.sends.begin(), one.sends.end(), [&](int first) {
-    return std::all_of(other.sends.begin(), other.sends.end(), [&](int second) {
-      const bool both =
-          comes_after(problem, cause, first, second) || comes_after(problem, cause, second, first);
-      return first == second || !both;
+  /// Whether an occurrence of their source brings about one of two nodes at most.
+  bool part(int one, int other) {
+    const std::vector<int>& here = way_to(one);
+    const std::vector<int>& there = way_to(other);
+    const auto [at, beside] = std::mismatch(here.begin(), here.end(), there.begin(), there.end());
+    if (at == here.begin() || at == here.end() || beside == there.end()) return false;
+    return part_at_cause(node(*at), node(*beside));
+  }
+
+  /// Whether one of the causes of `node` is `before`, and has nothing more to do when the next one is
+  /// released.
+  bool comes_after(int node, int before) {
+    const std::vector<int>& way = way_to(node);
+    const auto at = std::find(way.begin(), way.end(), before);
+    return at != way.end() && at + 1 != way.end() && ends_with_cause(problem_, forest_, *(at + 1));
+  }
+
+ private:
+  const Node& node(int n) const { return forest_.nodes[static_cast<std::size_t>(n)]; }
+
+  /// The causes of a node, from its source on, and itself.
+  const std::vector<int>& way_to(int n) {
+    const auto [known, fresh] = ways_.emplace(n, std::vector<int>());
+    if (!fresh) return known->second;
+    for (int at = n; at >= 0; at = node(at).cause) known->second.push_back(at);
+    std::reverse(known->second.begin(), known->second.end());
+    return known->second;
+  }
+
+  /// Whether a run of the cause of two nodes brings about one of them at most.
+  bool part_at_cause(const Node& one, const Node& other) {
+    if (one.release != other.release) return false;
+    if (one.release == Release::limit) return true;  // it comes to one wait, which ends in one way
+    if (one.release != Release::message) return false;
+    const int cause = node(one.cause).segment;
+    return std::all_of(one.sends.begin(), one.sends.end(), [&](int first) {
+      return std::all_of(other.sends.begin(), other.sends.end(), [&](int second) {
+        return first == second || !(in_row(cause, first, second) || in_row(cause, second, first));
+      });
     });
-  });
-}
+  }
 
-bool ways_part(const Problem& problem, const Forest& forest, const Way& one, const Way& other) {
-  const auto [at, there] = std::mismatch(one.begin(), one.end(), other.begin(), other.end());
-  if (at == one.begin() || at == one.end() || there == other.end()) return false;
-  return part_at_cause(problem, forest, node_at(forest, *at), node_at(forest, *there));
+  bool in_row(int segment, int first, int second) {
+    const auto [known, fresh] = in_row_.emplace(std::tuple{segment, first, second}, false);
+    if (fresh) known->second = compositional::comes_after(problem_, forest_.segments[segment], first, second);
+    return known->second;
+  }
+
+  const Problem& problem_;
+  const Forest& forest_;
+  std::map<int, std::vector<int>> ways_;              // by node
+  std::map<std::tuple<int, int, int>, bool> in_row_;  // by segment and two of its sends
+};
+
+/// Nodes by source and what `key_of` says of them.
+template <class KeyOf>
+std::map<std::pair<int, int>, std::vector<int>> together_by(const Forest& forest, const KeyOf& key_of) {
+  std::map<std::pair<int, int>, std::vector<int>> together;
+  for (std::size_t n = 0; n < forest.nodes.size(); ++n) {
+    const int node = static_cast<int>(n);
+    together[{key_of(node), forest.nodes[n].source}].push_back(node);
+  }
+  return together;
 }
 
 }  // namespace
 
 bool are_alternatives(const Problem& problem, const Forest& forest, const std::vector<int>& nodes) {
-  if (nodes.size() * nodes.size() > most_pairs) return false;
-  std::vector<Way> ways;
-  for (int node : nodes) {
-    const Way way = way_to(forest, node);
-    const auto parts = [&](const Way& other) { return ways_part(problem, forest, way, other); };
-    if (!std::all_of(ways.begin(), ways.end(), parts)) return false;
-    ways.push_back(way);
+  if (too_many(nodes)) return false;
+  Ways ways(problem, forest);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    for (std::size_t before = 0; before < n; ++before) {
+      if (!ways.part(nodes[n], nodes[before])) return false;
+    }
   }
   return true;
 }
 
 std::vector<std::vector<int>> alternatives_of(const Problem& problem, const Forest& forest) {
-  std::map<std::pair<int, int>, std::vector<int>> together;  // by thread and source
-  for (std::size_t n = 0; n < forest.nodes.size(); ++n) {
-    const int node = static_cast<int>(n);
-    together[{forest.thread_of(node), forest.nodes[n].source}].push_back(node);
-  }
+  const auto thread_of = [&](int node) { return forest.thread_of(node); };
   std::vector<std::vector<int>> all;
-  for (const auto& [of, nodes] : together) {
-    if (nodes.size() < 2 || nodes.size() * nodes.size() > most_pairs) continue;
-    std::vector<std::vector<Way>> groups;
+  for (const auto& [of, nodes] : together_by(forest, thread_of)) {
+    if (too_many(nodes)) continue;
+    Ways ways(problem, forest);
+    std::vector<std::vector<int>> groups;
     for (int node : nodes) {
-      Way way = way_to(forest, node);
-      const auto parts = [&](const Way& other) { return ways_part(problem, forest, way, other); };
-      const auto fits = [&](const std::vector<Way>& group) {
-        return std::all_of(group.begin(), group.end(), parts);
+      const auto fits = [&](const std::vector<int>& group) {
+        return std::all_of(group.begin(), group.end(), [&](int other) { return ways.part(node, other); });
       };
       const auto group = std::find_if(groups.begin(), groups.end(), fits);
-      (group == groups.end() ? groups.emplace_back() : *group).push_back(std::move(way));
+      (group == groups.end() ? groups.emplace_back() : *group).push_back(node);
     }
-    for (const auto& group : groups) {
-      if (group.size() < 2) continue;
-      std::vector<int>& made = all.emplace_back();
-      for (const Way& way : group) made.push_back(way.back());
-    }
+    std::copy_if(groups.begin(), groups.end(), std::back_inserter(all),
+                 [](const std::vector<int>& group) { return group.size() > 1; });
   }
   return all;
 }
 
-std::vector<std::vector<int>> alternatives_to_each(const Problem& problem, const Forest& forest) {
-  std::map<std::pair<int, int>, std::vector<int>> together;  // by processor and source
-  for (std::size_t n = 0; n < forest.nodes.size(); ++n) {
-    const int node = static_cast<int>(n);
-    const auto thread = static_cast<std::size_t>(forest.thread_of(node));
-    together[{problem.threads[thread].processor, forest.nodes[n].source}].push_back(node);
-  }
+std::vector<std::vector<int>> never_together(const Problem& problem, const Forest& forest) {
+  const auto processor_of = [&](int node) {
+    return problem.threads[static_cast<std::size_t>(forest.thread_of(node))].processor;
+  };
   std::vector<std::vector<int>> all(forest.nodes.size());
-  for (const auto& [of, nodes] : together) {
-    if (nodes.size() * nodes.size() > most_pairs) continue;
-    std::vector<Way> ways;
-    for (int node : nodes) ways.push_back(way_to(forest, node));
-    for (const Way& one : ways) {
-      for (const Way& other : ways) {
-        if (ways_part(problem, forest, one, other))
-          all[static_cast<std::size_t>(one.back())].push_back(other.back());
+  for (const auto& [of, nodes] : together_by(forest, processor_of)) {
+    if (too_many(nodes)) continue;
+    Ways ways(problem, forest);
+    for (int one : nodes) {
+      for (int other : nodes) {
+        if (ways.part(one, other) || ways.comes_after(one, other) || ways.comes_after(other, one))
+          all[static_cast<std::size_t>(one)].push_back(other);
       }
     }
   }

@@ -14,8 +14,8 @@ bool are_alternatives(const Problem& problem, const Forest& forest, const std::v
 /// All nodes that have alternatives in their thread, in groups of such. No node is in two groups.
 std::vector<std::vector<int>> alternatives_of(const Problem& problem, const Forest& forest);
 
-/// By node: those on its processor, of whichever thread, that its source brings about in its place;
-/// ascending.
-std::vector<std::vector<int>> alternatives_to_each(const Problem& problem, const Forest& forest);
+/// By node: those on its processor, of whichever thread, that its source never has under way together with it
+/// in one occurrence: they come in its place, or one is done before the other is released; ascending.
+std::vector<std::vector<int>> never_together(const Problem& problem, const Forest& forest);
 
 }  // namespace pal::analyzer::compositional

@@ -37,6 +37,7 @@ class Planter {
     if (!forest_.refusal.empty()) return;
     for (int attempt = 0; attempt < 60; ++attempt) {
       forest_.nodes.clear();
+      planted_.clear();
       forest_.sources.clear();
       const std::size_t before = cuts_.size();
       found_.clear();
@@ -297,6 +298,7 @@ class Planter {
       forest_.sources[static_cast<std::size_t>(link.source)].roots.push_back(index);
     }
     open_.push_back(index);
+    ++planted_[segment];
   }
 
   bool comes_again(int segment) {
@@ -313,9 +315,10 @@ class Planter {
   }
 
   /// Whether a circle leads back to a server that somebody asks once more. If that goes on for ever, the
-  /// asking is a circle, too, and is found there.
-  bool is_asked_anew(const std::vector<int>& circle) const {
-    return takes_request(circle.back()) &&
+  /// asking is a circle, too, and is found there. Ways that part and ask multiply: not too often.
+  bool is_asked_anew(const std::vector<int>& circle) {
+    constexpr int most_askings = 128;
+    return takes_request(circle.back()) && planted_[node(circle.back()).segment] < most_askings &&
            !std::all_of(circle.begin(), circle.end(), [this](int index) { return takes_request(index); });
   }
 
@@ -348,6 +351,7 @@ class Planter {
   std::set<int> cuts_;
   std::set<int> found_;
   std::map<int, bool> comes_again_;
+  std::map<int, int> planted_;  // by segment: nodes
   std::vector<int> open_;
   std::size_t most_nodes_ = 0;
 };
@@ -360,6 +364,20 @@ int Forest::cause_in(int node, int thread) const {
     if (thread_of(at) == thread) return at;
   }
   return -1;
+}
+
+bool end_segment(const Problem& problem, const std::vector<int>& sends) {
+  return std::all_of(sends.begin(), sends.end(), [&problem](int send) {
+    const int next = problem.steps[static_cast<std::size_t>(send)].next.front();
+    const Kind kind = problem.steps[static_cast<std::size_t>(next)].kind;
+    return kind == Kind::wait || kind == Kind::fork || kind == Kind::end;
+  });
+}
+
+bool ends_with_cause(const Problem& problem, const Forest& forest, int node) {
+  const Node& of = forest.nodes[static_cast<std::size_t>(node)];
+  // Without a message it has come to a wait, or to its blocks.
+  return of.release != Node::Release::message || end_segment(problem, of.sends);
 }
 
 Range latency(const Problem& problem, int channel, int sender, int receiver) {

@@ -69,6 +69,12 @@ struct Forest {
 /// Once `stop` says so, the forest is refused as it is.
 Forest forest_of(const Problem& problem, const std::function<bool()>& stop);
 
+/// Whether a segment has nothing more to do once one of its sends is over.
+bool end_segment(const Problem& problem, const std::vector<int>& sends);
+
+/// Whether the node's cause has nothing more to do once it has brought the node about.
+bool ends_with_cause(const Problem& problem, const Forest& forest, int node);
+
 /// A message needs at least this from its put to where `receiver` can take it, and at most this.
 Range latency(const Problem& problem, int channel, int sender, int receiver);
 

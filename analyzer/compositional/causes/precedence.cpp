@@ -10,13 +10,6 @@ namespace {
 /// More pairs of segments in one module than this are not looked at.
 constexpr std::size_t most_pairs = 40'000;
 
-bool ends_with(const Ground& ground, const std::vector<int>& sends) {
-  return std::all_of(sends.begin(), sends.end(), [&](int send) {
-    const Step::Kind next = ground.step_at(ground.step_at(send).next.front()).kind;
-    return next == Step::Kind::wait || next == Step::Kind::fork || next == Step::Kind::end;
-  });
-}
-
 class Precedence {
  public:
   Precedence(const Ground& ground, const std::function<bool()>& stop)
@@ -85,7 +78,7 @@ class Precedence {
       if (ground_.source(static_cast<int>(n)).period < never) continue;
       for (int at = static_cast<int>(n); ground_.node(at).cause >= 0; at = ground_.node(at).cause) {
         const auto cause = static_cast<std::size_t>(ground_.node(at).cause);
-        if (!ends_with_cause(ground_, at)) continue;
+        if (!ends_with_cause(ground_.problem, ground_.forest, at)) continue;
         later_[cause].push_back(static_cast<int>(n));
         apart_[n].push_back(static_cast<int>(cause));
       }
@@ -121,11 +114,11 @@ class Precedence {
     });
     if (own == of.feeds.end() || outer == of.feeds.end()) return;
     std::vector<int> circle;
-    bool ended = own->wait >= 0 || ends_with(ground_, own->sends);
+    bool ended = own->wait >= 0 || end_segment(ground_.problem, own->sends);
     for (int at = own->node; at >= 0; at = ground_.node(at).cause) {
       if (!ended) return;
       circle.push_back(at);
-      ended = ends_with_cause(ground_, at);
+      ended = ends_with_cause(ground_.problem, ground_.forest, at);
     }
     for (int node : circle) {
       for (int other : circle) {
@@ -159,7 +152,7 @@ class Precedence {
         if (feed.node < 0) return {};
         const int by = ground_.node(feed.node).source;
         if (asked.contains(by)) continue;
-        const bool ends = feed.wait >= 0 || ends_with(ground_, feed.sends);
+        const bool ends = feed.wait >= 0 || end_segment(ground_.problem, feed.sends);
         also(up_to(feed.node, ends, asked));
       }
     } else if (of.kind == Source::Kind::joined) {
@@ -183,7 +176,7 @@ class Precedence {
         source.kind == Source::Kind::joined ? before_source(ground_.node(node).source, asked) : Nodes{};
     for (int at = node; at >= 0; at = ground_.node(at).cause) {
       if (ended) all.insert(at);
-      ended = ends_with_cause(ground_, at);
+      ended = ends_with_cause(ground_.problem, ground_.forest, at);
     }
     return all;
   }
@@ -195,12 +188,6 @@ class Precedence {
 };
 
 }  // namespace
-
-bool ends_with_cause(const Ground& ground, int node) {
-  const Node& of = ground.node(node);
-  // Without a message it has come to a wait, or to its blocks.
-  return of.release != Node::Release::message || ends_with(ground, of.sends);
-}
 
 Order order_of(const Ground& ground, const std::function<bool()>& stop) {
   return Precedence(ground, stop).run();

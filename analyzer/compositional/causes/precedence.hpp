@@ -21,7 +21,4 @@ struct Order {
 /// Once `stop` says so, it is what is known by then.
 Order order_of(const Ground& ground, const std::function<bool()>& stop);
 
-/// Whether the node's cause has nothing more to do once it has brought the node about.
-bool ends_with_cause(const Ground& ground, int node);
-
 }  // namespace pal::analyzer::compositional

@@ -273,7 +273,7 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
   for (int scenario : own.tasks) {
     const Task& first = of.tasks[static_cast<std::size_t>(scenario)];
     if (first.priority < self.priority || (first.cost == 0 && scenario != task)) continue;
-    if (drifting && scenario != task) continue;
+    if (scenario != task && (drifting || !counts(&self, transaction, scenario))) continue;
     const Nanoseconds due = phase(of, first, self.offset);
     const Nanoseconds piled = (self.jitter + due) / of.period;
     // Until the part is done (preemptive), or begins (not preemptive): the windows of later jobs last longer.

@@ -35,7 +35,7 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes, const 
       threads_on_(ground.problem.processors.size()),
       burst_(ground.problem.threads.size()),
       order_(order_of(ground, stop)),
-      alternatives_(alternatives_to_each(ground.problem, ground.forest)) {
+      never_together_(never_together(ground.problem, ground.forest)) {
   std::vector<Transaction> transactions(ground.forest.sources.size());
   for (std::size_t s = 0; s < transactions.size(); ++s) {
     transactions[s].period = ground.forest.sources[s].period;
@@ -94,7 +94,7 @@ void Demand::precede(const Ground& ground, int node, std::vector<Transaction>& t
     const int cause = task_[static_cast<std::size_t>(ground.node(at).cause)];
     Task& before = of.tasks[static_cast<std::size_t>(cause)];
     if (before.processor != self.processor || before.priority > self.priority) continue;
-    if (ends_with_cause(ground, at)) before.followers.push_back(task);
+    if (ends_with_cause(ground.problem, ground.forest, at)) before.followers.push_back(task);
   }
 }
 
@@ -105,8 +105,7 @@ void Demand::precede(const Ground& ground, int node, std::vector<Transaction>& t
 ///
 /// A thread's own segments are one after the other. Those of the node's round are over when it is released.
 /// Another round may still be at work then, also in what occurs once: its thread was sent something else
-/// before, or serves a request that was withdrawn. Alternatives never are there together, but for those of
-/// another occurrence.
+/// before, or serves a request that was withdrawn.
 void Demand::exclude(int node, bool home_again, bool in_turn) {
   const Thread& mine = ground_.thread_of(node);
   const auto n = static_cast<std::size_t>(node);
@@ -122,7 +121,7 @@ void Demand::exclude(int node, bool home_again, bool in_turn) {
   const auto is_apart = [&](int other) {
     return (home_again && ground_.forest.thread_of(other) == thread) ||
            (once_with(other) && ground_.round_of(other) == ground_.round_of(node)) ||
-           (in_turn && std::binary_search(alternatives_[n].begin(), alternatives_[n].end(), other)) ||
+           (in_turn && std::binary_search(never_together_[n].begin(), never_together_[n].end(), other)) ||
            std::binary_search(order_.apart[n].begin(), order_.apart[n].end(), other);
   };
   const auto& here = nodes_on_[static_cast<std::size_t>(mine.processor)];

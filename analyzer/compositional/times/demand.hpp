@@ -21,8 +21,8 @@ class Demand {
   Nanoseconds greatest_jitter(int node) const;
   /// Says, as releases are announced, of which threads no round is due before the one before is over
   /// (`home_again`): rounds of one thread do not delay one another then; and of which sources all that an
-  /// occurrence brings about is over before the next one (`in_turn`): alternatives do not, either. Whether
-  /// that is not what it was.
+  /// occurrence brings about is over before the next one (`in_turn`): what comes one after the other, or one
+  /// in place of the other, does not, either. Whether that is not what it was.
   bool find_order(const std::vector<bool>& home_again, const std::vector<bool>& in_turn,
                   const std::function<bool()>& stop);
   /// How long threads keep a processor that is not preemptive once they have it, as releases are announced.
@@ -60,9 +60,9 @@ class Demand {
   std::vector<std::vector<int>> nodes_on_;    // by processor
   std::vector<Nanoseconds> burst_;            // by thread
   Order order_;
-  std::vector<std::vector<int>> alternatives_;  // by node: alternatives_to_each()
-  std::vector<bool> home_again_;                // by thread, as it was told
-  std::vector<bool> in_turn_;                   // by source, as it was told
+  std::vector<std::vector<int>> never_together_;  // by node
+  std::vector<bool> home_again_;                  // by thread, as it was told
+  std::vector<bool> in_turn_;                     // by source, as it was told
   std::vector<bool> pauses_;  // by thread: if it goes on by itself, it surely has to wait in each round
 };
 

@@ -76,6 +76,7 @@ Slots::Slots(const Ground& ground) : ground_(ground), puts_(ground.problem.chann
         puts_[static_cast<std::size_t>(step.channels.front())].push_back({n, passed.step});
     }
   }
+  for (const std::vector<Pass>& puts : puts_) exclusive_.push_back(are_exclusive(ground, puts));
 }
 
 /// Whether every message of the channel is taken before the next is put.
@@ -85,7 +86,7 @@ bool Slots::is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) co
   if (ground_.conduct.never_full[channel]) return true;
   const auto& puts = puts_[channel];
   if (puts.empty()) return true;
-  if (!are_exclusive(ground_, puts)) return false;
+  if (!exclusive_[channel]) return false;
   if (ground_.source(puts.front().node).period == never) return true;  // one message, ever
   Nanoseconds soonest = never;
   bool one_node = true;

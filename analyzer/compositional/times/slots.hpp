@@ -42,6 +42,7 @@ class Slots {
 
   Ground ground_;
   std::vector<std::vector<Pass>> puts_;  // by channel
+  std::vector<bool> exclusive_;          // by channel: are_exclusive() of its puts
 };
 
 }  // namespace pal::analyzer::compositional
