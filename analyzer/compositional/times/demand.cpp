@@ -142,11 +142,10 @@ void Demand::exclude(int node, bool home_again, bool in_turn) {
   windows_.set_without(ground_.node(node).source, task_[n], std::move(without));
 }
 
-bool Demand::find_order(const std::vector<bool>& home_again, const std::vector<bool>& in_turn,
+void Demand::find_order(const std::vector<bool>& home_again, const std::vector<bool>& in_turn,
                         const std::function<bool()>& stop) {
-  if (home_again_ == home_again && in_turn_ == in_turn) return false;
   for (std::size_t n = 0; n < task_.size(); ++n) {
-    if (stop && stop()) return true;
+    if (stop && stop()) return;
     const auto thread = static_cast<std::size_t>(ground_.forest.thread_of(static_cast<int>(n)));
     const auto source = static_cast<std::size_t>(ground_.node(static_cast<int>(n)).source);
     const bool known = !home_again_.empty() && home_again_[thread] == home_again[thread] &&
@@ -155,7 +154,6 @@ bool Demand::find_order(const std::vector<bool>& home_again, const std::vector<b
   }
   home_again_ = home_again;
   in_turn_ = in_turn;
-  return true;
 }
 
 Nanoseconds Demand::greatest_jitter(int node) const {

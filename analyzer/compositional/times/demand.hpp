@@ -22,8 +22,8 @@ class Demand {
   /// Says, as releases are announced, of which threads no round is due before the one before is over
   /// (`home_again`): rounds of one thread do not delay one another then; and of which sources all that an
   /// occurrence brings about is over before the next one (`in_turn`): what comes one after the other, or one
-  /// in place of the other, does not, either. Whether that is not what it was.
-  bool find_order(const std::vector<bool>& home_again, const std::vector<bool>& in_turn,
+  /// in place of the other, does not, either.
+  void find_order(const std::vector<bool>& home_again, const std::vector<bool>& in_turn,
                   const std::function<bool()>& stop);
   /// How long threads keep a processor that is not preemptive once they have it, as releases are announced.
   /// By thread: `home_again`, no round is due before the one before is over; `blocked`, it may have to wait

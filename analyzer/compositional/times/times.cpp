@@ -130,7 +130,7 @@ class Solver : private Ground {
     for (std::size_t n = 0; n < forest.nodes.size(); ++n) demand_.announce(static_cast<int>(n), nodes_[n]);
     std::vector<int> dirty(problem.processors.size(), everybody);  // by processor: delays_up_to()
     for (int pass = 0; pass < most_passes; ++pass) {
-      if (find_overlaps()) dirty.assign(dirty.size(), everybody);
+      find_overlaps(dirty);
       std::vector<int> now = dirty;
       dirty.assign(dirty.size(), nobody);
       bool changed = false;
@@ -164,22 +164,26 @@ class Solver : private Ground {
     }
   }
 
-  /// Tells the demand what does not overlap by now. Whether it is less than before: that may delay anybody.
-  bool find_overlaps() {
+  /// Tells the demand what does not overlap by now. `dirty`: where it is less than before, which may delay
+  /// anybody there.
+  void find_overlaps(std::vector<int>& dirty) {
     std::vector<bool> home_again;
     for (std::size_t t = 0; t < conduct.threads.size(); ++t)
       home_again.push_back(at_home_again(*this, nodes_, static_cast<int>(t)));
-    std::vector<Nanoseconds> over(forest.sources.size(), 0);
+    std::vector<bool> in_turn(forest.sources.size(), true);
     for (std::size_t n = 0; n < forest.nodes.size(); ++n) {
-      Nanoseconds& last = over[static_cast<std::size_t>(forest.nodes[n].source)];
-      last = std::max(last, nodes_[n].finish);
+      const auto source = static_cast<std::size_t>(forest.nodes[n].source);
+      const Nanoseconds period = forest.sources[source].period;
+      if (period < never && nodes_[n].finish >= period) in_turn[source] = false;
     }
-    std::vector<bool> in_turn;
-    for (std::size_t s = 0; s < over.size(); ++s)
-      in_turn.push_back(forest.sources[s].period == never || over[s] < forest.sources[s].period);
-    const bool changed = demand_.find_order(home_again, in_turn, stop_);
+    for (std::size_t n = 0; n < forest.nodes.size() && !in_turn_.empty(); ++n) {
+      const auto source = static_cast<std::size_t>(forest.nodes[n].source);
+      const auto processor = static_cast<std::size_t>(thread_of(static_cast<int>(n)).processor);
+      if (in_turn_[source] != in_turn[source]) dirty[processor] = everybody;
+    }
+    demand_.find_order(home_again, in_turn, stop_);
     demand_.find_bursts(nodes_, home_again, times_.blocked);
-    return changed;
+    in_turn_ = in_turn;
   }
 
   /// Whether something is found that the times do not count with yet.
@@ -224,7 +228,8 @@ class Solver : private Ground {
   Demand demand_;
   Releases releases_;
   Times times_;
-  std::vector<int> since_;  // by thread: the one whose trouble brought about its own; -1: none
+  std::vector<bool> in_turn_;  // by source, as it was last found
+  std::vector<int> since_;     // by thread: the one whose trouble brought about its own; -1: none
 };
 
 }  // namespace
