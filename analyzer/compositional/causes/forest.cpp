@@ -106,8 +106,8 @@ class Planter {
       source.thread = forest_.segments[segment].beginning.thread;
       source.period = least_round(problem_, forest_.segments[segment].beginning);
       if (source.period == 0) {
-        forest_.refusal = "module " + problem_.threads[static_cast<std::size_t>(source.thread)].name +
-                          " may go round without any time passing";
+        forest_.refusal = "nothing says how long a round of module " +
+                          problem_.threads[static_cast<std::size_t>(source.thread)].name + " takes at least";
       }
       forest_.sources.push_back(source);
     }
