@@ -1,6 +1,7 @@
 // Programs that break what the compositional analysis might take for granted.
 #include <catch2/catch.hpp>
 
+#include "analyzer/compositional/causes/forest.hpp"
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/exact/exact.hpp"
 #include "analyzer/runs/simulate.hpp"
@@ -216,6 +217,13 @@ TEST_CASE("the compositional analysis asks whether to end at each segment") {
   CHECK(asked > 20);
   REQUIRE(load.bound);
   CHECK(load.bound->count() == 1'000'000'000);  // nothing is known
+}
+
+TEST_CASE("the compositional analysis asks whether to end at each request") {
+  // Six thousand requests in one module, beside blocks of twelve thousand statements, took twelve seconds
+  // more than they were given.
+  const auto skill = test::meaningful_skill(program("in_turns"));
+  CHECK(compositional::forest_of(*skill->problem, [] { return true; }).refusal == "it was interrupted");
 }
 
 TEST_CASE("a request that a block takes may be answered at once when the block has ended") {

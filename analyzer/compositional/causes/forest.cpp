@@ -22,18 +22,13 @@ class Planter {
         stop_(stop),
         sequence_(problem),
         takers_(problem, forest.segments) {
-    limited_.assign(problem.steps.size(), false);
     forest.withdrawn = withdrawn_requests(problem);
-    for (std::size_t s = 0; s < problem.steps.size(); ++s) {
-      const Step& step = problem.steps[s];
-      if (step.kind != Kind::wait || forest.segments.owner(static_cast<int>(s)) < 0) continue;
-      limited_[s] = step.within && !goes_round_by_limits(static_cast<int>(s));
-    }
     most_nodes_ = 40 * problem.steps.size() + 4'000;
   }
 
   void plant() {
-    forest_.refusal = refusal_of(problem_, forest_.segments);
+    forest_.refusal = refusal_of(problem_, forest_.segments, stop_);
+    if (forest_.refusal.empty()) find_limited();
     if (!forest_.refusal.empty()) return;
     for (int attempt = 0; attempt < 60; ++attempt) {
       forest_.nodes.clear();
@@ -55,6 +50,18 @@ class Planter {
  private:
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
   Node& node(int index) { return forest_.nodes[static_cast<std::size_t>(index)]; }
+
+  void find_limited() {
+    limited_.assign(problem_.steps.size(), false);
+    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+      const Step& step = problem_.steps[s];
+      if (step.kind != Kind::wait || !step.within || forest_.segments.owner(static_cast<int>(s)) < 0)
+        continue;
+      if (stop_ && stop_()) forest_.refusal = "it was interrupted";
+      if (!forest_.refusal.empty()) return;
+      limited_[s] = !goes_round_by_limits(static_cast<int>(s));
+    }
+  }
 
   /// Whether the thread can come back to a wait by way of waits with limits alone.
   bool goes_round_by_limits(int wait) const {
@@ -100,8 +107,8 @@ class Planter {
       source.thread = forest_.segments[segment].beginning.thread;
       source.period = least_round(problem_, forest_.segments[segment].beginning);
       if (source.period == 0) {
-        forest_.refusal = "module " + problem_.threads[static_cast<std::size_t>(source.thread)].name +
-                          " may go round without any time passing";
+        forest_.refusal = "nothing says how long a round of module " +
+                          problem_.threads[static_cast<std::size_t>(source.thread)].name + " takes at least";
       }
       forest_.sources.push_back(source);
     }

@@ -224,17 +224,19 @@ std::set<int> takers_of_answer(const Problem& problem, int send) {
   return Asked(problem, send).takers();
 }
 
-std::string out_of_turn(const Problem& problem, const Segments& segments) {
+std::string out_of_turn(const Problem& problem, const Segments& segments, const std::function<bool()>& stop) {
   // Also of what nobody comes to ask for: its answer counts as one all the same.
   for (std::size_t c = 0; c < problem.channels.size(); ++c) {
     const Channel& request = problem.channels[c];
     if (request.answer < 0) continue;
+    if (stop && stop()) return {};
     const std::string who = receiver_name(problem, static_cast<int>(c));
     if (request.receiver_device >= 0 && !request.served)
       return who + " is asked for " + request.message + ", which comes by itself";
     if (request.receiver_device < 0 && !Answers(problem, request.answer).once())
       return who + " may not answer each request for " + request.message + " once before it takes the next";
   }
+  std::set<int> seen;
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
     const int send = static_cast<int>(s);
     const Step& step = problem.steps[s];
@@ -242,11 +244,13 @@ std::string out_of_turn(const Problem& problem, const Segments& segments) {
     const int request = step.channels.front();
     const Channel& channel = problem.channels[static_cast<std::size_t>(request)];
     if (channel.answer < 0) continue;
+    if (stop && stop()) return {};
     const std::string who = problem.threads[static_cast<std::size_t>(segments.owner(send))].name;
     const std::string what = channel.message + " of " + receiver_name(problem, request);
     const Asked asked(problem, send);
     if (asked.again()) return who + " may ask for " + what + " again before it has the answer";
     if (asked.elsewhere()) return who + " asks for " + what + ", and another thread may take the answer";
+    if (!seen.insert(request).second) continue;
     if (is_shared(problem, request)) return "blocks beside one another ask for " + what + " or wait for it";
     if (asked_after_cancelled(problem, request))
       return who + " may ask for " + what + " after a block that asked for it was cancelled";

@@ -1,6 +1,7 @@
 // Who asks whom, and when: the protocol of requests and answers.
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -12,8 +13,8 @@ namespace pal::analyzer::compositional {
 /// Where a request is not in turn: in words for the reader, or nothing. Else each is sent only when the
 /// answer to the one before has been taken, or given up, by the same thread, and is answered once, before its
 /// server takes the next. So an answer that is taken is that to the last request, and neither finds its slot
-/// full.
-std::string out_of_turn(const Problem& problem, const Segments& segments);
+/// full. Once `stop` says so, it is not looked for any more; what has not been looked at is in turn then.
+std::string out_of_turn(const Problem& problem, const Segments& segments, const std::function<bool()>& stop);
 
 /// By channel of requests: whether one may be withdrawn before it is taken, by who gives up waiting for the
 /// answer or is cancelled.

@@ -8,6 +8,8 @@
 namespace pal::analyzer::compositional {
 namespace {
 
+constexpr const char* interrupted = "it was interrupted";
+
 const std::string& name_of(const Problem& problem, int thread) {
   return problem.threads[static_cast<std::size_t>(thread)].name;
 }
@@ -68,17 +70,21 @@ std::string refusal_of_step(const Problem& problem, int index, int thread) {
 
 }  // namespace
 
-std::string refusal_of(const Problem& problem, const Segments& segments) {
+std::string refusal_of(const Problem& problem, const Segments& segments, const std::function<bool()>& stop) {
+  bool over = false;
+  const auto ends = [&stop, &over] { return over = over || (stop && stop()); };
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
     const int step = static_cast<int>(s);
     const int thread = segments.owner(step);
     if (thread < 0) continue;
+    if (problem.steps[s].kind == Step::Kind::fork && ends()) return interrupted;
     const std::string why = refusal_of_step(problem, step, thread);
     if (!why.empty()) return why;
   }
   if (const int channel = taken_anywhere(problem, segments); channel >= 0)
     return problem.channels[static_cast<std::size_t>(channel)].message + " is waited for in several places";
-  return out_of_turn(problem, segments);
+  const std::string why = out_of_turn(problem, segments, ends);
+  return over ? interrupted : why;
 }
 
 }  // namespace pal::analyzer::compositional

@@ -72,7 +72,8 @@ Bound known_age_bound(const View& view, const Requirement& requirement) {
 Bound reaction_bound(const View& view, const Requirement& requirement) {
   const std::set<int> threads = owners(view, requirement.at);
   const Knowledge knowledge(view, requirement);
-  Bound least{Sum::unbounded(), "no thread comes to it"};
+  Bound least{Sum::unbounded(), threads.empty() ? "no thread comes to it"
+                                                : "none of the threads that come to it surely goes on"};
   for (int thread : threads) {
     // One of several must go on for as long as any of them.
     const auto t = static_cast<std::size_t>(thread);
