@@ -231,3 +231,27 @@ TEST_CASE("what comes after an answer comes also if a block took its request") {
   CHECK(shown.greatest > 50'000'000);
   if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
 }
+
+TEST_CASE(
+    "why there is no bound: a thread that comes to its statement in every round is not said to pass it by") {
+  // The sensor is asked as soon as the last value is filtered. As far as the bounds know rounds may come as
+  // fast as with the least filtering, and each take the most: nothing bounds when one is over.
+  const auto skill = test::meaningful_skill(program("polled"));
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  REQUIRE(analysis.verdicts.size() == 3);
+  for (const Verdict& verdict : analysis.verdicts) {
+    INFO(verdict.requirement << ": " << verdict.explanation);
+    CHECK(verdict.explanation.find("nothing bounds when SD1") != std::string::npos);
+    CHECK_FALSE(verdict.bound);
+  }
+}
+
+TEST_CASE("why there is no bound: a thread that may pass its statement by is said to") {
+  const auto skill = test::meaningful_skill(replaced(program("polled"), "    SPC( contact )\n  UNTIL",
+                                                     "    CASE\n      ( contact ): Do Nothing\n      ( NOT "
+                                                     "contact ): SPC( contact )\n    END CASE\n  UNTIL"));
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  const std::string& why = analysis.verdicts.front().explanation;
+  INFO(why);
+  CHECK(why.find("SD1 need not come to it in every round") != std::string::npos);
+}
