@@ -255,3 +255,20 @@ TEST_CASE("why there is no bound: a thread that may pass its statement by is sai
   INFO(why);
   CHECK(why.find("SD1 need not come to it in every round") != std::string::npos);
 }
+
+TEST_CASE("what adds up to an age says whether the value waits for the first set or for the next") {
+  // Until the first set, 10 + 2 ms after the start at the latest, the value is as old as the skill. Later
+  // there are 10 + 2 - 1 ms from a set to the next; if filtering may take no time, as many.
+  const auto added_up = [](const std::string& text) {
+    const auto skill = test::meaningful_skill(text);
+    const Analysis analysis = analyze_compositionally(*skill->problem);
+    std::string all;
+    for (const Addend& each : analysis.verdicts.front().addends)
+      all += std::to_string(each.amount / 1'000'000) + " " + each.actor + " " + each.what + "\n";
+    return all;
+  };
+  const std::string text = program("not_yet_set");
+  CHECK(added_up(text) == "10 clock comes for the first time\n2 SD1 runs filter\n3 MC1 runs obey\n");
+  CHECK(added_up(replaced(text, "1 TO 2 ms", "0 TO 2 ms")) ==
+        "10 clock comes again\n2 SD1 runs filter\n3 MC1 runs obey\n");
+}
