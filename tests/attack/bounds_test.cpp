@@ -272,3 +272,13 @@ TEST_CASE("what adds up to an age says whether the value waits for the first set
   CHECK(added_up(replaced(text, "1 TO 2 ms", "0 TO 2 ms")) ==
         "10 clock comes again\n2 SD1 runs filter\n3 MC1 runs obey\n");
 }
+
+TEST_CASE("a round may ask on and on, of somebody who answers once") {
+  // MC1 comes back to its wait within one round, and what it asks first it is answered: that is no circle of
+  // causes. The second request finds the skill at its end, 1 ms after the tick.
+  const Shown shown = show(program("asks_on"));
+  INFO(shown.why);
+  REQUIRE(shown.bound);
+  CHECK(shown.bound->count() == 1'000'000);
+  CHECK(shown.greatest <= shown.bound->count());
+}
