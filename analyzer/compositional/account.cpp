@@ -83,10 +83,11 @@ class Writer {
         if (each.amount == nominal_.times(term.node).latest) return release(nominal_, term.node);
         return say(each.amount, actor(term.node), "begins at the latest", statement_of(term.node));
       case Term::Kind::gap:
-        return round(term.source, view_.times.longest_gap[static_cast<std::size_t>(term.source)],
-                     each.amount);
+        return round(term.source, view_.times.longest_gap[static_cast<std::size_t>(term.source)], each.amount,
+                     false);
       case Term::Kind::first:
-        return round(term.source, view_.times.first[static_cast<std::size_t>(term.source)], each.amount);
+        return round(term.source, view_.times.first[static_cast<std::size_t>(term.source)], each.amount,
+                     true);
       case Term::Kind::said:
         return say(each.amount, term.node < 0 ? "" : actor(term.node), term.what,
                    term.node < 0 ? -1 : statement(term));
@@ -94,14 +95,15 @@ class Writer {
   }
 
   /// To a source's next occurrence, or the first.
-  void round(int source, const Due& next, Nanoseconds amount) {
+  void round(int source, const Due& next, Nanoseconds amount, bool first) {
     const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
     const std::string& name = source_name(source);
     if (of.kind == Source::Kind::event) {
       say(amount - next.after, name, "finds nobody who waits for it before");
-      return say(next.after, name, "comes again");
+      return say(next.after, name, first ? "comes for the first time" : "comes again");
     }
-    if (amount != next.at || next.node < 0) return say(amount, name, "comes to the next round");
+    if (amount != next.at || next.node < 0)
+      return say(amount, name, first ? "comes to its first round" : "comes to the next round");
     wait_for(nominal_, next, name, feed_device(of, next));
   }
 

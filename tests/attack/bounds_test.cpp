@@ -239,3 +239,54 @@ TEST_CASE("what comes after an answer comes also if a block took its request") {
   CHECK(shown.greatest > 50'000'000);
   if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
 }
+
+TEST_CASE(
+    "why there is no bound: a thread that comes to its statement in every round is not said to pass it by") {
+  // The sensor is asked as soon as the last value is filtered. As far as the bounds know rounds may come as
+  // fast as with the least filtering, and each take the most: nothing bounds when one is over.
+  const auto skill = test::meaningful_skill(program("polled"));
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  REQUIRE(analysis.verdicts.size() == 3);
+  for (const Verdict& verdict : analysis.verdicts) {
+    INFO(verdict.requirement << ": " << verdict.explanation);
+    CHECK(verdict.explanation.find("nothing bounds when SD1") != std::string::npos);
+    CHECK_FALSE(verdict.bound);
+  }
+}
+
+TEST_CASE("why there is no bound: a thread that may pass its statement by is said to") {
+  const auto skill = test::meaningful_skill(replaced(program("polled"), "    SPC( contact )\n  UNTIL",
+                                                     "    CASE\n      ( contact ): Do Nothing\n      ( NOT "
+                                                     "contact ): SPC( contact )\n    END CASE\n  UNTIL"));
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  const std::string& why = analysis.verdicts.front().explanation;
+  INFO(why);
+  CHECK(why.find("SD1 need not come to it in every round") != std::string::npos);
+}
+
+TEST_CASE("what adds up to an age says whether the value waits for the first set or for the next") {
+  // Until the first set, 10 + 2 ms after the start at the latest, the value is as old as the skill. Later
+  // there are 10 + 2 - 1 ms from a set to the next; if filtering may take no time, as many.
+  const auto added_up = [](const std::string& text) {
+    const auto skill = test::meaningful_skill(text);
+    const Analysis analysis = analyze_compositionally(*skill->problem);
+    std::string all;
+    for (const Addend& each : analysis.verdicts.front().addends)
+      all += std::to_string(each.amount / 1'000'000) + " " + each.actor + " " + each.what + "\n";
+    return all;
+  };
+  const std::string text = program("not_yet_set");
+  CHECK(added_up(text) == "10 clock comes for the first time\n2 SD1 runs filter\n3 MC1 runs obey\n");
+  CHECK(added_up(replaced(text, "1 TO 2 ms", "0 TO 2 ms")) ==
+        "10 clock comes again\n2 SD1 runs filter\n3 MC1 runs obey\n");
+}
+
+TEST_CASE("a round may ask on and on, of somebody who answers once") {
+  // MC1 comes back to its wait within one round, and what it asks first it is answered: that is no circle of
+  // causes. The second request finds the skill at its end, 1 ms after the tick.
+  const Shown shown = show(program("asks_on"));
+  INFO(shown.why);
+  REQUIRE(shown.bound);
+  CHECK(shown.bound->count() == 1'000'000);
+  CHECK(shown.greatest <= shown.bound->count());
+}

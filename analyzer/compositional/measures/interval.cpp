@@ -14,9 +14,11 @@ Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, boo
   Passes passes(view, thread, at);
   const ThreadConduct& of = view.conduct.threads[t];
   const std::string& trouble = view.times.trouble[t];
-  const Bound none{Sum::unbounded(),
-                   trouble.empty() ? name + " need not come to it in every round" : trouble};
   const bool rounds = of.home >= 0 || starts_in_rounds(view, thread);
+  const bool goes_by = passes.may_pass_by() || (rounds && !view.reliable[t] && !goes_on(view, thread));
+  const std::string why =
+      goes_by ? name + " need not come to it in every round" : "nothing bounds when " + name + " comes to it";
+  const Bound none{Sum::unbounded(), trouble.empty() ? why : trouble};
   // What has had an effect has begun.
   if (rounds ? !view.reliable[t] && !goes_on(view, thread) : !view.lively[t]) return none;
   Sum longest = from_start ? passes.first() + passes.latest() : Sum();

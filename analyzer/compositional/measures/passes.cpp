@@ -53,6 +53,7 @@ Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
     if (begins && in_paced_round(view, n)) merge(round, begun(n));
   }
   every_round_ = !round.home && !round.lost;
+  may_pass_by_ = round.home;
   latest_ = round.latest;
   released_ = round.released;
 }

@@ -28,6 +28,8 @@ class Passes {
   Way from_entry();
   /// Whether each round passes one, or goes where none can come any more, and rounds come at a known pace.
   bool every_round() const { return every_round_; }
+  /// Whether some way through a round comes home without one, where rounds come at a known pace.
+  bool may_pass_by() const { return may_pass_by_; }
   /// With every_round: latest pass of a round, from the nominal instant of its source.
   const Sum& latest() const { return latest_; }
   /// With every_round: latest release of the segment in which a round passes one. From then on the thread has
@@ -54,6 +56,7 @@ class Passes {
   std::vector<Pass> before_rounds_;
   std::map<std::pair<int, int>, Way> known_;
   bool every_round_ = false;
+  bool may_pass_by_ = false;
   Sum latest_;
   Sum released_;
   Sum gap_ = Sum::unbounded();

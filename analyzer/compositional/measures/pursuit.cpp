@@ -37,14 +37,15 @@ bool Pursuit::certain(int n) {
 }
 
 Sum Pursuit::node_value(int n) {
-  const auto known = nodes_.find(n);
-  if (known != nodes_.end()) return known->second;
+  // A round may come back to a wait, and to this node, nobody knows how often.
+  const auto [place, fresh] = nodes_.emplace(n, Sum::unbounded());
+  if (!fresh) return place->second;
   Sum value = Sum::unbounded();
   if (certain(n)) {
     value = beginning_value(n);
     if (!value.bounded() && why_.empty()) why_ = trouble_of(n);
   }
-  nodes_[n] = value;
+  place->second = value;
   return value;
 }
 

@@ -37,7 +37,10 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
   }
   if (!goes_on(view, thread) || !passes.every_round()) {
     const std::string& trouble = view.times.trouble[t];
-    return {Sum::unbounded(), trouble.empty() ? name + " need not come to it in every round" : trouble};
+    const std::string why = passes.may_pass_by() || !goes_on(view, thread)
+                                ? name + " need not come to it in every round"
+                                : "nothing bounds when " + name + " comes to it";
+    return {Sum::unbounded(), trouble.empty() ? why : trouble};
   }
   Sum longest = passes.first() + passes.latest();
   Sum end;

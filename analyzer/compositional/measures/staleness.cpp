@@ -64,8 +64,10 @@ class Staleness {
     const Passes passes(view_, setter, at_);
     if (!outlasts(view_, setter, reader_) || !passes.every_round() || passes.in_rounds().empty()) {
       const std::string& trouble = view_.times.trouble[static_cast<std::size_t>(setter)];
-      return {Sum::unbounded(),
-              trouble.empty() ? name + " may leave the condition as it is for long" : trouble};
+      const std::string why = passes.may_pass_by() || !outlasts(view_, setter, reader_)
+                                  ? name + " may leave the condition as it is for long"
+                                  : "nothing bounds when " + name + " sets the condition";
+      return {Sum::unbounded(), trouble.empty() ? why : trouble};
     }
     Sum soonest = Sum::unbounded();
     for (const Pass& pass : passes.in_rounds())
