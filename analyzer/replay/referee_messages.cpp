@@ -51,20 +51,22 @@ void Referee::not_there_yet(int channel, int thread) {
   if (of.full && !of.claimed) arrival(channel, thread).lo = std::max(arrival(channel, thread).lo, now_);
 }
 
-/// Which of several the thread takes in the end, or comes to its wait again because it was withdrawn; the
-/// first, if the run does not say.
+/// Which of several the thread takes in the end, or comes to its wait again because it was withdrawn, of
+/// several such the first; the first of all, if the run does not say.
 int Referee::message_of(int thread, const std::vector<int>& candidates) const {
-  std::optional<int> withdrawn;
+  auto withdrawn = candidates.end();
+  bool started = false;
   bool stopped = false;
   for (std::size_t e = at_; candidates.size() > 1 && e < events_.size(); ++e) {
     const Event& event = events_[e];
-    const bool is = std::find(candidates.begin(), candidates.end(), event.subject) != candidates.end();
-    if (event.kind == Kind::drop && event.actor < 0 && is && !withdrawn) withdrawn = event.subject;
+    const auto which = std::find(candidates.begin(), candidates.end(), event.subject);
+    if (event.kind == Kind::drop && event.actor < 0) withdrawn = std::min(withdrawn, which);
     if (event.actor != thread) continue;
-    if (event.kind == Kind::take) return is ? event.subject : candidates.front();
+    if (event.kind == Kind::take) return which != candidates.end() ? event.subject : candidates.front();
     if (event.kind == Kind::cancel) break;
-    const bool again = event.kind == Kind::block || (event.kind == Kind::start && !stopped);
-    if (withdrawn && again) return *withdrawn;
+    const bool again = event.kind == Kind::block || (event.kind == Kind::start && started && !stopped);
+    if (withdrawn != candidates.end() && again) return *withdrawn;
+    started = started || event.kind == Kind::start;
     stopped = event.kind == Kind::stop;
   }
   return candidates.front();

@@ -151,3 +151,12 @@ TEST_CASE("an inner block may begin its next activity at the instant at which al
   // MC1.1 and the first activity of MC1.4 are over at 2 ms. If MC1.4 is earlier it has begun its second one.
   CHECK(bound(program("hand/inner_begins_last")) == 11);
 }
+
+TEST_CASE("what a thread has chosen is its own whatever else is withdrawn before it begins to take it") {
+  // At 2 ms the server answers the second block, which interrupts it till 6 ms; it has chosen the first
+  // request. The third is withdrawn at 6 ms, then the first is taken, served and answered.
+  CHECK(bound(program("hand/withdrawn_beside")) == 9);
+  // The first is withdrawn as well. The server receives it till 8 ms all the same, before the skill
+  // completes.
+  CHECK(bound(program("hand/both_withdrawn")) == 8);
+}
