@@ -105,7 +105,7 @@ ExitStatus write_witnesses(const std::vector<WhatIfAnswer>& answers, const std::
   }
   if (all.size() < refuted) {
     console.err << "pal: of " << refuted - all.size() << " of " << refuted
-                << " placements refuted the exact analysis finds no run within its limits\n";
+                << " placements refuted no run is found again within the limits\n";
   }
   std::ostringstream text;
   analyzer::rules::write_witnesses(all, text);

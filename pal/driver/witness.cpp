@@ -131,7 +131,8 @@ std::vector<FiledWitness> witnesses_of(const std::vector<analyzer::Placements>& 
       auto problem = analyzer::make_problem(network, there, known);
       if (!problem) continue;
       problem->requirements = {problem->requirements[static_cast<std::size_t>(refuted.ruling.requirement)]};
-      const analyzer::Analysis analysis = analyzer::analyze(*problem, options);
+      const analyzer::Analysis analysis =
+          analyzer::analyze(*problem, analyzer::AnalysisChoice::automatic, options);
       const analyzer::Verdict& verdict = analysis.verdicts.front();
       if (verdict.state != analyzer::VerdictState::fails || !verdict.witness) continue;
       made.push_back(filed(*problem, verdict));

@@ -168,6 +168,15 @@ TEST_CASE("replay refuses what no run says, whatever stands in the file") {
       "no instant of a run");
 }
 
+TEST_CASE("runs that a simulation found prove what the exact analysis has given up") {
+  const std::string places = std::string(PAL_SOURCE_DIR) + "/tests/figures/figure_3_6_places.pal";
+  const File file("replay_given_up");
+  pal::test::pal({"whatif", places, "--environment-name", "reading", "--place", "1", "--priorities",
+                  "--max-states", "1", "--witness", file.path()});
+  CHECK(file.read().at("witnesses").size() == 13);
+  CHECK(pal::test::pal({"replay", file.path(), places}).status == ExitStatus::all_hold);
+}
+
 TEST_CASE("that no placement on one processor does is proved by a run for each") {
   const std::string places = std::string(PAL_SOURCE_DIR) + "/tests/figures/figure_3_6_places.pal";
   const File file("replay_placements");
