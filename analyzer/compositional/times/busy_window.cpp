@@ -28,9 +28,12 @@ int BusyWindows::add(Transaction transaction) {
   for (std::size_t t = 0; t < transaction.tasks.size(); ++t) {
     auto& groups = by_processor_[static_cast<std::size_t>(transaction.tasks[t].processor)];
     const int priority = transaction.tasks[t].priority;
-    if (processors.insert(transaction.tasks[t].processor).second) groups.push_back({index, priority, {}});
+    if (processors.insert(transaction.tasks[t].processor).second) groups.push_back({index, priority, {}, {}});
     groups.back().priority = std::max(groups.back().priority, priority);
     groups.back().tasks.push_back(static_cast<int>(t));
+    const double cost = static_cast<double>(transaction.tasks[t].cost);
+    const bool once = transaction.period == never;
+    groups.back().shares.push_back(once ? 0 : cost / static_cast<double>(transaction.period));
   }
   for (const int processor : processors) {
     auto& groups = by_processor_[static_cast<std::size_t>(processor)];
@@ -159,36 +162,42 @@ Nanoseconds BusyWindows::of_siblings(int transaction, int task, Shares* shares) 
 }
 
 BusyWindows::Load BusyWindows::load_of(int transaction, const Task& self) const {
+  struct Longest {
+    double share = 0;
+    Nanoseconds cost = 0;
+  };
   Load load;
-  std::vector<double> longest;  // by alternatives: cost
+  std::vector<Longest> longest;  // by alternatives
   for (const Group& group : by_processor_[static_cast<std::size_t>(self.processor)]) {
     if (group.priority < self.priority) break;
     const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
     const bool foreign = group.transaction != transaction;
-    const bool several = group.tasks.size() > 1;
-    longest.assign(of.alternatives.size(), 0);
-    const auto add = [&](double cost, double jitter) {
-      const double share = of.period == never ? 0 : cost / static_cast<double>(of.period);
+    const auto add = [&](double share, Nanoseconds cost, Nanoseconds jitter) {
       load.whole += share;
       if (!foreign) return;
       load.share += share;
       // A task that is alone has one release more than its share; of several not all need have it.
-      load.carried += of.period == never ? cost : jitter * share - (several ? cost : 0);
-    };
-    for (int t : group.tasks) {
-      const Task& task = of.tasks[static_cast<std::size_t>(t)];
-      if (task.priority < self.priority || task.cost == 0) continue;
-      if (!counts(&self, group.transaction, t)) continue;
-      load.bounded = load.bounded && task.cost < never && (of.period == never || task.jitter < never);
-      const auto cost = static_cast<double>(task.cost);
-      if (task.among < 0) {
-        add(cost, static_cast<double>(task.jitter));
+      if (of.period == never) {
+        load.carried += static_cast<double>(cost);
       } else {
-        double& most = longest[static_cast<std::size_t>(task.among)];
-        most = std::max(most, cost);
+        load.carried += static_cast<double>(jitter) * share;
+        if (group.tasks.size() > 1) load.carried -= static_cast<double>(cost);
       }
+    };
+    longest.assign(of.alternatives.size(), {});
+    for (std::size_t t = 0; t < group.tasks.size(); ++t) {
+      const Task& task = of.tasks[static_cast<std::size_t>(group.tasks[t])];
+      if (task.priority < self.priority || task.cost == 0) continue;
+      if (!counts(&self, group.transaction, group.tasks[t])) continue;
+      load.bounded = load.bounded && task.cost < never && (of.period == never || task.jitter < never);
+      if (task.among < 0) {
+        add(group.shares[t], task.cost, task.jitter);
+        continue;
+      }
+      Longest& most = longest[static_cast<std::size_t>(task.among)];
+      if (task.cost > most.cost) most = {group.shares[t], task.cost};
     }
-    for (double cost : longest) add(cost, 0);
+    for (const Longest& each : longest) add(each.share, each.cost, 0);
   }
   return load;
 }

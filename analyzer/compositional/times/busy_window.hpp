@@ -76,6 +76,7 @@ class BusyWindows {
     int transaction;
     int priority;  // the greatest of them
     std::vector<int> tasks;
+    std::vector<double> shares;  // of the processor that each needs; 0: of a transaction that occurs once
   };
 
   /// What counts in a window of a task, other than its own transaction: at least `share` of its length, and

@@ -28,41 +28,12 @@ void Transaction::set_jitter(int task, Nanoseconds jitter) {
   }
 }
 
-bool counts(const Task* asker, int transaction, int task) {
-  return asker == nullptr || asker->without.empty() ||
-         !std::binary_search(asker->without.begin(), asker->without.end(), std::pair{transaction, task});
-}
-
 bool follows(const Transaction& of, int before, int task) {
   const auto& followers = of.tasks[static_cast<std::size_t>(before)].followers;
   return std::binary_search(followers.begin(), followers.end(), task);
 }
 
-Nanoseconds phase(const Transaction& of, const Task& scenario, Nanoseconds offset) {
-  const Nanoseconds since = (scenario.offset + scenario.jitter - offset) % of.period;
-  return of.period - (since < 0 ? since + of.period : since);
-}
-
-Nanoseconds count(const Transaction& of, Nanoseconds jitter, Nanoseconds phase, Nanoseconds length) {
-  const Nanoseconds piled = (jitter + phase) / of.period;
-  return piled + (length >= phase ? (length - phase) / of.period + 1 : 0);
-}
-
-Nanoseconds releases(const Transaction& of, Nanoseconds jitter, Nanoseconds length) {
-  if (of.period == never) return 1;
-  if (length >= never || jitter >= never) return never;
-  return (length + jitter) / of.period + 1;
-}
-
-void Tally::count(const Share& share) {
-  work_ = plus(work_, share.work);
-  if (shares_ != nullptr) shares_->push_back(share);
-}
-
-void Tally::add(int task, Nanoseconds jobs) {
-  const Task& added = of_.tasks[static_cast<std::size_t>(task)];
-  const Share share{transaction_, task, jobs, work_of(jobs, added.cost)};
-  if (added.among < 0) return count(share);
+void Tally::add_alternative(const Task& added, const Share& share) {
   auto among = std::find_if(among_.begin(), among_.end(),
                             [&](const Among& each) { return each.alternatives == added.among; });
   if (among == among_.end()) {

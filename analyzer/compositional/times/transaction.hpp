@@ -1,6 +1,7 @@
 // Tasks that one thing releases again and again, and how much work they bring to a window.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -43,20 +44,33 @@ struct Transaction {
 };
 
 /// Whether a task's work counts in windows of `asker`.
-bool counts(const Task* asker, int transaction, int task);
+inline bool counts(const Task* asker, int transaction, int task) {
+  return asker == nullptr || asker->without.empty() ||
+         !std::binary_search(asker->without.begin(), asker->without.end(), std::pair{transaction, task});
+}
 
 /// Whether `task` comes, in one occurrence, only after `before` is done.
 bool follows(const Transaction& of, int before, int task);
 
 /// When, in a window that begins with `scenario`'s release after its whole jitter, the next release of what
 /// is released from `offset` on is due: in (0, period].
-Nanoseconds phase(const Transaction& of, const Task& scenario, Nanoseconds offset);
+inline Nanoseconds phase(const Transaction& of, const Task& scenario, Nanoseconds offset) {
+  const Nanoseconds since = (scenario.offset + scenario.jitter - offset) % of.period;
+  return of.period - (since < 0 ? since + of.period : since);
+}
 
 /// Releases in the closed window: those that piled up before it, and those due in it.
-Nanoseconds count(const Transaction& of, Nanoseconds jitter, Nanoseconds phase, Nanoseconds length);
+inline Nanoseconds count(const Transaction& of, Nanoseconds jitter, Nanoseconds phase, Nanoseconds length) {
+  const Nanoseconds piled = (jitter + phase) / of.period;
+  return piled + (length >= phase ? (length - phase) / of.period + 1 : 0);
+}
 
 /// The same, whenever the window begins.
-Nanoseconds releases(const Transaction& of, Nanoseconds jitter, Nanoseconds length);
+inline Nanoseconds releases(const Transaction& of, Nanoseconds jitter, Nanoseconds length) {
+  if (of.period == never) return 1;
+  if (length >= never || jitter >= never) return never;
+  return (length + jitter) / of.period + 1;
+}
 
 /// What a task brings to a window.
 struct Share {
@@ -74,7 +88,12 @@ class Tally {
   Tally(const Transaction& of, int transaction, std::vector<Share>* shares)
       : of_(of), transaction_(transaction), shares_(shares) {}
 
-  void add(int task, Nanoseconds jobs);
+  void add(int task, Nanoseconds jobs) {
+    const Task& added = of_.tasks[static_cast<std::size_t>(task)];
+    const Share share{transaction_, task, jobs, work_of(jobs, added.cost)};
+    if (added.among < 0) return count(share);
+    add_alternative(added, share);
+  }
 
   /// `jobs_of`: how often alternatives, taken as one, are released in the window.
   template <class JobsOf>
@@ -94,7 +113,11 @@ class Tally {
     Nanoseconds cost = 0;
   };
 
-  void count(const Share& share);
+  void count(const Share& share) {
+    work_ = plus(work_, share.work);
+    if (shares_ != nullptr) shares_->push_back(share);
+  }
+  void add_alternative(const Task& added, const Share& share);
   void together(const Among& of, Nanoseconds jobs);
 
   const Transaction& of_;
