@@ -40,6 +40,31 @@ TEST_CASE("sends of one round of which each run comes to one are taken before th
   compare(slots("sent_after_a_limit"), {{6, 6}, {8, 8}, {26, 24}, {14, 16}, {7, 2}});
 }
 
+namespace {
+
+/// The skill of sent_after_branches, that asks by branches so many times in a round.
+std::string branches_in_a_row(int times) {
+  const std::string text = slots("sent_after_branches");
+  const std::size_t begin = text.find("    CASE\n");
+  const std::size_t end = text.find("    think\n");
+  std::string made = text.substr(0, begin);
+  for (int i = 0; i < times; ++i) made += text.substr(begin, end - begin);
+  return made + text.substr(end);
+}
+
+}  // namespace
+
+TEST_CASE("branches that follow one another are each as long as the longest way through them") {
+  // Twice 3 or 5 to ask, 1 to think, 2 to obey.
+  compare(branches_in_a_row(2), {{11, 11}, {13, 13}, {24, 24}, {16, 16}, {2, 2}});
+}
+
+TEST_CASE("where branches multiply without end there is no bound, and it is said soon") {
+  const auto skill = pal::test::sound_skill(branches_in_a_row(12));
+  const auto analysis = pal::analyzer::analyze_compositionally(*skill->problem);
+  CHECK_FALSE(analysis.verdicts.front().bound);
+}
+
 TEST_CASE("a server that a round asks twice is asked one time after the other") {
   // 5 to be answered, twice; 1 to think, 2 to obey.
   compare(slots("asked_twice"), {{11, 11}, {13, 13}, {20, 20}, {20, 20}, {2, 2}});
