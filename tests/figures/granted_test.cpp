@@ -153,4 +153,10 @@ TEST_CASE("what stands after blocks that never end takes nothing") {
 TEST_CASE("a round that may send to one slot three times finds it full") {
   // MC2 obeys the first motion until 6, the one of 3 is in the slot till then, and the one of 4 waits for it.
   compare(granted("sent_thrice"), {{-1, 7}});
+  // That MC1 may have to wait comes from there.
+  const auto skill = pal::test::meaningful_skill(granted("sent_thrice"));
+  const auto analysis = pal::analyzer::analyze_compositionally(*skill->problem);
+  const std::string& why = analysis.verdicts.front().explanation;
+  INFO(why);
+  CHECK(why.find("since SM1 may find the slot full at TXM( motion to MC2 )") != std::string::npos);
 }
