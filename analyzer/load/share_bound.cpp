@@ -3,21 +3,24 @@
 #include <z3++.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <map>
 #include <numeric>
 
 #include "analyzer/load/cycle_ratio.hpp"
-#include "analyzer/runs/overseer.hpp"
 
 namespace pal::analyzer {
 namespace {
 
-constexpr unsigned most_milliseconds = 2000;  // of one linear program
+using Clock = std::chrono::steady_clock;
+
 constexpr std::size_t most_cycles = 2000;
-/// Shares that one cycle counts. With 1000 a program takes two seconds and is given up; with 1400 Z3 does not
-/// heed its limit, and went on for more than ten minutes.
-constexpr std::size_t most_passing = 1000;
+/// Shares that one cycle counts, and the time of one linear program: with more of either the next one might
+/// take seconds. It cannot be interrupted: Z3's optimizer (4.8) crashes where that happens after it found
+/// values and before it took them.
+constexpr std::size_t most_passing = 100;
+constexpr auto longest_program = std::chrono::milliseconds(500);
 /// Greater denominators than this are rounded.
 constexpr std::int64_t most_parts = 1'000'000'000'000'000;
 /// What rounding may add.
@@ -44,7 +47,6 @@ class Program {
  public:
   explicit Program(const WorkGraph& graph) : solver_(context_), bound_(context_.real_const("bound")) {
     z3::params parameters(context_);
-    parameters.set("timeout", most_milliseconds);
     // Z3 would keep a Ctrl-C to itself.
     parameters.set("ctrl_c", false);
     solver_.set(parameters);
@@ -71,12 +73,11 @@ class Program {
     solver_.add(z3::sum(passed) >= number(round.work));
   }
 
-  /// Nothing: it takes too long, or the numbers are too long.
-  std::optional<Shares> solve(const std::function<bool()>& stop) {
-    {
-      const Overseer overseer(stop, [this] { context_.interrupt(); });
-      if (solver_.check() != z3::sat) return std::nullopt;
-    }
+  /// Nothing: the numbers are too long.
+  std::optional<Shares> solve() {
+    const Clock::time_point begin = Clock::now();
+    if (solver_.check() != z3::sat) return std::nullopt;
+    slow_ = Clock::now() - begin > longest_program;
     const z3::model model = solver_.get_model();
     std::vector<std::pair<std::int64_t, std::int64_t>> values;
     std::vector<z3::expr> all = shares_;
@@ -91,6 +92,9 @@ class Program {
     }
     return in_parts(values);
   }
+
+  /// The last solution took so long that no other should be asked for.
+  bool slow() const { return slow_; }
 
  private:
   z3::expr number(Gain value) {
@@ -129,6 +133,7 @@ class Program {
   z3::optimize solver_;
   z3::expr bound_;
   std::vector<z3::expr> shares_;
+  bool slow_ = false;
 };
 
 bool keep_the_bound(const WorkGraph& graph, const Shares& shares) {
@@ -182,12 +187,13 @@ std::optional<Fraction> search(const WorkGraph& graph, const std::optional<Fract
   PositiveCycle cycles(graph.nodes, std::move(ends));
   Program program(graph);
   for (std::size_t n = 0; n < most_cycles && !(stop && stop()); ++n) {
-    const auto shares = program.solve(stop);
+    const auto shares = program.solve();
     if (!shares || !keep_the_bound(graph, *shares)) return std::nullopt;
     const Fraction bound{shares->bound, shares->whole};
     if (limit && greater(bound, *limit)) return std::nullopt;
     const std::vector<int> cycle = cycles.find(gains(graph, *shares));
     if (cycle.empty()) return bound;
+    if (program.slow()) return std::nullopt;
     const Round round = round_of(graph, cycle);
     if (round.passing.size() > most_passing) return std::nullopt;
     program.add(round);

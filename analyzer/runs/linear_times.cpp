@@ -2,7 +2,10 @@
 
 #include <z3++.h>
 
+#include <algorithm>
+#include <chrono>
 #include <memory>
+#include <string>
 
 #include "analyzer/runs/overseer.hpp"
 
@@ -10,70 +13,110 @@ namespace pal::analyzer {
 namespace {
 
 /// Harder ones than this are given up: the bound is then only not called exact.
-constexpr unsigned most_milliseconds = 2000;
-/// So are those of more events, or with more pieces of work: with twice as many Z3 is at it for 20 seconds,
-/// heeding neither its limit nor an interruption.
+using Clock = std::chrono::steady_clock;
+
+/// What takes longer is given up: the bound is then only not called exact.
+constexpr auto longest = std::chrono::seconds(2);
+/// So are those of more events, or with more pieces of work: with twice as many Z3 is at it for 20 seconds
+/// and heeds no interruption.
 constexpr std::size_t most_events = 2000;
 constexpr std::size_t most_pieces = 1000;
 
 using Times = std::optional<std::vector<Nanoseconds>>;
 
-z3::expr number(z3::context& context, Nanoseconds value) {
-  return context.int_val(static_cast<std::int64_t>(value));
-}
-
-/// The pieces as one sum: sums within sums are each rewritten by itself, which nothing interrupts, and it
-/// takes as long again until they are gone.
-z3::expr sum_of(const Work& work, const std::vector<z3::expr>& times, z3::context& context) {
-  z3::expr_vector pieces(context);
-  pieces.push_back(number(context, 0));
-  for (const auto& [begin, end] : work.pieces) pieces.push_back(times[end] - times[begin]);
-  return z3::sum(pieces);
-}
-
-/// Throws z3::exception, also if it was interrupted too late.
-Times solved(z3::context& context, std::size_t count, const std::vector<Difference>& differences,
-             const std::vector<Work>& works, const std::optional<Goal>& goal,
-             const std::function<bool()>& stop) {
-  z3::optimize solver(context);
-  z3::params parameters(context);
-  parameters.set("timeout", most_milliseconds);
-  // It would keep a Ctrl-C to itself.
-  parameters.set("ctrl_c", false);
-  solver.set(parameters);
-  std::vector<z3::expr> times;
-  for (std::size_t i = 0; i < count; ++i) {
-    times.push_back(i == 0 ? number(context, 0) : context.int_const(("t" + std::to_string(i)).c_str()));
-  }
-  for (const Difference& each : differences) {
-    if (each.bound >= Range::unbounded) continue;
-    solver.add(times[each.to] - times[each.from] <= number(context, each.bound));
-  }
-  for (const Work& work : works) {
-    const z3::expr sum = sum_of(work, times, context);
-    solver.add(sum >= number(context, work.range.best));
-    if (work.range.worst < Range::unbounded) solver.add(sum <= number(context, work.range.worst));
-  }
-  if (goal) {
-    const z3::expr value = times[goal->to] - times[goal->from];
-    if (goal->enough < Range::unbounded) {
-      solver.add(value >= number(context, goal->enough));
-    } else {
-      solver.maximize(value);
+/// The constraints, as Z3 has them. Its optimizer would find the greatest by itself, but one that is
+/// interrupted after it found times and before it took them crashes (Z3 4.8).
+class Constraints {
+ public:
+  Constraints(z3::context& context, std::size_t count, const std::vector<Difference>& differences,
+              const std::vector<Work>& works)
+      : context_(context), solver_(context, z3::solver::simple()) {
+    z3::params parameters(context);
+    // It would keep a Ctrl-C to itself.
+    parameters.set("ctrl_c", false);
+    solver_.set(parameters);
+    for (std::size_t i = 0; i < count; ++i)
+      times_.push_back(i == 0 ? number(0) : context.int_const(("t" + std::to_string(i)).c_str()));
+    for (const Difference& each : differences) {
+      if (each.bound < Range::unbounded) solver_.add(between(each.from, each.to) <= number(each.bound));
+    }
+    for (const Work& work : works) {
+      const z3::expr sum = sum_of(work);
+      solver_.add(sum >= number(work.range.best));
+      if (work.range.worst < Range::unbounded) solver_.add(sum <= number(work.range.worst));
     }
   }
-  {
-    const Overseer overseer(stop, [&context] { context.interrupt(); });
-    if (solver.check() != z3::sat) return std::nullopt;
+
+  enum class Answer { found, none, unknown };
+
+  /// Looks for times that keep all, the goal being at least so great. Throws z3::exception, also if it was
+  /// interrupted.
+  Answer look(const std::optional<Goal>& goal, Nanoseconds least, Times& found) {
+    solver_.push();
+    if (goal) solver_.add(between(goal->from, goal->to) >= number(least));
+    const z3::check_result result = solver_.check();
+    const bool known = result != z3::sat || take(found);
+    solver_.pop();
+    if (result == z3::unknown || !known) return Answer::unknown;
+    return result == z3::sat ? Answer::found : Answer::none;
   }
-  const z3::model model = solver.get_model();
-  std::vector<Nanoseconds> found;
-  for (const z3::expr& time : times) {
-    std::int64_t value = 0;
-    if (!model.eval(time, true).is_numeral_i64(value)) return std::nullopt;
-    found.push_back(value);
+
+ private:
+  z3::expr number(Nanoseconds value) const { return context_.int_val(static_cast<std::int64_t>(value)); }
+
+  z3::expr between(std::size_t from, std::size_t to) const { return times_[to] - times_[from]; }
+
+  /// The pieces as one sum: sums within sums are each rewritten by itself, which nothing interrupts, and it
+  /// takes as long again until they are gone.
+  z3::expr sum_of(const Work& work) const {
+    z3::expr_vector pieces(context_);
+    pieces.push_back(number(0));
+    for (const auto& [begin, end] : work.pieces) pieces.push_back(between(begin, end));
+    return z3::sum(pieces);
   }
-  return found;
+
+  /// False: a time is too great to be told.
+  bool take(Times& found) const {
+    const z3::model model = solver_.get_model();
+    std::vector<Nanoseconds> values;
+    for (const z3::expr& time : times_) {
+      std::int64_t value = 0;
+      if (!model.eval(time, true).is_numeral_i64(value)) return false;
+      values.push_back(value);
+    }
+    found = std::move(values);
+    return true;
+  }
+
+  z3::context& context_;
+  z3::solver solver_;
+  std::vector<z3::expr> times_;
+};
+
+/// Makes the goal greater until it cannot be, in steps that are doubled, and halved where one was too wide.
+/// `best` has the best times so far, also if this throws.
+void make_greatest(Constraints& constraints, const Goal& goal, Times& best) {
+  using Answer = Constraints::Answer;
+  const auto value = [&] { return (*best)[goal.to] - (*best)[goal.from]; };
+  if (value() >= goal.enough) return;
+  Nanoseconds above = goal.enough;
+  const Answer most = constraints.look(goal, above, best);
+  if (most == Answer::found && above >= Range::unbounded) best.reset();
+  if (most != Answer::none) return;
+  for (Nanoseconds step = 1; value() + 1 < above;) {
+    const Nanoseconds tried = step < above - value() ? value() + step : above - 1;
+    switch (constraints.look(goal, tried, best)) {
+      case Answer::found:
+        step *= 2;
+        break;
+      case Answer::none:
+        above = tried;
+        step = std::max<Nanoseconds>(1, (above - value()) / 2);
+        break;
+      case Answer::unknown:
+        return;
+    }
+  }
 }
 
 bool too_large(std::size_t count, const std::vector<Work>& works) {
@@ -87,20 +130,25 @@ bool too_large(std::size_t count, const std::vector<Work>& works) {
 Times linear_times(std::size_t count, const std::vector<Difference>& differences,
                    const std::vector<Work>& works, const std::optional<Goal>& goal,
                    const std::function<bool()>& stop) {
-  const auto stopped = [&stop] { return stop && stop(); };
-  if (stopped() || too_large(count, works)) return std::nullopt;
+  if ((stop && stop()) || too_large(count, works)) return std::nullopt;
   // Making one takes longer than most systems take to be solved.
   thread_local std::unique_ptr<z3::context> context;
   if (!context) context = std::make_unique<z3::context>();
-  Times found;
+  const Clock::time_point end = Clock::now() + longest;
+  const auto over = [&stop, end] { return Clock::now() >= end || (stop && stop()); };
+  Times best;
+  bool whole = false;
   try {
-    found = solved(*context, count, differences, works, goal, stop);
+    Constraints constraints(*context, count, differences, works);
+    const Overseer overseer(over, [asked = context.get()] { asked->interrupt(); });
+    constraints.look(std::nullopt, 0, best);
+    if (best && goal) make_greatest(constraints, *goal, best);
+    whole = !overseer.interrupted();
   } catch (const z3::exception&) {
-    context.reset();
   }
   // One that was interrupted is not used again.
-  if (!found && stopped()) context.reset();
-  return found;
+  if (!whole) context.reset();
+  return best;
 }
 
 }  // namespace pal::analyzer

@@ -29,13 +29,13 @@ struct Difference {
 struct Goal {
   std::size_t from = 0;
   std::size_t to = 0;
-  Nanoseconds enough = Range::unbounded;  // more is not asked for
+  Nanoseconds enough = Range::unbounded;  // it is never greater, or more is not asked for
 };
 
 /// Times t[0] = 0, t[1], … in whole nanoseconds; nothing if there are none, or if the goal has no end.
 /// Decided exactly, over the integers, by Z3 (L. de Moura, N. Bjorner, Z3: an efficient SMT solver, 2008).
-/// Nothing also where that takes more than two seconds or there are too many (more than 2000 times, 1000
-/// pieces), or once `stop`, if given, says true.
+/// After two seconds, or once `stop`, if given, says true, the best times so far; nothing, if none are known
+/// by then, or there are too many (more than 2000 times, 1000 pieces).
 std::optional<std::vector<Nanoseconds>> linear_times(std::size_t count,
                                                      const std::vector<Difference>& differences,
                                                      const std::vector<Work>& works,

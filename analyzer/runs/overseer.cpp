@@ -22,7 +22,9 @@ Overseer::~Overseer() {
 void Overseer::oversee() {
   std::unique_lock lock(mutex_);
   while (!end_.wait_for(lock, std::chrono::milliseconds(20), [this] { return ended_; })) {
-    if (stop_()) interrupt_();
+    if (!stop_()) continue;
+    interrupted_ = true;
+    interrupt_();
   }
 }
 

@@ -1,6 +1,7 @@
 // Ends what somebody else's code is at.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -18,6 +19,9 @@ class Overseer {
   Overseer(const Overseer&) = delete;
   Overseer& operator=(const Overseer&) = delete;
 
+  /// `interrupt` was called.
+  bool interrupted() const { return interrupted_; }
+
  private:
   void oversee();
 
@@ -26,6 +30,7 @@ class Overseer {
   std::mutex mutex_;
   std::condition_variable end_;
   bool ended_ = false;
+  std::atomic<bool> interrupted_ = false;
   std::thread thread_;
 };
 

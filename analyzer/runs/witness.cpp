@@ -64,7 +64,8 @@ class Schedule {
   enum class Aim { any, greatest, least };
 
   /// Times of all events such that what was measured at the last is as great, or as small, as it can be;
-  /// nothing if impossible. A value that can grow without end is made greater than `enough`.
+  /// nothing if impossible. A value that can grow without end is made as great as `enough`; one that cannot
+  /// is never beyond it.
   std::optional<std::vector<Nanoseconds>> solve(Aim aim, Nanoseconds enough = none,
                                                 const std::function<bool()>& stop = {}) {
     if (pin_ == Pin::open) return linear_times(count_, constraints_, works_, goal_of(aim, enough), stop);
@@ -123,7 +124,7 @@ class Schedule {
   std::optional<Goal> goal_of(Aim aim, Nanoseconds enough) const {
     if (aim == Aim::any || births_at_end_.empty()) return std::nullopt;
     const std::size_t born = births_at_end_.front();
-    if (aim == Aim::least) return Goal{count_ - 1, born, none};
+    if (aim == Aim::least) return Goal{count_ - 1, born, enough < none ? -enough : none};
     return Goal{born, count_ - 1, enough};
   }
 
@@ -360,7 +361,8 @@ std::optional<Witness> witness_along(const Machine& machine, std::vector<Scripte
   for (const Schedule::Pin pin : {Schedule::Pin::worst, Schedule::Pin::open, Schedule::Pin::best}) {
     Schedule schedule(machine, path, pin, growing);
     if (!schedule.feasible()) continue;
-    const auto times = schedule.solve(aim, growing != no_growth ? watch.limit + 1 : none, stop);
+    const auto times =
+        schedule.solve(aim, growing != no_growth ? watch.limit + 1 : known.value_or(none), stop);
     if (!times) continue;
     for (std::size_t k = 0; k < path.size(); ++k) path[k].at = (*times)[k];
     std::optional<Witness> made = replay(machine, path, growing != no_growth);

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <chrono>
@@ -111,4 +112,93 @@ TEST_CASE("times of more events than can be looked for in time are given up at o
   const auto begin = Clock::now();
   CHECK_FALSE(linear_times(action.count, action.differences, {action.work}, Goal{0, 8000}));
   CHECK(milliseconds_since(begin) < 1500);
+}
+
+namespace {
+
+/// Few times, none of them above 6, that some differences and sums of pieces hold together.
+struct Drawn {
+  static constexpr std::size_t count = 4;
+  std::vector<Difference> differences;
+  std::vector<Work> works;
+  Goal goal;
+
+  explicit Drawn(std::mt19937_64& engine) {
+    const auto any = [&engine](std::size_t below) { return static_cast<std::size_t>(engine() % below); };
+    for (std::size_t i = 1; i < count; ++i) {
+      differences.push_back({0, i, 6});
+      differences.push_back({i, 0, 0});
+      differences.push_back({any(count), i, static_cast<Nanoseconds>(any(7)) - 1});
+    }
+    for (int i = 0; i < 2; ++i) {
+      const auto least = static_cast<Nanoseconds>(any(3));
+      works.push_back({{{0, any(count)}, {any(count), 1}, {any(count), any(count)}}, {least, least + 2}});
+    }
+    goal = {any(count), 1 + any(count - 1)};
+    if (any(2) == 0) goal.enough = static_cast<Nanoseconds>(any(8)) - 1;
+  }
+
+  Nanoseconds value(const std::vector<Nanoseconds>& times) const { return times[goal.to] - times[goal.from]; }
+
+  bool keeps(const std::vector<Nanoseconds>& times) const {
+    for (const Difference& each : differences)
+      if (times[each.to] - times[each.from] > each.bound) return false;
+    for (const Work& work : works) {
+      Nanoseconds sum = 0;
+      for (const auto& [begin, end] : work.pieces) sum += times[end] - times[begin];
+      if (sum < work.range.best || sum > work.range.worst) return false;
+    }
+    return true;
+  }
+
+  std::optional<Nanoseconds> greatest() const {
+    std::optional<Nanoseconds> most;
+    for (int code = 0; code < 7 * 7 * 7; ++code) {
+      const std::vector<Nanoseconds> times{0, code % 7, code / 7 % 7, code / 49};
+      if (keeps(times)) most = std::max(most.value_or(value(times)), value(times));
+    }
+    return most;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the greatest difference is that of all times that can be") {
+  std::mt19937_64 engine(3);
+  int some = 0;
+  for (int round = 0; round < 400; ++round) {
+    const Drawn drawn(engine);
+    const auto most = drawn.greatest();
+    const auto times = linear_times(Drawn::count, drawn.differences, drawn.works, drawn.goal);
+    CAPTURE(round);
+    REQUIRE(times.has_value() == most.has_value());
+    if (!times) continue;
+    ++some;
+    CHECK(drawn.keeps(*times));
+    CHECK(drawn.value(*times) >= std::min(*most, drawn.goal.enough));
+  }
+  CHECK(some > 100);
+}
+
+TEST_CASE("a difference without an end has no greatest value") {
+  CHECK_FALSE(linear_times(2, {{1, 0, 0}}, {}, Goal{0, 1}));
+  const auto enough = linear_times(2, {{1, 0, 0}}, {}, Goal{0, 1, 100});
+  REQUIRE(enough);
+  CHECK(enough->back() >= 100);
+}
+
+TEST_CASE("when it is told to stop it has what it found until then") {
+  const Interrupted action(100, 125);
+  std::size_t found = 0;
+  for (int wait = 2; wait < 60; wait += 2) {
+    const auto begin = Clock::now();
+    const auto stop = [begin, wait] { return milliseconds_since(begin) >= wait; };
+    const auto times = linear_times(action.count, action.differences, {action.work}, Goal{0, 200}, stop);
+    if (!times) continue;
+    ++found;
+    Nanoseconds worked = 0;
+    for (const auto& [from, to] : action.work.pieces) worked += (*times)[to] - (*times)[from];
+    CHECK(worked == 125);
+  }
+  CHECK(found > 0);
 }
