@@ -2,6 +2,7 @@
 
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/syntax/build.hpp"
+#include "pal/syntax/token_list.hpp"
 
 namespace pal::syntax {
 
@@ -47,6 +48,7 @@ Source Builder::source(Parser::SourceContext* context) {
 void Builder::report_no_else(SourceSpan wait, antlr4::tree::TerminalNode* end) {
   auto& finding = diagnostics_.report(
       Code::PAL0108, wait, "this wait gives up, but does not say what to do then", "add ELSE before END WTM");
+  if (is_made_up(end->getSymbol())) return;  // where it ends is yet to be written
   auto before = span(end);
   before.end = before.begin;
   const std::string indent(end->getSymbol()->getCharPositionInLine(), ' ');
