@@ -160,3 +160,10 @@ TEST_CASE("a round that may send to one slot three times finds it full") {
   INFO(why);
   CHECK(why.find("since SM1 may find the slot full at TXM( motion to MC2 )") != std::string::npos);
 }
+
+TEST_CASE("what comes by one of two ways piles up on both") {
+  // Once the arm is there SM1 finds the tick of the clock, the one that SD1 cannot send, and on each way the
+  // one in the slot before the sensor, the one that this cannot hand on, and the one in the slot after it. If
+  // the arm is quick now these, and the next tick, keep SD2 for 9 times 0.5 ms.
+  compare(granted("piled_up"), {{7.1, 4.6}, {7.1, 4.6}});
+}

@@ -37,8 +37,8 @@ class BusyWindows {
 
   /// Adds a transaction; its tasks' jitter, and what counts for them, may change later, nothing else.
   int add(Transaction transaction);
-  void set_jitter(int transaction, int task, Nanoseconds jitter) {
-    transactions_[static_cast<std::size_t>(transaction)].set_jitter(task, jitter);
+  void set_jitter(int transaction, int task, Nanoseconds jitter, Nanoseconds most) {
+    transactions_[static_cast<std::size_t>(transaction)].set_jitter(task, jitter, most);
   }
   void set_without(int transaction, int task, std::vector<std::pair<int, int>> without) {
     transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)].without =

@@ -164,8 +164,8 @@ Nanoseconds Demand::greatest_jitter(int node) const {
 
 void Demand::announce(int node, const NodeTimes& times) {
   const Nanoseconds jitter = times.latest >= never ? never : times.latest - times.earliest;
-  windows_.set_jitter(ground_.node(node).source, task_[static_cast<std::size_t>(node)],
-                      std::min(jitter, greatest_jitter(node)));
+  windows_.set_jitter(ground_.node(node).source, task_[static_cast<std::size_t>(node)], jitter,
+                      greatest_jitter(node));
 }
 
 /// Who was held in a send may find what it asked for before that when it comes home, and go on for one round

@@ -13,18 +13,19 @@ void Transaction::exclude(std::vector<int> among) {
     made.offset = std::min(made.offset, task.offset);
   }
   alternatives.push_back(std::move(made));
-  for (int t : alternatives.back().tasks) set_jitter(t, tasks[static_cast<std::size_t>(t)].jitter);
+  for (int t : alternatives.back().tasks) set_jitter(t, tasks[static_cast<std::size_t>(t)].jitter, never);
 }
 
-void Transaction::set_jitter(int task, Nanoseconds jitter) {
+void Transaction::set_jitter(int task, Nanoseconds jitter, Nanoseconds most) {
   Task& of = tasks[static_cast<std::size_t>(task)];
-  of.jitter = jitter;
+  of.jitter = std::min(jitter, most);
+  of.piles_up = jitter > most;
   if (of.among < 0) return;
   Alternatives& all = alternatives[static_cast<std::size_t>(of.among)];
   all.jitter = 0;
   for (int t : all.tasks) {
     const Task& each = tasks[static_cast<std::size_t>(t)];
-    all.jitter = std::max(all.jitter, plus(each.offset - all.offset, each.jitter));
+    all.jitter = std::max(all.jitter, each.piles_up ? never : plus(each.offset - all.offset, each.jitter));
   }
 }
 

@@ -21,14 +21,16 @@ struct Task {
   std::vector<int> followers;
   /// Transactions and tasks whose work does not count in its windows; ascending.
   std::vector<std::pair<int, int>> without;
-  int among = -1;  // of its transaction's alternatives; -1: none
+  int among = -1;         // of its transaction's alternatives; -1: none
+  bool piles_up = false;  // it may come later: its jitter says how many can have piled up on the way
 };
 
 /// Tasks on one processor, of one priority, of which each occurrence releases one at most.
 struct Alternatives {
   std::vector<int> tasks;
   Nanoseconds offset = 0;  // of the soonest
-  Nanoseconds jitter = 0;  // from then to the latest release of any
+  /// From then to the latest release of any; `never`: they may pile up, each on a way of its own.
+  Nanoseconds jitter = 0;
 };
 
 /// Occurrences are at least `period` apart; `never`: there is one.
@@ -40,7 +42,8 @@ struct Transaction {
 
   /// Makes alternatives of tasks that are none yet.
   void exclude(std::vector<int> tasks);
-  void set_jitter(int task, Nanoseconds jitter);
+  /// `most`: what the jitter counts as if it is greater.
+  void set_jitter(int task, Nanoseconds jitter, Nanoseconds most);
 };
 
 /// Whether a task's work counts in windows of `asker`.
@@ -61,6 +64,7 @@ inline Nanoseconds phase(const Transaction& of, const Task& scenario, Nanosecond
 
 /// Releases in the closed window: those that piled up before it, and those due in it.
 inline Nanoseconds count(const Transaction& of, Nanoseconds jitter, Nanoseconds phase, Nanoseconds length) {
+  if (jitter >= never) return never;
   const Nanoseconds piled = (jitter + phase) / of.period;
   return piled + (length >= phase ? (length - phase) / of.period + 1 : 0);
 }
