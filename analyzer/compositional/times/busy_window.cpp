@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace pal::analyzer::compositional {
@@ -9,6 +10,8 @@ namespace {
 
 constexpr int most_rounds = 20'000;
 constexpr Nanoseconds longest_window = 1'000'000'000'000'000;
+/// A transaction of more tasks on a processor takes its time.
+constexpr std::size_t many_tasks = 32;
 
 /// Where to begin looking for the least window in which `fixed`, `carried` and `share` of its length fit, and
 /// perhaps more: not above it (M. Sjödin and H. Hansson, Improved response-time analysis calculations, 1998).
@@ -114,6 +117,7 @@ Nanoseconds BusyWindows::of_group(const Group& group, const Task* asker, int pri
       one_by_one.add(t, releases(of, task.jitter, length));
       continue;
     }
+    if (group.tasks.size() > many_tasks && stops()) return never;
     const Nanoseconds work = of_scenario(group, t, {asker}, priority, length);
     if (worst < 0 || work > most) worst = t;
     most = std::max(most, work);
@@ -279,6 +283,12 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
   const bool drifting = drifts_from(own, task);
   Critical latest{-1};
   int rounds = 0;
+  std::map<Nanoseconds, Nanoseconds> known;  // by length
+  const auto others = [&](Nanoseconds length) {
+    const auto [place, fresh] = known.emplace(length, 0);
+    if (fresh) place->second = of_others(groups, transaction, &self, self.priority, length);
+    return place->second;
+  };
   for (int scenario : own.tasks) {
     const Task& first = of.tasks[static_cast<std::size_t>(scenario)];
     if (first.priority < self.priority || (first.cost == 0 && scenario != task)) continue;
@@ -288,13 +298,13 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
     // Until the part is done (preemptive), or begins (not preemptive): the windows of later jobs last longer.
     Nanoseconds begun = 0;
     for (Nanoseconds job = 1 - piled;; ++job) {
+      if (own.tasks.size() > many_tasks && stops()) return {never};
       const Asked asked{&self, task, true, due + (job - 1) * of.period - self.offset, drifting};
       const Asked all{&self, task, false, 0, drifting};
       const auto settle = [&](Nanoseconds fixed, const Asked& but) {
         Nanoseconds at = std::max(begun, least_window(fixed, load.share, load.carried));
         while (++rounds < most_rounds) {
-          const Nanoseconds next = fixed + of_others(groups, transaction, &self, self.priority, at) +
-                                   of_scenario(own, scenario, but, self.priority, at);
+          const Nanoseconds next = fixed + others(at) + of_scenario(own, scenario, but, self.priority, at);
           if (next <= at) return at;
           if (next > longest_window) break;
           at = next;

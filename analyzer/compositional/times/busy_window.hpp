@@ -7,6 +7,7 @@
 // precedence relations in the schedulability analysis of distributed real-time systems, RTSS 1999.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,8 +33,12 @@ struct Account {
 
 class BusyWindows {
  public:
-  /// `preemptive` by processor.
-  explicit BusyWindows(std::vector<bool> preemptive) : preemptive_(std::move(preemptive)) {}
+  /// `preemptive` by processor. Once `stop` says so, nothing has a bound.
+  explicit BusyWindows(std::vector<bool> preemptive, std::function<bool()> stop = {})
+      : preemptive_(std::move(preemptive)), stop_(std::move(stop)) {}
+
+  /// Nobody is asked whether to stop any more.
+  void go_on() { stop_ = {}; }
 
   /// Adds a transaction; its tasks' jitter, and what counts for them, may change later, nothing else.
   int add(Transaction transaction);
@@ -129,7 +134,10 @@ class BusyWindows {
   const Group* group_of(int transaction, int processor) const;
   Nanoseconds window(int processor, int priority, Nanoseconds cost) const;
 
+  bool stops() const { return stop_ && stop_(); }
+
   std::vector<bool> preemptive_;
+  std::function<bool()> stop_;
   std::vector<Transaction> transactions_;
   std::vector<std::vector<Group>> by_processor_;  // the greatest priority first
 };

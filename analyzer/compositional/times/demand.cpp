@@ -29,7 +29,7 @@ bool brings_about(const Ground& ground, int node, int other) {
 
 Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes, const std::function<bool()>& stop)
     : ground_(ground),
-      windows_(preemptive(ground.problem)),
+      windows_(preemptive(ground.problem), stop),
       task_(nodes.size()),
       nodes_of_(ground.forest.sources.size()),
       threads_on_(ground.problem.processors.size()),

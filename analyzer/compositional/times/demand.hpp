@@ -43,6 +43,8 @@ class Demand {
     return nodes_of_[static_cast<std::size_t>(transaction)][static_cast<std::size_t>(task)];
   }
   const BusyWindows& windows() const { return windows_; }
+  /// Its numbers are known: nobody is asked whether to stop any more.
+  void go_on() { windows_.go_on(); }
 
  private:
   void precede(const Ground& ground, int node, std::vector<Transaction>& transactions) const;

@@ -67,6 +67,7 @@ class Solver : private Ground {
     name_roots();
     find_pace(*this, times_);
     times_.since_event = since_events(*this, times_, demand_);
+    demand_.go_on();
     times_.demand = std::make_shared<const Demand>(demand_);
     return std::move(times_);
   }
