@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <random>
+#include <variant>
 
 #include "analyzer/runs/witness.hpp"
 
@@ -30,6 +32,26 @@ bool completes(const trace::Trace& run) {
                      [](const trace::Event& event) { return event.kind == trace::Kind::complete; });
 }
 
+/// Between two events or frames of a device that sends or collects by itself in step; else 0.
+analyzer::Nanoseconds period_of(const analyzer::Device& device) {
+  if (const auto* event = std::get_if<pan::EventDevice>(&device.behaviour))
+    return event->sporadic ? 0 : event->period.count();
+  const auto* frames = std::get_if<pan::FrameDevice>(&device.behaviour);
+  return frames == nullptr ? 0 : frames->period.count();
+}
+
+/// By device: how long after its opening its first event or frame comes, of those that are in step; else -1.
+/// A phase that the environment gives counts all the same.
+std::vector<analyzer::Nanoseconds> drawn_phases(const analyzer::Problem& problem, std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  std::vector<analyzer::Nanoseconds> phases;
+  for (const analyzer::Device& device : problem.devices) {
+    const auto period = static_cast<std::uint64_t>(period_of(device));
+    phases.push_back(period == 0 ? -1 : static_cast<analyzer::Nanoseconds>(engine() % (period + 1)));
+  }
+  return phases;
+}
+
 }  // namespace
 
 Runs runs_by_chance(const analyzer::Problem& problem, const analyzer::SimulationOptions& options,
@@ -40,6 +62,9 @@ Runs runs_by_chance(const analyzer::Problem& problem, const analyzer::Simulation
     const analyzer::Machine machine(problem, nothing);
     analyzer::SimulationOptions one = options;
     one.seed += number;
+    // Phases are no times that are at one end: with all of those at one end there are as many of these.
+    using Times = analyzer::SimulationOptions::Times;
+    if (one.times == Times::worst || one.times == Times::best) one.phases = drawn_phases(problem, one.seed);
     analyzer::Simulation made = analyzer::simulate(machine, one);
     made.trace.origin = "simulated";
     return std::optional(KnownRun{std::move(made.trace), made.end, made.ended, made.still, made.stands});

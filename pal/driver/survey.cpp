@@ -104,7 +104,7 @@ bool Survey::measure(std::size_t index, const KnownRun& run, std::size_t number,
 void Survey::measure_load(std::size_t index, const KnownRun& run, std::size_t number) {
   if (run.end == 0) return;
   Seen& seen = seen_[index];
-  const auto slices = trace::slices(run.trace);
+  const auto slices = trace::slices(run.trace, run.end);
   for (const int processor : problem_.requirements[index].processors) {
     const Nanoseconds busy =
         busy_time(slices, run.trace, problem_.processors[static_cast<std::size_t>(processor)].name);

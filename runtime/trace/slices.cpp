@@ -53,7 +53,8 @@ class Follower {
     }
   }
 
-  std::vector<Slice> finished() {
+  std::vector<Slice> finished(std::int64_t known_until_ns) {
+    now_ = std::max(now_, known_until_ns);
     for (std::size_t actor = 0; actor < open_.size(); ++actor) {
       close(static_cast<std::int32_t>(actor), Ending::open);
     }
@@ -109,10 +110,10 @@ class Follower {
 
 }  // namespace
 
-std::vector<Slice> slices(const Trace& trace) {
+std::vector<Slice> slices(const Trace& trace, std::int64_t known_until_ns) {
   Follower follower(trace);
   for (const Event& event : trace.events) follower.follow(event);
-  return follower.finished();
+  return follower.finished(known_until_ns);
 }
 
 }  // namespace pal::trace

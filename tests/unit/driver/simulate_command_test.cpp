@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "pal/driver/runs.hpp"
 #include "pal/driver/survey.hpp"
@@ -212,4 +213,42 @@ TEST_CASE("a run that is not looked at to its end counts for nothing") {
     for (const pal::driver::Seen& seen : survey.seen()) CHECK((seen.breaking + seen.values > 0) == whole);
   }
   CHECK(before > 4);
+}
+
+TEST_CASE("what is at work when a run ends has its processor until then") {
+  const pal::MemoryFileSystem files = in_memory(text_of("ends_at_work"));
+  const auto load = [&](const std::string& until) {
+    const Answer answer =
+        pal::test::pal({"simulate", "s.pal", "--until", until, "--runs", "3", "--format", "json"}, files);
+    INFO(answer.err);
+    return requirement(Json::parse(answer.out).at("simulations").at(0), "r").at("extreme_ns");
+  };
+  CHECK(load("1ns") == 1'000'000'000);
+  CHECK(load("19ms") == 1'000'000'000);
+  CHECK(load("80ms") == 250'000'000);
+  CHECK(load("110ms") == 272'727'272);
+}
+
+TEST_CASE("with all times at one end phases are drawn") {
+  const auto skill = sound_skill(text_of("ends_at_work"));
+  using Times = pal::analyzer::SimulationOptions::Times;
+  for (const Times times : {Times::worst, Times::best}) {
+    pal::analyzer::SimulationOptions how;
+    how.times = times;
+    how.until = 30'000'000;
+    const pal::driver::Runs runs = pal::driver::runs_by_chance(*skill->problem, how, 20);
+    std::set<std::int64_t> ticks, rings;
+    for (std::size_t number = 0; number < 20; ++number) {
+      std::set<int> seen;
+      const auto run = runs.make(number);
+      for (const pal::trace::Event& event : run->trace.events) {
+        if (event.kind != pal::trace::Kind::put || !seen.insert(event.subject).second) continue;
+        const auto& message = run->trace.channels[static_cast<std::size_t>(event.subject)].message;
+        (message == "tick" ? ticks : rings).insert(event.time_ns);
+      }
+    }
+    CHECK(ticks == std::set<std::int64_t>{0});
+    CHECK(rings.size() > 10);
+    CHECK(*rings.rbegin() <= 10'000'000);
+  }
 }
