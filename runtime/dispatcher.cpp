@@ -55,7 +55,9 @@ Outcome refuse(const Skill& skill, const std::string& reason) {
   outcome.fault = true;
   outcome.code = -1;
   for (const CompletionSpec& completion : skill.description().completions) {
-    if (completion.kind == CompletionSpec::Kind::error) outcome.code = completion.code;
+    if (completion.kind != CompletionSpec::Kind::error) continue;
+    outcome.code = completion.code;
+    break;
   }
   outcome.reason = reason;
   Recorder recorder(skill.wiring(), 2);

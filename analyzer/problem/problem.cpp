@@ -44,9 +44,11 @@ std::optional<Problem> ProblemBuilder::build() {
   const std::size_t before = diagnostics_.errors();
   problem_.skill = network_.skill.name;
   problem_.environment = environment_.name;
-  for (const Completion& completion : network_.skill.completions) {
-    if (completion.kind == Completion::Kind::error) problem_.error_code = completion.code;
-  }
+  const std::vector<Completion>& completions = network_.skill.completions;
+  const auto error = std::find_if(completions.begin(), completions.end(), [](const Completion& completion) {
+    return completion.kind == Completion::Kind::error;
+  });
+  if (error != completions.end()) problem_.error_code = error->code;
   for (const Condition& condition : network_.conditions) problem_.conditions.push_back(condition.name);
   for (const Module& module : network_.modules) problem_.module_names.push_back(module.name);
   processors();

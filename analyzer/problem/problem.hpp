@@ -123,7 +123,7 @@ struct Problem {
   Range within_processor;    // latency of a message to a thread on the sender's processor
   Range between_processors;  // and to one on another
   std::vector<std::string> module_names;
-  int error_code = 2;           // of the error completion
+  int error_code = 2;           // of the first error completion
   std::vector<int> overloaded;  // processors that have more to do for events than there is time (PAL0820)
 };
 

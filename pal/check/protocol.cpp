@@ -69,8 +69,11 @@ void check_codes(const pan::Network& network, Diagnostics& diagnostics) {
       finding.notes.push_back({network.skill.where, "the template is here"});
     }
   }
+  bool has_error = false;  // the first one is sent for every fault
   for (const auto& completion : network.skill.completions) {
-    if (completion.kind == pan::Completion::Kind::error || sent.contains(completion.code)) continue;
+    const bool for_faults = completion.kind == pan::Completion::Kind::error && !has_error;
+    has_error = has_error || for_faults;
+    if (for_faults || sent.contains(completion.code)) continue;
     diagnostics
         .report(Code::PAL0612, completion.where,
                 "nothing sends completion " + std::to_string(completion.code),

@@ -160,3 +160,7 @@ TEST_CASE("what a thread has chosen is its own whatever else is withdrawn before
   // completes.
   CHECK(bound(program("hand/both_withdrawn")) == 8);
 }
+
+TEST_CASE("where no arm of a CASE holds the skill ends with the first of its error completions") {
+  CHECK(bound(program("hand/first_of_two_errors")) == 2);
+}
