@@ -1,6 +1,7 @@
 #include "analyzer/runs/simulate.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <random>
 #include <utility>
 
@@ -30,15 +31,35 @@ class Dice final : public Choices {
   std::vector<std::uint8_t> picks_;
 };
 
-/// A sporadic event may wait for ever; here for up to 17 s longer than it must, all orders of magnitude
-/// alike.
-Nanoseconds sporadic(const Range& range, SimulationOptions::Times times, Dice& dice) {
-  if (times == SimulationOptions::Times::best) return range.best;
-  return range.best + static_cast<Nanoseconds>(dice.below(std::uint64_t{1} << dice.below(35)));
+/// The longest of a device's times.
+Nanoseconds longest_of(const Device& device) {
+  if (const auto* event = std::get_if<pan::EventDevice>(&device.behaviour)) return event->period.count();
+  if (const auto* request = std::get_if<pan::RequestDevice>(&device.behaviour))
+    return request->answer.worst.count();
+  const auto* frames = std::get_if<pan::FrameDevice>(&device.behaviour);
+  return frames == nullptr ? 0 : frames->period.count();
 }
 
-Nanoseconds duration(const Range& range, SimulationOptions::Times times, Dice& dice) {
-  if (range.worst >= Range::unbounded) return sporadic(range, times, dice);
+/// A sporadic event may wait for ever; here it waits less than two to the power of this longer than it must:
+/// 17 s, or more than 32 times the longest time in the problem if that is more.
+std::uint64_t bits_of_pause(const Problem& problem) {
+  Nanoseconds longest = 0;
+  for (const Device& device : problem.devices) longest = std::max(longest, longest_of(device));
+  for (const Step& step : problem.steps)
+    longest = std::max({longest, step.cost.worst, step.within.value_or(0)});
+  constexpr std::uint64_t usual = 34;
+  const auto bits = static_cast<std::uint64_t>(std::bit_width(static_cast<std::uint64_t>(longest)));
+  return std::max(usual, bits + 5);
+}
+
+/// All orders of magnitude are alike.
+Nanoseconds sporadic(const Range& range, SimulationOptions::Times times, std::uint64_t bits, Dice& dice) {
+  if (times == SimulationOptions::Times::best) return range.best;
+  return range.best + static_cast<Nanoseconds>(dice.below(std::uint64_t{1} << dice.below(bits + 1)));
+}
+
+Nanoseconds duration(const Range& range, SimulationOptions::Times times, std::uint64_t bits, Dice& dice) {
+  if (range.worst >= Range::unbounded) return sporadic(range, times, bits, dice);
   switch (times) {
     case SimulationOptions::Times::worst:
       return range.worst;
@@ -58,6 +79,7 @@ class Run {
   Run(const Machine& machine, const SimulationOptions& options)
       : machine_(machine),
         options_(options),
+        pause_(bits_of_pause(machine.problem())),
         dice_(options.seed),
         clockwork_(machine, options.record),
         phases_(options.phases) {}
@@ -103,7 +125,8 @@ class Run {
     for (Clockwork::Timer& each : clockwork_.timers()) {
       if (!each.active) continue;
       const Nanoseconds worked = clockwork_.worked(index_of(each), clockwork_.now());
-      each.duration = duration({std::max(each.range.best, worked), each.range.worst}, options_.times, dice_);
+      each.duration =
+          duration({std::max(each.range.best, worked), each.range.worst}, options_.times, pause_, dice_);
     }
   }
 
@@ -127,7 +150,7 @@ class Run {
   void draw_durations() {
     for (int started : clockwork_.started()) {
       Clockwork::Timer& each = timer(started);
-      each.duration = duration(each.range, options_.times, dice_);
+      each.duration = duration(each.range, options_.times, pause_, dice_);
       if (const Nanoseconds phase = take_phase(started); phase >= 0)
         each.duration = std::clamp(phase, each.range.best, each.range.worst);
     }
@@ -180,6 +203,7 @@ class Run {
 
   const Machine& machine_;
   const SimulationOptions& options_;
+  std::uint64_t pause_;
   Dice dice_;
   Clockwork clockwork_;
   std::vector<Nanoseconds> phases_;  // -1: drawn, or over

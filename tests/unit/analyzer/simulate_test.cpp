@@ -1,6 +1,7 @@
-// A run in which time stands still ends.
+// A run in which time stands still ends; sporadic events wait for as long as what there is takes.
 #include <catch2/catch.hpp>
 
+#include "analyzer/analysis.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "tests/support/skill.hpp"
 #include "tests/unit/analyzer/small_skill.hpp"
@@ -76,4 +77,55 @@ TEST_CASE("so they do where time may pass and does not, and not where it does") 
   const Simulation worst = run(*skill->problem, SimulationOptions::Times::worst);
   CHECK(worst.end == 20'000'000);
   CHECK(worst.script.size() > 30'000);
+}
+
+TEST_CASE("of a slow skill that a sporadic event ends, runs come as far as its slow events") {
+  const auto skill = test::skill_from_text(R"(
+MESSAGE tick : SIGNAL
+MESSAGE stop : SIGNAL
+DEVICE clock
+DEVICE button
+SKILL slow
+  MACHINE CONTROLLER MC1, MC2
+  SKILL METHOD       SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT r : RESPONSE FROM tick OF clock TO work AT MOST 1 s
+END SKILL
+Machine Controller: MC1
+  ACTIVITY work
+BEGIN
+  REPEAT
+    WTM( tick from clock )
+    work
+  UNTIL( forever )
+END
+Machine Controller: MC2
+BEGIN
+  REPEAT
+    WTM( stop from button )
+    TXM( stop to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  WTM( stop from MC2 )
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PLACE SM1 ON P0 PRIORITY 1
+  PLACE MC1 ON P0 PRIORITY 2
+  PLACE MC2 ON P0 PRIORITY 3
+  TIME work : 2 s
+  DEVICE clock  EVENT tick EVERY 900 s PHASE 60 s
+  DEVICE button EVENT stop SPORADIC 1 s
+END ENVIRONMENT
+)");
+  REQUIRE(skill->problem);
+  const Verdict verdict = analyze(*skill->problem, AnalysisChoice::compositional).verdicts.front();
+  INFO(verdict.explanation);
+  CHECK(verdict.state == Verdict::State::fails);
+  CHECK(verdict.bound == Duration(2'000'000'000));
 }
