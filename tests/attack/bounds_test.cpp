@@ -157,6 +157,15 @@ TEST_CASE("a condition is as it was left by a block that was cancelled in the CO
   if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
 }
 
+TEST_CASE("each branch on the way to a thread that is busy elsewhere has a slot that fills") {
+  // While SM1 waits for LS1 a message of each branch of MC1 comes to it, and MC1 waits with one more and a
+  // tick. Then SM1 works for all of them, before SD1 looks.
+  const Shown shown = show(program("branches_pile_up"));
+  CHECK(shown.greatest > 6'000'000);
+  INFO(shown.why);
+  if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
+}
+
 TEST_CASE("the load of an activity of many seconds is that of one of as many milliseconds") {
   // 20 s in every 100 s. In nanoseconds of work for each second that is a product beyond 64 bits.
   for (const std::string unit : {"ms", "s", "min"}) {
