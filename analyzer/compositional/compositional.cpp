@@ -75,7 +75,7 @@ Analysis analyze_compositionally(const Problem& skill, const Options& options) {
   const Forest forest = forest_of(problem, options.stop);
   std::string refusal = forest.refusal;
   if (refusal.empty()) {
-    const Conduct conduct = conduct_of(problem, forest);
+    const Conduct conduct = conduct_of(problem, forest, options.stop);
     const Times times = times_of(problem, forest, conduct, asked_for(problem), options.stop);
     if (times.interrupted) {
       refusal = "it was interrupted";

@@ -98,7 +98,8 @@ bool are_alternatives(const Problem& problem, const Forest& forest, const std::v
   return true;
 }
 
-std::vector<std::vector<int>> alternatives_of(const Problem& problem, const Forest& forest) {
+std::vector<std::vector<int>> alternatives_of(const Problem& problem, const Forest& forest,
+                                              const std::function<bool()>& stop) {
   const auto thread_of = [&](int node) { return forest.thread_of(node); };
   std::vector<std::vector<int>> all;
   for (const auto& [of, nodes] : together_by(forest, thread_of)) {
@@ -106,6 +107,7 @@ std::vector<std::vector<int>> alternatives_of(const Problem& problem, const Fore
     Ways ways(problem, forest);
     std::vector<std::vector<int>> groups;
     for (int node : nodes) {
+      if (stop && stop()) return all;
       const auto fits = [&](const std::vector<int>& group) {
         return std::all_of(group.begin(), group.end(), [&](int other) { return ways.part(node, other); });
       };
@@ -118,7 +120,8 @@ std::vector<std::vector<int>> alternatives_of(const Problem& problem, const Fore
   return all;
 }
 
-std::vector<std::vector<int>> never_together(const Problem& problem, const Forest& forest) {
+std::vector<std::vector<int>> never_together(const Problem& problem, const Forest& forest,
+                                             const std::function<bool()>& stop) {
   const auto processor_of = [&](int node) {
     return problem.threads[static_cast<std::size_t>(forest.thread_of(node))].processor;
   };
@@ -127,6 +130,7 @@ std::vector<std::vector<int>> never_together(const Problem& problem, const Fores
     if (too_many(nodes)) continue;
     Ways ways(problem, forest);
     for (int one : nodes) {
+      if (stop && stop()) return all;
       for (int other : nodes) {
         if (ways.part(one, other) || ways.comes_after(one, other) || ways.comes_after(other, one))
           all[static_cast<std::size_t>(one)].push_back(other);

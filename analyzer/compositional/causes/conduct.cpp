@@ -16,7 +16,7 @@ class Observer {
  public:
   Observer(const Problem& problem, const Forest& forest) : problem_(problem), forest_(forest) {}
 
-  Conduct run() {
+  Conduct run(const std::function<bool()>& stop) {
     const std::size_t nodes = forest_.nodes.size();
     made_.threads.resize(problem_.threads.size());
     made_.round.assign(nodes, -1);
@@ -41,7 +41,7 @@ class Observer {
       thread.one_round = are_alternatives(problem_, forest_, thread.rounds);
       servers(thread);
     }
-    made_.alternatives = alternatives_of(problem_, forest_);
+    made_.alternatives = alternatives_of(problem_, forest_, stop);
     return std::move(made_);
   }
 
@@ -331,8 +331,8 @@ class Observer {
 
 }  // namespace
 
-Conduct conduct_of(const Problem& problem, const Forest& forest) {
-  return Observer(problem, forest).run();
+Conduct conduct_of(const Problem& problem, const Forest& forest, const std::function<bool()>& stop) {
+  return Observer(problem, forest).run(stop);
 }
 
 }  // namespace pal::analyzer::compositional

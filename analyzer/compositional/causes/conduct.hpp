@@ -1,6 +1,7 @@
 // How each thread spends its life: rounds that begin at one wait, its home.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -41,6 +42,7 @@ struct Conduct {
       never_full;  // by channel: the protocol of request and answer keeps its slot free for a put
 };
 
-Conduct conduct_of(const Problem& problem, const Forest& forest);
+/// Once `stop` says so, fewer alternatives than there are.
+Conduct conduct_of(const Problem& problem, const Forest& forest, const std::function<bool()>& stop);
 
 }  // namespace pal::analyzer::compositional

@@ -35,7 +35,7 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes, const 
       threads_on_(ground.problem.processors.size()),
       burst_(ground.problem.threads.size()),
       order_(order_of(ground, stop)),
-      never_together_(never_together(ground.problem, ground.forest)) {
+      never_together_(never_together(ground.problem, ground.forest, stop)) {
   std::vector<Transaction> transactions(ground.forest.sources.size());
   for (std::size_t s = 0; s < transactions.size(); ++s) {
     transactions[s].period = ground.forest.sources[s].period;
