@@ -1,7 +1,9 @@
 // Programs that break what the compositional analysis might take for granted.
 #include <catch2/catch.hpp>
+#include <numeric>
 
 #include "analyzer/compositional/causes/alternatives.hpp"
+#include "analyzer/compositional/causes/ground.hpp"
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/compositional/times/busy_window.hpp"
 #include "analyzer/exact/exact.hpp"
@@ -253,10 +255,11 @@ TEST_CASE("the compositional analysis asks whether to end at each request") {
   CHECK(compositional::forest_of(*skill->problem, [] { return true; }).refusal == "it was interrupted");
 }
 
-TEST_CASE("the compositional analysis asks whether to end while it looks for what excludes one another") {
+TEST_CASE("the compositional analysis asks whether to end while it looks at ways that multiply") {
   // Sixty modules with 2^8 ways through a round, on one processor, took three seconds more than they were
   // given.
-  const auto skill = test::meaningful_skill(program("branches_pile_up"));
+  const auto skill =
+      test::meaningful_skill(replaced(program("branches_pile_up"), "0 TO 95 ms", "5 TO 95 ms"));
   const compositional::Forest forest = compositional::forest_of(*skill->problem, {});
   const auto known = [&](const std::function<bool()>& stop) {
     std::size_t pairs = compositional::alternatives_of(*skill->problem, forest, stop).size();
@@ -266,6 +269,14 @@ TEST_CASE("the compositional analysis asks whether to end while it looks for wha
   };
   CHECK(known({}) > 0);
   CHECK(known([] { return true; }) == 0);
+  // A module with 2^14 ways took five seconds more: none of them is looked at any more.
+  const compositional::Conduct conduct = compositional::conduct_of(*skill->problem, forest, {});
+  const auto earliest = [&](const std::function<bool()>& stop) {
+    const auto all = compositional::earliest_releases({*skill->problem, forest, conduct}, stop);
+    return std::accumulate(all.begin(), all.end(), Nanoseconds{0});
+  };
+  CHECK(earliest({}) > 0);
+  CHECK(earliest([] { return true; }) == 0);
 }
 
 TEST_CASE("a request that a block takes may be answered at once when the block has ended") {

@@ -27,7 +27,7 @@ class Observer {
     }
     for (std::size_t t = 0; t < problem_.threads.size(); ++t) homes(static_cast<int>(t));
     for (std::size_t n = 0; n < nodes; ++n) rounds(static_cast<int>(n));
-    for (std::size_t n = 0; n < nodes; ++n) order(static_cast<int>(n));
+    for (std::size_t n = 0; n < nodes && !(stop && stop()); ++n) order(static_cast<int>(n));
     for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
       leftovers(static_cast<int>(t));
       returns(static_cast<int>(t));

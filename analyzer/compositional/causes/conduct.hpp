@@ -42,7 +42,7 @@ struct Conduct {
       never_full;  // by channel: the protocol of request and answer keeps its slot free for a put
 };
 
-/// Once `stop` says so, fewer alternatives than there are.
+/// Once `stop` says so, it is of no use.
 Conduct conduct_of(const Problem& problem, const Forest& forest, const std::function<bool()>& stop);
 
 }  // namespace pal::analyzer::compositional

@@ -85,11 +85,12 @@ Nanoseconds Ground::answer_queue(int device, int request) const {
 }
 
 /// Lower bounds, each got from lower bounds; the last ones are the greatest.
-std::vector<Nanoseconds> earliest_releases(const Ground& ground) {
+std::vector<Nanoseconds> earliest_releases(const Ground& ground, const std::function<bool()>& stop) {
   std::vector<Nanoseconds> known(ground.forest.nodes.size(), 0);
   for (int pass = 0; pass < most_passes; ++pass) {
     bool changed = false;
     for (std::size_t n = 0; n < known.size(); ++n) {
+      if (stop && stop()) return known;
       const Nanoseconds value = earliest_release(ground, static_cast<int>(n), known);
       changed = changed || value != known[n];
       known[n] = value;

@@ -33,7 +33,8 @@ struct Ground {
 /// Whether somebody may give up waiting for the answer to a request.
 bool may_give_up(const Problem& problem, int request);
 
-/// The earliest that each node can be released, from the nominal instant of its source.
-std::vector<Nanoseconds> earliest_releases(const Ground& ground);
+/// The earliest that each node can be released, from the nominal instant of its source. Once `stop` says so,
+/// no later than that.
+std::vector<Nanoseconds> earliest_releases(const Ground& ground, const std::function<bool()>& stop);
 
 }  // namespace pal::analyzer::compositional

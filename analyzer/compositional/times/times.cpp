@@ -20,9 +20,10 @@ constexpr int everybody = std::numeric_limits<int>::max();
 constexpr int nobody = std::numeric_limits<int>::min();
 
 /// The nodes with their earliest releases, and as if nothing ever had to wait.
-std::vector<NodeTimes> unhindered(const Ground& ground, const std::vector<bool>& at) {
+std::vector<NodeTimes> unhindered(const Ground& ground, const std::vector<bool>& at,
+                                  const std::function<bool()>& stop) {
   std::vector<NodeTimes> nodes(ground.forest.nodes.size());
-  const std::vector<Nanoseconds> earliest = earliest_releases(ground);
+  const std::vector<Nanoseconds> earliest = earliest_releases(ground, stop);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const Segment& of = ground.segment(static_cast<int>(n));
     NodeTimes& mine = nodes[n];
@@ -49,7 +50,7 @@ class Solver : private Ground {
   Solver(const Ground& ground, const std::vector<bool>& at, const std::function<bool()>& stop)
       : Ground(ground),
         stop_(stop),
-        nodes_(unhindered(ground, at)),
+        nodes_(unhindered(ground, at, stop)),
         demand_(ground, nodes_, stop),
         releases_(*this, nodes_, demand_) {}
 
