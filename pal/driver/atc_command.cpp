@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "pal/driver/commands.hpp"
+#include "pal/driver/interruption.hpp"
 #include "pal/driver/proof_chart.hpp"
 #include "pal/driver/write.hpp"
 
@@ -82,6 +83,7 @@ ExitStatus draw_atc(const AtcOptions& options, const Console& console) {
   std::vector<std::string> inputs = inputs_of(session);
   if (!options.measured.empty()) inputs.push_back(options.measured);
   if (!may_write({options.output, options.trace}, inputs, console)) return ExitStatus::usage;
+  const Interruption interruption;  // till all is written
   std::vector<Proof> proofs;
   if (chosen && !session.diagnostics.has_errors()) proofs = prove(session, options.limits);
   const ExitStatus found = status_of_findings(session);

@@ -3,6 +3,7 @@
 
 #include "pal/check/load.hpp"
 #include "pal/driver/commands.hpp"
+#include "pal/driver/interruption.hpp"
 #include "pal/driver/report.hpp"
 #include "pal/driver/sarif.hpp"
 #include "pal/driver/statistics.hpp"
@@ -55,6 +56,7 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
   if (!may_write({options.witness}, inputs_of(session), console)) return ExitStatus::usage;
   if (options.emit == Stage::pan) emit_pan(session.specification, console.out);
 
+  const Interruption interruption;  // till all is written
   std::vector<Proof> proofs;
   if (!session.diagnostics.has_errors()) {
     ProofLimits limits = options.limits;

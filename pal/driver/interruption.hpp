@@ -4,7 +4,7 @@
 namespace pal::driver {
 
 /// While it lives, the first SIGINT or SIGTERM only sets a mark; the next one ends the program as if nobody
-/// had listened. One at a time.
+/// had listened. Within the life of another one it changes nothing. By one thread only.
 class Interruption {
  public:
   Interruption();
