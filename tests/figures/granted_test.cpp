@@ -165,5 +165,5 @@ TEST_CASE("what comes by one of two ways piles up on both") {
   // Once the arm is there SM1 finds the tick of the clock, the one that SD1 cannot send, and on each way the
   // one in the slot before the sensor, the one that this cannot hand on, and the one in the slot after it. If
   // the arm is quick now these, and the next tick, keep SD2 for 9 times 0.5 ms.
-  compare(granted("piled_up"), {{7.1, 4.6}, {7.1, 4.6}});
+  compare(granted("piled_up"), {{5.1, 4.6}, {5.1, 4.6}});
 }

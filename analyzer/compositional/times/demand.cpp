@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "analyzer/compositional/causes/alternatives.hpp"
 #include "analyzer/compositional/causes/rounds.hpp"
@@ -55,7 +56,7 @@ Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes, const 
     std::vector<int> tasks;
     for (int n : alternatives) tasks.push_back(task_[static_cast<std::size_t>(n)]);
     const int source = ground.node(alternatives.front()).source;
-    transactions[static_cast<std::size_t>(source)].exclude(std::move(tasks));
+    transactions[static_cast<std::size_t>(source)].exclude(std::move(tasks), piled_up(alternatives));
   }
   for (Transaction& transaction : transactions) windows_.add(std::move(transaction));
   for (std::size_t t = 0; t < ground.problem.threads.size(); ++t)
@@ -160,6 +161,28 @@ Nanoseconds Demand::greatest_jitter(int node) const {
   const Source& of = ground_.source(node);
   if (of.period == never) return never;
   return plus(of.jitter, work_of(2 * ground_.node(node).depth + 2, of.period));
+}
+
+Nanoseconds Demand::piled_up(const std::vector<int>& alternatives) const {
+  const Source& of = ground_.source(alternatives.front());
+  if (of.period == never) return never;
+  std::set<int> threads;
+  std::set<int> slots;  // by channel
+  std::set<int> asked;  // by channel: a device may be serving its request
+  for (int n : alternatives) {
+    for (int at = n; at >= 0; at = ground_.node(at).cause) {
+      threads.insert(ground_.forest.thread_of(at));
+      if (ground_.node(at).release != Node::Release::message) continue;
+      const int channel = ground_.sent_channel(at);
+      slots.insert(channel);
+      if (ground_.node(at).device < 0) continue;
+      asked.insert(channel);
+      slots.insert(ground_.problem.channels[static_cast<std::size_t>(channel)].answer);
+    }
+  }
+  // And the slot of the event, or of the message, that begins the occurrence.
+  const auto places = static_cast<Nanoseconds>(threads.size() + slots.size() + asked.size() + 1);
+  return plus(of.jitter, work_of(places, of.period));
 }
 
 void Demand::announce(int node, const NodeTimes& times) {

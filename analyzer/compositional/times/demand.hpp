@@ -19,6 +19,8 @@ class Demand {
   /// However late a node's causes are: what can have piled up on the way to it is one message a slot and one
   /// a thread.
   Nanoseconds greatest_jitter(int node) const;
+  /// The same of alternatives taken together, whose ways have slots and threads of their own and in common.
+  Nanoseconds piled_up(const std::vector<int>& alternatives) const;
   /// Says, as releases are announced, of which threads no round is due before the one before is over
   /// (`home_again`): rounds of one thread do not delay one another then; and of which sources all that an
   /// occurrence brings about is over before the next one (`in_turn`): what comes one after the other, or one

@@ -4,9 +4,9 @@
 
 namespace pal::analyzer::compositional {
 
-void Transaction::exclude(std::vector<int> among) {
+void Transaction::exclude(std::vector<int> among, Nanoseconds piled) {
   const int index = static_cast<int>(alternatives.size());
-  Alternatives made{std::move(among), never, 0};
+  Alternatives made{std::move(among), piled, never, 0};
   for (int t : made.tasks) {
     Task& task = tasks[static_cast<std::size_t>(t)];
     task.among = index;
@@ -23,10 +23,14 @@ void Transaction::set_jitter(int task, Nanoseconds jitter, Nanoseconds most) {
   if (of.among < 0) return;
   Alternatives& all = alternatives[static_cast<std::size_t>(of.among)];
   all.jitter = 0;
+  bool piles_up = false;
   for (int t : all.tasks) {
     const Task& each = tasks[static_cast<std::size_t>(t)];
-    all.jitter = std::max(all.jitter, each.piles_up ? never : plus(each.offset - all.offset, each.jitter));
+    const Nanoseconds late = each.piles_up ? 0 : each.jitter;
+    all.jitter = std::max(all.jitter, plus(each.offset - all.offset, late));
+    piles_up = piles_up || each.piles_up;
   }
+  if (piles_up) all.jitter = plus(all.jitter, all.piled);
 }
 
 bool follows(const Transaction& of, int before, int task) {

@@ -28,9 +28,9 @@ struct Task {
 /// Tasks on one processor, of one priority, of which each occurrence releases one at most.
 struct Alternatives {
   std::vector<int> tasks;
+  Nanoseconds piled = 0;   // what the jitter counts besides if one of them piles up
   Nanoseconds offset = 0;  // of the soonest
-  /// From then to the latest release of any; `never`: they may pile up, each on a way of its own.
-  Nanoseconds jitter = 0;
+  Nanoseconds jitter = 0;  // from then to the latest release of any
 };
 
 /// Occurrences are at least `period` apart; `never`: there is one.
@@ -40,8 +40,9 @@ struct Transaction {
   std::vector<Task> tasks;
   std::vector<Alternatives> alternatives;
 
-  /// Makes alternatives of tasks that are none yet.
-  void exclude(std::vector<int> tasks);
+  /// Makes alternatives of tasks that are none yet. `piled`: a period for each that can have piled up on the
+  /// way to any of them.
+  void exclude(std::vector<int> tasks, Nanoseconds piled);
   /// `most`: what the jitter counts as if it is greater.
   void set_jitter(int task, Nanoseconds jitter, Nanoseconds most);
 };
