@@ -283,10 +283,12 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
   const bool drifting = drifts_from(own, task);
   Critical latest{-1};
   int rounds = 0;
-  std::map<Nanoseconds, Nanoseconds> known;  // by length
+  std::map<Nanoseconds, Nanoseconds> known;  // by length; few tasks seldom ask for one twice
   const auto others = [&](Nanoseconds length) {
+    const auto found = [&] { return of_others(groups, transaction, &self, self.priority, length); };
+    if (own.tasks.size() <= many_tasks) return found();
     const auto [place, fresh] = known.emplace(length, 0);
-    if (fresh) place->second = of_others(groups, transaction, &self, self.priority, length);
+    if (fresh) place->second = found();
     return place->second;
   };
   for (int scenario : own.tasks) {
