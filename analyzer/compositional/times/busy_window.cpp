@@ -30,11 +30,14 @@ int BusyWindows::add(Transaction transaction) {
   std::set<int> processors;
   for (std::size_t t = 0; t < transaction.tasks.size(); ++t) {
     auto& groups = by_processor_[static_cast<std::size_t>(transaction.tasks[t].processor)];
-    const int priority = transaction.tasks[t].priority;
-    if (processors.insert(transaction.tasks[t].processor).second) groups.push_back({index, priority, {}, {}});
-    groups.back().priority = std::max(groups.back().priority, priority);
+    const Task& task = transaction.tasks[t];
+    if (processors.insert(task.processor).second) {
+      const int first = static_cast<int>(t);
+      groups.push_back({index, task.priority, {}, {}, first, transaction.period, task.cost, task.jitter});
+    }
+    groups.back().priority = std::max(groups.back().priority, task.priority);
     groups.back().tasks.push_back(static_cast<int>(t));
-    const double cost = static_cast<double>(transaction.tasks[t].cost);
+    const double cost = static_cast<double>(task.cost);
     const bool once = transaction.period == never;
     groups.back().shares.push_back(once ? 0 : cost / static_cast<double>(transaction.period));
   }
@@ -48,12 +51,25 @@ int BusyWindows::add(Transaction transaction) {
   return index;
 }
 
+void BusyWindows::set_jitter(int transaction, int task, Nanoseconds jitter, Nanoseconds most) {
+  Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
+  of.set_jitter(task, jitter, most);
+  const Task& changed = of.tasks[static_cast<std::size_t>(task)];
+  auto& groups = by_processor_[static_cast<std::size_t>(changed.processor)];
+  const auto before = [&](const Group& group, int priority) {
+    return group.priority != priority ? group.priority > priority : group.transaction < transaction;
+  };
+  const auto place = std::lower_bound(groups.begin(), groups.end(), changed.priority, before);
+  if (place != groups.end() && place->transaction == transaction && place->first == task)
+    place->jitter = changed.jitter;
+}
+
 Nanoseconds BusyWindows::of_scenario(const Group& group, int scenario, const Asked& asked, int priority,
                                      Nanoseconds length, Shares* shares) const {
   const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
   const Task& first = of.tasks[static_cast<std::size_t>(scenario)];
   const auto released = [&](const auto& task, Nanoseconds due) {
-    return asked.drifting ? releases(of, task.jitter, length) : count(of, task.jitter, due, length);
+    return asked.drifting ? releases(of.period, task.jitter, length) : count(of, task.jitter, due, length);
   };
   Tally tally(of, group.transaction, shares);
   for (int t : group.tasks) {
@@ -114,7 +130,7 @@ Nanoseconds BusyWindows::of_group(const Group& group, const Task* asker, int pri
     const Task& task = of.tasks[static_cast<std::size_t>(t)];
     if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, t)) continue;
     if (alone) {
-      one_by_one.add(t, releases(of, task.jitter, length));
+      one_by_one.add(t, releases(of.period, task.jitter, length));
       continue;
     }
     if (group.tasks.size() > many_tasks && stops()) return never;
@@ -123,7 +139,7 @@ Nanoseconds BusyWindows::of_group(const Group& group, const Task* asker, int pri
     most = std::max(most, work);
   }
   if (alone)
-    return one_by_one.total([&](const Alternatives& all) { return releases(of, all.jitter, length); });
+    return one_by_one.total([&](const Alternatives& all) { return releases(of.period, all.jitter, length); });
   if (shares != nullptr && worst >= 0) of_scenario(group, worst, {asker}, priority, length, shares);
   return most;
 }
@@ -139,13 +155,11 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, co
       continue;
     }
     // The usual case: there is one scenario, whose phase cancels out.
-    const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
-    const Task& task = of.tasks[static_cast<std::size_t>(group.tasks.front())];
-    if (task.cost == 0 || !counts(asker, group.transaction, group.tasks.front())) continue;
-    const Nanoseconds jobs = releases(of, task.jitter, length);
-    const Nanoseconds share = work_of(jobs, task.cost);
+    if (group.cost == 0 || !counts(asker, group.transaction, group.first)) continue;
+    const Nanoseconds jobs = releases(group.period, group.jitter, length);
+    const Nanoseconds share = work_of(jobs, group.cost);
     work = plus(work, share);
-    if (shares != nullptr) shares->push_back({group.transaction, group.tasks.front(), jobs, share});
+    if (shares != nullptr) shares->push_back({group.transaction, group.first, jobs, share});
   }
   return work;
 }
@@ -174,34 +188,42 @@ BusyWindows::Load BusyWindows::load_of(int transaction, const Task& self) const 
   std::vector<Longest> longest;  // by alternatives
   for (const Group& group : by_processor_[static_cast<std::size_t>(self.processor)]) {
     if (group.priority < self.priority) break;
-    const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
     const bool foreign = group.transaction != transaction;
-    const auto add = [&](double share, Nanoseconds cost, Nanoseconds jitter) {
+    const auto add = [&](bool once, double share, Nanoseconds cost, Nanoseconds jitter) {
       load.whole += share;
       if (!foreign) return;
       load.share += share;
       // A task that is alone has one release more than its share; of several not all need have it.
-      if (of.period == never) {
+      if (once) {
         load.carried += static_cast<double>(cost);
       } else {
         load.carried += static_cast<double>(jitter) * share;
         if (group.tasks.size() > 1) load.carried -= static_cast<double>(cost);
       }
     };
+    if (group.tasks.size() == 1) {
+      if (group.cost == 0 || !counts(&self, group.transaction, group.first)) continue;
+      const bool once = group.period == never;
+      load.bounded = load.bounded && group.cost < never && (once || group.jitter < never);
+      add(once, group.shares.front(), group.cost, group.jitter);
+      continue;
+    }
+    const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+    const bool once = of.period == never;
     longest.assign(of.alternatives.size(), {});
     for (std::size_t t = 0; t < group.tasks.size(); ++t) {
       const Task& task = of.tasks[static_cast<std::size_t>(group.tasks[t])];
       if (task.priority < self.priority || task.cost == 0) continue;
       if (!counts(&self, group.transaction, group.tasks[t])) continue;
-      load.bounded = load.bounded && task.cost < never && (of.period == never || task.jitter < never);
+      load.bounded = load.bounded && task.cost < never && (once || task.jitter < never);
       if (task.among < 0) {
-        add(group.shares[t], task.cost, task.jitter);
+        add(once, group.shares[t], task.cost, task.jitter);
         continue;
       }
       Longest& most = longest[static_cast<std::size_t>(task.among)];
       if (task.cost > most.cost) most = {group.shares[t], task.cost};
     }
-    for (const Longest& each : longest) add(each.share, each.cost, 0);
+    for (const Longest& each : longest) add(once, each.share, each.cost, 0);
   }
   return load;
 }

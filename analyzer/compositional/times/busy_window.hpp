@@ -42,9 +42,7 @@ class BusyWindows {
 
   /// Adds a transaction; its tasks' jitter, and what counts for them, may change later, nothing else.
   int add(Transaction transaction);
-  void set_jitter(int transaction, int task, Nanoseconds jitter, Nanoseconds most) {
-    transactions_[static_cast<std::size_t>(transaction)].set_jitter(task, jitter, most);
-  }
+  void set_jitter(int transaction, int task, Nanoseconds jitter, Nanoseconds most);
   void set_without(int transaction, int task, std::vector<std::pair<int, int>> without) {
     transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)].without =
         std::move(without);
@@ -82,6 +80,11 @@ class BusyWindows {
     int priority;  // the greatest of them
     std::vector<int> tasks;
     std::vector<double> shares;  // of the processor that each needs; 0: of a transaction that occurs once
+    // The first task, which mostly is alone: windows go through all groups of a processor.
+    int first = -1;
+    Nanoseconds period = 0;
+    Nanoseconds cost = 0;
+    Nanoseconds jitter = 0;
   };
 
   /// What counts in a window of a task, other than its own transaction: at least `share` of its length, and

@@ -237,7 +237,7 @@ Nanoseconds Demand::burst(int thread, const std::vector<NodeTimes>& nodes, bool 
   Nanoseconds length = once;
   for (int round = 0; round < most_rounds; ++round) {
     const Nanoseconds next = work_of_thread(thread, [&](const Transaction& of, Nanoseconds jitter) {
-      return releases(of, jitter, plus(length, late));
+      return releases(of.period, jitter, plus(length, late));
     });
     if (next <= length) return length;
     length = next;

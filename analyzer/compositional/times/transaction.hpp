@@ -71,10 +71,10 @@ inline Nanoseconds count(const Transaction& of, Nanoseconds jitter, Nanoseconds 
 }
 
 /// The same, whenever the window begins.
-inline Nanoseconds releases(const Transaction& of, Nanoseconds jitter, Nanoseconds length) {
-  if (of.period == never) return 1;
+inline Nanoseconds releases(Nanoseconds period, Nanoseconds jitter, Nanoseconds length) {
+  if (period == never) return 1;
   if (length >= never || jitter >= never) return never;
-  return (length + jitter) / of.period + 1;
+  return (length + jitter) / period + 1;
 }
 
 /// What a task brings to a window.
