@@ -168,6 +168,21 @@ TEST_CASE("each branch on the way to a thread that is busy elsewhere has a slot 
   if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
 }
 
+TEST_CASE("of rounds that begin in several ways a later one may be the sooner") {
+  // What SD1 sends by LS2 is there at once, and what it sends by LS1 10 ms later: at the same instant as what
+  // it sends by LS2 a period later, which SM1 may take first.
+  for (const std::string name : {"rounds_overtake", "reads_overtake"}) {
+    INFO(name);
+    const auto skill = test::meaningful_skill(program(name));
+    const Verdict exact = analyze(*skill->problem).verdicts.front();
+    REQUIRE(exact.exact);
+    REQUIRE(exact.bound);
+    CHECK(*exact.bound > Duration(20'000'000));
+    const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
+    if (bound.bound) CHECK(*bound.bound >= *exact.bound);
+  }
+}
+
 TEST_CASE("the load of an activity of many seconds is that of one of as many milliseconds") {
   // 20 s in every 100 s. In nanoseconds of work for each second that is a product beyond 64 bits.
   for (const std::string unit : {"ms", "s", "min"}) {

@@ -147,6 +147,11 @@ class Ageing {
   /// A thread in trouble may be anywhere in what it began before, also after it has come home.
   bool troubled(int thread) const { return !view_.times.trouble[static_cast<std::size_t>(thread)].empty(); }
 
+  /// Whether the next round of a thread is that of the next occurrence of their source.
+  bool in_turn(int thread) const {
+    return source_of_rounds(view_, thread) >= 0 && regular(view_, thread) && in_order(view_, thread);
+  }
+
   Sum from_start(int statement, int rounds) {
     if (rounds > 0 && troubled(owner(statement))) return Sum::unbounded();
     Sum longest;
@@ -157,7 +162,7 @@ class Ageing {
           view_.forest.sources[static_cast<std::size_t>(node(n).source)].kind == Source::Kind::joined;
       if (!in_round(view_, n)) {
         longest = greater(longest, rounds > 0 ? Sum() : anew ? Sum::unbounded() : effect);
-      } else if (rounds <= 1 && source >= 0 && regular(view_, owner(statement))) {
+      } else if (rounds <= 1 && in_turn(owner(statement))) {
         longest = greater(longest, first(view_, source) + effect);
       } else {
         longest = Sum::unbounded();
@@ -197,7 +202,7 @@ class Ageing {
           continue;
         }
         if (!in_round(view_, b)) continue;
-        if (source < 0 || from.rounds > 1 || !regular(view_, thread)) return Sum::unbounded();
+        if (from.rounds > 1 || !in_turn(thread)) return Sum::unbounded();
         const Sum apart = in_round(view_, a) ? gap(view_, source) : first(view_, source);
         longest = greater(longest, apart + later - sooner);
       }

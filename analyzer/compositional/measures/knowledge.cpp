@@ -182,11 +182,8 @@ Knowledge::State Knowledge::before_home(int node) const {
   const int thread = view_.forest.thread_of(node);
   const int source = paced_source(view_, thread);
   if (source < 0 || !regular_[static_cast<std::size_t>(thread)]) return {};
+  if (!in_order(view_, thread)) return {};
   const ThreadConduct& of = view_.conduct.threads[static_cast<std::size_t>(thread)];
-  // Of rounds that come in several ways a later one may overtake.
-  const auto ways =
-      std::count_if(of.rounds.begin(), of.rounds.end(), [this](int n) { return in_paced_round(view_, n); });
-  if (ways > 1) return {};
   State state{Sum::unbounded(), Sum::unbounded()};
   for (int other : of.nodes) {
     if (!in_paced_round(view_, other)) continue;

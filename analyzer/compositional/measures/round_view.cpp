@@ -80,6 +80,11 @@ bool regular(const View& view, int thread) {
   return response_bound(view, comes).known();
 }
 
+bool in_order(const View& view, int thread) {
+  const auto& rounds = view.conduct.threads[static_cast<std::size_t>(thread)].rounds;
+  return std::count_if(rounds.begin(), rounds.end(), [&](int n) { return in_paced_round(view, n); }) <= 1;
+}
+
 std::vector<int> nodes_with(const View& view, int step) {
   std::vector<int> found;
   const int owner = view.forest.segments.owner(step);

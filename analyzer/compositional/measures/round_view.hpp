@@ -27,6 +27,11 @@ bool in_paced_round(const View& view, int node);
 /// is at home.
 bool regular(const View& view, int thread);
 
+/// Whether a thread's rounds come in the order of what its paced source brings about: in one way only. Of
+/// several ways a later one may be the faster, and overtake: then the next round is not that of the next
+/// occurrence.
+bool in_order(const View& view, int thread);
+
 /// Nodes of the step's thread that contain it.
 std::vector<int> nodes_with(const View& view, int step);
 
