@@ -332,6 +332,22 @@ TEST_CASE("why there is no bound: a thread that may pass its statement by is sai
   CHECK(why.find("SD1 need not come to it in every round") != std::string::npos);
 }
 
+TEST_CASE("why there is no bound: a block that passes its statement in every round may leave them") {
+  const auto skill = test::meaningful_skill(program("leaves"));
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  CHECK(analysis.verdicts.front().explanation.find("SM1.1 may leave its rounds") != std::string::npos);
+}
+
+TEST_CASE("why there is no bound: the trouble of who keeps a thread waiting is named") {
+  const auto skill = test::meaningful_skill(test::project_file("tests/attack/served/by_module.pal"));
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  const auto says = [](const Verdict& verdict) {
+    return verdict.explanation.find("when LS1 comes to it, since SM1 may still be waiting") !=
+           std::string::npos;
+  };
+  CHECK(std::any_of(analysis.verdicts.begin(), analysis.verdicts.end(), says));
+}
+
 TEST_CASE("what adds up to an age says whether the value waits for the first set or for the next") {
   // Until the first set, 10 + 2 ms after the start at the latest, the value is as old as the skill. Later
   // there are 10 + 2 - 1 ms from a set to the next; if filtering may take no time, as many.

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/causes/rounds.hpp"
-#include "analyzer/compositional/measures/passes.hpp"
+#include "analyzer/compositional/measures/reasons.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -10,17 +10,13 @@ namespace {
 /// From an effect in one thread to the next.
 Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, bool from_start) {
   const auto t = static_cast<std::size_t>(thread);
-  const std::string& name = view.problem.threads[t].name;
   Passes passes(view, thread, at);
   const ThreadConduct& of = view.conduct.threads[t];
-  const std::string& trouble = view.times.trouble[t];
   const bool rounds = of.home >= 0 || starts_in_rounds(view, thread);
-  const bool goes_by = passes.may_pass_by() || (rounds && !view.reliable[t] && !goes_on(view, thread));
-  const std::string why =
-      goes_by ? name + " need not come to it in every round" : "nothing bounds when " + name + " comes to it";
-  const Bound none{Sum::unbounded(), trouble.empty() ? why : trouble};
+  const bool stops = rounds && !view.reliable[t] && !goes_on(view, thread);
+  const Bound none{Sum::unbounded(), why_not_again(view, thread, passes, !stops)};
   // What has had an effect has begun.
-  if (rounds ? !view.reliable[t] && !goes_on(view, thread) : !view.lively[t]) return none;
+  if (rounds ? stops : !view.lively[t]) return none;
   Sum longest = from_start ? passes.first() + passes.latest() : Sum();
   // Others may come to it when this thread does not any more.
   const bool always = passes.every_round() && !passes.in_rounds().empty() && goes_on(view, thread);

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/causes/ground.hpp"
-#include "analyzer/compositional/measures/passes.hpp"
+#include "analyzer/compositional/measures/reasons.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -27,14 +27,16 @@ std::string answers_lost(const View& view, int request, std::vector<bool>& sends
 Bound frames_lost(const View& view, const Requirement& requirement, const pan::FrameDevice& frames,
                   const std::vector<bool>& sends) {
   const std::set<int> threads = owners(view, sends);
+  std::string why = "nobody asks for frames for ever";
   const bool endless = std::any_of(threads.begin(), threads.end(), [&](int thread) {
-    if (!view.lasts(thread) || !goes_on(view, thread) ||
-        view.conduct.threads[static_cast<std::size_t>(thread)].leaves)
-      return false;
+    if (view.conduct.threads[static_cast<std::size_t>(thread)].leaves) return false;
     const Passes asks(view, thread, sends);
-    return asks.every_round() && !asks.in_rounds().empty();
+    const bool on = view.lasts(thread) && goes_on(view, thread);
+    const bool asks_on = on && asks.every_round() && !asks.in_rounds().empty();
+    if (!asks_on) why = why_not_again(view, thread, asks, on, "its request for a frame");
+    return asks_on;
   });
-  if (!endless || view.steady) return {Sum::unbounded(), "nobody asks for frames for ever"};
+  if (!endless || view.steady) return {Sum::unbounded(), why};
   Requirement asked;
   asked.measure = Requirement::Measure::interval;
   asked.at = sends;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/measures/knowledge.hpp"
+#include "analyzer/compositional/measures/reasons.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -36,11 +37,7 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
     return {longest, none.why};
   }
   if (!goes_on(view, thread) || !passes.every_round()) {
-    const std::string& trouble = view.times.trouble[t];
-    const std::string why = passes.may_pass_by() || !goes_on(view, thread)
-                                ? name + " need not come to it in every round"
-                                : "nothing bounds when " + name + " comes to it";
-    return {Sum::unbounded(), trouble.empty() ? why : trouble};
+    return {Sum::unbounded(), why_not_again(view, thread, passes, goes_on(view, thread))};
   }
   Sum longest = passes.first() + passes.latest();
   Sum end;
@@ -54,7 +51,7 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
     if (view.conduct.threads[t].may_be_cancelled)
       longest = greater(longest, since_known(knowledge, pass, end));
   }
-  return {longest, "nothing bounds how old what " + name + " knows can be"};
+  return {longest, since_trouble("nothing bounds how old what " + name + " knows can be", view, thread)};
 }
 
 }  // namespace
@@ -62,14 +59,18 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
 Bound known_age_bound(const View& view, const Requirement& requirement) {
   const Knowledge knowledge(view, requirement);
   Sum oldest;
+  std::string why;
   for (std::size_t s = 0; s < view.problem.steps.size(); ++s) {
     if (!requirement.at[s] || view.forest.segments.owner(static_cast<int>(s)) < 0) continue;
     for (int n : nodes_with(view, static_cast<int>(s))) {
       const Pass pass{n, static_cast<int>(s)};
       oldest = greater(oldest, since_known(knowledge, pass, latest(view, n, pass.step)));
+      if (!oldest.bounded() && why.empty())
+        why = since_trouble("nothing bounds how old the sample is that is known there", view,
+                            view.forest.thread_of(n));
     }
   }
-  return {oldest, "nothing bounds how old the sample is that is known there"};
+  return {oldest, why};
 }
 
 Bound reaction_bound(const View& view, const Requirement& requirement) {

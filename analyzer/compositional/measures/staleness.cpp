@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analyzer/compositional/measures/reasons.hpp"
 #include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {
@@ -62,20 +63,17 @@ class Staleness {
   Bound sets_apart(int setter) const {
     const std::string& name = problem_.threads[static_cast<std::size_t>(setter)].name;
     const Passes passes(view_, setter, at_);
-    if (!outlasts(view_, setter, reader_) || !passes.every_round() || passes.in_rounds().empty()) {
-      const std::string& trouble = view_.times.trouble[static_cast<std::size_t>(setter)];
-      const std::string why = passes.may_pass_by() || !outlasts(view_, setter, reader_)
-                                  ? name + " may leave the condition as it is for long"
-                                  : "nothing bounds when " + name + " sets the condition";
-      return {Sum::unbounded(), trouble.empty() ? why : trouble};
-    }
+    const bool lasts = outlasts(view_, setter, reader_);
+    if (!lasts || !passes.every_round() || passes.in_rounds().empty())
+      return {Sum::unbounded(), why_not_again(view_, setter, passes, lasts, "a set of the condition")};
     Sum soonest = Sum::unbounded();
     for (const Pass& pass : passes.in_rounds())
       soonest = less(soonest, earliest(view_, pass.node, pass.step));
     const Sum& set_again = replaced(view_, passes, setter, reader_);
     const Sum next = passes.gap() + set_again;
     if (!next.bounded())
-      return {Sum::unbounded(), "nothing says how long " + name + " may wait between two rounds"};
+      return {Sum::unbounded(),
+              since_trouble("nothing says how long " + name + " may wait between two rounds", view_, setter)};
     return {greater(next - soonest, until_first(setter, passes.first() + set_again)),
             "nothing bounds when " + name + " sets first"};
   }

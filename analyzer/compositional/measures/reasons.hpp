@@ -1,0 +1,20 @@
+// What a verdict says where there is no bound.
+#pragma once
+
+#include "analyzer/compositional/measures/passes.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// The trouble of the nearest thread among those that bring about what `thread` does, itself first; empty:
+/// none of them is in trouble.
+std::string trouble_behind(const View& view, int thread);
+
+/// `what`, and what that comes from, if trouble_behind() the thread is known.
+std::string since_trouble(const std::string& what, const View& view, int thread);
+
+/// Why it is not known when a thread comes to the statements of `passes` again, which are called
+/// `statement`; `goes_on`: it is known to go on with its rounds.
+std::string why_not_again(const View& view, int thread, const Passes& passes, bool goes_on,
+                          const std::string& statement = "it");
+
+}  // namespace pal::analyzer::compositional
