@@ -89,8 +89,8 @@ class Writer {
         return round(term.source, view_.times.first[static_cast<std::size_t>(term.source)], each.amount,
                      true);
       case Term::Kind::said:
-        return say(each.amount, term.node < 0 ? "" : actor(term.node), term.what,
-                   term.node < 0 ? -1 : statement(term));
+        if (term.node >= 0) return say(each.amount, actor(term.node), term.what, statement(term));
+        return say(each.amount, term.source < 0 ? "" : source_name(term.source), term.what);
     }
   }
 

@@ -125,7 +125,9 @@ std::vector<bool> sends_of_events(const Problem& problem, const Requirement& req
 Bound response_bound(const View& view, const Requirement& requirement) {
   if (requirement.device < 0) return to_message(view, requirement);
   const int source = source_of(view, requirement.device);
-  return source < 0 ? unknown("it is known of events of a device and of messages of modules only")
+  return source < 0 ? unknown(
+                          "a response to what a device answers has none, only one to an event, or to a "
+                          "message of a module")
                     : to_event(view, requirement, source);
 }
 
