@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <regex>
@@ -22,23 +23,35 @@ namespace {
 
 constexpr Duration longest = std::chrono::seconds(1);
 
-/// What all times of a text are multiples of.
-Duration grain(const std::string& text) {
+struct Times {
+  Duration grain{1};     // what all times of a text are multiples of
+  Duration greatest{0};  // no time is longer, but for what is less than its unit
+};
+
+Times times_of(const std::string& text) {
   static const std::regex time(R"(([0-9]+)(?:\.([0-9]+))?(?: TO [0-9.]+)? ?(ns|us|ms|s|min)\b)");
   static const std::regex last(R"( TO ([0-9]+)(?:\.([0-9]+))? ?(ns|us|ms|s|min)\b)");
   static const std::map<std::string, std::int64_t> units = {
       {"ns", 1}, {"us", 1'000}, {"ms", 1'000'000}, {"s", 1'000'000'000}, {"min", 60'000'000'000}};
   std::int64_t common = 0;
+  Times all;
   const auto take = [&](const std::string& whole, const std::string& digits, std::int64_t unit) {
     std::int64_t least = unit;
     for (std::size_t i = 0; i < digits.size(); ++i) least /= 10;
     common = std::gcd(common, std::stoll(whole) * unit + (digits.empty() ? 0 : std::stoll(digits) * least));
+    all.greatest = std::max(all.greatest, Duration(std::stoll(whole) * unit));
   };
   for (const std::regex& each : {time, last}) {
     for (std::sregex_iterator at(text.begin(), text.end(), each), end; at != end; ++at)
       take((*at)[1], (*at)[2], units.at((*at)[3]));
   }
-  return Duration(std::max<std::int64_t>(common, 1));
+  all.grain = Duration(std::max<std::int64_t>(common, 1));
+  return all;
+}
+
+/// Whether times are such that runs can be made of them: those count units of time in 32 bits.
+bool can_run(const Times& times) {
+  return times.greatest / times.grain < std::numeric_limits<std::int32_t>::max() / 4;
 }
 
 const Verdict* of(const Analysis& analysis, const std::string& requirement) {
@@ -65,11 +78,12 @@ bool refuted_by(const Verdict& exact, Verdict compositional) {
 
 class Comparison {
  public:
-  Comparison(const std::string& text, const Skill& skill, std::uint64_t seed, const Effort& effort)
+  Comparison(const std::string& text, const Skill& skill, Duration unit, std::uint64_t seed,
+             const Effort& effort)
       : text_(text),
         network_(skill.specification.skills.front()),
         environment_(skill.specification.environments.front()),
-        unit_(grain(text)),
+        unit_(unit),
         cap_(static_cast<int>(longest / unit_)),
         seed_(seed),
         effort_(effort) {
@@ -168,8 +182,9 @@ Compared& Compared::operator+=(const Compared& other) {
 
 Compared compare(const std::string& text, std::uint64_t seed, const Effort& effort) {
   const auto skill = any_skill(text);
-  if (!skill->problem) return {};
-  return Comparison(text, *skill, seed, effort).result();
+  const Times times = times_of(text);
+  if (!skill->problem || !can_run(times)) return {};
+  return Comparison(text, *skill, times.grain, seed, effort).result();
 }
 
 }  // namespace pal::test
