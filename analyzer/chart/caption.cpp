@@ -21,35 +21,11 @@ std::string run_of(const Layer& layer) {
   return "a run";
 }
 
-std::string margin(std::int64_t limit, std::int64_t value) {
-  return value <= limit ? "margin " + duration_text(limit - value)
-                        : duration_text(value - limit) + " too much";
-}
-
-std::string figures(const Caption& caption) {
-  std::string text;
-  if (caption.bound_ns >= 0) {
-    text =
-        (caption.exact ? "worst case " : "at most ") + duration_text(caption.bound_ns) +
-        (caption.exact ? " (exact: the run below attains it)" : " (a bound; no run is known to attain it)");
-  }
-  const std::int64_t value = caption.bound_ns >= 0 ? caption.bound_ns : caption.shown_ns;
-  if (caption.bound_ns < 0 && caption.shown_ns >= 0) text = duration_text(caption.shown_ns) + " in this run";
-  if (value < 0 && !caption.verdict.empty())
-    text = caption.unanswered ? "an event has no response in this run" : "no bound is known";
-  if (caption.limit_ns >= 0) {
-    if (!text.empty()) text += ", ";
-    text += "limit " + duration_text(caption.limit_ns);
-    if (value >= 0) text += ", " + margin(caption.limit_ns, value);
-  }
-  return text;
-}
-
 std::string both(const Layer& proved, const Layer& measured) {
   std::string text;
   const auto length = [](const Highlight& it) { return it.to_ns - it.from_ns; };
-  if (proved.options->caption.bound_ns >= 0) {
-    text = "proved at most " + duration_text(proved.options->caption.bound_ns);
+  if (!proved.options->caption.proved.empty()) {
+    text = "proved " + proved.options->caption.proved;
   } else if (proved.options->highlight) {
     text = "proved " + duration_text(length(*proved.options->highlight));
   }
@@ -57,8 +33,7 @@ std::string both(const Layer& proved, const Layer& measured) {
     text += (text.empty() ? "" : ", ") +
             ("measured " + rounded_duration_text(length(*measured.options->highlight)));
   }
-  if (proved.options->caption.limit_ns >= 0)
-    text += ", limit " + duration_text(proved.options->caption.limit_ns);
+  if (!proved.options->caption.limit.empty()) text += ", limit " + proved.options->caption.limit;
   return text;
 }
 
@@ -76,7 +51,7 @@ std::vector<std::string> caption_lines(const std::vector<Layer>& layers) {
   std::string second = overlay ? "a measured run over the proved one" : run_of(first);
   if (!caption.measure.empty()) second = caption.measure + "; " + second;
   lines.push_back(second);
-  const std::string third = overlay ? both(first, layers.back()) : figures(caption);
+  const std::string third = overlay ? both(first, layers.back()) : caption.figures;
   if (!third.empty()) lines.push_back(third);
   return lines;
 }

@@ -31,7 +31,7 @@ std::optional<Chosen> choose(const std::vector<Proof>& proofs, const std::string
       const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
       if (name.empty() || verdict.requirement != name) continue;
       named = true;
-      if (verdict.witness && !best) best = Chosen{&proof, i};
+      if (has_worst_run(verdict) && !best) best = Chosen{&proof, i};
     }
     if (!name.empty() || best) continue;
     if (const auto index = most_interesting(proof)) best = Chosen{&proof, *index};
@@ -47,8 +47,9 @@ std::optional<Chosen> choose(const std::vector<Proof>& proofs, const std::string
     err << "pal: --timeout or Ctrl-C ended the search before there was a run to draw\n";
   } else if (named) {
     err << fmt::format(
-        "pal: '{}' has no worst run to draw: a load is not attained in one run, and what is undecided or "
-        "never happens has none\n",
+        "pal: '{}' has no worst run to draw: a load is not attained in one run, where nothing is lost no run "
+        "is "
+        "worse than another, and what is undecided or never happens has none\n",
         name);
   } else {
     err << "pal: no requirement has a worst run to draw\n";

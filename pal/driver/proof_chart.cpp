@@ -7,25 +7,13 @@
 #include "analyzer/chart/options.hpp"
 #include "analyzer/chart/timeline.hpp"
 #include "analyzer/verdict/explain.hpp"
+#include "pal/driver/chart_caption.hpp"
 
 namespace pal::driver {
 namespace {
 
 using Measure = analyzer::Requirement::Measure;
 using State = analyzer::VerdictState;
-
-chart::Caption caption(const Proof& proof, std::size_t index) {
-  const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-  chart::Caption result;
-  result.requirement = verdict.requirement;
-  result.measure = measure_text(proof.problem, index);
-  result.verdict = analyzer::name(verdict.state);
-  if (verdict.bound) result.bound_ns = verdict.bound->count();
-  result.exact = verdict.exact;
-  result.limit_ns = verdict.limit.count();
-  result.unanswered = verdict.witness && verdict.witness->failed;
-  return result;
-}
 
 /// Of a run that fails by an event without a response: from that event to the end. Nothing of one that is
 /// lost as it comes.
@@ -67,7 +55,7 @@ std::string place_text(const analyzer::Reason& reason) {
 chart::ChartOptions options_for(const Proof& proof, std::size_t index) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   chart::ChartOptions options;
-  options.caption = caption(proof, index);
+  options.caption = proof_caption(proof, index);
   if (verdict.witness->failed) {
     options.highlight = unanswered(proof, index);
   } else if (verdict.witness->measured.value > 0 && verdict.measure != Measure::loss) {
@@ -81,12 +69,17 @@ chart::ChartOptions options_for(const Proof& proof, std::size_t index) {
 
 }  // namespace
 
+bool has_worst_run(const analyzer::Verdict& verdict) {
+  if (!verdict.witness || verdict.measure == Measure::load) return false;
+  return verdict.measure != Measure::loss || verdict.witness->failed || verdict.witness->measured.value > 0;
+}
+
 std::optional<std::size_t> most_interesting(const Proof& proof) {
   std::optional<std::size_t> best;
   double best_share = 0;
   for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
     const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
-    if (!verdict.witness) continue;
+    if (!has_worst_run(verdict)) continue;
     if (verdict.state == State::fails) return i;
     if (verdict.limit.count() == 0 || verdict.at_least) continue;
     const double share =

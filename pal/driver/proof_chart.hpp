@@ -12,8 +12,12 @@
 
 namespace pal::driver {
 
+/// Whether the witness of a verdict shows what it says, in a finite run that is worse than others: not that
+/// of a load, nor one of which nothing is lost.
+bool has_worst_run(const analyzer::Verdict& verdict);
+
 /// The requirement that a reader wants to see: the first that fails, else the one with the least of its limit
-/// to spare. Only those with a witness; nothing if there is none.
+/// to spare. Only those that have a worst run; nothing if there is none.
 std::optional<std::size_t> most_interesting(const Proof& proof);
 
 /// The statements that requirement `index` is about, by their names in traces.

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "analyzer/chart/chart.hpp"
+#include "pal/driver/chart_caption.hpp"
 #include "pal/driver/commands.hpp"
 #include "pal/driver/interruption.hpp"
 #include "pal/driver/runs.hpp"
@@ -129,10 +130,7 @@ std::string chart_of(const Study& study, std::size_t index, const KnownRun& run)
   options.caption.requirement = requirement.name;
   options.caption.measure = measure_text(problem, index) + "; " + study.runs.names[seen.run];
   options.caption.verdict = seen.breaking > 0 ? "broken" : seen.open > 0 ? "open" : "kept";
-  options.caption.limit_ns = requirement.limit;
-  if (requirement.measure != analyzer::Requirement::Measure::loss &&
-      requirement.measure != analyzer::Requirement::Measure::load)
-    options.caption.shown_ns = seen.extreme->value;
+  options.caption.figures = shown_figures(requirement, Duration(seen.extreme->value));
   const std::string label = short_measure_text(problem, index);
   if (!label.empty() && seen.extreme->value > 0) {
     const bool over = requirement.at_least ? seen.extreme->value < requirement.limit

@@ -29,9 +29,12 @@ TEST_CASE("one of everything, as data and as a picture") {
   const Timeline signs = timeline(signs_trace());
   compare("signs.txt", dump(signs));
   ChartOptions options;
-  options.caption = {"answer-alter", "response from tick of alter to TXM( correction to alter )",
-                     "fails",        -1,
-                     false,          6'000'000};
+  options.caption = {"answer-alter",
+                     "response from tick of alter to TXM( correction to alter )",
+                     "fails",
+                     "no bound is known, limit 6 ms",
+                     "",
+                     "6 ms"};
   options.highlight = Highlight{1'500'000, 9'500'000, "response to tick", true, 6'000'000};
   options.deadlines = {{8'500'000, "next tick"}};
   compare("signs.svg", svg(signs, options));

@@ -1,5 +1,7 @@
 #include "tests/unit/chart/example.hpp"
 
+#include "analyzer/chart/chart.hpp"
+
 namespace pal::chart {
 
 Example example_of(const trace::Trace& trace) {
@@ -7,12 +9,15 @@ Example example_of(const trace::Trace& trace) {
   Example example{timeline(trace), {}};
   const std::int64_t age = oldest.sent_ns - oldest.set_ns;
   const std::int64_t limit = 10'000'000;
-  example.options.caption = {"fresh-force",
-                             "age of pc-force at TXM( motion to MC1 ) in SM1",
-                             age <= limit ? "holds" : "fails",
-                             age,
-                             true,
-                             limit};
+  const bool holds = age <= limit;
+  example.options.caption.requirement = "fresh-force";
+  example.options.caption.measure = "age of pc-force at TXM( motion to MC1 ) in SM1";
+  example.options.caption.verdict = holds ? "holds" : "fails";
+  example.options.caption.figures =
+      "worst case " + duration_text(age) + " (exact: the run below attains it), limit 10 ms, " +
+      (holds ? "margin " + duration_text(limit - age) : duration_text(age - limit) + " too much");
+  example.options.caption.proved = "at most " + duration_text(age);
+  example.options.caption.limit = "10 ms";
   example.options.highlight = Highlight{oldest.set_ns, oldest.sent_ns, "age of pc-force", age > limit, limit};
   if (age > limit) {
     const std::int64_t asked = oldest.sent_ns - age / 50;

@@ -153,3 +153,25 @@ TEST_CASE("the chart of an event without a response shows that event, not the on
   CHECK(drawn.str().find("response to tick") == std::string::npos);
   std::filesystem::remove(picture);
 }
+
+TEST_CASE("what is no length of time is drawn as what it is, or not at all") {
+  const pal::MemoryFileSystem files = in_memory(text_of("skipped_frames"));
+  const Folder folder("numbers");
+  const std::string picture = folder.file("s.svg");
+  const auto draw = [&](const std::string& requirement) {
+    return pal::test::pal({"atc", "s.pal", "-r", requirement, "-o", picture}, files);
+  };
+  CHECK(draw("skipped").status == ExitStatus::all_hold);
+  CHECK(content(picture).find("worst case 2 lost (exact: by 234 ms), limit 1, 1 too much") !=
+        std::string::npos);
+  CHECK(draw("apart").status == ExitStatus::all_hold);
+  CHECK(content(picture).find("limit 1 ms, margin 155 ms") != std::string::npos);
+  for (const std::string requirement : {"busy", "signs"}) {
+    const Answer refused = draw(requirement);
+    CHECK(refused.status == ExitStatus::usage);
+    CHECK(refused.err.find("'" + requirement + "' has no worst run to draw") != std::string::npos);
+  }
+  // The first that fails and has a run.
+  CHECK(pal::test::pal({"atc", "s.pal", "-o", picture}, files).status == ExitStatus::all_hold);
+  CHECK(content(picture).find("skipped fails") != std::string::npos);
+}
