@@ -94,11 +94,25 @@ FiledWitness from_json(const Json& json) {
 
 }  // namespace
 
+std::string filed_text(const FiledWitness& witness) {
+  std::string text;
+  for (const char letter : to_json(witness).dump(1)) {
+    text += letter;
+    if (letter == '\n') text += "  ";  // it stands in a list in an object
+  }
+  return text;
+}
+
+void write_filed(const std::vector<std::string>& texts, std::ostream& out) {
+  out << "{\n \"witnesses\": [";
+  for (const std::string& text : texts) out << (&text == &texts.front() ? "\n  " : ",\n  ") << text;
+  out << (texts.empty() ? "]\n}\n" : "\n ]\n}\n");
+}
+
 void write_witnesses(const std::vector<FiledWitness>& witnesses, std::ostream& out) {
-  Json document;
-  document["witnesses"] = Json::array();
-  for (const FiledWitness& witness : witnesses) document["witnesses"].push_back(to_json(witness));
-  out << document.dump(1) << "\n";
+  std::vector<std::string> texts;
+  for (const FiledWitness& witness : witnesses) texts.push_back(filed_text(witness));
+  write_filed(texts, out);
 }
 
 std::vector<FiledWitness> read_witnesses(std::istream& in) {

@@ -73,7 +73,7 @@ class Question {
       answer.placements = {analyzer::placements_on(*options_.place, environment, judge, how)};
     }
     if (!options_.witness.empty())
-      answer.witnesses = witnesses_of(answer.placements, skill, environment, analysis_);
+      answer.witnesses = filed_witnesses_of(answer.placements, skill, environment, analysis_);
   }
 
   const WhatIfOptions& options_;
@@ -97,7 +97,7 @@ void look_for_standstills(const std::vector<std::string>& changes, Session& sess
 /// `listed`: says on the standard output where they are; what is JSON there stays JSON.
 ExitStatus write_witnesses(const std::vector<WhatIfAnswer>& answers, const std::string& path, bool listed,
                            const Session& session, const Console& console) {
-  std::vector<analyzer::rules::FiledWitness> all;
+  std::vector<std::string> all;
   std::size_t refuted = 0;
   for (const WhatIfAnswer& answer : answers) {
     all.insert(all.end(), answer.witnesses.begin(), answer.witnesses.end());
@@ -108,7 +108,7 @@ ExitStatus write_witnesses(const std::vector<WhatIfAnswer>& answers, const std::
                 << " placements refuted no run is found again within the limits\n";
   }
   std::ostringstream text;
-  analyzer::rules::write_witnesses(all, text);
+  analyzer::rules::write_filed(all, text);
   if (listed) return write_and_list({{path, text.str()}}, inputs_of(session), console);
   const auto problem = write_files({{path, text.str()}});
   if (problem) console.err << "pal: " << *problem << "\n";
