@@ -103,16 +103,19 @@ std::string filed_text(const FiledWitness& witness) {
   return text;
 }
 
-void write_filed(const std::vector<std::string>& texts, std::ostream& out) {
-  out << "{\n \"witnesses\": [";
-  for (const std::string& text : texts) out << (&text == &texts.front() ? "\n  " : ",\n  ") << text;
-  out << (texts.empty() ? "]\n}\n" : "\n ]\n}\n");
+std::string file_of(const std::vector<std::string>& texts) {
+  std::string file = "{\n \"witnesses\": [";
+  std::size_t size = 100;
+  for (const std::string& text : texts) size += text.size() + 4;
+  file.reserve(size);
+  for (const std::string& text : texts) (file += &text == &texts.front() ? "\n  " : ",\n  ") += text;
+  return file += texts.empty() ? "]\n}\n" : "\n ]\n}\n";
 }
 
 void write_witnesses(const std::vector<FiledWitness>& witnesses, std::ostream& out) {
   std::vector<std::string> texts;
   for (const FiledWitness& witness : witnesses) texts.push_back(filed_text(witness));
-  write_filed(texts, out);
+  out << file_of(texts);
 }
 
 std::vector<FiledWitness> read_witnesses(std::istream& in) {

@@ -46,7 +46,7 @@ struct FiledWitness {
 std::string filed_text(const FiledWitness& witness);
 
 /// {"witnesses": [...]} of what filed_text gave.
-void write_filed(const std::vector<std::string>& texts, std::ostream& out);
+std::string file_of(const std::vector<std::string>& texts);
 
 /// {"witnesses": [...]}; the same witnesses give the same bytes.
 void write_witnesses(const std::vector<FiledWitness>& witnesses, std::ostream& out);
