@@ -33,8 +33,14 @@ Bound bound_of(const View& view, const Requirement& requirement) {
   return {};
 }
 
+/// That a processor is not busy for more than the whole time says nothing of it.
+bool says_nothing(const Bound& bound, const Verdict& verdict) {
+  constexpr Nanoseconds second = 1'000'000'000;
+  return verdict.measure == Measure::load && bound.sum.value() >= second && verdict.limit.count() < second;
+}
+
 void judge(const Bound& bound, Verdict& verdict) {
-  if (!bound.known()) {
+  if (!bound.known() || says_nothing(bound, verdict)) {
     verdict.explanation = "The compositional analysis has no bound: " + bound.why + ".";
     return;
   }
@@ -88,7 +94,7 @@ Analysis analyze_compositionally(const Problem& skill, const Options& options) {
         const Bound bound = bound_of(view, requirement);
         const Bound known = bound.known() ? bound : until_left(view, endurance, requirement, bound_of);
         judge(known, analysis.verdicts[r]);
-        if (options.addends && known.known() && requirement.measure != Measure::loss)
+        if (options.addends && analysis.verdicts[r].bound && requirement.measure != Measure::loss)
           analysis.verdicts[r].addends = account_of(view, known.sum);
       }
     }

@@ -239,6 +239,7 @@ class Analyzer {
     if (!complete) {
       verdict.bound = Duration(1'000'000'000);
       verdict.state = requirement.limit >= 1'000'000'000 ? Is::holds : Is::undecided;
+      forget_full_load(verdict);
       verdict.explanation = "The exploration ended before all runs had been seen.";
       return;
     }
@@ -268,6 +269,14 @@ class Analyzer {
     if (!worst->exact && shown->witness)
       verdict.explanation +=
           "; a run keeps " + processor_name(processor_of(shown)) + " busy for " + turn_text(shown->shown);
+    forget_full_load(verdict);
+  }
+
+  /// That a processor is not busy for more than the whole time says nothing of it.
+  static void forget_full_load(Verdict& verdict) {
+    if (verdict.state != Is::undecided || verdict.bound->count() < 1'000'000'000) return;
+    verdict.bound.reset();
+    verdict.addends.clear();
   }
 
   const std::string& processor_name(int processor) const {

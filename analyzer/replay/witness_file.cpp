@@ -94,11 +94,28 @@ FiledWitness from_json(const Json& json) {
 
 }  // namespace
 
+std::string filed_text(const FiledWitness& witness) {
+  std::string text;
+  for (const char letter : to_json(witness).dump(1)) {
+    text += letter;
+    if (letter == '\n') text += "  ";  // it stands in a list in an object
+  }
+  return text;
+}
+
+std::string file_of(const std::vector<std::string>& texts) {
+  std::string file = "{\n \"witnesses\": [";
+  std::size_t size = 100;
+  for (const std::string& text : texts) size += text.size() + 4;
+  file.reserve(size);
+  for (const std::string& text : texts) (file += &text == &texts.front() ? "\n  " : ",\n  ") += text;
+  return file += texts.empty() ? "]\n}\n" : "\n ]\n}\n";
+}
+
 void write_witnesses(const std::vector<FiledWitness>& witnesses, std::ostream& out) {
-  Json document;
-  document["witnesses"] = Json::array();
-  for (const FiledWitness& witness : witnesses) document["witnesses"].push_back(to_json(witness));
-  out << document.dump(1) << "\n";
+  std::vector<std::string> texts;
+  for (const FiledWitness& witness : witnesses) texts.push_back(filed_text(witness));
+  out << file_of(texts);
 }
 
 std::vector<FiledWitness> read_witnesses(std::istream& in) {

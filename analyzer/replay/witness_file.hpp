@@ -42,6 +42,12 @@ struct FiledWitness {
   trace::Trace run;
 };
 
+/// The witness as it stands in the file.
+std::string filed_text(const FiledWitness& witness);
+
+/// {"witnesses": [...]} of what filed_text gave.
+std::string file_of(const std::vector<std::string>& texts);
+
 /// {"witnesses": [...]}; the same witnesses give the same bytes.
 void write_witnesses(const std::vector<FiledWitness>& witnesses, std::ostream& out);
 

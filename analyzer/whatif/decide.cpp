@@ -5,8 +5,8 @@
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/exact/standstill.hpp"
 #include "analyzer/load/load.hpp"
-#include "analyzer/runs/simulate.hpp"
 #include "analyzer/verdict/unread.hpp"
+#include "analyzer/whatif/quick_runs.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -108,58 +108,6 @@ class Search {
   bool beyond_tried_ = false;
   Nanoseconds tried_ = -1;
 };
-
-/// How a run breaks a requirement: by what it measures, or by what has only grown by its end.
-enum class Break { none, measured, grown };
-
-/// Whether a run by chance with worst times, of so many events at most, breaks the requirement.
-Break simulated_break(const Requirement& requirement, const Machine& machine, std::uint64_t seed,
-                      std::size_t events, const Options& options) {
-  SimulationOptions how;
-  how.times = SimulationOptions::Times::worst;
-  how.seed = seed;
-  how.until = Range::unbounded;
-  how.max_events = events;
-  how.stop = options.stop;
-  how.record = false;
-  const Simulation run = simulate(machine, how);
-  if (run.failed) return Break::measured;
-  const bool measured =
-      std::any_of(run.measured.begin(), run.measured.end(), [&requirement](const Measurement& made) {
-        return requirement.at_least ? made.value < requirement.limit : made.value > requirement.limit;
-      });
-  if (measured) return Break::measured;
-  // What keeps a processor busy counts however the run goes on, if it goes on.
-  const bool grown = requirement.measure == Measure::busy && run.grown > requirement.limit;
-  return grown ? Break::grown : Break::none;
-}
-
-/// A few short runs: cheap, and often enough. Where more is to be done than there is time, a long one, in
-/// which what is left over adds up; the skill has very many states there.
-Break simulated_break(const Problem& problem, const Requirement& requirement, int processor,
-                      const Options& options) {
-  constexpr std::uint64_t runs = 6;
-  constexpr std::size_t events = 1'500;
-  constexpr std::size_t many_events = 200'000;
-  const Watch watch = watch_of(problem, requirement, processor);
-  const Machine machine(problem, watch);
-  for (std::uint64_t seed = 1; seed <= runs; ++seed) {
-    const Break found = simulated_break(requirement, machine, seed, events, options);
-    if (found != Break::none) return found;
-  }
-  if (problem.overloaded.empty()) return Break::none;
-  return simulated_break(requirement, machine, 1, many_events, options);
-}
-
-Break simulated_break(const Problem& problem, const Requirement& requirement, const Options& options) {
-  if (requirement.measure == Measure::load || requirement.measure == Measure::loss) return Break::none;
-  if (requirement.measure != Measure::busy) return simulated_break(problem, requirement, -1, options);
-  for (const int processor : requirement.processors) {
-    const Break found = simulated_break(problem, requirement, processor, options);
-    if (found != Break::none) return found;
-  }
-  return Break::none;
-}
 
 Decision by_analysis(const Problem& problem, std::size_t requirement, const Options& options) {
   Problem alone = problem;

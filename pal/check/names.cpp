@@ -237,8 +237,11 @@ void Names::report_no_activity(const syntax::Name& name, pan::ModuleId module) {
     }
   }
   const auto& owner = network_.modules[module.index()].name;
-  report_unknown(diagnostics_, Code::PAL0204, "activity of " + owner, name, known,
-                 "declare it before BEGIN: ACTIVITY " + name.text);
+  const bool is_if = name.text == "IF" || name.text == "If" || name.text == "if";
+  report_unknown(
+      diagnostics_, Code::PAL0204, "activity of " + owner, name, known,
+      is_if ? "PAL has no IF: write CASE, an arm ( … ): for each way with its statements, and END CASE"
+            : "declare it before BEGIN: ACTIVITY " + name.text);
 }
 
 pan::ChannelId Names::channel(const pan::Party& sender, pan::MessageId message, const pan::Party& receiver,

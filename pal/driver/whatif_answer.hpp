@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/replay/witness_file.hpp"
 #include "analyzer/whatif/placement.hpp"
 #include "analyzer/whatif/slack.hpp"
 #include "pal/driver/proof.hpp"
@@ -19,9 +18,9 @@ struct WhatIfAnswer {
   std::vector<analyzer::Slack> slacks;
   std::vector<Proof> before_and_after;  // both, or neither
   std::vector<analyzer::Placements> placements;
-  std::vector<analyzer::rules::FiledWitness> witnesses;  // of refuted placements, if asked for
-  bool fewest = false;                                   // the placements answer how few processors do
-  bool priorities = false;                               // … in every order by priority
+  std::vector<std::string> witnesses;  // of refuted placements, if asked for: as they are filed
+  bool fewest = false;                 // the placements answer how few processors do
+  bool priorities = false;             // … in every order by priority
   double seconds = 0;
 };
 

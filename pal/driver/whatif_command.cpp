@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <ostream>
 #include <sstream>
 
@@ -73,7 +74,7 @@ class Question {
       answer.placements = {analyzer::placements_on(*options_.place, environment, judge, how)};
     }
     if (!options_.witness.empty())
-      answer.witnesses = witnesses_of(answer.placements, skill, environment, analysis_);
+      answer.witnesses = filed_witnesses_of(answer.placements, skill, environment, analysis_);
   }
 
   const WhatIfOptions& options_;
@@ -95,22 +96,23 @@ void look_for_standstills(const std::vector<std::string>& changes, Session& sess
 }
 
 /// `listed`: says on the standard output where they are; what is JSON there stays JSON.
-ExitStatus write_witnesses(const std::vector<WhatIfAnswer>& answers, const std::string& path, bool listed,
+/// There may be much to write: it is taken out of the answers.
+ExitStatus write_witnesses(std::vector<WhatIfAnswer>& answers, const std::string& path, bool listed,
                            const Session& session, const Console& console) {
-  std::vector<analyzer::rules::FiledWitness> all;
+  std::vector<std::string> all;
   std::size_t refuted = 0;
-  for (const WhatIfAnswer& answer : answers) {
-    all.insert(all.end(), answer.witnesses.begin(), answer.witnesses.end());
+  for (WhatIfAnswer& answer : answers) {
+    std::move(answer.witnesses.begin(), answer.witnesses.end(), std::back_inserter(all));
     for (const analyzer::Placements& on : answer.placements) refuted += on.refuted.size();
   }
   if (all.size() < refuted) {
     console.err << "pal: of " << refuted - all.size() << " of " << refuted
                 << " placements refuted no run is found again within the limits\n";
   }
-  std::ostringstream text;
-  analyzer::rules::write_witnesses(all, text);
-  if (listed) return write_and_list({{path, text.str()}}, inputs_of(session), console);
-  const auto problem = write_files({{path, text.str()}});
+  std::vector<OutputFile> files(1);
+  files.front() = {path, analyzer::rules::file_of(all)};
+  if (listed) return write_and_list(files, inputs_of(session), console);
+  const auto problem = write_files(files);
   if (problem) console.err << "pal: " << *problem << "\n";
   return problem ? ExitStatus::usage : ExitStatus::all_hold;
 }

@@ -9,6 +9,7 @@
 
 #include "analyzer/machine/machine.hpp"
 #include "analyzer/replay/check_run.hpp"
+#include "analyzer/whatif/quick_runs.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/duration_text.hpp"
 
@@ -25,13 +26,13 @@ std::string identity_of(const pan::Network& skill, const pan::Environment& envir
   return analyzer::rules::identity(text.str());
 }
 
-FiledWitness filed(const analyzer::Problem& problem, const analyzer::Verdict& verdict) {
-  const analyzer::Witness& witness = *verdict.witness;
+FiledWitness filed(const analyzer::Problem& problem, const std::string& requirement,
+                   analyzer::Requirement::Measure measure, const analyzer::Witness& witness) {
   FiledWitness made;
   made.skill = problem.skill;
   made.environment = problem.environment;
-  made.requirement = verdict.requirement;
-  made.measure = analyzer::name(verdict.measure);
+  made.requirement = requirement;
+  made.measure = analyzer::name(measure);
   made.failed = witness.failed;
   made.grows = witness.grows;
   made.value = witness.measured.value;
@@ -86,6 +87,16 @@ std::string refusal(const FiledWitness& witness, const analyzer::Problem& proble
   return is_shown ? "" : "it does not show " + to_text(Duration(witness.value));
 }
 
+/// A run that breaks the one requirement of `problem`. Most are found as they were when it was refuted.
+std::optional<analyzer::Witness> breaking(const analyzer::Problem& problem,
+                                          const analyzer::Options& options) {
+  auto simulated = analyzer::simulated_witness(problem, problem.requirements.front(), options);
+  if (simulated) return simulated;
+  auto analysis = analyzer::analyze(problem, analyzer::AnalysisChoice::automatic, options);
+  analyzer::Verdict& verdict = analysis.verdicts.front();
+  return verdict.state == analyzer::VerdictState::fails ? std::move(verdict.witness) : std::nullopt;
+}
+
 std::string placement_text(const FiledWitness& witness) {
   std::string text;
   for (const auto& seat : witness.placement)
@@ -108,7 +119,7 @@ std::vector<FiledWitness> witnesses_of(const std::vector<Proof>& proofs, const S
   for (const Proof& proof : proofs) {
     for (const analyzer::Verdict& verdict : proof.analysis.verdicts) {
       if (!verdict.witness) continue;
-      made.push_back(filed(proof.problem, verdict));
+      made.push_back(filed(proof.problem, verdict.requirement, verdict.measure, *verdict.witness));
       for (const pan::Network& skill : session.specification.skills) {
         for (const pan::Environment& environment : session.specification.environments) {
           if (skill.skill.name == proof.problem.skill && environment.name == proof.problem.environment)
@@ -120,25 +131,26 @@ std::vector<FiledWitness> witnesses_of(const std::vector<Proof>& proofs, const S
   return made;
 }
 
-std::vector<FiledWitness> witnesses_of(const std::vector<analyzer::Placements>& placements,
-                                       const pan::Network& network, const pan::Environment& environment,
-                                       const analyzer::Options& options) {
-  std::vector<FiledWitness> made;
+std::vector<std::string> filed_witnesses_of(const std::vector<analyzer::Placements>& placements,
+                                            const pan::Network& network, const pan::Environment& environment,
+                                            const analyzer::Options& options) {
+  std::vector<std::string> made;
   for (const analyzer::Placements& on : placements) {
     for (const analyzer::Placed& refuted : on.refuted) {
+      if (options.stop && options.stop()) return made;
       const pan::Environment there = analyzer::placed(environment, refuted.seats);
       Diagnostics known;
       auto problem = analyzer::make_problem(network, there, known);
       if (!problem) continue;
       problem->requirements = {problem->requirements[static_cast<std::size_t>(refuted.ruling.requirement)]};
-      const analyzer::Analysis analysis =
-          analyzer::analyze(*problem, analyzer::AnalysisChoice::automatic, options);
-      const analyzer::Verdict& verdict = analysis.verdicts.front();
-      if (verdict.state != analyzer::VerdictState::fails || !verdict.witness) continue;
-      made.push_back(filed(*problem, verdict));
-      made.back().identity = identity_of(network, there);
+      const auto witness = breaking(*problem, options);
+      if (!witness) continue;
+      const analyzer::Requirement& requirement = problem->requirements.front();
+      FiledWitness found = filed(*problem, requirement.name, requirement.measure, *witness);
+      found.identity = identity_of(network, there);
       for (const analyzer::Seat& seat : refuted.seats)
-        made.back().placement.push_back({seat.thread, seat.processor, seat.priority});
+        found.placement.push_back({seat.thread, seat.processor, seat.priority});
+      made.push_back(analyzer::rules::filed_text(found));
     }
   }
   return made;

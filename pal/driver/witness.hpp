@@ -17,12 +17,13 @@ namespace pal::driver {
 std::vector<analyzer::rules::FiledWitness> witnesses_of(const std::vector<Proof>& proofs,
                                                         const Session& session);
 
-/// A run that breaks a requirement, for each placement that was refuted and of which the exact analysis finds
-/// one. `network` and `environment` are those of the session that the placements are of.
-std::vector<analyzer::rules::FiledWitness> witnesses_of(const std::vector<analyzer::Placements>& placements,
-                                                        const pan::Network& network,
-                                                        const pan::Environment& environment,
-                                                        const analyzer::Options& options);
+/// A run that breaks a requirement, for each placement that was refuted and of which a simulation or the
+/// analysis finds one before `options.stop` says true. `network` and `environment` are those of the session
+/// that the placements are of. Each is made the text that it is filed as (rules::filed_text) at once: there
+/// may be thousands, and little is left to do once time is up.
+std::vector<std::string> filed_witnesses_of(const std::vector<analyzer::Placements>& placements,
+                                            const pan::Network& network, const pan::Environment& environment,
+                                            const analyzer::Options& options);
 
 /// Those in the file; says on `console.err` why they cannot be had.
 std::optional<std::vector<analyzer::rules::FiledWitness>> read_witness_file(const std::string& path,

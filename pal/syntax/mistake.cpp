@@ -47,7 +47,7 @@ class FirstMistake : public Recovery {
 
  private:
   [[noreturn]] void stop(antlr4::Parser* parser, std::size_t at, std::exception_ptr* error) {
-    Mistake mistake{at, 0, {}, sink_.all().front()};
+    Mistake mistake{at, 0, {}, sink_.all().front(), foreign()};
     add(parser->getExpectedTokens(), mistake.expected);
     if (error != nullptr) add_dead_ends(parser, *error, mistake.expected);
     const antlr4::tree::ParseTree* unit = parser->getContext();

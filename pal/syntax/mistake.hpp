@@ -20,6 +20,7 @@ struct Mistake {
   std::size_t unit_begin = 0;      // the first token of the unit that it is in
   std::set<std::size_t> expected;  // what could stand there
   Diagnostic finding;              // how Recovery tells it
+  bool foreign = false;            // … by what PAL has instead: no change tells it better
 };
 
 /// Parses up to the first mistake; nothing if there is none.

@@ -5,6 +5,7 @@
 
 #include "PalParser.h"
 #include "pal/support/diagnostic_code.hpp"
+#include "pal/syntax/foreign.hpp"
 #include "pal/syntax/spelling.hpp"
 
 namespace pal::syntax {
@@ -127,6 +128,11 @@ Diagnostic* Recovery::report(antlr4::Parser* parser, const antlr4::Token* at, st
     report_too_many(diagnostics_, tokens_.span(at));
     return nullptr;
   }
+  auto foreign = foreign_form(tokens_, at, parser->getContext());
+  if (!foreign) foreign = foreign_form(tokens_, parser->getCurrentToken(), parser->getContext());
+  foreign_ = foreign.has_value();
+  if (foreign)
+    return &diagnostics_.report(Code::PAL0101, tokens_.span(foreign->at), foreign->message, foreign->hint);
   return &diagnostics_.report(Code::PAL0101, tokens_.span(at), std::move(message), std::move(hint));
 }
 
@@ -158,7 +164,8 @@ bool Recovery::report_missing_end(antlr4::Parser* parser, const antlr4::Token* a
         parser, at,
         "this " + std::string(end.what) + " has no " + std::string(end.end) + " before " + spelling(*at),
         "add " + std::string(end.end));
-    if (finding != nullptr) finding->notes.push_back({tokens_.span(context->start), "it begins here"});
+    if (finding != nullptr && !foreign_)
+      finding->notes.push_back({tokens_.span(context->start), "it begins here"});
     return true;
   }
   return false;

@@ -32,6 +32,8 @@ class Recovery : public antlr4::DefaultErrorStrategy {
   void sync(antlr4::Parser* parser) override;
 
  protected:
+  /// What was told last is a form of other languages (foreign_form).
+  bool foreign() const { return foreign_; }
   void reportNoViableAlternative(antlr4::Parser* parser, const antlr4::NoViableAltException& e) override;
   void reportInputMismatch(antlr4::Parser* parser, const antlr4::InputMismatchException& e) override;
   void reportUnwantedToken(antlr4::Parser* parser) override;
@@ -52,6 +54,7 @@ class Recovery : public antlr4::DefaultErrorStrategy {
   const Tokens& tokens_;
   Diagnostics& diagnostics_;
   std::size_t reported_ = 0;
+  bool foreign_ = false;
 };
 
 }  // namespace pal::syntax

@@ -180,6 +180,7 @@ bool is_unit_of_time(const Change& change, const Tokens& tokens) {
 
 Diagnostic told_by(const Change& change, const Mistake& mistake, const Tokens& tokens) {
   Diagnostic finding = mistake.finding;
+  if (mistake.foreign) return finding;
   const auto* at = tokens.all()[change.at];
   const bool is_known = std::none_of(change.added.begin(), change.added.end(), stands_for_many);
   if (change.removed == 0) {

@@ -346,3 +346,30 @@ TEST_CASE("what to do about a sample that is too old is said of samples") {
   CHECK(answer.status == ExitStatus::not_met);
   CHECK(answer.err.find("hint: ask for the sample later, or more often, or shorten") != std::string::npos);
 }
+
+TEST_CASE("a load of which nothing is known has no bound, and is over by nothing") {
+  const pal::MemoryFileSystem files = in_memory(text_of("unknown_load"));
+  for (const std::vector<std::string>& how : {std::vector<std::string>{"--analysis", "compositional"},
+                                              {"--analysis", "exact", "--max-states", "5"}}) {
+    const auto check = [&](const std::string& format) {
+      std::vector<std::string> words{"check", "s.pal", "--format", format};
+      words.insert(words.end(), how.begin(), how.end());
+      return pal::test::pal(words, files);
+    };
+    const Answer text = check("text");
+    CHECK(text.status == ExitStatus::not_met);
+    CHECK(text.out.find("no bound  of    50 %") != std::string::npos);
+    CHECK((text.out + text.err).find("too much") == std::string::npos);
+    const auto load = nlohmann::json::parse(check("json").out).at("requirements").back();
+    CHECK(load.at("bound_ns").is_null());
+    CHECK(load.at("verdict") == "undecided");
+    CHECK(check("sarif").out.find("has no bound that was found") != std::string::npos);
+  }
+}
+
+TEST_CASE("a load that may be all the time holds whatever is known") {
+  std::string all = text_of("unknown_load");
+  all.replace(all.find("AT MOST 50 %"), 12, "AT MOST 100 %");
+  const Answer answer = pal::test::pal({"check", "s.pal", "--analysis", "compositional"}, in_memory(all));
+  CHECK(answer.out.find("<= 100 %  of   100 %  0 % to spare") != std::string::npos);
+}

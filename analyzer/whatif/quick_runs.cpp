@@ -1,0 +1,102 @@
+#include "analyzer/whatif/quick_runs.hpp"
+
+#include <algorithm>
+
+#include "analyzer/machine/machine.hpp"
+#include "analyzer/runs/simulate.hpp"
+#include "analyzer/runs/witness.hpp"
+
+namespace pal::analyzer {
+namespace {
+
+using Measure = Requirement::Measure;
+
+constexpr std::uint64_t runs = 6;
+constexpr std::size_t few_events = 1'500;
+constexpr std::size_t many_events = 200'000;
+
+Simulation run_by_chance(const Machine& machine, std::uint64_t seed, std::size_t events,
+                         const Options& options) {
+  SimulationOptions how;
+  how.times = SimulationOptions::Times::worst;
+  how.seed = seed;
+  how.until = Range::unbounded;
+  how.max_events = events;
+  how.stop = options.stop;
+  how.record = false;
+  return simulate(machine, how);
+}
+
+bool is_beyond(const Requirement& requirement, const Measurement& made) {
+  return requirement.at_least ? made.value < requirement.limit : made.value > requirement.limit;
+}
+
+/// The first value that is measured beyond the limit.
+auto first_beyond(const Requirement& requirement, const Simulation& run) {
+  return std::find_if(run.measured.begin(), run.measured.end(),
+                      [&requirement](const Measurement& made) { return is_beyond(requirement, made); });
+}
+
+Break break_in(const Requirement& requirement, const Simulation& run) {
+  if (run.failed || first_beyond(requirement, run) != run.measured.end()) return Break::measured;
+  // What keeps a processor busy counts however the run goes on, if it goes on.
+  const bool grown = requirement.measure == Measure::busy && run.grown > requirement.limit;
+  return grown ? Break::grown : Break::none;
+}
+
+/// Those that have to be watched one by one; -1: none is.
+std::vector<int> processors_of(const Requirement& requirement) {
+  if (requirement.measure == Measure::load || requirement.measure == Measure::loss) return {};
+  if (requirement.measure != Measure::busy) return {-1};
+  return {requirement.processors.begin(), requirement.processors.end()};
+}
+
+/// A few short runs. Where more is to be done than there is time, a long one, in which what is left over adds
+/// up; the skill has very many states there.
+Break simulated_break(const Problem& problem, const Requirement& requirement, int processor,
+                      const Options& options) {
+  const Watch watch = watch_of(problem, requirement, processor);
+  const Machine machine(problem, watch);
+  for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+    const Break found = break_in(requirement, run_by_chance(machine, seed, few_events, options));
+    if (found != Break::none) return found;
+  }
+  if (problem.overloaded.empty()) return Break::none;
+  return break_in(requirement, run_by_chance(machine, 1, many_events, options));
+}
+
+/// The run up to where it breaks the requirement.
+std::optional<Witness> witness_of(const Requirement& requirement, const Machine& machine, Simulation run) {
+  const auto beyond = first_beyond(requirement, run);
+  if (beyond != run.measured.end())
+    run.script.resize(run.measured_after[static_cast<std::size_t>(beyond - run.measured.begin())]);
+  auto made = replay(machine, run.script);
+  const bool breaks = made && (made->failed || is_beyond(requirement, made->measured));
+  return breaks ? std::move(made) : std::nullopt;
+}
+
+}  // namespace
+
+Break simulated_break(const Problem& problem, const Requirement& requirement, const Options& options) {
+  for (const int processor : processors_of(requirement)) {
+    const Break found = simulated_break(problem, requirement, processor, options);
+    if (found != Break::none) return found;
+  }
+  return Break::none;
+}
+
+std::optional<Witness> simulated_witness(const Problem& problem, const Requirement& requirement,
+                                         const Options& options) {
+  for (const int processor : processors_of(requirement)) {
+    const Watch watch = watch_of(problem, requirement, processor);
+    const Machine machine(problem, watch);
+    for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+      Simulation run = run_by_chance(machine, seed, few_events, options);
+      if (break_in(requirement, run) == Break::none) continue;
+      return witness_of(requirement, machine, std::move(run));
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace pal::analyzer

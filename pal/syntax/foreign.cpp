@@ -1,0 +1,127 @@
+#include "pal/syntax/foreign.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <string_view>
+
+#include "PalParser.h"
+#include "pal/syntax/spelling.hpp"
+
+namespace pal::syntax {
+namespace {
+
+using Parser = grammar::PalParser;
+
+std::string in_capitals(const antlr4::Token* token) {
+  std::string text = token->getText();
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+  return text;
+}
+
+bool is(const antlr4::Token* token, std::size_t type) {
+  return token != nullptr && token->getType() == type;
+}
+
+bool is_if(const antlr4::Token* token) {
+  return is(token, Parser::NAME) && in_capitals(token) == "IF";
+}
+
+bool touch(const antlr4::Token* left, const antlr4::Token* right) {
+  return left->getStopIndex() + 1 == right->getStartIndex();
+}
+
+bool is_type_elsewhere(const antlr4::Token* token) {
+  static constexpr std::array<std::string_view, 10> types{"FLOAT", "DOUBLE", "INT",    "LONG", "BOOL",
+                                                          "CHAR",  "STRING", "NUMBER", "VOID", "EVENT"};
+  return std::find(types.begin(), types.end(), in_capitals(token)) != types.end();
+}
+
+/// The tokens around one.
+class Around {
+ public:
+  Around(const Tokens& tokens, const antlr4::Token* at) : all_(tokens.all()), at_(at->getTokenIndex()) {}
+
+  /// So many behind it, or before it; null: there is none.
+  const antlr4::Token* operator[](std::ptrdiff_t steps) const {
+    const auto place = static_cast<std::ptrdiff_t>(at_) + steps;
+    const bool inside = place >= 0 && place < static_cast<std::ptrdiff_t>(all_.size());
+    return inside ? all_[static_cast<std::size_t>(place)] : nullptr;
+  }
+
+ private:
+  const std::vector<antlr4::Token*>& all_;
+  std::size_t at_;
+};
+
+std::optional<Foreign> type_elsewhere(const Around& around) {
+  for (const std::ptrdiff_t back : {0, -1}) {
+    const auto* type = around[back];
+    if (!is(type, Parser::NAME) || !is(around[back - 1], Parser::COLON) || !is_type_elsewhere(type)) continue;
+    return Foreign{type, "PAL has no type " + spelling(*type),
+                   "write REAL, INTEGER or BOOLEAN, or SIGNAL for a message without a value"};
+  }
+  return std::nullopt;
+}
+
+Foreign no_if(const antlr4::Token* at) {
+  return {at, "PAL has no IF", "write CASE, an arm ( … ): for each way with its statements, and END CASE"};
+}
+
+/// Of a comma that cannot stand where it does.
+std::optional<Foreign> comma(const Around& around) {
+  const auto* before = around[-1];
+  const auto* after = around[1];
+  if (is(before, Parser::NUMBER) && is(after, Parser::NUMBER) && touch(before, around[0]) &&
+      touch(around[0], after)) {
+    return Foreign{around[0], "the decimal sign is a point",
+                   "write " + before->getText() + "." + after->getText()};
+  }
+  const bool wait = is(before, Parser::NAME) && is(around[-2], Parser::FROM) &&
+                    is(around[-4], Parser::LEFT) && is(around[-5], Parser::WTM);
+  if (!wait || !is(after, Parser::NUMBER)) return std::nullopt;
+  const auto* unit = around[2];
+  const std::string limit = after->getText() + (is(unit, Parser::NAME) ? " " + unit->getText() : "");
+  return Foreign{around[0], "a WTM has its limit behind its parenthesis",
+                 "write WTM( … ) WITHIN " + limit + ", then the statements, and END WTM"};
+}
+
+}  // namespace
+
+std::optional<Foreign> foreign_form(const Tokens& tokens, const antlr4::Token* at,
+                                    const antlr4::ParserRuleContext* context) {
+  const Around around(tokens, at);
+  const auto* outer = dynamic_cast<const antlr4::ParserRuleContext*>(context->parent);
+  const std::size_t rule = context->getRuleIndex();
+  switch (at->getType()) {
+    case Parser::ELSE:
+      if (outer == nullptr || outer->getRuleIndex() != Parser::RuleArm) return std::nullopt;
+      return Foreign{at, "a CASE has no ELSE", "write an arm ( NOT … ): with the conditions of the others"};
+    case Parser::COMMA:
+      return comma(around);
+    case Parser::SLASH:
+      if (!is(around[1], Parser::SLASH) || !touch(at, around[1])) return std::nullopt;
+      return Foreign{at, "a comment begins with #", "write # instead of //"};
+    case Parser::FALSE:
+      if (!is(around[-1], Parser::LEFT) || !is(around[-2], Parser::UNTIL)) return std::nullopt;
+      return Foreign{at, "an UNTIL names conditions, or forever", "write UNTIL( forever )"};
+    case Parser::LEFT:
+      if (is_if(around[-1])) return no_if(around[-1]);
+      break;
+    case Parser::END:
+      if (is_if(around[1])) return no_if(around[1]);
+      break;
+    case Parser::NAME:
+      if (is_if(at) && is(around[-1], Parser::END)) return no_if(at);
+      break;
+    default:
+      break;
+  }
+  const bool payload = rule == Parser::RuleFieldGroup || rule == Parser::RulePayload ||
+                       rule == Parser::RuleType || rule == Parser::RuleMessageUnit;
+  return payload ? type_elsewhere(around) : std::nullopt;
+}
+
+}  // namespace pal::syntax
