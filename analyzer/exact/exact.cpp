@@ -274,7 +274,7 @@ class Analyzer {
 
   /// That a processor is not busy for more than the whole time says nothing of it.
   static void forget_full_load(Verdict& verdict) {
-    if (verdict.state != Is::undecided || verdict.bound->count() < 1'000'000'000) return;
+    if (verdict.state != Is::undecided || !verdict.bound || verdict.bound->count() < 1'000'000'000) return;
     verdict.bound.reset();
     verdict.addends.clear();
   }
