@@ -42,6 +42,7 @@ class Observer {
       servers(thread);
     }
     made_.alternatives = alternatives_of(problem_, forest_, stop);
+    find_endings();
     return std::move(made_);
   }
 
@@ -276,6 +277,15 @@ class Observer {
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
       const Channel& channel = problem_.channels[c];
       made_.never_full[c] = channel.answer >= 0 || (channel.answers >= 0 && channel.sender_module >= 0);
+    }
+  }
+
+  void find_endings() {
+    made_.endings.resize(forest_.sources.size());
+    for (std::size_t n = 0; n < forest_.nodes.size(); ++n) {
+      const Node& of = forest_.nodes[n];
+      if (may_end(problem_, forest_.segment_of(of)))
+        made_.endings[static_cast<std::size_t>(of.source)].push_back(static_cast<int>(n));
     }
   }
 

@@ -38,6 +38,8 @@ struct Conduct {
   /// keep the thread waiting.
   std::vector<bool> drains;
   std::vector<std::vector<int>> alternatives;  // alternatives_of()
+  /// By source: nodes that may end the skill, or their thread. What waits for them to go on waits until then.
+  std::vector<std::vector<int>> endings;
   std::vector<bool>
       never_full;  // by channel: the protocol of request and answer keeps its slot free for a put
 };

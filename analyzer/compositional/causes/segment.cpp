@@ -65,6 +65,14 @@ bool comes_after(const Problem& problem, const Segment& segment, int first, int 
   });
 }
 
+bool may_end(const Problem& problem, const Segment& segment) {
+  return segment.ends ||
+         std::any_of(segment.steps.begin(), segment.steps.end(), [&problem](const Segment::Passed& passed) {
+           const Step& step = problem.steps[static_cast<std::size_t>(passed.step)];
+           return step.kind == Step::Kind::complete || may_match_nothing(step);
+         });
+}
+
 Segments::Segments(const Problem& problem) : problem_(problem), owner_(problem.steps.size(), -1) {
   for (std::size_t t = 0; t < problem.threads.size(); ++t) {
     for (const int step : steps_of(problem, problem.threads[t])) {

@@ -48,6 +48,9 @@ inline bool may_match_nothing(const Step& step) {
   return step.kind == Step::Kind::test && step.next.size() == step.guards.size();
 }
 
+/// Whether a run of the segment may end its thread, or the skill.
+bool may_end(const Problem& problem, const Segment& segment);
+
 /// All segments of a problem, made when asked for.
 class Segments {
  public:

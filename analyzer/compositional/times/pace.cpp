@@ -48,6 +48,7 @@ class Loop {
     }
     if (!comes) return {};
     back_at_wait(pace);
+    until_ended(pace);
     if (between > 0) pace.gap = Due{plus(pace.gap.at, between)};
     return pace;
   }
@@ -96,6 +97,29 @@ class Loop {
         if (ground_.source(n).kind == Source::Kind::joined) pace.first = Due{never};
       }
     }
+  }
+
+  /// Or the skill, or the block that goes on, has ended instead.
+  void until_ended(Pace& pace) const {
+    raise_to_endings(pace.gap, index_);
+    for (std::size_t s = 0; s < ground_.forest.sources.size(); ++s) {
+      if (is_before(static_cast<int>(s))) raise_to_endings(pace.first, static_cast<int>(s));
+    }
+  }
+
+  void raise_to_endings(Due& at, int source) const {
+    for (int n : ground_.conduct.endings[static_cast<std::size_t>(source)])
+      raise(at, {times_.nodes[static_cast<std::size_t>(n)].finish, Due::By::ended, n});
+  }
+
+  /// What a thread does at the start, that of the rounds or another that brings them about.
+  bool is_before(int source) const {
+    const Source& other = ground_.forest.sources[static_cast<std::size_t>(source)];
+    if (other.kind != Source::Kind::start) return false;
+    return other.thread == of_.thread ||
+           std::any_of(of_.feeds.begin(), of_.feeds.end(), [&](const Source::Feed& feed) {
+             return feed.node >= 0 && ground_.node(feed.node).source == source;
+           });
   }
 
   const Ground& ground_;

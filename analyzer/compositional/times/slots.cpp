@@ -39,6 +39,9 @@ bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, in
     if (std::find(rounds.begin(), rounds.end(), ground.round_of(n)) != rounds.end())
       last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
   }
+  // Whoever ends the skill may leave the thread waiting till then.
+  for (int n : ground.conduct.endings[static_cast<std::size_t>(ground.node(conduct.rounds.front()).source)])
+    last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
   return last < plus(of.period, soonest);
 }
 
