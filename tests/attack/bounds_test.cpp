@@ -56,6 +56,19 @@ Shown show(const std::string& text) {
   return shown;
 }
 
+/// The exact bound of the first requirement of a skill in tests/attack/bounds; the compositional analysis has
+/// none below it.
+std::int64_t exact_and_not_below(const std::string& name) {
+  INFO(name);
+  const auto skill = test::meaningful_skill(program(name));
+  const Verdict exact = analyze(*skill->problem).verdicts.front();
+  REQUIRE(exact.exact);
+  REQUIRE(exact.bound);
+  const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
+  if (bound.bound) CHECK(*bound.bound >= *exact.bound);
+  return exact.bound->count();
+}
+
 /// A controller that looks for a request after each tick, and a method.
 std::string looks(const std::string& limited, const std::string& method, const std::string& measure) {
   return R"(DEVICE robot
@@ -148,9 +161,8 @@ TEST_CASE("a limit counts anew when a request is withdrawn while it is being tak
 TEST_CASE("each request that is withdrawn while it is being taken costs a receive") {
   const auto skill = test::meaningful_skill(looks(answer_in_time, gives_up, "LOAD OF P0 AT MOST 10 %"));
   const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
-  REQUIRE(bound.bound);
   // In a round that never ends MC1 receives for 1 ms, for nothing, every 6.5 ms at the least.
-  CHECK(bound.bound->count() >= 150'000'000);
+  if (bound.bound) CHECK(bound.bound->count() >= 150'000'000);
 }
 
 TEST_CASE("a condition is as it was left by a block that was cancelled in the CONCURRENT before") {
@@ -169,32 +181,19 @@ TEST_CASE("each branch on the way to a thread that is busy elsewhere has a slot 
 }
 
 TEST_CASE("a round that ends the skill may take longer than those that come again") {
-  // The last round of SM1 takes 200 ms more, in which nothing is set; then the skill is over. And MC1 waits
-  // 200 ms for one more answer, which does not come, while five ticks find another in the slot.
-  for (const std::string name : {"ends_slowly", "answers_last"}) {
-    INFO(name);
-    const auto skill = test::meaningful_skill(program(name));
-    const Verdict exact = analyze(*skill->problem).verdicts.front();
-    REQUIRE(exact.exact);
-    CHECK(exact.bound->count() == (name == "ends_slowly" ? 200'500'000 : 5));
-    const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
-    if (bound.bound) CHECK(*bound.bound >= *exact.bound);
-  }
+  // The last round of SM1 takes 200 ms more, in which nothing is set; then the skill is over.
+  CHECK(exact_and_not_below("ends_slowly") == 200'500'000);
+  // MC1 waits 200 ms for one more answer, which does not come, while five ticks find another in the slot.
+  CHECK(exact_and_not_below("answers_last") == 5);
+  // MC1 has not come to its rounds yet when it waits so.
+  CHECK(exact_and_not_below("ends_at_start") == 200'000'000);
 }
 
 TEST_CASE("of rounds that begin in several ways a later one may be the sooner") {
   // What SD1 sends by LS2 is there at once, and what it sends by LS1 10 ms later: at the same instant as what
   // it sends by LS2 a period later, which SM1 may take first.
-  for (const std::string name : {"rounds_overtake", "reads_overtake"}) {
-    INFO(name);
-    const auto skill = test::meaningful_skill(program(name));
-    const Verdict exact = analyze(*skill->problem).verdicts.front();
-    REQUIRE(exact.exact);
-    REQUIRE(exact.bound);
-    CHECK(*exact.bound > Duration(20'000'000));
-    const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
-    if (bound.bound) CHECK(*bound.bound >= *exact.bound);
-  }
+  CHECK(exact_and_not_below("rounds_overtake") > 20'000'000);
+  CHECK(exact_and_not_below("reads_overtake") > 20'000'000);
 }
 
 TEST_CASE("the load of an activity of many seconds is that of one of as many milliseconds") {
@@ -223,8 +222,9 @@ TEST_CASE("a round of more than seventy years is a round") {
   for (int n = 0; n < 2400; ++n) works += "    work\n";
   const auto skill = test::meaningful_skill(replaced(program("long"), "    work\n", works));
   const Verdict load = analyze_compositionally(*skill->problem).verdicts.front();
-  REQUIRE(load.bound);
-  CHECK(load.bound->count() == 1'000'000'000);
+  // The rounds come too late for times to be known, so no rate is: not that which a sum beyond 64 bits has.
+  CHECK_FALSE(load.bound);
+  CHECK(load.state == Verdict::State::undecided);
 }
 
 TEST_CASE("a load whose round has a thousand actions and more ends in time") {

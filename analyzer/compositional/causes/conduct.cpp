@@ -194,19 +194,19 @@ class Observer {
     for (int n : of.nodes) {
       const int round = made_.round[static_cast<std::size_t>(n)];
       const Segment& segment = forest_.segment_of(node(n));
-      const bool in_round = std::find(of.rounds.begin(), of.rounds.end(), round) != of.rounds.end();
+      const bool again = in_round(forest_, made_, n);
       for (const Segment::Arrival& wait : segment.waits) {
         if (wait.step == of.home) continue;
         const bool limited = step_at(wait.step).within.has_value();
-        if (in_round) of.waits_within = true;
+        if (again) of.waits_within = true;
         if (!limited && !waited_for_.contains({round, wait.step})) {
           of.trouble =
               name + " waits at " + text(wait.step) + " for something that its round does not bring about";
         }
       }
-      if (in_round && segment.ends) of.leaves = true;
+      if (again && segment.ends) of.leaves = true;
       for (const Segment::Arrival& fork : segment.forks) {
-        if (!in_round) continue;
+        if (!again) continue;
         of.waits_within = true;
         if (!ends_within(fork.step)) of.trouble = name + " starts blocks again and again";
       }
@@ -323,9 +323,7 @@ class Observer {
           if (leads_home && !answers) return;
           answered = answered || answers;
         }
-        const bool in_round = std::find(of.rounds.begin(), of.rounds.end(),
-                                        made_.round[static_cast<std::size_t>(n)]) != of.rounds.end();
-        if (in_round && !answered) return;
+        if (in_round(forest_, made_, n) && !answered) return;
       }
     }
     of.asked_by_one = true;
@@ -340,6 +338,12 @@ class Observer {
 };
 
 }  // namespace
+
+bool in_round(const Forest& forest, const Conduct& conduct, int node) {
+  const std::vector<int>& rounds = conduct.threads[static_cast<std::size_t>(forest.thread_of(node))].rounds;
+  return std::find(rounds.begin(), rounds.end(), conduct.round[static_cast<std::size_t>(node)]) !=
+         rounds.end();
+}
 
 Conduct conduct_of(const Problem& problem, const Forest& forest, const std::function<bool()>& stop) {
   return Observer(problem, forest).run(stop);

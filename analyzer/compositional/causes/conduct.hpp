@@ -44,6 +44,9 @@ struct Conduct {
       never_full;  // by channel: the protocol of request and answer keeps its slot free for a put
 };
 
+/// Whether a node belongs to one of its thread's rounds, not to what the thread does before them.
+bool in_round(const Forest& forest, const Conduct& conduct, int node);
+
 /// Once `stop` says so, it is of no use.
 Conduct conduct_of(const Problem& problem, const Forest& forest, const std::function<bool()>& stop);
 

@@ -20,6 +20,12 @@ struct Ground {
     return conduct.threads[static_cast<std::size_t>(thread)];
   }
   int round_of(int n) const { return conduct.round[static_cast<std::size_t>(n)]; }
+  bool in_round(int n) const { return compositional::in_round(forest, conduct, n); }
+  /// The node, if it is one of a thread, or the nearest of its causes that is; -1: it does not come of the
+  /// thread.
+  int nearest(int n, int thread) const {
+    return forest.thread_of(n) == thread ? n : forest.cause_in(n, thread);
+  }
   int sent_channel(int n) const { return step_at(node(n).sends.front()).channels.front(); }
 
   /// Distance from a request's effect to its answer, once the device is free.

@@ -7,10 +7,7 @@
 namespace pal::analyzer::compositional {
 
 bool in_round(const View& view, int node) {
-  const auto thread = static_cast<std::size_t>(view.forest.thread_of(node));
-  const auto& rounds = view.conduct.threads[thread].rounds;
-  return std::find(rounds.begin(), rounds.end(), view.conduct.round[static_cast<std::size_t>(node)]) !=
-         rounds.end();
+  return in_round(view.forest, view.conduct, node);
 }
 
 int source_of_rounds(const View& view, int thread) {

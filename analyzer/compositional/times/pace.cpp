@@ -1,6 +1,7 @@
 #include "analyzer/compositional/times/pace.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "analyzer/compositional/times/slots.hpp"
 
@@ -14,6 +15,23 @@ struct Pace {
 
 void raise(Due& at, const Due& to) {
   if (to.at > at.at) at = to;
+}
+
+/// When the skill, or the thread, has ended at the latest by what the thread does before it is at home.
+Nanoseconds ended_before_home(const Ground& ground, const std::vector<NodeTimes>& nodes, int thread) {
+  std::set<int> starts;
+  for (int n : ground.conduct_of(thread).nodes) {
+    if (ground.source(n).kind == Source::Kind::start) starts.insert(ground.node(n).source);
+  }
+  Nanoseconds latest = 0;
+  for (int source : starts) {
+    for (int n : ground.conduct.endings[static_cast<std::size_t>(source)]) {
+      const int own = ground.nearest(n, thread);
+      if (own >= 0 && !ground.in_round(own))
+        latest = std::max(latest, nodes[static_cast<std::size_t>(n)].finish);
+    }
+  }
+  return latest;
 }
 
 /// The rounds of a thread that goes on by itself: all that leads from one to the next.
@@ -57,10 +75,9 @@ class Loop {
   /// How much later the wait gives up if what comes once is taken there before: a round goes by, and the
   /// limit counts anew.
   Nanoseconds put_off(const Source::Feed& feed) const {
-    const std::vector<int>& rounds = ground_.conduct_of(of_.thread).rounds;
-    const int round = ground_.round_of(feed.node);
-    if (std::find(rounds.begin(), rounds.end(), round) == rounds.end()) return 0;
+    if (!ground_.in_round(feed.node)) return 0;
     const Nanoseconds back = latest(feed).at;
+    const int round = ground_.round_of(feed.node);
     return back >= never ? never : back - times_.nodes[static_cast<std::size_t>(round)].earliest;
   }
 
@@ -102,24 +119,17 @@ class Loop {
   /// Or the skill, or the block that goes on, has ended instead.
   void until_ended(Pace& pace) const {
     raise_to_endings(pace.gap, index_);
-    for (std::size_t s = 0; s < ground_.forest.sources.size(); ++s) {
-      if (is_before(static_cast<int>(s))) raise_to_endings(pace.first, static_cast<int>(s));
+    for (const Source::Feed& feed : of_.feeds) {
+      const int source = feed.node < 0 ? -1 : ground_.node(feed.node).source;
+      if (source >= 0 && ground_.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::start)
+        raise_to_endings(pace.first, source);
     }
+    raise(pace.first, {ended_before_home(ground_, times_.nodes, of_.thread)});
   }
 
   void raise_to_endings(Due& at, int source) const {
     for (int n : ground_.conduct.endings[static_cast<std::size_t>(source)])
       raise(at, {times_.nodes[static_cast<std::size_t>(n)].finish, Due::By::ended, n});
-  }
-
-  /// What a thread does at the start, that of the rounds or another that brings them about.
-  bool is_before(int source) const {
-    const Source& other = ground_.forest.sources[static_cast<std::size_t>(source)];
-    if (other.kind != Source::Kind::start) return false;
-    return other.thread == of_.thread ||
-           std::any_of(of_.feeds.begin(), of_.feeds.end(), [&](const Source::Feed& feed) {
-             return feed.node >= 0 && ground_.node(feed.node).source == source;
-           });
   }
 
   const Ground& ground_;
@@ -134,15 +144,13 @@ Nanoseconds first_at_home(const Ground& ground, const std::vector<NodeTimes>& no
   const ThreadConduct& of = ground.conduct_of(thread);
   Nanoseconds latest = 0;
   for (int n : of.nodes) {
-    const bool in_round =
-        std::find(of.rounds.begin(), of.rounds.end(), ground.round_of(n)) != of.rounds.end();
-    if (in_round) continue;
+    if (ground.in_round(n)) continue;
     // What an event brings about, or comes after blocks that end in some round or other, has no instant that
     // rounds of other sources could be compared with.
     const bool known = ground.source(n).kind == Source::Kind::start;
     latest = std::max(latest, known ? latest_arrival(ground, nodes, n, of.home) : never);
   }
-  return latest;
+  return std::max(latest, ended_before_home(ground, nodes, thread));
 }
 
 Nanoseconds latest_arrival(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, int step) {

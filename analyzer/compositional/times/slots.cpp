@@ -12,6 +12,19 @@ Nanoseconds taken(const std::vector<NodeTimes>& nodes, int node) {
   return nodes[static_cast<std::size_t>(node)].effects.front();
 }
 
+/// Whether a thread waits without a limit in its rounds.
+bool waits_for_others(const Ground& ground, int thread) {
+  const ThreadConduct& of = ground.conduct_of(thread);
+  return std::any_of(of.nodes.begin(), of.nodes.end(), [&](int n) {
+    const Segment& segment = ground.segment(n);
+    return ground.in_round(n) &&
+           (!segment.forks.empty() ||
+            std::any_of(segment.waits.begin(), segment.waits.end(), [&](const Segment::Arrival& wait) {
+              return wait.step != of.home && !ground.step_at(wait.step).within;
+            }));
+  });
+}
+
 bool sent_by(const Node& taker, int send) {
   return std::find(taker.sends.begin(), taker.sends.end(), send) != taker.sends.end();
 }
@@ -35,13 +48,13 @@ bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, in
   Nanoseconds last = 0;
   for (int n : conduct.rounds) soonest = std::min(soonest, nodes[static_cast<std::size_t>(n)].earliest);
   for (int n : conduct.nodes) {
-    const auto& rounds = conduct.rounds;
-    if (std::find(rounds.begin(), rounds.end(), ground.round_of(n)) != rounds.end())
-      last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
+    if (ground.in_round(n)) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
   }
-  // Whoever ends the skill may leave the thread waiting till then.
-  for (int n : ground.conduct.endings[static_cast<std::size_t>(ground.node(conduct.rounds.front()).source)])
-    last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
+  if (!waits_for_others(ground, thread)) return last < plus(of.period, soonest);
+  // Whom it has set to work, and who ends the skill, may leave it waiting till then.
+  for (int n : ground.conduct.endings[static_cast<std::size_t>(ground.node(conduct.rounds.front()).source)]) {
+    if (ground.nearest(n, thread) >= 0) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
+  }
   return last < plus(of.period, soonest);
 }
 
