@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/lines.hpp"
+
 namespace pal::test {
 
 /// Changes a skill step by step, and keeps each step that `accepts` takes: lines and stretches of them left
@@ -20,10 +22,7 @@ class Mutant {
   using Accepts = std::function<bool(const std::string&)>;
 
   Mutant(std::uint64_t seed, const std::string& text, Accepts accepts)
-      : engine_(seed), accepts_(std::move(accepts)) {
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) lines_.push_back(line);
-  }
+      : engine_(seed), accepts_(std::move(accepts)), lines_(lines_of(text)) {}
 
   /// `steps` changes that are accepted, or as many as are found in ten times as many tries.
   std::string text(int steps) {
@@ -38,15 +37,7 @@ class Mutant {
   }
 
  private:
-  using Lines = std::vector<std::string>;
-
   std::size_t chance(std::size_t n) { return static_cast<std::size_t>(engine_() % n); }
-
-  static std::string joined(const Lines& lines) {
-    std::string out;
-    for (const std::string& line : lines) out += line + "\n";
-    return out;
-  }
 
   static auto at(Lines& lines, std::size_t index) {
     return lines.begin() + static_cast<std::ptrdiff_t>(index);

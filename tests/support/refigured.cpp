@@ -3,26 +3,13 @@
 #include <algorithm>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <vector>
 
 #include "tests/support/any_skill.hpp"
+#include "tests/support/lines.hpp"
 
 namespace pal::test {
 namespace {
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-std::string joined(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line + "\n";
-  return text;
-}
 
 class Figures {
  public:
@@ -123,7 +110,7 @@ class Figures {
   }
 
   std::mt19937_64& engine_;
-  std::vector<std::string> lines_;
+  Lines lines_;
   Choice processors_;
   bool few_ = false;
 };
@@ -188,7 +175,7 @@ std::string asked_everything(const std::string& text, std::mt19937_64& engine, s
   if (!skill->problem) return text;
   static const std::regex requirement(R"(^\s*REQUIREMENT\b.*)");
   static const std::regex end(R"(^\s*END SKILL\b.*)");
-  std::vector<std::string> lines = lines_of(text);
+  Lines lines = lines_of(text);
   std::erase_if(lines, [](const std::string& line) { return std::regex_match(line, requirement); });
   const auto place = static_cast<std::size_t>(
       std::find_if(lines.begin(), lines.end(),
@@ -201,7 +188,7 @@ std::string asked_everything(const std::string& text, std::mt19937_64& engine, s
   std::size_t count = 0;
   for (const std::string& question : questions) {
     if (count == most) break;
-    std::vector<std::string> more = lines;
+    Lines more = lines;
     more.insert(more.begin() + static_cast<std::ptrdiff_t>(place),
                 "  REQUIREMENT asked-" + std::to_string(count) + " : " + question);
     std::string made = joined(more);

@@ -1,6 +1,7 @@
 #include "analyzer/compositional/causes/ground.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -52,6 +53,21 @@ Nanoseconds earliest_release(const Ground& ground, int n, const std::vector<Nano
 }
 
 }  // namespace
+
+std::vector<int> Ground::endings_before_home(int thread) const {
+  std::set<int> starts;
+  for (int n : conduct_of(thread).nodes) {
+    if (source(n).kind == Source::Kind::start) starts.insert(node(n).source);
+  }
+  std::vector<int> found;
+  for (int start : starts) {
+    for (int n : conduct.endings[static_cast<std::size_t>(start)]) {
+      const int own = nearest(n, thread);
+      if (own >= 0 && !in_round(own)) found.push_back(n);
+    }
+  }
+  return found;
+}
 
 bool may_give_up(const Problem& problem, int request) {
   const int answer = problem.channels[static_cast<std::size_t>(request)].answer;

@@ -26,6 +26,9 @@ struct Ground {
   int nearest(int n, int thread) const {
     return forest.thread_of(n) == thread ? n : forest.cause_in(n, thread);
   }
+  /// Nodes that may end the skill, or a thread, on behalf of what `thread` does before it is at home: those
+  /// of its own, and of whom it waits for.
+  std::vector<int> endings_before_home(int thread) const;
   int sent_channel(int n) const { return step_at(node(n).sends.front()).channels.front(); }
 
   /// Distance from a request's effect to its answer, once the device is free.

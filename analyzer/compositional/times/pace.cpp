@@ -1,7 +1,6 @@
 #include "analyzer/compositional/times/pace.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "analyzer/compositional/times/slots.hpp"
 
@@ -15,23 +14,6 @@ struct Pace {
 
 void raise(Due& at, const Due& to) {
   if (to.at > at.at) at = to;
-}
-
-/// When the skill, or the thread, has ended at the latest by what the thread does before it is at home.
-Nanoseconds ended_before_home(const Ground& ground, const std::vector<NodeTimes>& nodes, int thread) {
-  std::set<int> starts;
-  for (int n : ground.conduct_of(thread).nodes) {
-    if (ground.source(n).kind == Source::Kind::start) starts.insert(ground.node(n).source);
-  }
-  Nanoseconds latest = 0;
-  for (int source : starts) {
-    for (int n : ground.conduct.endings[static_cast<std::size_t>(source)]) {
-      const int own = ground.nearest(n, thread);
-      if (own >= 0 && !ground.in_round(own))
-        latest = std::max(latest, nodes[static_cast<std::size_t>(n)].finish);
-    }
-  }
-  return latest;
 }
 
 /// The rounds of a thread that goes on by itself: all that leads from one to the next.
@@ -124,12 +106,15 @@ class Loop {
       if (source >= 0 && ground_.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::start)
         raise_to_endings(pace.first, source);
     }
-    raise(pace.first, {ended_before_home(ground_, times_.nodes, of_.thread)});
+    raise_to(pace.first, ground_.endings_before_home(of_.thread));
   }
 
   void raise_to_endings(Due& at, int source) const {
-    for (int n : ground_.conduct.endings[static_cast<std::size_t>(source)])
-      raise(at, {times_.nodes[static_cast<std::size_t>(n)].finish, Due::By::ended, n});
+    raise_to(at, ground_.conduct.endings[static_cast<std::size_t>(source)]);
+  }
+
+  void raise_to(Due& at, const std::vector<int>& endings) const {
+    for (int n : endings) raise(at, {times_.nodes[static_cast<std::size_t>(n)].finish, Due::By::ended, n});
   }
 
   const Ground& ground_;
@@ -150,7 +135,9 @@ Nanoseconds first_at_home(const Ground& ground, const std::vector<NodeTimes>& no
     const bool known = ground.source(n).kind == Source::Kind::start;
     latest = std::max(latest, known ? latest_arrival(ground, nodes, n, of.home) : never);
   }
-  return std::max(latest, ended_before_home(ground, nodes, thread));
+  for (int n : ground.endings_before_home(thread))
+    latest = std::max(latest, nodes[static_cast<std::size_t>(n)].finish);
+  return latest;
 }
 
 Nanoseconds latest_arrival(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, int step) {
