@@ -187,6 +187,8 @@ TEST_CASE("a round that ends the skill may take longer than those that come agai
   CHECK(exact_and_not_below("answers_last") == 5);
   // MC1 has not come to its rounds yet when it waits so.
   CHECK(exact_and_not_below("ends_at_start") == 200'000'000);
+  // LS1 would have set the condition once more, but for that.
+  CHECK(exact_and_not_below("ends_instead") == 35'000'000);
   // SM1 would have set the condition for the first time, but for that.
   CHECK(exact_and_not_below("ends_unset") == 18'000'000);
 }

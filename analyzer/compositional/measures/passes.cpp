@@ -56,6 +56,32 @@ Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
   may_pass_by_ = round.home;
   latest_ = round.latest;
   released_ = round.released;
+  ended_ = ended_in(source);
+}
+
+Sum Passes::ended_in(int source) const {
+  const auto is_after_one = [this](int n) {
+    for (; n >= 0; n = view_.forest.nodes[static_cast<std::size_t>(n)].cause) {
+      if (view_.forest.thread_of(n) == thread_ && surely_passes(n)) return true;
+    }
+    return false;
+  };
+  Sum latest;
+  for (int n : view_.conduct.endings[static_cast<std::size_t>(source)]) {
+    if (view_.forest.thread_of(n) != thread_ && !is_after_one(n)) latest = greater(latest, finish(view_, n));
+  }
+  return latest;
+}
+
+/// Whether all ways through the node's segment pass one.
+bool Passes::surely_passes(int node) const {
+  const std::optional<int> first = opening(node);
+  return !first || !follow(view_.problem, {*first}, [this](int at) {
+    const Step& step = view_.problem.steps[static_cast<std::size_t>(at)];
+    if (at_[static_cast<std::size_t>(at)]) return Course::ends;
+    const bool over = step.kind == Kind::wait || step.kind == Kind::fork || step.next.empty();
+    return over || may_match_nothing(step) ? Course::found : Course::goes_on;
+  });
 }
 
 void Passes::merge(Way& into, const Way& other) const {
@@ -65,19 +91,23 @@ void Passes::merge(Way& into, const Way& other) const {
   into.lost = into.lost || other.lost || !other.latest.bounded();
 }
 
-Way Passes::begun(int node) {
+std::optional<int> Passes::opening(int node) const {
   const Beginning& begins =
       view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(node)]).beginning;
-  if (begins.kind == Beginning::Kind::entry) {
-    return from(node, view_.problem.threads[static_cast<std::size_t>(begins.thread)].entry);
-  }
+  if (begins.kind == Beginning::Kind::entry)
+    return view_.problem.threads[static_cast<std::size_t>(begins.thread)].entry;
   const Step& step = view_.problem.steps[static_cast<std::size_t>(begins.step)];
-  if (begins.kind == Beginning::Kind::joined) return from(node, step.next.front());
-  if (at_[static_cast<std::size_t>(begins.step)]) {
-    return {compositional::latest(view_, node, begins.step), release(view_, node), false, false};
-  }
+  if (begins.kind == Beginning::Kind::joined) return step.next.front();
+  if (at_[static_cast<std::size_t>(begins.step)]) return std::nullopt;
   const bool gives_up = begins.kind == Beginning::Kind::give_up;
-  return from(node, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
+  return gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)];
+}
+
+Way Passes::begun(int node) {
+  const std::optional<int> first = opening(node);
+  if (first) return from(node, *first);
+  const int wait = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(node)]).beginning.step;
+  return {compositional::latest(view_, node, wait), release(view_, node), false, false};
 }
 
 Way Passes::from_entry() {

@@ -1,6 +1,11 @@
 // When statements come in one thread, round after round.
 #pragma once
 
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include "analyzer/compositional/causes/exclusive.hpp"
 #include "analyzer/compositional/measures/round_view.hpp"
 
@@ -35,6 +40,9 @@ class Passes {
   /// With every_round: latest release of the segment in which a round passes one. From then on the thread has
   /// something to do until it does.
   const Sum& released() const { return released_; }
+  /// With every_round: latest end of the skill, or of another thread, in a round, before this thread has
+  /// surely passed one. Who waits for that one, or would have been asked by it, passes none.
+  const Sum& ended() const { return ended_; }
   /// Greatest distance of nominal instants of rounds, and of the first from time 0; unbounded: not known.
   const Sum& gap() const { return gap_; }
   const Sum& first() const { return first_; }
@@ -45,6 +53,11 @@ class Passes {
   Way way_from(int node, int step);
   Way beyond_wait(int node, int wait);
   Way begun(int node);
+  /// The first step of a node's segment behind the wait that begins it; nothing: that wait is one of the
+  /// statements.
+  std::optional<int> opening(int node) const;
+  bool surely_passes(int node) const;
+  Sum ended_in(int source) const;
   void merge(Way& into, const Way& other) const;
 
   const View& view_;
@@ -59,6 +72,7 @@ class Passes {
   bool may_pass_by_ = false;
   Sum latest_;
   Sum released_;
+  Sum ended_;
   Sum gap_ = Sum::unbounded();
   Sum first_ = Sum::unbounded();
 };
