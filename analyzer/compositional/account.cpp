@@ -117,7 +117,6 @@ class Writer {
 
   /// `name` waits for an arrival, or for what was sent.
   void wait_for(const Clock& clock, const Due& due, const std::string& name, int device) {
-    if (due.by == By::ended) return until(clock, due.node, -1);
     const int statement = ground_.step_at(due.step).statement;
     if (due.by == By::arrival) {
       until_arrival(clock, due.node, due.step);
@@ -283,7 +282,6 @@ class Writer {
       case By::arrival:
       case By::message:
       case By::put:
-      case By::ended:
         wait_for(clock, latest, name, of.device);
         break;
     }

@@ -8,6 +8,7 @@
 #include "analyzer/compositional/times/busy_window.hpp"
 #include "analyzer/exact/exact.hpp"
 #include "analyzer/runs/simulate.hpp"
+#include "tests/attack/not_below.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/project_file.hpp"
 
@@ -54,19 +55,6 @@ Shown show(const std::string& text) {
       shown.greatest = std::max(shown.greatest, measured.value);
   }
   return shown;
-}
-
-/// The exact bound of the first requirement of a skill in tests/attack/bounds; the compositional analysis has
-/// none below it.
-std::int64_t exact_and_not_below(const std::string& name) {
-  INFO(name);
-  const auto skill = test::meaningful_skill(program(name));
-  const Verdict exact = analyze(*skill->problem).verdicts.front();
-  REQUIRE(exact.exact);
-  REQUIRE(exact.bound);
-  const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
-  if (bound.bound) CHECK(*bound.bound >= *exact.bound);
-  return exact.bound->count();
 }
 
 /// A controller that looks for a request after each tick, and a method.
@@ -180,24 +168,11 @@ TEST_CASE("each branch on the way to a thread that is busy elsewhere has a slot 
   if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
 }
 
-TEST_CASE("a round that ends the skill may take longer than those that come again") {
-  // The last round of SM1 takes 200 ms more, in which nothing is set; then the skill is over.
-  CHECK(exact_and_not_below("ends_slowly") == 200'500'000);
-  // MC1 waits 200 ms for one more answer, which does not come, while five ticks find another in the slot.
-  CHECK(exact_and_not_below("answers_last") == 5);
-  // MC1 has not come to its rounds yet when it waits so.
-  CHECK(exact_and_not_below("ends_at_start") == 200'000'000);
-  // LS1 would have set the condition once more, but for that.
-  CHECK(exact_and_not_below("ends_instead") == 35'000'000);
-  // SM1 would have set the condition for the first time, but for that.
-  CHECK(exact_and_not_below("ends_unset") == 18'000'000);
-}
-
 TEST_CASE("of rounds that begin in several ways a later one may be the sooner") {
   // What SD1 sends by LS2 is there at once, and what it sends by LS1 10 ms later: at the same instant as what
   // it sends by LS2 a period later, which SM1 may take first.
-  CHECK(exact_and_not_below("rounds_overtake") > 20'000'000);
-  CHECK(exact_and_not_below("reads_overtake") > 20'000'000);
+  CHECK(test::exact_and_not_below(program("rounds_overtake")) > 20'000'000);
+  CHECK(test::exact_and_not_below(program("reads_overtake")) > 20'000'000);
 }
 
 TEST_CASE("the load of an activity of many seconds is that of one of as many milliseconds") {

@@ -24,8 +24,9 @@ class EndingSkill {
     const std::string modules = texts();
     std::string out = "MESSAGE look : SIGNAL\nDEVICE eye\n";
     for (const Party& each : parties_) {
-      for (const char* letter : {"c", "e", "b"}) out += std::string("CONDITION ") + letter + each.name + "\n";
       if (each.driven) out += "MESSAGE t" + each.name + " : SIGNAL\nDEVICE d" + each.name + "\n";
+      out += "CONDITION c" + each.name + (each.driven ? " FROM t" + each.name : "") + "\n";
+      for (const char* letter : {"e", "b"}) out += std::string("CONDITION ") + letter + each.name + "\n";
       for (const Party* client : each.clients) out += "MESSAGE " + message(each, *client) + " : SIGNAL\n";
     }
     out += "SKILL ending\n  MACHINE CONTROLLER MR\n  SKILL METHOD SM1\n";
@@ -193,18 +194,25 @@ class EndingSkill {
   std::string requirements() const {
     const std::string most = " AT MOST 900 ms";
     std::vector<std::string> all = {"LOAD OF EACH PROCESSOR AT MOST 90 %",
+                                    "BUSY PERIOD OF EACH PROCESSOR AT MOST 900 ms",
                                     "RESPONSE FROM look OF eye TO use IN MR" + most};
+    const auto aged = [&](const std::string& value, const std::string& at) {
+      for (const std::string measure : {"AGE", "REACTION"})
+        all.push_back(measure + " OF " + value + " AT " + at + most);
+    };
     for (const Party& each : parties_) {
       const std::string work = "work" + each.name + " IN " + each.module;
-      for (const std::string measure : {"AGE", "REACTION"})
-        all.push_back(measure + " OF c" + each.name + " AT use IN MR" + most);
+      aged("c" + each.name, "use IN MR");
       all.push_back("INTERVAL OF " + work + most);
       all.push_back("INTERVAL OF " + work + " AT LEAST 1 ms");
       for (const Party& from : parties_) {
-        if (from.driven)
-          all.push_back("RESPONSE FROM t" + from.name + " OF d" + from.name + " TO " + work + most);
+        if (!from.driven) continue;
+        all.push_back("RESPONSE FROM t" + from.name + " OF d" + from.name + " TO " + work + most);
+        aged("t" + from.name + " FROM d" + from.name, work);
       }
-      if (each.driven) all.push_back("LOSS OF d" + each.name + " AT MOST 7 IN 8");
+      if (!each.driven) continue;
+      aged("t" + each.name + " FROM d" + each.name, "use IN MR");
+      all.push_back("LOSS OF d" + each.name + " AT MOST 7 IN 8");
     }
     std::string out;
     for (std::size_t n = 0; n < all.size(); ++n)

@@ -1,7 +1,7 @@
 #include "analyzer/compositional/causes/ground.hpp"
 
 #include <algorithm>
-#include <set>
+#include <iterator>
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -55,16 +55,18 @@ Nanoseconds earliest_release(const Ground& ground, int n, const std::vector<Nano
 }  // namespace
 
 std::vector<int> Ground::endings_before_home(int thread) const {
-  std::set<int> starts;
-  for (int n : conduct_of(thread).nodes) {
-    if (source(n).kind == Source::Kind::start) starts.insert(node(n).source);
-  }
-  std::vector<int> found;
-  for (int start : starts) {
-    for (int n : conduct.endings[static_cast<std::size_t>(start)]) {
-      const int own = nearest(n, thread);
-      if (own >= 0 && !in_round(own)) found.push_back(n);
+  const auto before_home = [&](int n) {
+    for (int t = thread; t >= 0; t = thread_at(t).parent) {
+      const int own = nearest(n, t);
+      if (own >= 0) return !in_round(own);
     }
+    return false;
+  };
+  std::vector<int> found;
+  for (std::size_t s = 0; s < forest.sources.size(); ++s) {
+    if (forest.sources[s].kind != Source::Kind::start) continue;
+    std::copy_if(conduct.endings[s].begin(), conduct.endings[s].end(), std::back_inserter(found),
+                 before_home);
   }
   return found;
 }

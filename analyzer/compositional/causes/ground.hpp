@@ -26,8 +26,8 @@ struct Ground {
   int nearest(int n, int thread) const {
     return forest.thread_of(n) == thread ? n : forest.cause_in(n, thread);
   }
-  /// Nodes that may end the skill, or a thread, on behalf of what `thread` does before it is at home: those
-  /// of its own, and of whom it waits for.
+  /// Nodes that may end the skill, or a thread, on behalf of what `thread`, or the one whose block it is,
+  /// does before it is at home: their own, and those of whom they wait for.
   std::vector<int> endings_before_home(int thread) const;
   int sent_channel(int n) const { return step_at(node(n).sends.front()).channels.front(); }
 

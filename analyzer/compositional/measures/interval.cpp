@@ -7,8 +7,14 @@
 namespace pal::analyzer::compositional {
 namespace {
 
+/// What counts besides the times from one effect of a thread to its next.
+struct Besides {
+  bool from_start = false;
+  bool to_end = false;  // of the skill
+};
+
 /// From an effect in one thread to the next.
-Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, bool from_start) {
+Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, Besides besides) {
   const auto t = static_cast<std::size_t>(thread);
   Passes passes(view, thread, at);
   const ThreadConduct& of = view.conduct.threads[t];
@@ -17,37 +23,44 @@ Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, boo
   const Bound none{Sum::unbounded(), why_not_again(view, thread, passes, !stops)};
   // What has had an effect has begun.
   if (rounds ? stops : !view.lively[t]) return none;
-  Sum longest = from_start ? passes.first() + passes.latest() : Sum();
+  Sum longest = besides.from_start ? passes.first_or_end(passes.latest()) : Sum();
   // Others may come to it when this thread does not any more.
   const bool always = passes.every_round() && !passes.in_rounds().empty() && goes_on(view, thread);
-  if (from_start && !always) return none;
+  if ((besides.from_start || besides.to_end) && !always) return none;
   Sum end;
   for (int n : of.nodes) {
     if (in_paced_round(view, n)) end = greater(end, finish(view, n));
   }
-  const auto follow = [&](Pass pass, const Sum& apart) {
+  const auto follow = [&](Pass pass, const Sum& apart, const Sum& over) {
     const Way way = passes.after(pass);
     if (way.lost || (way.home && !passes.every_round())) return Sum::unbounded();
     Sum next = way.latest;
     if (way.home) next = greater(next, apart + passes.latest());
+    if (besides.to_end) next = greater(next, over);
     // What a cancelled block has begun it finishes.
     if (of.may_be_cancelled) next = greater(next, end);
     return next - earliest(view, pass.node, pass.step);
   };
-  for (const Pass& pass : passes.in_rounds()) longest = greater(longest, follow(pass, passes.gap()));
-  for (const Pass& pass : passes.before_rounds()) longest = greater(longest, follow(pass, passes.first()));
+  const Sum next_or_end = passes.next_or_end(passes.latest());
+  const Sum first_or_end = passes.first_or_end(passes.latest());
+  for (const Pass& pass : passes.in_rounds())
+    longest = greater(longest, follow(pass, passes.gap(), next_or_end));
+  for (const Pass& pass : passes.before_rounds())
+    longest = greater(longest, follow(pass, passes.first(), first_or_end));
   return {longest, none.why};
 }
 
-Bound greatest_interval(const View& view, const Requirement& requirement) {
-  const std::set<int> threads = owners(view, requirement.at);
+Bound greatest_interval(const View& view, const std::vector<bool>& at, bool to_end) {
+  const std::set<int> threads = owners(view, at);
   Bound least{Sum::unbounded(), threads.empty() ? "no thread comes to it"
                                                 : "none of the threads that come to it surely goes on"};
   for (int thread : threads) {
     const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
     // One of several must go on for as long as any of them.
     if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || !goes_on(view, thread))) continue;
-    const Bound bound = greatest_in(view, requirement.at, thread, threads.size() > 1);
+    // The others may come to it until the skill has ended.
+    const bool others = threads.size() > 1;
+    const Bound bound = greatest_in(view, at, thread, {others, others || to_end});
     if (bound.sum.value() < least.sum.value() || !least.known()) least = bound;
   }
   return least;
@@ -99,7 +112,12 @@ Sum least_distance(const View& view, const std::vector<bool>& at) {
 }
 
 Bound interval_bound(const View& view, const Requirement& requirement) {
-  return requirement.at_least ? least_interval(view, requirement) : greatest_interval(view, requirement);
+  return requirement.at_least ? least_interval(view, requirement)
+                              : greatest_interval(view, requirement.at, false);
+}
+
+Bound pause_bound(const View& view, const std::vector<bool>& at) {
+  return greatest_interval(view, at, true);
 }
 
 }  // namespace pal::analyzer::compositional

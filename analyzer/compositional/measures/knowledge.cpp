@@ -319,9 +319,9 @@ Sum Knowledge::sample_age(int condition, int reader) const {
       at_set = greater(at_set, age(pass));
     }
     if (!sets.every_round() || sets.in_rounds().empty() || !outlasts(view_, setter.thread, reader)) continue;
-    const Sum set_again = replaced(view_, sets, setter.thread, reader);
-    const Sum next = sets.gap() + set_again;
-    until_first = less(until_first, sets.first() + set_again);
+    const Sum& set_again = replaced(view_, sets, setter.thread, reader);
+    const Sum next = sets.next_or_end(set_again);
+    until_first = less(until_first, sets.first_or_end(set_again));
     apart = less(apart, next - soonest);
     if (known) together = next - *known;
   }

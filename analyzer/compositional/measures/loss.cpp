@@ -37,10 +37,7 @@ Bound frames_lost(const View& view, const Requirement& requirement, const pan::F
     return asks_on;
   });
   if (!endless || view.steady) return {Sum::unbounded(), why};
-  Requirement asked;
-  asked.measure = Requirement::Measure::interval;
-  asked.at = sends;
-  const Bound apart = interval_bound(view, asked);
+  const Bound apart = pause_bound(view, sends);
   if (!apart.known()) return apart;
   const Nanoseconds lost = apart.sum.value() / frames.period.count();
   return {Sum::number(requirement.in - requirement.in / (lost + 1)), ""};

@@ -69,6 +69,8 @@ Bound reaction_bound(const View& view, const Requirement& requirement);
 Sum least_distance(const View& view, const std::vector<bool>& at);
 /// Of a least interval: no run falls below the value.
 Bound interval_bound(const View& view, const Requirement& requirement);
+/// Greatest time from one effect of statements to the next, or until the skill has ended.
+Bound pause_bound(const View& view, const std::vector<bool>& at);
 Bound duration_bound(const View& view, const Requirement& requirement);
 /// Nanoseconds of work in a second; of the processor that has most.
 Bound load_bound(const View& view, const Requirement& requirement);

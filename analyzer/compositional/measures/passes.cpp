@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analyzer/compositional/causes/ground.hpp"
 #include "analyzer/compositional/causes/rounds.hpp"
 #include "analyzer/problem/flow.hpp"
 
@@ -56,21 +57,31 @@ Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
   may_pass_by_ = round.home;
   latest_ = round.latest;
   released_ = round.released;
-  ended_ = ended_in(source);
+  find_ends(source);
 }
 
-Sum Passes::ended_in(int source) const {
-  const auto is_after_one = [this](int n) {
-    for (; n >= 0; n = view_.forest.nodes[static_cast<std::size_t>(n)].cause) {
+void Passes::find_ends(int source) {
+  const Ground ground{view_.problem, view_.forest, view_.conduct};
+  const auto after_one = [&](int n) {
+    for (; n >= 0; n = ground.node(n).cause) {
       if (view_.forest.thread_of(n) == thread_ && surely_passes(n)) return true;
     }
     return false;
   };
-  Sum latest;
   for (int n : view_.conduct.endings[static_cast<std::size_t>(source)]) {
-    if (view_.forest.thread_of(n) != thread_ && !is_after_one(n)) latest = greater(latest, finish(view_, n));
+    ended_ = greater(ended_, finish(view_, n));
+    if (!after_one(n)) ended_before_ = greater(ended_before_, finish(view_, n));
   }
-  return latest;
+  for (int n : ground.endings_before_home(thread_))
+    ended_at_start_ = greater(ended_at_start_, finish(view_, n));
+}
+
+Sum Passes::next_or_end(const Sum& pass) const {
+  return greater(gap_ + greater(pass, ended_before_), ended_);
+}
+
+Sum Passes::first_or_end(const Sum& pass) const {
+  return greater(first_ + greater(pass, ended_before_), ended_at_start_);
 }
 
 /// Whether all ways through the node's segment pass one.

@@ -40,12 +40,14 @@ class Passes {
   /// With every_round: latest release of the segment in which a round passes one. From then on the thread has
   /// something to do until it does.
   const Sum& released() const { return released_; }
-  /// With every_round: latest end of the skill, or of another thread, in a round, before this thread has
-  /// surely passed one. Who waits for that one, or would have been asked by it, passes none.
-  const Sum& ended() const { return ended_; }
   /// Greatest distance of nominal instants of rounds, and of the first from time 0; unbounded: not known.
   const Sum& gap() const { return gap_; }
   const Sum& first() const { return first_; }
+  /// With every_round: from the nominal instant of a round that has passed one until the next has, by `pass`
+  /// of its own, or the skill has ended.
+  Sum next_or_end(const Sum& pass) const;
+  /// With every_round: from time 0 until the first round has passed one, by `pass`, or the skill has ended.
+  Sum first_or_end(const Sum& pass) const;
 
  private:
   Way from(int node, int step);
@@ -57,7 +59,7 @@ class Passes {
   /// statements.
   std::optional<int> opening(int node) const;
   bool surely_passes(int node) const;
-  Sum ended_in(int source) const;
+  void find_ends(int source);
   void merge(Way& into, const Way& other) const;
 
   const View& view_;
@@ -72,7 +74,11 @@ class Passes {
   bool may_pass_by_ = false;
   Sum latest_;
   Sum released_;
+  /// Latest end of the skill, or of a thread, in a round, and in one in which this thread has not surely
+  /// passed one; before the first round.
   Sum ended_;
+  Sum ended_before_;
+  Sum ended_at_start_;
   Sum gap_ = Sum::unbounded();
   Sum first_ = Sum::unbounded();
 };

@@ -39,12 +39,13 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
   if (!goes_on(view, thread) || !passes.every_round()) {
     return {Sum::unbounded(), why_not_again(view, thread, passes, goes_on(view, thread))};
   }
-  Sum longest = passes.first() + passes.latest();
+  // Others may come to it until the skill has ended.
+  Sum longest = alone ? passes.first() + passes.latest() : passes.first_or_end(passes.latest());
   Sum end;
   for (int n : view.conduct.threads[t].nodes) {
     if (in_paced_round(view, n)) end = greater(end, finish(view, n));
   }
-  const Sum next = passes.gap() + passes.latest();
+  const Sum next = alone ? passes.gap() + passes.latest() : passes.next_or_end(passes.latest());
   for (const Pass& pass : passes.in_rounds()) {
     longest = greater(longest, since_known(knowledge, pass, next));
     // A statement that a cancelled block finishes.

@@ -69,12 +69,12 @@ class Staleness {
     Sum soonest = Sum::unbounded();
     for (const Pass& pass : passes.in_rounds())
       soonest = less(soonest, earliest(view_, pass.node, pass.step));
-    const Sum set_again = replaced(view_, passes, setter, reader_);
-    const Sum next = passes.gap() + set_again;
+    const Sum& set_again = replaced(view_, passes, setter, reader_);
+    const Sum next = passes.next_or_end(set_again);
     if (!next.bounded())
       return {Sum::unbounded(),
               since_trouble("nothing says how long " + name + " may wait between two rounds", view_, setter)};
-    return {greater(next - soonest, until_first(setter, passes.first() + set_again)),
+    return {greater(next - soonest, until_first(setter, passes.first_or_end(set_again))),
             "nothing bounds when " + name + " sets first"};
   }
 
@@ -136,13 +136,13 @@ bool outlasts(const View& view, int thread, int reader) {
   return !conduct(lasting.parent).may_be_cancelled;
 }
 
-Sum replaced(const View& view, const Passes& sets, int setter, int reader) {
+const Sum& replaced(const View& view, const Passes& sets, int setter, int reader) {
   const Thread& sets_it = view.problem.threads[static_cast<std::size_t>(setter)];
   const Thread& reads_it = view.problem.threads[static_cast<std::size_t>(reader)];
   const bool gives_way = sets_it.processor == reads_it.processor &&
                          view.problem.processors[static_cast<std::size_t>(sets_it.processor)].preemptive &&
                          reads_it.priority < sets_it.priority;
-  return greater(gives_way ? sets.released() : sets.latest(), sets.ended());
+  return gives_way ? sets.released() : sets.latest();
 }
 
 Bound value_age(const View& view, int condition, int reader) {

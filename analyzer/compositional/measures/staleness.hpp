@@ -13,8 +13,7 @@ bool outlasts(const View& view, int thread, int reader);
 
 /// Until when `reader` may read what was set in the round before, from the nominal instant of a round of
 /// `setter` on: until it is set again, or only until its segment is released, if the reader runs on the same
-/// processor, which is preemptive, and only when the setter has nothing to do (M. Dürr and others, 2019). Or
-/// until the skill has ended instead.
-Sum replaced(const View& view, const Passes& sets, int setter, int reader);
+/// processor, which is preemptive, and only when the setter has nothing to do (M. Dürr and others, 2019).
+const Sum& replaced(const View& view, const Passes& sets, int setter, int reader);
 
 }  // namespace pal::analyzer::compositional

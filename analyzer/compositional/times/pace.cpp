@@ -48,7 +48,6 @@ class Loop {
     }
     if (!comes) return {};
     back_at_wait(pace);
-    until_ended(pace);
     if (between > 0) pace.gap = Due{plus(pace.gap.at, between)};
     return pace;
   }
@@ -98,25 +97,6 @@ class Loop {
     }
   }
 
-  /// Or the skill, or the block that goes on, has ended instead.
-  void until_ended(Pace& pace) const {
-    raise_to_endings(pace.gap, index_);
-    for (const Source::Feed& feed : of_.feeds) {
-      const int source = feed.node < 0 ? -1 : ground_.node(feed.node).source;
-      if (source >= 0 && ground_.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::start)
-        raise_to_endings(pace.first, source);
-    }
-    raise_to(pace.first, ground_.endings_before_home(of_.thread));
-  }
-
-  void raise_to_endings(Due& at, int source) const {
-    raise_to(at, ground_.conduct.endings[static_cast<std::size_t>(source)]);
-  }
-
-  void raise_to(Due& at, const std::vector<int>& endings) const {
-    for (int n : endings) raise(at, {times_.nodes[static_cast<std::size_t>(n)].finish, Due::By::ended, n});
-  }
-
   const Ground& ground_;
   const Times& times_;
   int index_;
@@ -135,6 +115,7 @@ Nanoseconds first_at_home(const Ground& ground, const std::vector<NodeTimes>& no
     const bool known = ground.source(n).kind == Source::Kind::start;
     latest = std::max(latest, known ? latest_arrival(ground, nodes, n, of.home) : never);
   }
+  // Who waits for it waits until the skill has ended instead.
   for (int n : ground.endings_before_home(thread))
     latest = std::max(latest, nodes[static_cast<std::size_t>(n)].finish);
   return latest;

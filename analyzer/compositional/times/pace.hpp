@@ -6,7 +6,7 @@
 
 namespace pal::analyzer::compositional {
 
-/// When a thread is at home for the first time, at the latest.
+/// When a thread is at home for the first time, or the skill has ended instead, at the latest.
 Nanoseconds first_at_home(const Ground& ground, const std::vector<NodeTimes>& nodes, int thread);
 
 /// Latest arrival at a wait or a fork that a node leads to.

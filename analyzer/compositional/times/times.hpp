@@ -33,7 +33,6 @@ struct Due {
     blocks,   // the blocks that `node` has started at `step` are over
     message,  // `node` has sent by `step`
     put,      // `node` has come to where `step` puts, or waits for its slot
-    ended,    // `node` has ended the skill, or its thread
   };
   Nanoseconds at = 0;  // `never`: no bound
   By by = By::source;
