@@ -34,6 +34,7 @@ TEST_CASE("a condition keeps its value while the last round goes on") {
 TEST_CASE("a condition that nobody has set yet keeps its value until the skill ends before the rounds") {
   CHECK(bound_of("at_start") == 200 * ms);
   CHECK(bound_of("unset") == 18 * ms);
+  CHECK(bound_of("unset_by_other") == 90 * ms);
 }
 
 TEST_CASE("what others come to while the last round goes on counts") {

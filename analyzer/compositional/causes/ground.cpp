@@ -71,6 +71,18 @@ std::vector<int> Ground::endings_before_home(int thread) const {
   return found;
 }
 
+std::vector<int> Ground::endings_before_first(int loop) const {
+  const Source& of = forest.sources[static_cast<std::size_t>(loop)];
+  if (of.kind != Source::Kind::loop) return {};
+  std::vector<int> found = endings_before_home(of.thread);
+  for (const Source::Feed& feed : of.feeds) {
+    if (feed.node < 0 || source(feed.node).kind != Source::Kind::start) continue;
+    const std::vector<int>& endings = conduct.endings[static_cast<std::size_t>(node(feed.node).source)];
+    found.insert(found.end(), endings.begin(), endings.end());
+  }
+  return found;
+}
+
 bool may_give_up(const Problem& problem, int request) {
   const int answer = problem.channels[static_cast<std::size_t>(request)].answer;
   return std::any_of(problem.steps.begin(), problem.steps.end(), [&](const Step& step) {

@@ -72,8 +72,11 @@ void Passes::find_ends(int source) {
     ended_ = greater(ended_, finish(view_, n));
     if (!after_one(n)) ended_before_ = greater(ended_before_, finish(view_, n));
   }
-  for (int n : ground.endings_before_home(thread_))
-    ended_at_start_ = greater(ended_at_start_, finish(view_, n));
+  const auto instead = [&](const std::vector<int>& endings) {
+    for (int n : endings) ended_at_start_ = greater(ended_at_start_, finish(view_, n));
+  };
+  instead(ground.endings_before_home(thread_));
+  instead(ground.endings_before_first(source));
 }
 
 Sum Passes::next_or_end(const Sum& pass) const {
