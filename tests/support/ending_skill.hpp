@@ -61,7 +61,7 @@ class EndingSkill {
 
   void plan() {
     parties_.reserve(8);
-    blocks_ = chance_(3) == 0 ? chance_.between(1, 2) : 0;
+    blocks_ = chance_(2) == 0 ? chance_.between(1, 2) : 0;
     std::vector<Party*> methods;
     if (blocks_ == 0) methods.push_back(&party("SM1", "SM1", "SM1"));
     for (int n = 1; n <= blocks_; ++n) {
@@ -161,7 +161,10 @@ class EndingSkill {
     if (chance_(4) == 0) out += "work" + of.name + "\n";
     if (!of.asks.empty() && chance_(3) == 0) out += ask(of, chance_.one_of(of.asks));
     if (of.works == Party::Long::before) out += works_long(of);
-    return out + "REPEAT\n" + round(of) + "UNTIL( " + (of.leaves ? "c" + of.name : "forever") + " )\n";
+    out += "REPEAT\n" + round(of) + "UNTIL( " + (of.leaves ? "c" + of.name : "forever") + " )\n";
+    if (of.leaves && chance_(2) == 0) out += "long" + of.name + "\n";
+    if (of.leaves && !of.asks.empty() && chance_(3) == 0) out += ask(of, chance_.one_of(of.asks));
+    return out;
   }
 
   static std::string activities(const Party& of) {
