@@ -13,6 +13,7 @@
 #include "tests/support/mutant.hpp"
 #include "tests/support/refigured.hpp"
 #include "tests/support/setting.hpp"
+#include "tests/support/small_skill.hpp"
 
 using namespace pal;
 using pal::test::has_meaning;
@@ -68,6 +69,11 @@ TEST_CASE("no run of a larger skill exceeds what either analysis proved") {
   for (const auto& [kind, text] : test::kinds()) {
     if (only == nullptr || kind == only) attack_all(kind, text, setting("PAL_ROUNDS", 5));
   }
+}
+
+TEST_CASE("no run of a small skill, in whatever order it does things, exceeds what either analysis proved") {
+  const auto small = [](std::uint64_t seed) { return test::SmallSkill(seed).text(); };
+  attack_all("small", small, setting("PAL_ROUNDS", 200), true);
 }
 
 TEST_CASE("no run of a larger skill with mistakes in it exceeds what either analysis proved") {

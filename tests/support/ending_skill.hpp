@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/branch.hpp"
 #include "tests/support/chance.hpp"
 
 namespace pal::test {
@@ -98,11 +99,6 @@ class EndingSkill {
     return "m" + client.name + server.name;
   }
 
-  static std::string cases(const std::string& condition, const std::string& then) {
-    return "SPC( " + condition + " )\nCASE\n( " + condition + " ):\n" + then + "( NOT " + condition +
-           " ): Do Nothing\nEND CASE\n";
-  }
-
   std::string ask(const Party& in, const std::string& what) {
     const std::string request = "TXM( request " + what + " )\n";
     const std::string wait = "WTM( " + what + " )";
@@ -111,7 +107,7 @@ class EndingSkill {
       return request + wait + " WITHIN " + chance_.one_of({"2", "6", "40"}) +
              " ms\nDo Nothing\nELSE\nDo Nothing\nEND WTM\n";
     }
-    return chance_(12) == 0 && !by_itself ? cases("b" + in.name, request + wait + "\n")
+    return chance_(12) == 0 && !by_itself ? branch("b" + in.name, request + wait + "\n")
                                           : request + wait + "\n";
   }
 
@@ -122,7 +118,7 @@ class EndingSkill {
       done += "SPC( b" + of.name + " )\nCASE\n( b" + of.name + " ): Do Nothing\nEND CASE\n";
     if (of.module == "SM1" && chance_(5) > 0)
       done += "TXM( Completion Protocol " + std::to_string(chance_(2)) + " )\n";
-    return cases("e" + of.name, done);
+    return branch("e" + of.name, done);
   }
 
   /// What it does in a round, for whomever.
