@@ -45,6 +45,13 @@ TEST_CASE("what others come to while the last round goes on counts") {
   CHECK(bound_of("newer_at_end") == 187 * ms + ms / 2);
 }
 
+TEST_CASE("the next effect may come in a round that never comes home") {
+  // SM1 asks once more, uses what it knows then, and leaves, or completes; or it does so before its rounds.
+  CHECK(bound_of("leaver_reacts") == 22 * ms);
+  CHECK(bound_of("reacts_last") == 22 * ms);
+  CHECK(bound_of("reacts_at_start") == 132 * ms);
+}
+
 TEST_CASE("what devices send while the last round goes on is lost") {
   // MC1 waits 200 ms for one more answer, which does not come, while five ticks find another in the slot.
   CHECK(bound_of("answers") == 5);

@@ -12,6 +12,11 @@ Sum since_known(const Knowledge& knowledge, Pass pass, const Sum& until) {
   return known ? until - *known : Sum::unbounded();
 }
 
+bool of_start(const View& view, int node) {
+  const int source = view.forest.nodes[static_cast<std::size_t>(node)].source;
+  return view.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::start;
+}
+
 /// From what one effect reflects to the next effect of the same thread.
 /// `alone`: no other thread comes to it, so that nothing goes on once this one does not any more.
 Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement& requirement, int thread,
@@ -26,12 +31,8 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
     if (!alone || !view.lively[t] || !view.begun[t] || way.home || way.lost) return none;
     Sum longest = way.latest;
     for (const Pass& pass : passes.before_rounds()) {
-      const int source = view.forest.nodes[static_cast<std::size_t>(pass.node)].source;
       const Way next = passes.after(pass);
-      if (view.forest.sources[static_cast<std::size_t>(source)].kind != Source::Kind::start || next.home ||
-          next.lost) {
-        return none;
-      }
+      if (!of_start(view, pass.node) || next.home || next.lost) return none;
       longest = greater(longest, since_known(knowledge, pass, next.latest));
     }
     return {longest, none.why};
@@ -39,20 +40,32 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
   if (!goes_on(view, thread) || !passes.every_round()) {
     return {Sum::unbounded(), why_not_again(view, thread, passes, goes_on(view, thread))};
   }
+  // The first of all may come in a way that never comes home, and so may the next after any.
+  const Bound none{Sum::unbounded(),
+                   since_trouble("nothing bounds how old what " + name + " knows can be", view, thread)};
+  const auto before = [&](const Way& way, const Sum& round) {
+    return way.lost ? Sum::unbounded() : greater(way.latest, round);
+  };
   // Others may come to it until the skill has ended.
-  Sum longest = alone ? passes.first() + passes.latest() : passes.first_or_end(passes.latest());
+  const Sum first = alone ? passes.first() + passes.latest() : passes.first_or_end(passes.latest());
+  const Sum next = alone ? passes.gap() + passes.latest() : passes.next_or_end(passes.latest());
+  // What is known before the rounds is no older than the skill.
+  Sum longest = before(passes.from_entry(), first);
+  for (const Pass& pass : passes.before_rounds()) {
+    const Sum until = before(passes.after(pass), Sum());
+    longest = greater(longest, of_start(view, pass.node) ? until : since_known(knowledge, pass, until));
+  }
   Sum end;
   for (int n : view.conduct.threads[t].nodes) {
     if (in_paced_round(view, n)) end = greater(end, finish(view, n));
   }
-  const Sum next = alone ? passes.gap() + passes.latest() : passes.next_or_end(passes.latest());
   for (const Pass& pass : passes.in_rounds()) {
-    longest = greater(longest, since_known(knowledge, pass, next));
+    longest = greater(longest, since_known(knowledge, pass, before(passes.after(pass), next)));
     // A statement that a cancelled block finishes.
     if (view.conduct.threads[t].may_be_cancelled)
       longest = greater(longest, since_known(knowledge, pass, end));
   }
-  return {longest, since_trouble("nothing bounds how old what " + name + " knows can be", view, thread)};
+  return {longest, none.why};
 }
 
 }  // namespace
