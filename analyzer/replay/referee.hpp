@@ -94,6 +94,7 @@ class Referee {
     std::vector<Asked> asked;    // of a request: those whose answer was not taken yet, the oldest first
     bool answers = false;        // of an answer: the message in the slot answers the oldest of those
     bool to_be_dropped = false;  // the message in the slot was withdrawn
+    bool there_again = false;    // a block that was stopped was to take it
     bool given_up = false;       // of a request: its withdrawal has begun, and nobody has given up yet
   };
 
@@ -165,6 +166,7 @@ class Referee {
   void put(const Event& event);
   void take(const Event& event);
   void drop(const Event& event);
+  void claim_withdrawn(int channel);
   void empty(int channel);
   void asks(int request, int owner);
   std::optional<std::size_t> answered_next(int answer) const;

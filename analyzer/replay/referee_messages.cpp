@@ -76,7 +76,7 @@ void Referee::fill(int channel, int processor) {
   Slot& to = slot(channel);
   to.answers = answered_next(channel).has_value();
   to.full = true;
-  to.claimed = false;
+  to.claimed = to.there_again = false;
   to.from = processor;
   to.put = now_;
   to.put_by = at_;
@@ -159,13 +159,7 @@ void Referee::drop(const Event& event) {
     demand(slot(channel).to_be_dropped, "a message that answers no open request is withdrawn");
   }
   dropped_at_ = now_;
-  // Whoever goes on at this instant after waiting for it had it already, unless it takes what comes later.
-  for (std::size_t t = 0; t < threads_.size() && !slot(channel).claimed; ++t) {
-    const int thread = static_cast<int>(t);
-    if (threads_[t].mode != Mode::waiting || !goes_on(thread) || takes_next(thread)) continue;
-    const std::vector<int>& channels = step_of(thread).channels;
-    if (std::find(channels.begin(), channels.end(), channel) != channels.end()) resolve(thread);
-  }
+  claim_withdrawn(channel);
   if (slot(channel).claimed) {
     for (Party& each : threads_) {
       if (each.claim == channel && each.mode != Mode::off) each.withdrawn = true;
@@ -175,6 +169,30 @@ void Referee::drop(const Event& event) {
   gauge_.withdrawn(channel);
   if (channel == request) slot(request).asked.pop_back();
   empty(channel);
+}
+
+/// Whoever goes on at this instant after waiting for a message that is withdrawn had it already, unless it
+/// takes what comes later. With a put somebody has stopped waiting, also if the message is withdrawn at once.
+void Referee::claim_withdrawn(int channel) {
+  const bool put_for_somebody = !slot(channel).there_again;
+  const auto each_waiting = [&](const auto& visit) {
+    for (std::size_t t = 0; t < threads_.size() && !slot(channel).claimed; ++t) {
+      const int thread = static_cast<int>(t);
+      if (threads_[t].mode != Mode::waiting) continue;
+      const std::vector<int>& channels = step_of(thread).channels;
+      if (std::find(channels.begin(), channels.end(), channel) != channels.end()) visit(thread);
+    }
+  };
+  each_waiting([&](int thread) {
+    if (goes_on(thread) && !takes_next(thread)) resolve(thread);
+  });
+  each_waiting([&](int thread) {
+    if (put_for_somebody && goes_on(thread) && surely_there(channel, thread)) resolve(thread);
+  });
+  each_waiting([&](int thread) {
+    demand(!put_for_somebody || !surely_there(channel, thread),
+           name(thread) + " waits for a message that is there");
+  });
 }
 
 /// The thread that has given up waiting for an answer to the request, and whose test is done now; of several

@@ -74,6 +74,7 @@ void Referee::abandon(int thread) {
   Party& of = party(thread);
   if (of.claim >= 0 && !of.withdrawn && !of.acted && slot(of.claim).full && slot(of.claim).claimed) {
     slot(of.claim).claimed = false;
+    slot(of.claim).there_again = true;
     for (Arrival& there : slot(of.claim).arrival) {
       if (there.hi < now_) there.lo = there.hi = now_;
     }

@@ -138,7 +138,9 @@ trace::Trace Clockwork::trace() const {
       begun = event.time_ns;
     }
   }
-  const auto sooner = [](const auto& a, const auto& b) { return a.first < b.first; };
+  const auto sooner = [](const auto& a, const auto& b) {
+    return std::pair(a.first, a.second.time_ns) < std::pair(b.first, b.second.time_ns);
+  };
   std::stable_sort(ends.begin(), ends.end(), sooner);
   trace.events.reserve(events_.size() + ends.size());
   auto end = ends.begin();

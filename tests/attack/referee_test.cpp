@@ -31,6 +31,22 @@ void set_both(Told& run) {
   run.say(Kind::block, "MC1", "WTM( m from SM1 )", "m");
 }
 
+/// The referee lets forty runs by chance pass.
+void check_simulated(const std::string& name) {
+  const auto made = test::meaningful_skill(skill(name));
+  const Watch nothing;
+  const Machine machine(*made->problem, nothing);
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SimulationOptions options;
+    options.times = SimulationOptions::Times::random;
+    options.seed = seed;
+    options.until = 60'000'000;
+    const trace::Trace run = simulate(machine, options).trace;
+    INFO("seed " << seed);
+    CHECK(rules::check_run(*made->problem, &made->problem->requirements.front(), run).broken == "");
+  }
+}
+
 void complete(Told& run, const std::string& code) {
   const std::string statement = "TXM( Completion Protocol " + code + " )";
   run.say(Kind::start, "SM1", statement).say(Kind::complete, "SM1", statement, {}, code == "0" ? 0 : 2);
@@ -214,16 +230,32 @@ TEST_CASE("that a thread waits for its blocks is said once, where they begin") {
 
 TEST_CASE("a message of a freed sender comes after its receiver has chosen the next one") {
   // MC1 takes m, and finds a tick at its next wait; then SM1, which was blocked, puts the next m.
-  const auto freed = test::meaningful_skill(skill("freed_sender"));
-  const Watch nothing;
-  const Machine machine(*freed->problem, nothing);
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    SimulationOptions options;
-    options.times = SimulationOptions::Times::random;
-    options.seed = seed;
-    options.until = 60'000'000;
-    const trace::Trace run = simulate(machine, options).trace;
-    INFO("seed " << seed);
-    CHECK(rules::check_run(*freed->problem, &freed->problem->requirements.front(), run).broken == "");
-  }
+  check_simulated("freed_sender");
+}
+
+TEST_CASE("frames that nobody asks for end in the order of time, whichever device they are of") {
+  check_simulated("two_frames");
+}
+
+TEST_CASE("who waits for a message stops waiting when it is put, also if it is withdrawn at once") {
+  // SM1.2 sends its request when SM1.1 has ended, and is stopped.
+  const auto until_stopped = [] {
+    Told run(skill("put_and_stopped"));
+    run.say(Kind::block, "SM1", "CONCURRENT");
+    run.say(Kind::block, "LS1", "WTM( request w from SM1 )", "request w");
+    run.say(Kind::start, "SM1.1", "finish").say(Kind::start, "SM1.2", "TXM( request w from LS1 )");
+    run.say(Kind::done, "SM1.1", "finish");
+    run.say(Kind::put, "SM1.2", "TXM( request w from LS1 )", "request w", 1);
+    run.say(Kind::done, "SM1.2", "TXM( request w from LS1 )");
+    run.say(Kind::cancel, "SM1.2", "TXM( request w from LS1 )").say(Kind::drop, "-", {}, "request w", 1);
+    return run;
+  };
+
+  Told receives = until_stopped();
+  receives.say(Kind::start, "LS1", "WTM( request w from SM1 )").say(Kind::start, "SM1", "rest");
+  CHECK(receives.broken() == "");
+
+  Told waits = until_stopped();
+  waits.say(Kind::start, "SM1", "rest").at(5).say(Kind::done, "SM1", "rest");
+  CHECK(waits.broken() == "at 0 ns: LS1 waits for a message that is there");
 }
