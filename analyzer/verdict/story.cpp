@@ -109,7 +109,7 @@ struct Story {
     for (; next != own.end() && next->from_ns < to; ++next) {
       const Slice& slice = *next;
       if (slice.to_ns <= at) continue;
-      if (slice.from_ns > at) out.push_back(reason(at, slice.from_ns, thread, "has not begun", -1));
+      if (slice.from_ns > at) rest(thread, at, slice.from_ns, out);
       const Nanoseconds end = std::min<Nanoseconds>(slice.to_ns, to);
       const Nanoseconds begin = std::max<Nanoseconds>(slice.from_ns, at);
       if (slice.state == trace::State::ready) {
@@ -119,7 +119,32 @@ struct Story {
       }
       at = end;
     }
-    if (at < to) out.push_back(reason(at, to, thread, "waits for its blocks", -1));
+    if (at < to) rest(thread, at, to, out);
+  }
+
+  /// What kept a thread in [from, to], of which it has no slices: its blocks, or it is itself a block that
+  /// has not begun, and then what whoever begins it did.
+  void rest(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out) const {
+    const int parent = problem.threads[static_cast<std::size_t>(thread)].parent;
+    if (blocks_at_work(thread, from, to)) {
+      out.push_back(reason(from, to, thread, "waits for its blocks", -1));
+    } else if (parent >= 0) {
+      tell(parent, from, to, out);
+    } else {
+      out.push_back(reason(from, to, thread, "has not begun", -1));
+    }
+  }
+
+  bool blocks_at_work(int thread, Nanoseconds from, Nanoseconds to) const {
+    for (std::size_t block = 0; block < problem.threads.size(); ++block) {
+      if (problem.threads[block].parent != thread) continue;
+      const std::vector<Slice>& own = of_actor[block];
+      const auto next = std::partition_point(own.begin(), own.end(),
+                                             [from](const Slice& slice) { return slice.to_ns <= from; });
+      const bool works = next != own.end() && next->from_ns < to;
+      if (works || blocks_at_work(static_cast<int>(block), from, to)) return true;
+    }
+    return false;
   }
 
   /// The event at which the measured statement had its effect; the number of events if there is none.

@@ -78,8 +78,9 @@ std::string refusal(const FiledWitness& witness, const analyzer::Problem& proble
   if (requirement.measure == analyzer::Requirement::Measure::load) return {};
   if (witness.failed) return ruling.failed ? "" : "every event in it has its response";
   if (witness.grows) {
-    const bool longer = ruling.growing_since && witness.at - *ruling.growing_since >= witness.value;
-    return longer ? "" : "nothing in it has grown to " + to_text(Duration(witness.value));
+    const bool grown = ruling.growing_since && *ruling.growing_since <= witness.born &&
+                       witness.at - witness.born == witness.value;
+    return grown ? "" : "nothing in it has grown to " + to_text(Duration(witness.value));
   }
   const bool is_shown = std::any_of(ruling.measured.begin(), ruling.measured.end(), [&](const auto& each) {
     return each.value == witness.value && each.born == witness.born && each.at == witness.at;

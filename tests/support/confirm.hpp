@@ -24,7 +24,8 @@ inline std::string refusal(const analyzer::Problem& problem, const analyzer::Req
   if (!ruling.broken.empty()) return ruling.broken;
   if (requirement.measure == analyzer::Requirement::Measure::load) return {};
   if (witness.grows) {
-    const bool grown = ruling.growing_since && measured.at - *ruling.growing_since >= measured.value;
+    const bool grown = ruling.growing_since && *ruling.growing_since <= measured.born &&
+                       measured.at - measured.born == measured.value;
     return grown ? "" : "nothing has grown so far";
   }
   if (witness.failed) return ruling.failed ? "" : "every event has its response";

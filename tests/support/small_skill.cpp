@@ -75,6 +75,11 @@ std::string SmallSkill::ask(const std::string& message, const std::string& serve
          " ms\nDo Nothing\nELSE\nDo Nothing\nEND WTM\n";
 }
 
+std::string SmallSkill::last() {
+  const std::string once_more = chance_(3) == 0 ? "RPC( c )\nwork\n" : "";
+  return "last\n" + once_more + complete;
+}
+
 std::string SmallSkill::thing_of_method(int which) {
   const auto senses = [this] {
     sensor_ = true;
@@ -82,13 +87,13 @@ std::string SmallSkill::thing_of_method(int which) {
   };
   switch (which) {
     case 0:
-      return "work\n";
+      return "RPC( c )\nwork\n";
     case 1:
       return "SPC( m )\n";
     case 2:
       return branch("over", complete);
     case 3:
-      return branch("over", "last\n" + complete);
+      return branch("over", last());
     case 4:
       return branch("more", "work\n");
     case 5:
@@ -96,7 +101,7 @@ std::string SmallSkill::thing_of_method(int which) {
     case 6:
       return senses();
     default:
-      return chance_(2) == 0 ? branch("over", senses() + "last\n" + complete) : branch("more", senses());
+      return chance_(2) == 0 ? branch("over", senses() + last()) : branch("more", senses());
   }
 }
 
@@ -152,7 +157,7 @@ std::string SmallSkill::controller_round() {
 std::string SmallSkill::before_rounds() {
   std::string out;
   if (chance_(4) == 0) out += "work\n";
-  if (chance_(5) == 0) out += branch("over", "last\n" + complete);
+  if (chance_(5) == 0) out += branch("over", last());
   if (chance_(6) == 0) out += "SPC( m )\n";
   if (sensor_ && chance_(6) == 0) out += ask("s", "LS1", true);
   return out;
@@ -271,6 +276,7 @@ std::string SmallSkill::requirements() const {
   if (device_ && frames_) all.push_back("LOSS OF probe AT MOST 7 IN 8");
   if (std::find(method_.begin(), method_.end(), 0) != method_.end()) {
     all.push_back("INTERVAL OF work IN SM1 AT MOST 900 ms");
+    known("c", "work IN SM1");
     if (asked_by_controller()) known("t FROM d", "work IN SM1");
   }
   if (two_controllers()) {

@@ -37,6 +37,7 @@ class SmallSkill {
   static const std::vector<Order>& of_controller();
 
   std::string ask(const std::string& message, const std::string& server, bool may_give_up);
+  std::string last();
   std::string thing_of_method(int which);
   std::string sample();
   std::string thing_of_controller(int which);
