@@ -76,6 +76,10 @@ TEST_CASE("no run of a small skill, in whatever order it does things, exceeds wh
   attack_all("small", small, setting("PAL_ROUNDS", 200), true);
 }
 
+TEST_CASE("no run of a method that has to do with devices only exceeds what either analysis proved") {
+  attack_all("lone", test::kinds().at("lone"), setting("PAL_ROUNDS", 100), true);
+}
+
 TEST_CASE("no run of a larger skill with mistakes in it exceeds what either analysis proved") {
   attack_all("mistakes", with_mistakes, setting("PAL_ROUNDS", 16));
 }

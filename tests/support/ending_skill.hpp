@@ -48,6 +48,7 @@ class EndingSkill {
     bool driven = false;                     // by a device; neither this nor clients: it goes on by itself
     std::vector<const Party*> clients = {};  // that ask it
     std::vector<std::string> asks = {};      // "message from server"
+    std::vector<std::string> reads = {};     // conditions, before it works
     /// Where it may do something for long: before its rounds, or as the first or last thing of one.
     enum class Long { nowhere, before, first, last } works = Long::nowhere;
     bool leaves = false;  // a block, by its UNTIL
@@ -88,6 +89,9 @@ class EndingSkill {
       ++sensors;
     }
     for (Party& each : parties_) each.driven = each.driven || (each.clients.empty() && each.asks.empty());
+    for (Party& each : parties_) {
+      if (chance_(2) == 0) each.reads.push_back("c" + chance_.one_of<Party>(parties_).name);
+    }
   }
 
   static void serve(Party& server, Party& client) {
@@ -111,9 +115,16 @@ class EndingSkill {
                                           : request + wait + "\n";
   }
 
+  static std::string work(const Party& of) {
+    std::string out;
+    for (const std::string& each : of.reads) out += "RPC( " + each + " )\n";
+    return out + "work" + of.name + "\n";
+  }
+
   std::string works_long(const Party& of) {
     std::string done = "long" + of.name + "\n";
     if (!of.asks.empty() && chance_(3) == 0) done += ask(of, chance_.one_of(of.asks));
+    if (chance_(4) == 0) done += work(of);
     if (chance_(8) == 0)
       done += "SPC( b" + of.name + " )\nCASE\n( b" + of.name + " ): Do Nothing\nEND CASE\n";
     if (of.module == "SM1" && chance_(5) > 0)
@@ -123,7 +134,7 @@ class EndingSkill {
 
   /// What it does in a round, for whomever.
   std::string actions(const Party& of) {
-    std::vector<std::string> all = {"work" + of.name + "\n", "SPC( c" + of.name + " )\n"};
+    std::vector<std::string> all = {work(of), "SPC( c" + of.name + " )\n"};
     for (const std::string& each : of.asks) all.push_back(ask(of, each));
     chance_.shuffle(all);
     if (of.works == Party::Long::first) all.insert(all.begin(), works_long(of));
@@ -154,12 +165,13 @@ class EndingSkill {
 
   std::string life(const Party& of) {
     std::string out;
-    if (chance_(4) == 0) out += "work" + of.name + "\n";
+    if (chance_(4) == 0) out += work(of);
     if (!of.asks.empty() && chance_(3) == 0) out += ask(of, chance_.one_of(of.asks));
     if (of.works == Party::Long::before) out += works_long(of);
     out += "REPEAT\n" + round(of) + "UNTIL( " + (of.leaves ? "c" + of.name : "forever") + " )\n";
     if (of.leaves && chance_(2) == 0) out += "long" + of.name + "\n";
     if (of.leaves && !of.asks.empty() && chance_(3) == 0) out += ask(of, chance_.one_of(of.asks));
+    if (of.leaves && chance_(4) == 0) out += work(of);
     return out;
   }
 
@@ -202,6 +214,7 @@ class EndingSkill {
     for (const Party& each : parties_) {
       const std::string work = "work" + each.name + " IN " + each.module;
       aged("c" + each.name, "use IN MR");
+      for (const std::string& read : each.reads) aged(read, work);
       all.push_back("INTERVAL OF " + work + most);
       all.push_back("INTERVAL OF " + work + " AT LEAST 1 ms");
       for (const Party& from : parties_) {

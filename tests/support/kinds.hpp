@@ -12,6 +12,7 @@
 #include "tests/support/condition_chain.hpp"
 #include "tests/support/ending_skill.hpp"
 #include "tests/support/held_skill.hpp"
+#include "tests/support/lone_skill.hpp"
 #include "tests/support/many_parties.hpp"
 #include "tests/support/nested_skill.hpp"
 #include "tests/support/odd_skill.hpp"
@@ -31,6 +32,7 @@ inline const std::map<std::string, TextBySeed>& kinds() {
       {"conditions", [](std::uint64_t seed) { return ConditionChain(seed).text(); }},
       {"held", [](std::uint64_t seed) { return HeldSkill(seed).text(); }},
       {"ending", [](std::uint64_t seed) { return EndingSkill(seed).text(); }},
+      {"lone", [](std::uint64_t seed) { return LoneSkill(seed).text(); }},
       {"commands", [](std::uint64_t seed) { return CommandSkill(seed).text(); }},
       {"stopped", [](std::uint64_t seed) { return StoppedBlocks(seed).text(); }},
       {"woven", [](std::uint64_t seed) { return WovenSkill(seed, seed % 2 == 0).text(); }},

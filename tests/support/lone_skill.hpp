@@ -1,0 +1,43 @@
+// Skills whose method has to do with nobody but devices.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include "tests/support/chance.hpp"
+
+namespace pal::test {
+
+/// The method, in one life or in blocks of a life each, asks sensors that are devices, reads conditions that
+/// controllers set by events, and sets conditions that a controller reads. What it does before its rounds, in
+/// them, in rounds that end the skill and after them is drawn from one list. As nobody keeps it waiting, most
+/// of what it is asked has bounds. The same seed gives the same text.
+class LoneSkill {
+ public:
+  explicit LoneSkill(std::uint64_t seed);
+
+  std::string text();
+
+ private:
+  std::string ask();
+  std::string thing();
+  std::string things(int least, int most);
+  std::string ending();
+  std::string round();
+  std::string life(const std::string& condition);
+  std::string method();
+  std::string controllers() const;
+  std::string requirements(const std::string& method) const;
+  std::string environment();
+
+  Chance chance_;
+  int blocks_;     // of the method; 0: none
+  int clocks_;     // controllers with a clock each, which sets a condition
+  int sensors_;    // devices that may be asked
+  bool reader_;    // of what the method sets
+  int block_ = 3;  // whose sensor is asked
+  std::set<int> asked_;
+};
+
+}  // namespace pal::test
