@@ -15,11 +15,9 @@ LoneSkill::LoneSkill(std::uint64_t seed)
     : chance_(seed),
       blocks_(chance_(3) == 0 ? 2 : 0),
       clocks_(chance_.between(1, 2)),
-      sensors_(blocks_ > 0 ? 3 : chance_.between(1, 3)),
       reader_(chance_(2) == 0) {}
 
-std::string LoneSkill::ask() {
-  const int which = blocks_ == 0 ? chance_.between(1, sensors_) : block_;
+std::string LoneSkill::ask(int which) {
   asked_.insert(which);
   const std::string n = std::to_string(which);
   const std::string what = "s" + n + " from LS" + n;
@@ -43,7 +41,7 @@ std::string LoneSkill::thing() {
     case 5:
       return branch("more", thing());
     default:
-      return ask();
+      return ask(chance_(10) == 0 ? own_ : own_ + chance_.between(1, 2));
   }
 }
 
@@ -58,7 +56,7 @@ std::string LoneSkill::ending() {
 }
 
 std::string LoneSkill::round() {
-  std::string out = ask();
+  std::string out = ask(own_);
   out.insert(chance_(2) == 0 ? 0 : out.size(), things(0, 2));
   if (chance_(8) == 0) out += ending();
   out += "RPC( c1 )\nuse\n" + things(0, 1);
@@ -80,8 +78,10 @@ std::string LoneSkill::method() {
       "Skill Module: SM1\n  ACTIVITY work\n  ACTIVITY use\n  ACTIVITY last\nBEGIN\nWTM( Coordinator )\n";
   if (blocks_ == 0) return out + life("left") + complete + "END\n";
   out += things(0, 1) + "CONCURRENT\n";
-  for (block_ = 1; block_ <= blocks_; ++block_)
-    out += "BEGIN\n" + life("left" + std::to_string(block_)) + "END\n";
+  for (int n = 1; n <= blocks_; ++n) {
+    own_ = 3 * n + 1;
+    out += "BEGIN\n" + life("left" + std::to_string(n)) + "END\n";
+  }
   return out + "END CONCURRENT\n" + things(0, 2) + complete + "END\n";
 }
 

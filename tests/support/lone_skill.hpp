@@ -20,7 +20,7 @@ class LoneSkill {
   std::string text();
 
  private:
-  std::string ask();
+  std::string ask(int which);
   std::string thing();
   std::string things(int least, int most);
   std::string ending();
@@ -32,11 +32,10 @@ class LoneSkill {
   std::string environment();
 
   Chance chance_;
-  int blocks_;     // of the method; 0: none
-  int clocks_;     // controllers with a clock each, which sets a condition
-  int sensors_;    // devices that may be asked
-  bool reader_;    // of what the method sets
-  int block_ = 3;  // whose sensor is asked
+  int blocks_;   // of the method; 0: none
+  int clocks_;   // controllers with a clock each, which sets a condition
+  bool reader_;  // of what the method sets
+  int own_ = 1;  // the sensor that each round asks; the two after it are asked anywhere
   std::set<int> asked_;
 };
 
