@@ -95,7 +95,7 @@ class Constraints {
 
 /// Makes the goal greater until it cannot be, in steps that are doubled, and halved where one was too wide.
 /// `best` has the best times so far, also if this throws.
-void make_greatest(Constraints& constraints, const Goal& goal, Times& best) {
+void make_greatest(Constraints& constraints, const Goal& goal, const Overseer& overseer, Times& best) {
   using Answer = Constraints::Answer;
   const auto value = [&] { return (*best)[goal.to] - (*best)[goal.from]; };
   if (value() >= goal.enough) return;
@@ -103,7 +103,8 @@ void make_greatest(Constraints& constraints, const Goal& goal, Times& best) {
   const Answer most = constraints.look(goal, above, best);
   if (most == Answer::found && above >= Range::unbounded) best.reset();
   if (most != Answer::none) return;
-  for (Nanoseconds step = 1; value() + 1 < above;) {
+  // What Z3 does before it solves heeds no interruption.
+  for (Nanoseconds step = 1; value() + 1 < above && !overseer.interrupted();) {
     const Nanoseconds tried = step < above - value() ? value() + step : above - 1;
     switch (constraints.look(goal, tried, best)) {
       case Answer::found:
@@ -142,7 +143,7 @@ Times linear_times(std::size_t count, const std::vector<Difference>& differences
     Constraints constraints(*context, count, differences, works);
     const Overseer overseer(over, [asked = context.get()] { asked->interrupt(); });
     constraints.look(std::nullopt, 0, best);
-    if (best && goal) make_greatest(constraints, *goal, best);
+    if (best && goal && !overseer.interrupted()) make_greatest(constraints, *goal, overseer, best);
     whole = !overseer.interrupted();
   } catch (const z3::exception&) {
   }

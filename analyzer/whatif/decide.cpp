@@ -188,12 +188,13 @@ Decision decide(const Problem& problem, std::size_t index, const Options& given,
   return decision;
 }
 
-bool refutes(const Problem& problem, std::size_t index, const Witness& witness) {
+bool refutes(const Problem& problem, std::size_t index, const Witness& witness,
+             const std::function<bool()>& stop) {
   const Requirement& requirement = problem.requirements[index];
   if (!one_run(requirement) || witness.grows || witness.script.empty()) return false;
   const Watch watch = watch_of(problem, requirement);
   const Machine machine(problem, watch);
-  const auto made = witness_along(machine, witness.script, !witness.failed, -1, true);
+  const auto made = witness_along(machine, witness.script, !witness.failed, -1, true, stop);
   return made && broken(requirement, *made);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 
 #include "analyzer/exact/exact.hpp"
@@ -22,7 +23,8 @@ struct Decision {
 Decision decide(const Problem& problem, std::size_t requirement, const Options& options, Workers& workers);
 
 /// Whether a run that fires as `script` does, at times of its own, breaks the requirement; `script` may come
-/// from a problem with other figures. False says nothing.
-bool refutes(const Problem& problem, std::size_t requirement, const Witness& witness);
+/// from a problem with other figures. False says nothing, also where `stop` ended it.
+bool refutes(const Problem& problem, std::size_t requirement, const Witness& witness,
+             const std::function<bool()>& stop);
 
 }  // namespace pal::analyzer

@@ -19,7 +19,8 @@ int Judge::refuted(const Problem& problem, const std::vector<std::size_t>& requi
   for (const Refutation& known : refutations_) {
     const bool asked =
         std::find(requirements.begin(), requirements.end(), known.requirement) != requirements.end();
-    if (asked && refutes(problem, known.requirement, known.witness))
+    if (stopped()) return -1;
+    if (asked && refutes(problem, known.requirement, known.witness, options_.stop))
       return static_cast<int>(known.requirement);
   }
   return -1;

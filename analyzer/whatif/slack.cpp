@@ -164,7 +164,7 @@ class SlackSearch {
   /// Down to the least growth with which a known run fails: replays only.
   void sharpen(const Growth& growth, const std::vector<std::size_t>& requirements, Known& known) {
     Nanoseconds low = known.holds;
-    while (known.fails - low > 1) {
+    while (known.fails - low > 1 && !judge_.stopped()) {
       const Nanoseconds middle = low + (known.fails - low) / 2;
       const auto problem = judge_.problem(growth.by(middle));
       const int refuted = problem ? judge_.refuted(*problem, requirements) : -1;

@@ -76,13 +76,10 @@ std::variant<Decimal, DurationError> parse_decimal(std::string_view text) {
 
 __extension__ typedef __int128 Wide;
 
-}  // namespace
-
-std::variant<Duration, DurationError> parse_duration(std::string_view number, std::string_view unit_name) {
+/// `number` times `unit` nanoseconds.
+std::variant<Duration, DurationError> nanoseconds(std::string_view number, std::int64_t unit) {
   const auto parsed = parse_decimal(number);
   if (const auto* error = std::get_if<DurationError>(&parsed)) return *error;
-  const auto* unit = find_unit(unit_name);
-  if (unit == nullptr) return DurationError::no_unit;
   auto [negative, digits, exponent] = std::get<Decimal>(parsed);
   if (digits.empty()) return Duration{0};
 
@@ -96,7 +93,7 @@ std::variant<Duration, DurationError> parse_duration(std::string_view number, st
       return exponent < -11 ? DurationError::not_whole : DurationError::overflow;
     }
   }
-  value *= unit->nanoseconds;
+  value *= unit;
   for (; exponent > 0; --exponent) {
     value *= 10;
     if (value > limit) return DurationError::overflow;
@@ -108,6 +105,21 @@ std::variant<Duration, DurationError> parse_duration(std::string_view number, st
   if (value > limit) return DurationError::overflow;
   const auto count = static_cast<std::int64_t>(value);
   return Duration{negative ? -count : count};
+}
+
+}  // namespace
+
+std::variant<Duration, DurationError> parse_duration(std::string_view number, std::string_view unit_name) {
+  const auto* unit = find_unit(unit_name);
+  if (unit != nullptr) return nanoseconds(number, unit->nanoseconds);
+  const auto parsed = parse_decimal(number);
+  const auto* error = std::get_if<DurationError>(&parsed);
+  return error != nullptr ? *error : DurationError::no_unit;
+}
+
+std::variant<Duration, DurationError> parse_percentage(std::string_view percent) {
+  constexpr std::int64_t of_a_second = 10'000'000;
+  return nanoseconds(percent, of_a_second);
 }
 
 namespace {

@@ -15,6 +15,9 @@ enum class DurationError { no_number, no_unit, not_whole, overflow };
 /// Errors: not a number, not a unit of time, not a whole number of nanoseconds, more than Duration holds.
 std::variant<Duration, DurationError> parse_duration(std::string_view number, std::string_view unit);
 
+/// `percent` (as the number of parse_duration) of a second, exactly. Errors: as those of parse_duration.
+std::variant<Duration, DurationError> parse_percentage(std::string_view percent);
+
 /// Exact, in the greatest unit of ns, us, ms, s that is not greater than the value: "28 ms", "1.5 s", "0 ms".
 std::string to_text(Duration value);
 

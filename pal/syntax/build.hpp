@@ -68,6 +68,7 @@ class Builder {
   std::optional<Requirement> passes(Requirement result, Parser::StepContext* at,
                                     Parser::DurationContext* least, Parser::DurationContext* most);
   Requirement::Loss loss(Parser::LossContext* context);
+  Duration share(Parser::LoadContext* context);
   Known known(Parser::KnownContext* context);
   std::optional<Step> step(Parser::StepContext* context);
 

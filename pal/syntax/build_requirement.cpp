@@ -1,9 +1,12 @@
 // Requirements of a skill.
-#include <cmath>
+#include <chrono>
 #include <utility>
+#include <variant>
 
 #include "pal/support/diagnostic_code.hpp"
+#include "pal/support/duration_text.hpp"
 #include "pal/syntax/build.hpp"
+#include "pal/syntax/token_list.hpp"
 
 namespace pal::syntax {
 
@@ -57,20 +60,7 @@ std::optional<Requirement> Builder::requirement(Parser::RequirementSlotContext* 
     Requirement::Load load;
     if (c->name() != nullptr) load.processor = name(c->name());
     result.measure = std::move(load);
-    const auto percent = real(c->NUMBER());
-    if (percent && (*percent < 0 || *percent > 100)) {
-      diagnostics_.report(Code::PAL0801, span(c->NUMBER(), c->PERCENT()), "a load is between 0 % and 100 %",
-                          "write a part of the processor's time, such as 80 %");
-    } else if (percent) {
-      constexpr double nanoseconds_per_percent = 1e7;  // of work in a second
-      const double limit = *percent * nanoseconds_per_percent;
-      result.limit = Duration{std::llround(limit)};
-      constexpr double least_rest = 1e-3;  // more than a double is out of by
-      if (std::abs(limit - std::round(limit)) > least_rest)
-        diagnostics_.report(Code::PAL0801, span(c->NUMBER(), c->PERCENT()),
-                            "a load is known to a ten-millionth of a percent, and this is finer",
-                            "write seven digits behind the point, or fewer");
-    }
+    result.limit = share(c);
     return result;
   }
   if (auto* c = dynamic_cast<Parser::BusyPeriodContext*>(measure)) {
@@ -81,6 +71,27 @@ std::optional<Requirement> Builder::requirement(Parser::RequirementSlotContext* 
     return result;
   }
   return std::nullopt;
+}
+
+/// A load, as so much of a second.
+Duration Builder::share(Parser::LoadContext* context) {
+  auto* number = context->NUMBER();
+  if (number == nullptr || is_made_up(number->getSymbol())) return Duration{};
+  const auto at = span(number, context->PERCENT());
+  const auto parsed = parse_percentage(number->getText());
+  const auto* value = std::get_if<Duration>(&parsed);
+  if (value == nullptr && std::get<DurationError>(parsed) == DurationError::not_whole) {
+    diagnostics_.report(Code::PAL0801, at,
+                        "a load is known to a ten-millionth of a percent, and this is finer",
+                        "write seven digits behind the point, or fewer");
+    return Duration{};
+  }
+  if (value == nullptr || *value < Duration{} || *value > std::chrono::seconds(1)) {
+    diagnostics_.report(Code::PAL0801, at, "a load is between 0 % and 100 %",
+                        "write a part of the processor's time, such as 80 %");
+    return Duration{};
+  }
+  return *value;
 }
 
 Known Builder::known(Parser::KnownContext* context) {

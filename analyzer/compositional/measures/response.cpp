@@ -44,8 +44,8 @@ std::string overrun(const View& view, int source) {
     const std::string& trouble = view.times.trouble[static_cast<std::size_t>(view.forest.thread_of(root))];
     if (!trouble.empty()) return trouble;
   }
-  return "an event of " + view.problem.devices[static_cast<std::size_t>(of.device)].name +
-         " may come before the last one was taken";
+  return "nothing shows that an event of " + view.problem.devices[static_cast<std::size_t>(of.device)].name +
+         " is taken before the next one comes";
 }
 
 Bound to_event(const View& view, const Requirement& requirement, int source) {

@@ -37,6 +37,19 @@ TEST_CASE("what is no time is refused") {
   CHECK(error("1e-999999999999999999999", "s") == DurationError::not_whole);
 }
 
+TEST_CASE("a percentage is exactly so much of a second") {
+  const auto part = [](const char* number) { return std::get<Duration>(parse_percentage(number)); };
+  CHECK(part("50") == 500ms);
+  CHECK(part("66.6666667") == 666'666'667ns);
+  CHECK(part("1e-7") == 1ns);
+  CHECK(part("1e2") == 1s);
+  const auto error = [](const char* number) { return std::get<DurationError>(parse_percentage(number)); };
+  CHECK(error("49.99999999995") == DurationError::not_whole);
+  CHECK(error("1e-10") == DurationError::not_whole);
+  CHECK(error("100.000000000000000000000001") == DurationError::not_whole);
+  CHECK(error("1e999") == DurationError::overflow);
+}
+
 TEST_CASE("times are written so that they are read back") {
   CHECK(to_text(28ms) == "28 ms");
   CHECK(to_text(Duration{0}) == "0 ms");
