@@ -100,7 +100,7 @@ Seen AllRuns::enumerate(std::size_t most) {
     do {
       begin();
       arrived(start, every);
-    } while (every.next());
+    } while (known.size() <= most && every.next());
     while (!todo.empty() && known.size() <= most) {
       const auto [from, index] = std::move(todo.front());
       todo.pop_front();
