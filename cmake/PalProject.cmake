@@ -4,6 +4,7 @@ include(GNUInstallDirs)
 option(PAL_BUILD_WORKCELL "Build the MuJoCo workcell and the skills that run in it" ON)
 option(PAL_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(PAL_WARNINGS_AS_ERRORS "Treat compiler warnings as errors (set by the presets)" OFF)
+option(PAL_PRECOMPILE "Read the standard library's headers once for all files; hides an #include that is missing" OFF)
 option(PAL_FUZZ "Build the fuzz targets for libFuzzer (clang only; docs/fuzzing.md)" OFF)
 set(PAL_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize= (set by the presets)")
 
@@ -42,6 +43,7 @@ function(pal_library name)
   target_link_libraries(pal_${name} PUBLIC ${ARG_USES} PRIVATE ${ARG_PRIVATE_USES})
   set_target_properties(pal_${name} PROPERTIES EXPORT_NAME ${name})
   pal_warnings(pal_${name})
+  pal_precompiled(pal_${name})
 endfunction()
 
 # pal_warnings(TARGET): the project's warnings; code that a generator wrote by ANTLR is left out.
@@ -51,5 +53,25 @@ function(pal_warnings target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # g++ 12 sees overlaps in std::string (GCC bug 105329) and unset values in std::optional (80635) where there are none.
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-maybe-uninitialized)
+  endif()
+endfunction()
+
+# pal_precompiled(TARGET): with PAL_PRECOMPILE its files are read with the standard library's headers as they
+# were read before. All that use it have the same options.
+function(pal_precompiled target)
+  if(NOT PAL_PRECOMPILE)
+    return()
+  endif()
+  if(NOT TARGET pal_precompiled_headers)
+    add_library(pal_precompiled_headers OBJECT "${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp")
+    target_precompile_headers(pal_precompiled_headers PRIVATE <algorithm> <chrono> <cstdint> <functional> <iostream> <map>
+      <memory> <optional> <set> <sstream> <string> <variant> <vector>)
+    pal_warnings(pal_precompiled_headers)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM pal_precompiled_headers)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # ccache cannot tell otherwise what a file depends on. The standard library's own warnings are not held back here.
+    target_compile_options(${target} PRIVATE -fpch-preprocess
+      -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
 endfunction()
