@@ -1,6 +1,7 @@
 #include "analyzer/compositional/causes/conduct.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "analyzer/compositional/causes/alternatives.hpp"
 #include "analyzer/compositional/causes/rounds.hpp"
@@ -282,10 +283,22 @@ class Observer {
 
   void find_endings() {
     made_.endings.resize(forest_.sources.size());
+    made_.start_endings.resize(problem_.threads.size());
     for (std::size_t n = 0; n < forest_.nodes.size(); ++n) {
       const Node& of = forest_.nodes[n];
-      if (may_end(problem_, forest_.segment_of(of)))
-        made_.endings[static_cast<std::size_t>(of.source)].push_back(static_cast<int>(n));
+      if (!may_end(problem_, forest_.segment_of(of))) continue;
+      made_.endings[static_cast<std::size_t>(of.source)].push_back(static_cast<int>(n));
+      if (forest_.sources[static_cast<std::size_t>(of.source)].kind == Source::Kind::start)
+        end_at_start(static_cast<int>(n));
+    }
+  }
+
+  void end_at_start(int ending) {
+    std::set<int> threads;
+    for (int n = ending; n >= 0; n = node(n).cause) {
+      const int thread = forest_.thread_of(n);
+      if (thread >= 0 && threads.insert(thread).second)
+        made_.start_endings[static_cast<std::size_t>(thread)].push_back({ending, n});
     }
   }
 

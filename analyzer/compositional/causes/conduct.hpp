@@ -24,6 +24,11 @@ struct ThreadConduct {
   std::string trouble;
 };
 
+struct StartEnding {
+  int node;  // may end the skill, or its thread
+  int own;   // the last of the thread's nodes on the way to it, or the node itself
+};
+
 struct Conduct {
   std::vector<ThreadConduct> threads;
   /// By node: the node that began its round, or the thread.
@@ -40,6 +45,8 @@ struct Conduct {
   std::vector<std::vector<int>> alternatives;  // alternatives_of()
   /// By source: nodes that may end the skill, or their thread. What waits for them to go on waits until then.
   std::vector<std::vector<int>> endings;
+  /// By thread: those of the skill's start that come of it.
+  std::vector<std::vector<StartEnding>> start_endings;
   std::vector<bool>
       never_full;  // by channel: the protocol of request and answer keeps its slot free for a put
 };

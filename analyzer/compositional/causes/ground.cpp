@@ -1,7 +1,7 @@
 #include "analyzer/compositional/causes/ground.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <set>
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -55,18 +55,11 @@ Nanoseconds earliest_release(const Ground& ground, int n, const std::vector<Nano
 }  // namespace
 
 std::vector<int> Ground::endings_before_home(int thread) const {
-  const auto before_home = [&](int n) {
-    for (int t = thread; t >= 0; t = thread_at(t).parent) {
-      const int own = nearest(n, t);
-      if (own >= 0) return !in_round(own);
-    }
-    return false;
-  };
   std::vector<int> found;
-  for (std::size_t s = 0; s < forest.sources.size(); ++s) {
-    if (forest.sources[s].kind != Source::Kind::start) continue;
-    std::copy_if(conduct.endings[s].begin(), conduct.endings[s].end(), std::back_inserter(found),
-                 before_home);
+  std::set<int> seen;
+  for (int t = thread; t >= 0; t = thread_at(t).parent) {
+    for (const StartEnding& of : conduct.start_endings[static_cast<std::size_t>(t)])
+      if (seen.insert(of.node).second && !in_round(of.own)) found.push_back(of.node);
   }
   return found;
 }
