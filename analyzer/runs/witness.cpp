@@ -253,7 +253,8 @@ std::vector<ScriptedFiring> path_to(const ZoneGraph& graph, const Peak& peak) {
   std::vector<ScriptedFiring> path{{peak.timer, peak.choices, 0}};
   for (int at = peak.parent; at >= 0;) {
     const ZoneClass& of = graph.classes()[static_cast<std::size_t>(at)];
-    path.push_back({of.timer, of.choices, 0});
+    const Move& move = graph.move_to(of);
+    path.push_back({move.timer, move.choices, 0});
     at = of.parent;
   }
   std::reverse(path.begin(), path.end());
@@ -264,8 +265,8 @@ std::vector<ScriptedFiring> path_to(const ZoneGraph& graph, int target) {
   const ZoneClass& of = graph.classes()[static_cast<std::size_t>(target)];
   Peak last;
   last.parent = of.parent;
-  last.timer = of.timer;
-  last.choices = of.choices;
+  last.timer = graph.move_to(of).timer;
+  last.choices = graph.move_to(of).choices;
   return path_to(graph, last);
 }
 

@@ -16,8 +16,7 @@ struct ZoneClass {
   int state = -1;  // a place
   Dbm zone;        // variables: 0, the state's timers, its observers
   int parent = -1;
-  int timer = -1;  // whose firing led here from the parent
-  std::vector<std::uint8_t> choices;
+  int move = -1;         // that led here: of the parent's place, or of the ways to begin
   bool relaxed = false;  // somewhere on the way the zone is larger than what can be
   int replaced_by = -1;
 };

@@ -1,6 +1,7 @@
 #include "analyzer/zones/zone_graph.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace pal::analyzer {
 namespace {
@@ -81,6 +82,14 @@ void ZoneGraph::shorten_ways() {
   }
 }
 
+const Move& ZoneGraph::move_to(const ZoneClass& made) const {
+  const std::vector<Move>& moves =
+      made.parent < 0
+          ? first_moves_
+          : places_[static_cast<std::size_t>(classes_[static_cast<std::size_t>(made.parent)].state)].moves;
+  return moves[static_cast<std::size_t>(made.move)];
+}
+
 void ZoneGraph::Expansion::begin() {
   used = 0;
   findings = {};
@@ -154,7 +163,7 @@ bool ZoneGraph::grow(const Limits& limits) {
     expansion.findings.outgrown |= move.outcome.too_many;
     expansion.findings.passed |= move.outcome.passed;
     Arrival& arrival = expansion.arrival(move);
-    arrival.made.choices = move.choices;
+    arrival.made.move = static_cast<int>(&move - first_moves_.data());
     follow(ZoneClass(), Dbm(1), move, 0, expansion.sources, arrival.made);
     observe_growth(arrival, expansion.findings);
     split(arrival, expansion);
@@ -218,8 +227,7 @@ void ZoneGraph::expand(int index, Expansion& expansion) {
     measure(index, move, expansion.fired, here.timers.size(), expansion.findings);
     Arrival& arrival = expansion.arrival(move);
     arrival.made.parent = index;
-    arrival.made.timer = move.timer;
-    arrival.made.choices = move.choices;
+    arrival.made.move = static_cast<int>(&move - here.moves.data());
     const bool left =
         follow(from, expansion.fired, move, here.timers.size(), expansion.sources, arrival.made);
     expansion.findings.relaxed |= arrival.made.relaxed;
@@ -361,16 +369,16 @@ void ZoneGraph::enter() {
       if (!arrival->move->outcome.over_gone) growing_on_.push_back(growing_.back());
     }
     if (!keep_edges_) continue;
-    const Move* first = places_[static_cast<std::size_t>(place)].moves.data();
-    edges_.push_back({parent, arrival->number, arrival->made.timer, static_cast<int>(arrival->move - first)});
+    edges_.push_back({parent, arrival->number, arrival->move->timer, arrival->made.move});
   }
-  for (const Arrival* arrival : entering) {
-    classes_.push_back(arrival->made);
+  for (Arrival* arrival : entering) {
+    classes_.push_back(std::move(arrival->made));
     open_.push_back(arrival->number);
     for (int id : arrival->replaces) {
       ZoneClass& replaced = classes_[static_cast<std::size_t>(number_of(id))];
       replaced.replaced_by = arrival->number;
-      replaced.zone = Dbm(0);  // only its ancestry is asked for again
+      // Only its ancestry is asked for again, so the next arrival may have its memory.
+      arrival->made.zone = std::exchange(replaced.zone, Dbm(0));
     }
   }
 }

@@ -96,6 +96,8 @@ class ZoneGraph {
   const std::vector<Place>& places() const { return places_; }
   /// Only if they were to be kept. Their ends are classes that were not replaced.
   const std::vector<Edge>& edges() const { return edges_; }
+  /// Which of the firings of its parent, or of the ways to begin, led to a class.
+  const Move& move_to(const ZoneClass& made) const;
   /// The class that includes this one now; itself, if it was not replaced.
   int current(int index) const;
   const Findings& findings() const { return findings_; }

@@ -59,7 +59,7 @@ TEST_CASE("the zone graph does not depend on the number of threads") {
         const ZoneClass& mine = one.classes()[c];
         const ZoneClass& theirs = other.classes()[c];
         same = same && mine.state == theirs.state && mine.zone == theirs.zone &&
-               mine.parent == theirs.parent && mine.timer == theirs.timer && mine.choices == theirs.choices &&
+               mine.parent == theirs.parent && mine.move == theirs.move &&
                mine.replaced_by == theirs.replaced_by;
       }
       for (std::size_t e = 0; e < one.edges().size(); ++e) {
