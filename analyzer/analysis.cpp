@@ -4,6 +4,7 @@
 
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/exact/standstill.hpp"
+#include "analyzer/runs/quick_runs.hpp"
 #include "analyzer/runs/run_search.hpp"
 #include "analyzer/verdict/explain.hpp"
 #include "analyzer/verdict/refuted.hpp"
@@ -82,6 +83,10 @@ void search(const Problem& problem, const Requirement& requirement, const Option
   how.stop = options.stop;
   if (verdict.bound) how.bound = verdict.bound->count();
   auto found = search_runs(problem, requirement, how);
+  if (found) confront(problem, requirement, std::move(*found), verdict);
+  if (verdict.state != State::undecided) return;
+  // What has to add up first shows in longer runs.
+  found = simulated_witness(problem, requirement, options.stop);
   if (found) confront(problem, requirement, std::move(*found), verdict);
 }
 

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
-#include "analyzer/compositional/compositional.hpp"
 #include "analyzer/exact/standstill.hpp"
 #include "analyzer/load/load.hpp"
+#include "analyzer/runs/quick_runs.hpp"
 #include "analyzer/verdict/unread.hpp"
-#include "analyzer/whatif/quick_runs.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -134,25 +133,21 @@ Decision load_decision(const Problem& problem, std::size_t index, const Options&
   return {decision.state, std::nullopt, per_second(decision.load) - requirement.limit};
 }
 
-/// Bounds of the compositional analysis cost next to nothing, and often suffice.
-std::optional<Decision> holds_by_bound(const Problem& problem, std::size_t index) {
-  const Requirement& requirement = problem.requirements[index];
-  Problem alone = problem;
-  alone.requirements = {requirement};
-  const Verdict verdict = analyze_compositionally(alone).verdicts.front();
-  if (verdict.state != Is::holds) return std::nullopt;
+Decision held_by(const Requirement& requirement, const Verdict& bound) {
   Decision decision{Is::holds, {}, {}};
-  if (requirement.measure == Measure::load && verdict.bound)
-    decision.excess = verdict.bound->count() - requirement.limit;
+  if (requirement.measure == Measure::load && bound.bound)
+    decision.excess = bound.bound->count() - requirement.limit;
   return decision;
 }
 
-Decision decide_by_time(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
+Decision decide_by_time(const Problem& problem, std::size_t index, const Verdict& bound,
+                        const Options& options, Workers& workers) {
   const Requirement& requirement = problem.requirements[index];
   if (is_unread(problem, requirement)) return {Is::holds, {}, {}};
-  if (auto decision = holds_by_bound(problem, index)) return *decision;
+  if (bound.state == Is::holds) return held_by(requirement, bound);
+  if (!fits_exploration(problem)) return {};
   if (requirement.measure == Measure::load) return load_decision(problem, index, options, workers);
-  const Break simulated = simulated_break(problem, requirement, options);
+  const Break simulated = simulated_break(problem, requirement, options.stop);
   if (simulated != Break::none) return {Is::fails, {}, {}, simulated == Break::grown};
   if (!has_cap(requirement)) return by_analysis(problem, index, options);
   const Watch watch = watch_of(problem, requirement);
@@ -176,11 +171,12 @@ Decision decide_by_time(const Problem& problem, std::size_t index, const Options
 
 }  // namespace
 
-Decision decide(const Problem& problem, std::size_t index, const Options& given, Workers& workers) {
+Decision decide(const Problem& problem, std::size_t index, const Verdict& bound, const Options& given,
+                Workers& workers) {
   Options options = given;
   if (is_overloaded(problem, problem.requirements[index]))
     options.max_states = std::min(given.max_states, overloaded_classes);
-  Decision decision = decide_by_time(problem, index, options, workers);
+  Decision decision = decide_by_time(problem, index, bound, options, workers);
   const Limits limits{options.max_states, options.stop, {}, &workers};
   // Where time stands still nothing holds, and what has no end by then is not measured.
   const bool of_all_time = decision.state == Is::holds || decision.grows;

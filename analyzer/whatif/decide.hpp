@@ -20,7 +20,9 @@ struct Decision {
   std::optional<Nanoseconds> excess;
   bool grows = false;  // it fails by what has only grown by the end of the run
 };
-Decision decide(const Problem& problem, std::size_t requirement, const Options& options, Workers& workers);
+/// `bound`: what the compositional analysis says of it.
+Decision decide(const Problem& problem, std::size_t requirement, const Verdict& bound, const Options& options,
+                Workers& workers);
 
 /// Whether a run that fires as `script` does, at times of its own, breaks the requirement; `script` may come
 /// from a problem with other figures. False says nothing, also where `stop` ended it.

@@ -2,11 +2,23 @@
 
 #include <algorithm>
 
+#include "analyzer/compositional/compositional.hpp"
+
 namespace pal::analyzer {
 namespace {
 
 /// More would take longer to try than they spare.
 constexpr std::size_t most_refutations = 12;
+
+/// They cost next to nothing, and often suffice.
+std::vector<Verdict> bounds_of(const Problem& problem, const std::vector<std::size_t>& requirements,
+                               Options options) {
+  Problem asked = problem;
+  asked.requirements.clear();
+  for (const std::size_t r : requirements) asked.requirements.push_back(problem.requirements[r]);
+  options.addends = false;
+  return analyze_compositionally(asked, options).verdicts;
+}
 
 }  // namespace
 
@@ -37,9 +49,11 @@ Ruling Judge::ask(const Problem& problem, const std::vector<std::size_t>& requir
   }
   Ruling ruling{Verdict::State::holds, -1};
   bool known = true;
-  for (std::size_t r : order) {
+  const std::vector<Verdict> bounds = bounds_of(problem, order, options_);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const std::size_t r = order[k];
     if (stopped()) return {Verdict::State::undecided, static_cast<int>(r)};
-    Decision decision = decide(problem, r, options_, workers_);
+    Decision decision = decide(problem, r, bounds[k], options_, workers_);
     known = known && decision.excess;
     ruling.excess = known ? std::max(ruling.excess.value_or(*decision.excess), *decision.excess)
                           : std::optional<Nanoseconds>();

@@ -10,6 +10,10 @@ namespace {
 /// much is expanded that a successor would have replaced.
 constexpr std::size_t batch_size = 2048;
 
+/// So much work is as much as a batch of them with some twenty timers each. Of classes with many timers fewer
+/// are expanded at once: each of their successors has a zone of its own.
+constexpr std::size_t batch_work = std::size_t{1} << 28U;
+
 /// Places whose firings are found between one question whether to stop and the next: one may have thousands.
 constexpr std::size_t tried_at_a_time = 128;
 
@@ -27,6 +31,11 @@ std::size_t arrival_of(int number) {
 bool around(const ZoneClass& outer, const ZoneClass& inner, ZoneGraph::Merging merging) {
   const bool equal = merging == ZoneGraph::Merging::within || inner.zone.includes(outer.zone);
   return (!outer.relaxed || inner.relaxed) && equal && outer.zone.includes(inner.zone);
+}
+
+/// For each timer that may fire first the zone is closed once for each of the others.
+std::size_t work_of(const Dbm& zone, std::size_t timers) {
+  return timers * timers * zone.size() * zone.size();
 }
 
 bool anything_grows(const State& state, const Watch& watch) {
@@ -175,13 +184,15 @@ bool ZoneGraph::grow(const Limits& limits) {
     if (limits.enough && limits.enough(*this)) return false;
     std::vector<int> batch;
     std::vector<int> untried;
-    while (!open_.empty() && batch.size() < batch_size) {
+    std::size_t work = 0;
+    while (!open_.empty() && batch.size() < batch_size && work < batch_work) {
       const int next = open_.front();
       open_.pop_front();
       const ZoneClass& of = classes_[static_cast<std::size_t>(next)];
       if (of.replaced_by >= 0) continue;
       batch.push_back(next);
       Place& place = places_[static_cast<std::size_t>(of.state)];
+      work += work_of(of.zone, place.timers.size());
       if (!place.moves_known) untried.push_back(of.state);
       place.moves_known = true;
     }

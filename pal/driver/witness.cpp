@@ -9,7 +9,7 @@
 
 #include "analyzer/machine/machine.hpp"
 #include "analyzer/replay/check_run.hpp"
-#include "analyzer/whatif/quick_runs.hpp"
+#include "analyzer/runs/quick_runs.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/duration_text.hpp"
 
@@ -91,7 +91,7 @@ std::string refusal(const FiledWitness& witness, const analyzer::Problem& proble
 /// A run that breaks the one requirement of `problem`. Most are found as they were when it was refuted.
 std::optional<analyzer::Witness> breaking(const analyzer::Problem& problem,
                                           const analyzer::Options& options) {
-  auto simulated = analyzer::simulated_witness(problem, problem.requirements.front(), options);
+  auto simulated = analyzer::simulated_witness(problem, problem.requirements.front(), options.stop);
   if (simulated) return simulated;
   auto analysis = analyzer::analyze(problem, analyzer::AnalysisChoice::automatic, options);
   analyzer::Verdict& verdict = analysis.verdicts.front();

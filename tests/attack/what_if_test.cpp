@@ -8,6 +8,7 @@
 #include "analyzer/whatif/slack.hpp"
 #include "tests/attack/by_hand.hpp"
 #include "tests/support/any_skill.hpp"
+#include "tests/support/chain_system.hpp"
 #include "tests/support/random_cell.hpp"
 #include "tests/support/runs/all_runs.hpp"
 #include "tests/support/setting.hpp"
@@ -193,4 +194,19 @@ TEST_CASE("figures that are all nothing grow together, too, each as much as any 
   CHECK(together.exact());
   CHECK(together.holds == Duration(2'000'000));
   CHECK(together.fails == Duration(2'000'001));
+}
+
+TEST_CASE("no run refutes a skill that has more threads than can be followed") {
+  Problem problem = test::problem_of(test::pairs_of_drivers(140));
+  std::vector<std::size_t> all;
+  for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
+    problem.requirements[r].limit = 4'000'000;
+    all.push_back(r);
+  }
+  const pan::Network network;
+  Judge judge(network, Options());
+  // Every second one may be interrupted and takes 6 ms then.
+  const Ruling ruling = judge.ask(problem, all);
+  CHECK(ruling.state == Verdict::State::undecided);
+  CHECK(ruling.requirement % 2 == 0);
 }

@@ -130,6 +130,20 @@ inline ChainSystem drifting_chains(std::uint64_t seed) {
   return made;
 }
 
+/// So many chains of one stage, two a processor, all with the same times.
+inline ChainSystem pairs_of_drivers(int chains) {
+  constexpr analyzer::Nanoseconds millisecond = 1'000'000;
+  ChainSystem made;
+  made.preemptive.assign(static_cast<std::size_t>((chains + 1) / 2), true);
+  for (int c = 0; c < chains; ++c) {
+    ChainSystem::Chain chain;
+    chain.period = 10 * millisecond;
+    chain.stages.push_back({c / 2, 1 + c % 2, 2 * millisecond, 3 * millisecond});
+    made.chains.push_back(std::move(chain));
+  }
+  return made;
+}
+
 /// 2 to 5 processors, 2 to 8 chains of 1 to 6 stages, load 30 to 90 %.
 inline ChainShape benchmark_shape(std::uint64_t seed) {
   std::mt19937_64 engine(seed * 977 + 5);

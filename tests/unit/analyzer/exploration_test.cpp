@@ -6,6 +6,7 @@
 
 #include "analyzer/zones/workers.hpp"
 #include "analyzer/zones/zone_graph.hpp"
+#include "tests/support/chain_system.hpp"
 #include "tests/support/random_skill.hpp"
 #include "tests/support/skill.hpp"
 
@@ -101,4 +102,19 @@ TEST_CASE("an exploration stops while it looks for the orders in which modules b
   CHECK_FALSE(graph.explore(limits));
   CHECK(asked == 3);
   CHECK(graph.classes().empty());
+}
+
+TEST_CASE(
+    "few classes with very many timers are expanded between one question whether to stop and the next") {
+  const Problem problem = test::problem_of(test::pairs_of_drivers(60));
+  const Watch nothing;
+  const Machine machine(problem, nothing);
+  int asked = 0;
+  Limits limits;
+  limits.stop = [&asked] { return ++asked > 20; };
+  ZoneGraph graph(machine, 0, false);
+  CHECK_FALSE(graph.explore(limits));
+  // Each has 60 successors.
+  CHECK(graph.classes().size() > 1'000);
+  CHECK(graph.classes().size() < 20'000);
 }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "analyzer/replay/check_run.hpp"
-#include "analyzer/whatif/quick_runs.hpp"
+#include "analyzer/runs/quick_runs.hpp"
 #include "pal/driver/witness.hpp"
 #include "tests/support/skill.hpp"
 

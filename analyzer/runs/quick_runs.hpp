@@ -1,21 +1,24 @@
 // A few runs by chance with worst times: cheap, and often enough to break a requirement.
 #pragma once
 
+#include <functional>
 #include <optional>
 
-#include "analyzer/exact/exact.hpp"
+#include "analyzer/runs/witness.hpp"
 
 namespace pal::analyzer {
 
 /// How a run breaks a requirement: by what it measures, or by what has only grown by its end.
 enum class Break { none, measured, grown };
 
-/// Whether one of the runs breaks `requirement`; `none` says nothing. Loads and losses are not looked at.
-Break simulated_break(const Problem& problem, const Requirement& requirement, const Options& options);
+/// Whether one of the runs breaks `requirement`; `none` says nothing. Loads and losses are not looked at,
+/// nor skills that do not fit an exploration.
+Break simulated_break(const Problem& problem, const Requirement& requirement,
+                      const std::function<bool()>& stop);
 
 /// The run for which simulated_break says so, up to where it breaks `requirement`. Nothing: it says `none`,
 /// or only a run of very many events does.
 std::optional<Witness> simulated_witness(const Problem& problem, const Requirement& requirement,
-                                         const Options& options);
+                                         const std::function<bool()>& stop);
 
 }  // namespace pal::analyzer

@@ -1,10 +1,9 @@
-#include "analyzer/whatif/quick_runs.hpp"
+#include "analyzer/runs/quick_runs.hpp"
 
 #include <algorithm>
 
 #include "analyzer/machine/machine.hpp"
 #include "analyzer/runs/simulate.hpp"
-#include "analyzer/runs/witness.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -16,13 +15,13 @@ constexpr std::size_t few_events = 1'500;
 constexpr std::size_t many_events = 200'000;
 
 Simulation run_by_chance(const Machine& machine, std::uint64_t seed, std::size_t events,
-                         const Options& options) {
+                         const std::function<bool()>& stop) {
   SimulationOptions how;
   how.times = SimulationOptions::Times::worst;
   how.seed = seed;
   how.until = Range::unbounded;
   how.max_events = events;
-  how.stop = options.stop;
+  how.stop = stop;
   how.record = false;
   return simulate(machine, how);
 }
@@ -44,8 +43,9 @@ Break break_in(const Requirement& requirement, const Simulation& run) {
   return grown ? Break::grown : Break::none;
 }
 
-/// Those that have to be watched one by one; -1: none is.
-std::vector<int> processors_of(const Requirement& requirement) {
+/// Those that have to be watched one by one; -1: none is. Nothing: there is nothing to look at.
+std::vector<int> processors_of(const Problem& problem, const Requirement& requirement) {
+  if (!fits_exploration(problem)) return {};
   if (requirement.measure == Measure::load || requirement.measure == Measure::loss) return {};
   if (requirement.measure != Measure::busy) return {-1};
   return {requirement.processors.begin(), requirement.processors.end()};
@@ -54,15 +54,15 @@ std::vector<int> processors_of(const Requirement& requirement) {
 /// A few short runs. Where more is to be done than there is time, a long one, in which what is left over adds
 /// up; the skill has very many states there.
 Break simulated_break(const Problem& problem, const Requirement& requirement, int processor,
-                      const Options& options) {
+                      const std::function<bool()>& stop) {
   const Watch watch = watch_of(problem, requirement, processor);
   const Machine machine(problem, watch);
   for (std::uint64_t seed = 1; seed <= runs; ++seed) {
-    const Break found = break_in(requirement, run_by_chance(machine, seed, few_events, options));
+    const Break found = break_in(requirement, run_by_chance(machine, seed, few_events, stop));
     if (found != Break::none) return found;
   }
   if (problem.overloaded.empty()) return Break::none;
-  return break_in(requirement, run_by_chance(machine, 1, many_events, options));
+  return break_in(requirement, run_by_chance(machine, 1, many_events, stop));
 }
 
 /// The run up to where it breaks the requirement.
@@ -77,21 +77,22 @@ std::optional<Witness> witness_of(const Requirement& requirement, const Machine&
 
 }  // namespace
 
-Break simulated_break(const Problem& problem, const Requirement& requirement, const Options& options) {
-  for (const int processor : processors_of(requirement)) {
-    const Break found = simulated_break(problem, requirement, processor, options);
+Break simulated_break(const Problem& problem, const Requirement& requirement,
+                      const std::function<bool()>& stop) {
+  for (const int processor : processors_of(problem, requirement)) {
+    const Break found = simulated_break(problem, requirement, processor, stop);
     if (found != Break::none) return found;
   }
   return Break::none;
 }
 
 std::optional<Witness> simulated_witness(const Problem& problem, const Requirement& requirement,
-                                         const Options& options) {
-  for (const int processor : processors_of(requirement)) {
+                                         const std::function<bool()>& stop) {
+  for (const int processor : processors_of(problem, requirement)) {
     const Watch watch = watch_of(problem, requirement, processor);
     const Machine machine(problem, watch);
     for (std::uint64_t seed = 1; seed <= runs; ++seed) {
-      Simulation run = run_by_chance(machine, seed, few_events, options);
+      Simulation run = run_by_chance(machine, seed, few_events, stop);
       if (break_in(requirement, run) == Break::none) continue;
       return witness_of(requirement, machine, std::move(run));
     }
