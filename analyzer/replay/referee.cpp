@@ -78,9 +78,9 @@ void Referee::handle(const Event& event) {
     return;
   }
   const Party& of = party(event.actor);
-  demand(of.mode != Mode::off, name(event.actor) + " acts without being there");
-  demand(event.statement == (of.step < 0 ? -1 : step_of(event.actor).statement),
-         name(event.actor) + " is at another statement than the event");
+  demand(of.mode != Mode::off, name(event.actor), " acts without being there");
+  demand(event.statement == (of.step < 0 ? -1 : step_of(event.actor).statement), name(event.actor),
+         " is at another statement than the event");
   demand(!completed_ || event.kind == Kind::done, "something happens after the skill has ended");
   switch (event.kind) {
     case Kind::ready:
@@ -143,16 +143,16 @@ void Referee::check_settled() const {
   for (std::size_t t = 0; t < threads_.size(); ++t) {
     const Party& of = threads_[t];
     const int thread = static_cast<int>(t);
-    demand(of.mode != Mode::arrived, name(thread) + " neither waits nor goes on");
+    demand(of.mode != Mode::arrived, name(thread), " neither waits nor goes on");
     check_stopped(thread);
     if (of.mode == Mode::sending)
-      demand(slot(step_of(thread).channels.front()).full && !of.acted,
-             name(thread) + " waits for a slot that is free");
+      demand(slot(step_of(thread).channels.front()).full && !of.acted, name(thread),
+             " waits for a slot that is free");
     if (of.mode != Mode::waiting) continue;
     for (int channel : step_of(thread).channels)
-      demand(!surely_there(channel, thread), name(thread) + " waits for a message that is there");
+      demand(!surely_there(channel, thread), name(thread), " waits for a message that is there");
   }
-  for (std::size_t p = 0; p < holders_.size(); ++p) check_processor(static_cast<int>(p));
+  check_processors();
 }
 
 /// Between what a statement does and that it is done: nothing after it has set or read a condition. Else
@@ -167,16 +167,18 @@ void Referee::check_between(const Event& event) const {
   const bool acts = event.kind == Kind::put || event.kind == Kind::take || event.kind == Kind::set ||
                     event.kind == Kind::read || event.kind == Kind::complete || event.kind == Kind::done;
   const bool effect = event.actor >= 0 && !device && acts && party(event.actor).mode == Mode::running;
-  demand(message && !effect && (!device || taken), name(midway_) + " is interrupted in its effect");
+  demand(message && !effect && (!device || taken), name(midway_), " is interrupted in its effect");
 }
 
 /// What must be so before time goes on to `next`.
 void Referee::leave_instant(Nanoseconds next) const {
   demand(!completed_, "the skill's completion has no effect");
   for (std::size_t t = 0; t < threads_.size(); ++t) check_thread(static_cast<int>(t), next);
-  for (std::size_t p = 0; p < holders_.size(); ++p) check_processor(static_cast<int>(p));
+  check_processors();
   for (std::size_t d = 0; d < devices_.size(); ++d) check_device(static_cast<int>(d), next);
-  for (const Slot& of : slots_) {
+  for (std::size_t c = 0; c < slots_.size(); ++c) {
+    const Slot& of = slots_[c];
+    if (of.full && problem_.channels[c].receiver_device >= 0) check_asked(static_cast<int>(c));
     demand(!of.given_up, "a message is withdrawn, and nobody gave up");
     demand(!of.to_be_dropped, "a message that was withdrawn is still there");
   }
@@ -186,41 +188,42 @@ void Referee::leave_instant(Nanoseconds next) const {
 void Referee::check_stopped(int thread) const {
   const Party& of = party(thread);
   const bool idle = of.mode == Mode::ready || of.mode == Mode::waiting || of.mode == Mode::sending;
-  demand(of.mode != Mode::finished && !(of.must_stop && idle), name(thread) + " is cancelled and goes on");
+  demand(of.mode != Mode::finished && !(of.must_stop && idle), name(thread), " is cancelled and goes on");
 }
 
 void Referee::check_thread(int thread, Nanoseconds next) const {
   const Party& of = party(thread);
-  demand(of.mode != Mode::arrived, name(thread) + " neither waits nor goes on");
+  demand(of.mode != Mode::arrived, name(thread), " neither waits nor goes on");
   check_stopped(thread);
-  demand(!of.acted && of.reads.empty(), name(thread) + " does half of a statement");
+  demand(!of.acted && of.reads.empty(), name(thread), " does half of a statement");
   if (of.mode == Mode::running) {
-    demand(of.work + next - of.since <= cost(thread).worst, name(thread) + " works for too long");
+    demand(of.work + next - of.since <= cost(thread).worst, name(thread), " works for too long");
   }
   if (of.mode == Mode::sending) {
-    demand(slot(step_of(thread).channels.front()).full, name(thread) + " waits for a slot that is free");
+    demand(slot(step_of(thread).channels.front()).full, name(thread), " waits for a slot that is free");
   }
   if (of.mode != Mode::waiting) return;
   const Step& step = step_of(thread);
-  demand(!step.within || next <= of.reached + *step.within, name(thread) + " waits beyond its limit");
+  demand(!step.within || next <= of.reached + *step.within, name(thread), " waits beyond its limit");
   for (int channel : step.channels) {
     const Slot& from = slot(channel);
     if (!from.full || from.claimed) continue;
-    demand(!surely_there(channel, thread) && arrival(channel, thread).hi >= next,
-           name(thread) + " waits for a message that is there");
+    demand(!surely_there(channel, thread) && arrival(channel, thread).hi >= next, name(thread),
+           " waits for a message that is there");
   }
 }
 
-void Referee::check_processor(int processor) const {
-  const int has = holders_[static_cast<std::size_t>(processor)];
-  demand(preempted_[static_cast<std::size_t>(processor)] < 0, "a thread is stopped for nothing");
-  if (has >= 0) demand(party(has).mode == Mode::running, name(has) + " keeps its processor idle");
+void Referee::check_processors() const {
+  for (const int stopped : preempted_) demand(stopped < 0, "a thread is stopped for nothing");
+  for (const int has : holders_) {
+    if (has >= 0) demand(party(has).mode == Mode::running, name(has), " keeps its processor idle");
+  }
   for (const Queued& queued : queue_) {
     const Thread& of = thread_of(queued.thread);
-    if (of.processor != processor) continue;
-    demand(has >= 0, of.name + " is ready, and its processor idle");
-    const bool yields = problem_.processors[static_cast<std::size_t>(processor)].preemptive;
-    demand(!yields || of.priority <= thread_of(has).priority, of.name + " has to wait for a lesser priority");
+    const int has = holders_[static_cast<std::size_t>(of.processor)];
+    demand(has >= 0, of.name, " is ready, and its processor idle");
+    const bool yields = problem_.processors[static_cast<std::size_t>(of.processor)].preemptive;
+    demand(!yields || of.priority <= thread_of(has).priority, of.name, " has to wait for a lesser priority");
   }
 }
 

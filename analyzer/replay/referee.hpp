@@ -132,7 +132,7 @@ class Referee {
   void leave_instant(Nanoseconds next) const;
   void check_stopped(int thread) const;
   void check_thread(int thread, Nanoseconds next) const;
-  void check_processor(int processor) const;
+  void check_processors() const;
 
   // Processors (referee_processors.cpp) and statements (referee_statements.cpp).
   void started(const Event& event);
@@ -196,6 +196,7 @@ class Referee {
   void idle(int device);
   void delivered(int device, int channel);
   void check_not_idle(int request) const;
+  void check_asked(int message) const;
   void check_device(int device, Nanoseconds next) const;
 
   Party& party(int thread) { return threads_[static_cast<std::size_t>(thread)]; }
@@ -211,10 +212,12 @@ class Referee {
   }
   int& holder(int thread) { return holders_[static_cast<std::size_t>(thread_of(thread).processor)]; }
   [[noreturn]] void broken(const std::string& what) const { throw Broken(what); }
-  void demand(bool kept, const std::string& rule) const {
-    if (!kept) broken(rule);
+  /// The rule is put together of its parts only when it is broken.
+  template <class... Parts>
+  void demand(bool kept, const Parts&... parts) const {
+    if (!kept) broken((std::string() + ... + parts));
   }
-  std::string name(int thread) const { return thread_of(thread).name; }
+  const std::string& name(int thread) const { return thread_of(thread).name; }
 
   const Problem& problem_;
   const std::vector<Event>& events_;

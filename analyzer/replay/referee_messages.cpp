@@ -45,8 +45,8 @@ void Referee::not_there_yet(int channel, int thread) {
     const std::vector<int>& channels = step_of(other).channels;
     if (std::find(channels.begin(), channels.end(), channel) != channels.end()) resolve(other);
   }
-  demand(!surely_there(channel, thread) && !left_to_later(channel, thread),
-         name(thread) + " passes over a message that is there");
+  demand(!surely_there(channel, thread) && !left_to_later(channel, thread), name(thread),
+         " passes over a message that is there");
   const Slot& of = slot(channel);
   if (of.full && !of.claimed) arrival(channel, thread).lo = std::max(arrival(channel, thread).lo, now_);
 }
@@ -96,8 +96,8 @@ void Referee::put(const Event& event) {
   demand(!slot(event.subject).full, "a message is put into a slot that is full");
   demand(wanted(event.subject), "a message that nobody wants is put");
   const Step& step = step_of(thread);
-  demand(step.kind == Step::Kind::send && step.channels.front() == event.subject && !of.acted,
-         name(thread) + " sends what it does not send here");
+  demand(step.kind == Step::Kind::send && step.channels.front() == event.subject && !of.acted, name(thread),
+         " sends what it does not send here");
   if (of.mode != Mode::sending) check_work(thread);
   of.acted = true;
   if (of.mode == Mode::running) midway_ = thread;
@@ -111,7 +111,7 @@ void Referee::take(const Event& event) {
   check_work(event.actor);
   demand(step_of(event.actor).kind == Step::Kind::wait && !of.gives_up && !of.acted && !of.withdrawn &&
              of.claim == event.subject && slot(event.subject).full,
-         name(event.actor) + " takes a message that is not its own");
+         name(event.actor), " takes a message that is not its own");
   gauge_.takes(event.actor, event.subject);
   of.acted = true;
   midway_ = event.actor;
@@ -137,8 +137,8 @@ void Referee::drop(const Event& event) {
     answered_in_vain(channel);
     Party& of = party(event.actor);
     const Step& step = step_of(event.actor);
-    demand(step.kind == Step::Kind::send && step.channels.front() == channel && !of.acted,
-           name(event.actor) + " discards what it does not send");
+    demand(step.kind == Step::Kind::send && step.channels.front() == channel && !of.acted, name(event.actor),
+           " discards what it does not send");
     if (of.mode != Mode::sending) check_work(event.actor);
     of.acted = true;
     return;
@@ -190,8 +190,8 @@ void Referee::claim_withdrawn(int channel) {
     if (put_for_somebody && goes_on(thread) && surely_there(channel, thread)) resolve(thread);
   });
   each_waiting([&](int thread) {
-    demand(!put_for_somebody || !surely_there(channel, thread),
-           name(thread) + " waits for a message that is there");
+    demand(!put_for_somebody || !surely_there(channel, thread), name(thread),
+           " waits for a message that is there");
   });
 }
 

@@ -60,7 +60,7 @@ void Referee::resolve(int thread) {
       const Arrival& there = arrival(channel, thread);
       if (there.lo <= now_ && (!waited || now_ <= there.hi)) candidates.push_back(channel);
     }
-    demand(!candidates.empty(), name(thread) + " goes on without a message");
+    demand(!candidates.empty(), name(thread), " goes on without a message");
     const int channel = message_of(thread, candidates);
     for (int earlier : at.channels) {
       if (earlier == channel) break;
@@ -93,18 +93,18 @@ void Referee::again(int thread) {
   Party& of = party(thread);
   if (of.mode != Mode::running || !of.withdrawn) return;
   check_work(thread);
-  demand(!of.must_stop, name(thread) + " goes on although it is cancelled");
+  demand(!of.must_stop, name(thread), " goes on although it is cancelled");
   reach(thread, of.step);
 }
 
 void Referee::was_ready(const Event& event) {
   again(event.actor);
   resolve(event.actor);
-  demand(party(event.actor).mode == Mode::ready, name(event.actor) + " is not ready");
-  demand(holder(event.actor) != event.actor, name(event.actor) + " has its processor");
+  demand(party(event.actor).mode == Mode::ready, name(event.actor), " is not ready");
+  demand(holder(event.actor) != event.actor, name(event.actor), " has its processor");
   const auto own = std::find_if(queue_.begin(), queue_.end(),
                                 [&](const Queued& queued) { return queued.thread == event.actor; });
-  demand(own != queue_.end() && own->at == now_ && !own->told, name(event.actor) + " was ready before");
+  demand(own != queue_.end() && own->at == now_ && !own->told, name(event.actor), " was ready before");
   own->told = true;
 }
 
@@ -120,13 +120,13 @@ void Referee::check_turn(int thread) const {
     }
     const Thread& rival = thread_of(other->thread);
     if (rival.processor != of.processor || !comes_to_queue(*other)) continue;
-    demand(rival.priority <= of.priority,
-           of.name + " runs before " + rival.name + ", whose priority is greater");
+    demand(rival.priority <= of.priority, of.name, " runs before ", rival.name,
+           ", whose priority is greater");
     if (rival.priority < of.priority || !before || own == queue_.end()) continue;
     const bool together = other->at == own->at && other->after == own->after;
     const bool in_order = (other->ordered && own->ordered) || (own->with != 0 && other->with == own->with);
     const bool either = !other->front && !own->front && together && !in_order;
-    demand(either, of.name + " runs before " + rival.name + ", which was first");
+    demand(either, of.name, " runs before ", rival.name, ", which was first");
   }
 }
 
@@ -135,8 +135,8 @@ void Referee::started(const Event& event) {
   again(thread);
   resolve(thread);
   Party& of = party(thread);
-  demand(of.mode == Mode::ready || of.mode == Mode::stopped, name(thread) + " starts what it cannot start");
-  demand(of.mode == Mode::stopped || !of.must_stop, name(thread) + " is cancelled and goes on");
+  demand(of.mode == Mode::ready || of.mode == Mode::stopped, name(thread), " starts what it cannot start");
+  demand(of.mode == Mode::stopped || !of.must_stop, name(thread), " is cancelled and goes on");
   int& loser = preempted_[static_cast<std::size_t>(thread_of(thread).processor)];
   demand(loser < 0 || thread_of(thread).priority > thread_of(loser).priority,
          "a thread is stopped for nothing");
@@ -148,9 +148,9 @@ void Referee::started(const Event& event) {
       resolve(before);
       const pan::Processor& processor =
           problem_.processors[static_cast<std::size_t>(thread_of(thread).processor)];
-      demand(party(before).mode == Mode::ready, name(thread) + " starts while " + name(before) + " runs");
-      demand(processor.preemptive && thread_of(thread).priority > thread_of(before).priority,
-             name(thread) + " takes the processor that " + name(before) + " keeps");
+      demand(party(before).mode == Mode::ready, name(thread), " starts while ", name(before), " runs");
+      demand(processor.preemptive && thread_of(thread).priority > thread_of(before).priority, name(thread),
+             " takes the processor that ", name(before), " keeps");
       has = -1;
       enqueue(before, true, true, 0);
     }
@@ -164,7 +164,7 @@ void Referee::started(const Event& event) {
       const Thread& rival = thread_of(queued.thread);
       const bool first = preemptive && rival.processor == thread_of(thread).processor &&
                          rival.priority > thread_of(thread).priority && comes_to_queue(queued);
-      demand(!first, name(thread) + " runs before " + rival.name + ", whose priority is greater");
+      demand(!first, name(thread), " runs before ", rival.name, ", whose priority is greater");
     }
   }
   of.mode = Mode::running;
@@ -173,10 +173,10 @@ void Referee::started(const Event& event) {
 
 void Referee::stopped(const Event& event) {
   Party& of = party(event.actor);
-  demand(of.mode == Mode::running, name(event.actor) + " is stopped without running");
-  demand(!of.acted && of.reads.empty(), name(event.actor) + " is interrupted in its effect");
+  demand(of.mode == Mode::running, name(event.actor), " is stopped without running");
+  demand(!of.acted && of.reads.empty(), name(event.actor), " is interrupted in its effect");
   demand(problem_.processors[static_cast<std::size_t>(thread_of(event.actor).processor)].preemptive,
-         name(event.actor) + " is preempted on a processor that does not");
+         name(event.actor), " is preempted on a processor that does not");
   of.work += now_ - of.since;
   of.mode = Mode::stopped;
   preempted_[static_cast<std::size_t>(thread_of(event.actor).processor)] = event.actor;
@@ -186,10 +186,10 @@ void Referee::stopped(const Event& event) {
 
 void Referee::check_work(int thread) const {
   const Party& of = party(thread);
-  demand(of.mode == Mode::running, name(thread) + " has an effect without running");
+  demand(of.mode == Mode::running, name(thread), " has an effect without running");
   const Nanoseconds work = of.work + now_ - of.since;
-  demand(work >= cost(thread).best, name(thread) + " is done after too little processor time");
-  demand(work <= cost(thread).worst, name(thread) + " is done after too much processor time");
+  demand(work >= cost(thread).best, name(thread), " is done after too little processor time");
+  demand(work <= cost(thread).worst, name(thread), " is done after too much processor time");
 }
 
 Range Referee::cost(int thread) const {

@@ -134,11 +134,11 @@ int Referee::next_of_test(int thread) const {
   for (const pan::Guard& guard : step.guards) collect(guard, mentioned);
   std::map<int, bool> values = of.latched;
   for (const auto& [condition, value] : of.reads) {
-    demand(mentioned.contains(condition) && !of.latched.contains(condition),
-           name(thread) + " reads what its test does not need");
+    demand(mentioned.contains(condition) && !of.latched.contains(condition), name(thread),
+           " reads what its test does not need");
     values[condition] = value;
   }
-  for (int condition : mentioned) demand(values.contains(condition), name(thread) + " tests without reading");
+  for (int condition : mentioned) demand(values.contains(condition), name(thread), " tests without reading");
   for (std::size_t i = 0; i < step.guards.size(); ++i) {
     if (holds(step.guards[i], values)) return step.next[i];
   }
@@ -150,8 +150,8 @@ void Referee::done(const Event& event) {
   if (thread == midway_) midway_ = -1;
   Party& of = party(thread);
   const Step& step = step_of(thread);
-  demand(of.mode == Mode::sending || of.mode == Mode::running,
-         name(thread) + " has an effect without running");
+  demand(of.mode == Mode::sending || of.mode == Mode::running, name(thread),
+         " has an effect without running");
   if (of.mode == Mode::running) check_work(thread);
   int next = -1;
   bool completes = false;
@@ -163,18 +163,18 @@ void Referee::done(const Event& event) {
         }
         next = step.next.back();
       } else {
-        demand(of.acted, name(thread) + " receives without taking");
+        demand(of.acted, name(thread), " receives without taking");
         const auto found = std::find(step.channels.begin(), step.channels.end(), of.claim);
         next = step.next[static_cast<std::size_t>(found - step.channels.begin())];
       }
       break;
     case Step::Kind::send:
-      demand(of.acted, name(thread) + " has sent nothing");
+      demand(of.acted, name(thread), " has sent nothing");
       next = step.next.front();
       break;
     case Step::Kind::set:
     case Step::Kind::read:
-      demand(of.acted, name(thread) + " has neither set nor read");
+      demand(of.acted, name(thread), " has neither set nor read");
       next = step.next.front();
       break;
     case Step::Kind::test:
@@ -218,8 +218,8 @@ void Referee::blocked(const Event& event) {
   Party& of = party(thread);
   const Step& step = step_of(thread);
   if (step.kind == Step::Kind::fork) {
-    demand(of.mode == Mode::joining && event.subject < 0, name(thread) + " waits for no blocks");
-    demand(!of.told && of.reached == now_, name(thread) + " waits for its blocks already");
+    demand(of.mode == Mode::joining && event.subject < 0, name(thread), " waits for no blocks");
+    demand(!of.told && of.reached == now_, name(thread), " waits for its blocks already");
     of.told = true;
     return;
   }
@@ -227,17 +227,17 @@ void Referee::blocked(const Event& event) {
       step.kind == Step::Kind::send || step.kind == Step::Kind::wait
           ? std::find(step.channels.begin(), step.channels.end(), event.subject) != step.channels.end()
           : event.subject < 0;
-  demand(named, name(thread) + " waits for what it does not wait for here");
+  demand(named, name(thread), " waits for what it does not wait for here");
   if (step.kind == Step::Kind::send) {
     check_work(thread);
-    demand(slot(step.channels.front()).full && !of.acted && !of.must_stop,
-           name(thread) + " blocks although its slot is free");
+    demand(slot(step.channels.front()).full && !of.acted && !of.must_stop, name(thread),
+           " blocks although its slot is free");
     release(thread);
     of.mode = Mode::sending;
     return;
   }
-  demand(of.mode == Mode::arrived, name(thread) + " blocks where it does not wait");
-  demand(!step.within || *step.within > 0, name(thread) + " waits although it has no time to");
+  demand(of.mode == Mode::arrived, name(thread), " blocks where it does not wait");
+  demand(!step.within || *step.within > 0, name(thread), " waits although it has no time to");
   for (int channel : step.channels) not_there_yet(channel, thread);
   release(thread);
   of.mode = Mode::waiting;
@@ -247,11 +247,11 @@ void Referee::gave_up(const Event& event) {
   again(event.actor);
   Party& of = party(event.actor);
   const Step& step = step_of(event.actor);
-  demand(step.kind == Step::Kind::wait && step.within.has_value(),
-         name(event.actor) + " gives up what has no limit");
-  demand(of.mode == (*step.within == 0 ? Mode::arrived : Mode::waiting),
-         name(event.actor) + " gives up without waiting");
-  demand(now_ == of.reached + *step.within, name(event.actor) + " gives up at another time than its limit");
+  demand(step.kind == Step::Kind::wait && step.within.has_value(), name(event.actor),
+         " gives up what has no limit");
+  demand(of.mode == (*step.within == 0 ? Mode::arrived : Mode::waiting), name(event.actor),
+         " gives up without waiting");
+  demand(now_ == of.reached + *step.within, name(event.actor), " gives up at another time than its limit");
   for (int channel : step.channels) not_there_yet(channel, event.actor);
   of.gives_up = true;
   resolve(event.actor);
@@ -265,23 +265,23 @@ void Referee::condition(const Event& event) {
   const bool value = event.value != 0;
   midway_ = event.actor;
   if (event.kind == Kind::set) {
-    demand(step.kind == Step::Kind::set && step.condition == event.subject && !of.acted,
-           name(event.actor) + " sets what it does not set here");
-    demand(!step.value || *step.value == value, name(event.actor) + " sets another value");
+    demand(step.kind == Step::Kind::set && step.condition == event.subject && !of.acted, name(event.actor),
+           " sets what it does not set here");
+    demand(!step.value || *step.value == value, name(event.actor), " sets another value");
     conditions_[condition] = value;
     of.acted = true;
     gauge_.sets(event.actor, event.subject);
     return;
   }
-  demand(conditions_[condition] == value, name(event.actor) + " reads another value than was set");
+  demand(conditions_[condition] == value, name(event.actor), " reads another value than was set");
   if (step.kind == Step::Kind::read) {
-    demand(step.condition == event.subject && !of.acted,
-           name(event.actor) + " reads what it does not read here");
+    demand(step.condition == event.subject && !of.acted, name(event.actor),
+           " reads what it does not read here");
     of.latched[event.subject] = value;
     of.acted = true;
   } else {
-    demand(step.kind == Step::Kind::test, name(event.actor) + " reads what it does not read here");
-    demand(!of.reads.contains(event.subject), name(event.actor) + " reads a condition twice");
+    demand(step.kind == Step::Kind::test, name(event.actor), " reads what it does not read here");
+    demand(!of.reads.contains(event.subject), name(event.actor), " reads a condition twice");
     of.reads[event.subject] = value;
   }
   gauge_.reads(event.actor, event.subject);
@@ -290,16 +290,16 @@ void Referee::condition(const Event& event) {
 void Referee::cancelled(const Event& event) {
   const int thread = event.actor;
   Party& of = party(thread);
-  demand(of.must_stop, name(thread) + " is cancelled, and need not be");
+  demand(of.must_stop, name(thread), " is cancelled, and need not be");
   if (of.mode == Mode::running) {
     check_work(thread);
     const Step& step = step_of(thread);
     const bool given_up = step.kind == Step::Kind::send && slot(step.channels.front()).full && !of.acted;
-    demand(given_up || of.withdrawn, name(thread) + " is cancelled in a statement that it has begun");
+    demand(given_up || of.withdrawn, name(thread), " is cancelled in a statement that it has begun");
   } else {
     const bool stops = of.mode == Mode::finished || of.mode == Mode::ready || of.mode == Mode::arrived ||
                        of.mode == Mode::waiting || of.mode == Mode::sending;
-    demand(stops, name(thread) + " is cancelled in a statement that it has begun");
+    demand(stops, name(thread), " is cancelled in a statement that it has begun");
   }
   release(thread);
   abandon(thread);

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "analyzer/zones/cost.hpp"
+
 namespace pal::analyzer {
 namespace {
 
 /// So many classes are expanded before their successors are compared: enough to share, few enough that not
 /// much is expanded that a successor would have replaced.
 constexpr std::size_t batch_size = 2048;
-
-/// So much work is as much as a batch of them with some twenty timers each. Of classes with many timers fewer
-/// are expanded at once: each of their successors has a zone of its own.
-constexpr std::size_t batch_work = std::size_t{1} << 28U;
 
 /// Places whose firings are found between one question whether to stop and the next: one may have thousands.
 constexpr std::size_t tried_at_a_time = 128;
@@ -31,11 +29,6 @@ std::size_t arrival_of(int number) {
 bool around(const ZoneClass& outer, const ZoneClass& inner, ZoneGraph::Merging merging) {
   const bool equal = merging == ZoneGraph::Merging::within || inner.zone.includes(outer.zone);
   return (!outer.relaxed || inner.relaxed) && equal && outer.zone.includes(inner.zone);
-}
-
-/// For each timer that may fire first the zone is closed once for each of the others.
-std::size_t work_of(const Dbm& zone, std::size_t timers) {
-  return timers * timers * zone.size() * zone.size();
 }
 
 bool anything_grows(const State& state, const Watch& watch) {
@@ -179,7 +172,7 @@ bool ZoneGraph::grow(const Limits& limits) {
   }
   merge(1, limits);
   while (!open_.empty() && !findings_.failure && !findings_.outgrown) {
-    if (classes_.size() > limits.classes) return false;
+    if (std::max(classes_.size(), memory_ / memory_a_class) > limits.classes) return false;
     if (patience.over()) return false;
     if (limits.enough && limits.enough(*this)) return false;
     std::vector<int> batch;
@@ -197,6 +190,7 @@ bool ZoneGraph::grow(const Limits& limits) {
       place.moves_known = true;
     }
     if (!try_all(untried, limits, patience)) return false;
+    for (int place : untried) memory_ += memory_of_moves(places_[static_cast<std::size_t>(place)]);
     in_parts(limits, batch.size(), 8, [&](std::size_t i) { expand(batch[i], expansions_[i]); });
     merge(batch.size(), limits);
   }
@@ -383,6 +377,7 @@ void ZoneGraph::enter() {
     edges_.push_back({parent, arrival->number, arrival->move->timer, arrival->made.move});
   }
   for (Arrival* arrival : entering) {
+    memory_ += memory_of(arrival->made.zone);
     classes_.push_back(std::move(arrival->made));
     open_.push_back(arrival->number);
     for (int id : arrival->replaces) {

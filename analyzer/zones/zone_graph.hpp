@@ -26,6 +26,7 @@ class ZoneGraph;
 
 /// Bounds on an exploration, and who helps with it.
 struct Limits {
+  /// Of some ten timers; of classes with very many fewer are explored, so that they take no more memory.
   std::size_t classes = 2'000'000;
   /// If given, asked now and then, by one thread at a time; ends the exploration when it says true.
   std::function<bool()> stop;
@@ -179,6 +180,7 @@ class ZoneGraph {
   std::vector<Landing> landings_;
   std::vector<int> landing_of_;  // by place; -1: none
   Findings findings_;
+  std::size_t memory_ = 0;  // of zones, and of where places lead, about, in bytes
   int round_ = -1;
 };
 
