@@ -20,7 +20,8 @@ bool soon(const Condition& condition) {
 }  // namespace
 
 Workers::Workers(unsigned threads)
-    : threads_(threads != 0 ? threads : std::max(1U, std::thread::hardware_concurrency())) {}
+    : threads_(threads != 0 ? threads : std::max(1U, std::thread::hardware_concurrency())),
+      shares_(threads_) {}
 
 Workers::~Workers() {
   {
@@ -37,18 +38,21 @@ void Workers::each(std::size_t count, std::size_t grain, const std::function<voi
     for (std::size_t i = 0; i < count; ++i) part(i);
     return;
   }
-  while (helpers_.size() + 1 < threads_) helpers_.emplace_back([this] { help(); });
+  while (helpers_.size() + 1 < threads_)
+    helpers_.emplace_back([this, self = helpers_.size() + 1] { help(self); });
   {
     const std::lock_guard lock(mutex_);
     part_ = &part;
-    count_ = count;
     grain_ = grain;
-    next_ = 0;
+    for (std::size_t t = 0; t < threads_; ++t) {
+      shares_[t].next = count * t / threads_;
+      shares_[t].end = count * (t + 1) / threads_;
+    }
     open_ = true;
     ++round_;
   }
   begin_.notify_all();
-  work();
+  work(0);
   std::unique_lock lock(mutex_);
   open_ = false;
   if (active_ != 0) {
@@ -60,7 +64,7 @@ void Workers::each(std::size_t count, std::size_t grain, const std::function<voi
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
 }
 
-void Workers::help() {
+void Workers::help(std::size_t self) {
   std::size_t seen = 0;
   for (;;) {
     const auto called = [&] { return end_ || (open_ && round_ != seen); };
@@ -71,22 +75,26 @@ void Workers::help() {
     seen = round_;
     ++active_;
     lock.unlock();
-    work();
+    work(self);
     lock.lock();
     if (--active_ == 0) done_.notify_one();
   }
 }
 
-void Workers::work() {
+void Workers::work(std::size_t self) {
   try {
-    for (;;) {
-      const std::size_t from = next_.fetch_add(grain_);
-      if (from >= count_) return;
-      for (std::size_t i = from; i < std::min(from + grain_, count_); ++i) (*part_)(i);
-    }
+    for (std::size_t t = 0; t < threads_; ++t) take_from(shares_[(self + t) % threads_]);
   } catch (...) {
     const std::lock_guard lock(mutex_);
     if (!thrown_) thrown_ = std::current_exception();
+  }
+}
+
+void Workers::take_from(Share& share) {
+  for (;;) {
+    const std::size_t from = share.next.fetch_add(grain_);
+    if (from >= share.end) return;
+    for (std::size_t i = from; i < std::min(from + grain_, share.end); ++i) (*part_)(i);
   }
 }
 

@@ -23,13 +23,22 @@ class Workers {
   Workers& operator=(const Workers&) = delete;
 
   /// Calls part(0) … part(count - 1), in any order and at the same time, and returns when all have returned.
-  /// Throws what one of them threw. `grain`: so many neighbours are given out at once. Whoever has no
+  /// Throws what one of them threw. `grain`: so many neighbours are given out at once. Each thread begins
+  /// with a share of its own, the same in rounds of the same count, so that what it had in its cache it finds
+  /// there, and then helps with those of others. Whoever has no
   /// processor is not waited for, unless it has begun some of them.
   void each(std::size_t count, std::size_t grain, const std::function<void(std::size_t)>& part);
 
  private:
-  void help();
-  void work();
+  /// A part of the round, in memory of its own.
+  struct alignas(64) Share {
+    std::atomic<std::size_t> next = 0;
+    std::size_t end = 0;
+  };
+
+  void help(std::size_t self);
+  void work(std::size_t self);
+  void take_from(Share& share);
 
   const unsigned threads_;
   std::mutex mutex_;
@@ -43,9 +52,8 @@ class Workers {
   std::exception_ptr thrown_;
 
   const std::function<void(std::size_t)>* part_ = nullptr;
-  std::size_t count_ = 0;
   std::size_t grain_ = 1;
-  std::atomic<std::size_t> next_ = 0;
+  std::vector<Share> shares_;  // by thread
   std::vector<std::thread> helpers_;
 };
 
