@@ -79,10 +79,13 @@ Length draw_explanation(const Layer& layer, Length top, SvgWriter& out) {
     const Length y = top + static_cast<Length>(i % rows + 1) * row_height;
     out.text({x, y}, Anchor::start, "key strong", segment_letter(i));
     out.text({x + 720, y}, Anchor::end, "key", figure(layer, segment.to_ns - segment.from_ns));
-    std::string text = segment.actor.empty() ? segment.text : segment.actor + ": " + segment.text;
-    if (!segment.place.empty()) text += " (" + segment.place + ")";
+    const std::string text = segment.actor.empty() ? segment.text : segment.actor + ": " + segment.text;
+    const std::string place = segment.place.empty() ? "" : " (" + segment.place + ")";
     const Length room = (rows < segments.size() ? full_width / 2 : full_width) - 830;
-    out.text({x + 800, y}, Anchor::start, "key", fitted(text, font, room), text);
+    // Where it is written stays to be read; what is said there gets the rest.
+    const std::string said = fitted(text, font, room - text_width(place, font));
+    const std::string shown = said.empty() ? fitted(text + place, font, room) : said + place;
+    out.text({x + 800, y}, Anchor::start, "key", shown, text + place);
   }
   return top + static_cast<Length>(rows) * row_height + 40;
 }
