@@ -1,7 +1,9 @@
 // What classes cost, about: of those with many timers fewer are expanded, and kept.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "analyzer/zones/move.hpp"
 
@@ -15,8 +17,12 @@ inline std::size_t work_of(const Dbm& zone, std::size_t timers) {
   return timers * timers * zone.size() * zone.size();
 }
 
-/// What a class may take of memory, with its part of what its place takes, in bytes.
-constexpr std::size_t memory_a_class = 8192;
+/// What so many classes may take of memory, with their places, in bytes: few may take as much as they need.
+constexpr std::size_t memory_for(std::size_t classes) {
+  constexpr std::size_t least = std::size_t{1} << 27U;
+  constexpr std::size_t a_class = 4096;
+  return std::max(least, std::min(classes, SIZE_MAX / a_class) * a_class);
+}
 
 inline std::size_t memory_of(const Dbm& zone) {
   return zone.size() * zone.size() * sizeof(std::int64_t);

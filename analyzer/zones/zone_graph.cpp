@@ -172,7 +172,7 @@ bool ZoneGraph::grow(const Limits& limits) {
   }
   merge(1, limits);
   while (!open_.empty() && !findings_.failure && !findings_.outgrown) {
-    if (std::max(classes_.size(), memory_ / memory_a_class) > limits.classes) return false;
+    if (classes_.size() > limits.classes || memory_ > memory_for(limits.classes)) return false;
     if (patience.over()) return false;
     if (limits.enough && limits.enough(*this)) return false;
     std::vector<int> batch;

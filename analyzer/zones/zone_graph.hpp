@@ -26,7 +26,8 @@ class ZoneGraph;
 
 /// Bounds on an exploration, and who helps with it.
 struct Limits {
-  /// Of some ten timers; of classes with very many fewer are explored, so that they take no more memory.
+  /// Of some ten timers; of classes with more than twenty fewer are explored, so that they take no more
+  /// memory (memory_for).
   std::size_t classes = 2'000'000;
   /// If given, asked now and then, by one thread at a time; ends the exploration when it says true.
   std::function<bool()> stop;
