@@ -1,6 +1,7 @@
 #include "analyzer/zones/workers.hpp"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace pal::analyzer {
@@ -38,8 +39,7 @@ void Workers::each(std::size_t count, std::size_t grain, const std::function<voi
     for (std::size_t i = 0; i < count; ++i) part(i);
     return;
   }
-  while (helpers_.size() + 1 < threads_)
-    helpers_.emplace_back([this, self = helpers_.size() + 1] { help(self); });
+  call_helpers();
   {
     const std::lock_guard lock(mutex_);
     part_ = &part;
@@ -62,6 +62,15 @@ void Workers::each(std::size_t count, std::size_t grain, const std::function<voi
     done_.wait(lock, [this] { return active_ == 0; });
   }
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
+}
+
+void Workers::call_helpers() {
+  try {
+    while (more_ && helpers_.size() + 1 < threads_)
+      helpers_.emplace_back([this, self = helpers_.size() + 1] { help(self); });
+  } catch (const std::system_error&) {
+    more_ = false;
+  }
 }
 
 void Workers::help(std::size_t self) {

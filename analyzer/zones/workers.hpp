@@ -16,7 +16,8 @@ namespace pal::analyzer {
 /// number of threads.
 class Workers {
  public:
-  /// With the caller `threads` at work; 0: as many as the machine has cores. They begin when they are needed.
+  /// With the caller `threads` at work; 0: as many as the machine has cores. They begin when they are needed;
+  /// where the system has no more of them those that there are do the work.
   explicit Workers(unsigned threads);
   ~Workers();
   Workers(const Workers&) = delete;
@@ -36,11 +37,13 @@ class Workers {
     std::size_t end = 0;
   };
 
+  void call_helpers();
   void help(std::size_t self);
   void work(std::size_t self);
   void take_from(Share& share);
 
   const unsigned threads_;
+  bool more_ = true;  // helpers can be had
   std::mutex mutex_;
   std::condition_variable begin_;
   std::condition_variable done_;

@@ -102,7 +102,8 @@ void add_limits(CLI::App& command, ProofLimits& limits) {
               "give up after so long (undecided): 90 s, 2min, 500ms; a number alone is seconds, 0: never");
   command.add_option("--threads", limits.threads, "threads at work; 0: one a core")
       ->capture_default_str()
-      ->check(whole_number());
+      ->check(whole_number())
+      ->check(CLI::Range(0U, 1'000U));
 }
 
 void add_format(CLI::App& command, Format& format) {

@@ -1,6 +1,7 @@
 // The program pal.
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ int main(int count, char** arguments) {
   try {
     return static_cast<int>(delivered(pal::driver::run(
         std::vector<std::string>(arguments + 1, arguments + count), {std::cout, std::cerr, files})));
+  } catch (const std::bad_alloc&) {
+    std::cerr << "pal: there is not enough memory; with --max-states N a proof gives up sooner\n";
+    return static_cast<int>(ExitStatus::usage);
   } catch (const std::exception& error) {
     std::cerr << "pal: internal error: " << error.what()
               << " (please report it with the files that cause it)\n";

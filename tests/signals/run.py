@@ -1,6 +1,7 @@
-"""Interrupts `pal check` and `pal simulate` at work, and gives it nowhere to write: run.py PAL. What it knows by then must be reported, and files be whole or as they were."""
+"""Interrupts `pal check` and `pal simulate` at work, and gives it nowhere to write, and little memory: run.py PAL. What it knows by then must be reported, and files be whole or as they were."""
 import json
 import pathlib
+import resource
 import signal
 import subprocess
 import sys
@@ -128,6 +129,21 @@ def check_full_output(pal):
             assert b"standard output" in done.stderr, f"{command} to a full disk says {done.stderr}"
 
 
+def check_little_memory(pal):
+    """It says so, and leaves no half of a file."""
+    def limited():
+        resource.setrlimit(resource.RLIMIT_AS, (600 << 20, 600 << 20))
+    if subprocess.run([pal, "--version"], capture_output=True, preexec_fn=limited).returncode != 0:
+        return  # a sanitizer asks for more
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "drivers.pal").write_text(specification())
+        made = subprocess.run([pal, *CHECK], cwd=folder, capture_output=True, text=True, preexec_fn=limited, timeout=120)
+        assert made.returncode == 2, f"little memory: status {made.returncode}"
+        assert "not enough memory" in made.stderr, f"little memory: {made.stderr}"
+        assert made.stdout == "" and not (folder / "runs.json").exists(), "little memory: something was written"
+
+
 def main():
     pal = sys.argv[1]
     check_full_output(pal)
@@ -135,6 +151,7 @@ def main():
         check_one_signal(pal, which)
     check_simulation(pal)
     check_two_signals(pal)
+    check_little_memory(pal)
 
 
 main()
