@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/compositional.hpp"
+#include "analyzer/exact/standstill.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -36,6 +37,16 @@ int Judge::refuted(const Problem& problem, const std::vector<std::size_t>& requi
       return static_cast<int>(known.requirement);
   }
   return -1;
+}
+
+bool Judge::bounded(const Problem& problem, const std::vector<std::size_t>& requirements) const {
+  const std::vector<Verdict> bounds = bounds_of(problem, requirements, options_);
+  return std::all_of(bounds.begin(), bounds.end(),
+                     [](const Verdict& bound) { return bound.state == Verdict::State::holds; });
+}
+
+bool Judge::stands_still(const Problem& problem) {
+  return standstill(problem, {options_.max_states, options_.stop, {}, &workers_}).found.has_value();
 }
 
 Ruling Judge::ask(const Problem& problem, const std::vector<std::size_t>& requirements) {

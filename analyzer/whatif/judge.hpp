@@ -32,6 +32,12 @@ class Judge {
   /// Of the requirements given, by index.
   Ruling ask(const Problem& problem, const std::vector<std::size_t>& requirements);
 
+  /// Whether bounds alone show that all of them hold: cheap, also where nothing can be explored.
+  bool bounded(const Problem& problem, const std::vector<std::size_t>& requirements) const;
+
+  /// Whether some run gets to where no time passes any more. Nothing holds then.
+  bool stands_still(const Problem& problem);
+
   /// Whether a known run refutes it without exploration: the requirement, or -1.
   int refuted(const Problem& problem, const std::vector<std::size_t>& requirements);
 

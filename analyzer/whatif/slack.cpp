@@ -62,15 +62,36 @@ class SlackSearch {
     for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
       const bool load = problem.requirements[r].measure == Requirement::Measure::load;
       (load ? loads_ : timed_).push_back(r);
+      all_.push_back(r);
     }
   }
 
-  void find(const Growth& growth, Slack& slack) {
+  /// A growth that bounds alone show to hold, the greatest or nearly so.
+  Nanoseconds bounded(const Growth& growth) {
+    const Nanoseconds most = growth.most();
+    Nanoseconds holds = 0;
+    Nanoseconds open = most + 1;
+    Nanoseconds step = std::max<Nanoseconds>(growth.longest(), 1'000);
+    while (open - holds > 1 && !judge_.stopped()) {
+      const bool looking = open > most;
+      const Nanoseconds extra =
+          looking ? (most - holds <= step ? most : holds + step) : holds + (open - holds) / 2;
+      const auto problem = judge_.problem(growth.by(extra));
+      (problem && judge_.bounded(*problem, all_) ? holds : open) = extra;
+      step *= longer_steps;
+    }
+    if (holds == 0) return 0;
+    const auto problem = judge_.problem(growth.by(holds));
+    return problem && !judge_.stands_still(*problem) ? holds : 0;
+  }
+
+  /// `known_to_hold`: so much more.
+  void find(const Growth& growth, Nanoseconds known_to_hold, Slack& slack) {
     Nanoseconds most = growth.most();
-    Known known = narrow(growth, most, timed_, longer_steps);
+    Known known = narrow(growth, known_to_hold, most, timed_, longer_steps);
     if (!loads_.empty()) {
       // Loads are asked last: never beyond what the others allow.
-      const Known load = narrow(growth, known.holds, loads_, longer_steps_of_loads);
+      const Known load = narrow(growth, known_to_hold, known.holds, loads_, longer_steps_of_loads);
       if (load.fails >= 0) {
         known.fails = load.fails;
         known.failing = load.failing;
@@ -97,11 +118,13 @@ class SlackSearch {
     return problem ? judge_.ask(*problem, requirements) : Ruling{};
   }
 
-  /// Greatest growth up to `most` that is known to hold, and the least beyond it that is known to fail.
-  Known narrow(const Growth& growth, Nanoseconds most, const std::vector<std::size_t>& requirements,
-               Nanoseconds longer) {
+  /// Greatest growth from `least`, which holds, up to `most` that is known to hold, and the least beyond it
+  /// that is known to fail.
+  Known narrow(const Growth& growth, Nanoseconds least, Nanoseconds most,
+               const std::vector<std::size_t>& requirements, Nanoseconds longer) {
     const auto asker = [&](Nanoseconds extra) { return ask(growth, extra, requirements); };
     Known known;
+    known.holds = least;
     Nanoseconds open = most + 1;  // nothing from here on is asked
     Nanoseconds step = std::max<Nanoseconds>(growth.longest(), 1'000);
     std::optional<Nanoseconds> below;  // the excess of `holds`, if it is known
@@ -123,7 +146,8 @@ class SlackSearch {
       sharpen(growth, requirements, known);
       open = known.fails;
     };
-    if (most < growth.most()) heard(most, asker(most));  // others allow no more: is it enough?
+    if (least < most && most < growth.most())
+      heard(most, asker(most));  // others allow no more: is it enough?
     while (known.holds < most && open > most && !judge_.stopped()) {
       const Nanoseconds extra = most - known.holds <= step ? most : known.holds + step;
       heard(extra, asker(extra));
@@ -180,6 +204,7 @@ class SlackSearch {
   Judge& judge_;
   std::vector<std::size_t> timed_;
   std::vector<std::size_t> loads_;
+  std::vector<std::size_t> all_;
 };
 
 }  // namespace
@@ -205,9 +230,15 @@ std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& e
   for (Slack& slack : all) {
     slack.requirement = now.requirement;
     if (now.state == Is::fails) slack.fails = Duration(0);
-    if (now.state != Is::holds) continue;
-    search.find(slack.figure.empty() ? together : Growth(environment, {slack.figure}), slack);
   }
+  if (now.state != Is::holds) return all;
+  const auto growth_of = [&](const Slack& slack) {
+    return slack.figure.empty() ? together : Growth(environment, {slack.figure});
+  };
+  // What costs little is known of all before any is looked for further.
+  std::vector<Nanoseconds> bounded;
+  for (const Slack& slack : all) bounded.push_back(search.bounded(growth_of(slack)));
+  for (std::size_t n = 0; n < all.size(); ++n) search.find(growth_of(all[n]), bounded[n], all[n]);
   return all;
 }
 

@@ -30,9 +30,8 @@ struct Slack {
 
 /// Slack of each figure by itself, then of all together. All together grow in proportion: with `holds` = k
 /// each worst time w becomes w + w · k / longest, rounded up, where `longest` is the longest of them; if that
-/// is 0, k. `progress`, if given, is told the name of each before it is looked for. Requirements that do not
-/// hold as things are make every slack nothing; the index of one is in `requirement`, and `fails` is 0 if a
-/// run breaks it.
+/// is 0, k. Requirements that do not hold as things are make every slack nothing; the index of one is in
+/// `requirement`, and `fails` is 0 if a run breaks it.
 std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& environment,
                           const Options& options);
 

@@ -26,7 +26,10 @@ std::string slack_text(const Slack& slack) {
 
 std::string reason_text(const WhatIfAnswer& answer, const Slack& slack) {
   if (slack.unlimited) return "";
-  if (slack.requirement < 0) return "not looked for: the search was ended before";
+  if (slack.requirement < 0) {
+    const bool some = slack.holds && slack.holds->count() > 0;
+    return std::string(some ? "further " : "") + "not looked for: the search was ended before";
+  }
   const std::string name = named(answer, slack.requirement);
   if (!slack.holds)
     return "'" + name + (slack.fails ? "' does not hold" : "' is undecided") + " as things are";
