@@ -138,3 +138,20 @@ END
     CHECK(analysis.verdicts[1].state != VerdictState::never);
   }
 }
+
+TEST_CASE("where nothing could be explored a run of a thousand events shows what fails at its end") {
+  std::string works;
+  for (int n = 0; n < 1000; ++n) works += "  work\n";
+  const auto skill = test::sound_skill(
+      test::small_skill("REQUIREMENT whole : DURATION TO COMPLETION 0 AT MOST 999 ms\n",
+                        "Skill Module: SM1\n  ACTIVITY work\nBEGIN\n  WTM( Coordinator )\n" + works +
+                            "  TXM( Completion Protocol 0 )\nEND\n",
+                        "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\nTIME work : 1 ms\n"));
+  Options none;
+  none.max_states = 1;
+  const Analysis analysis = analyze(*skill->problem, AnalysisChoice::automatic, none);
+  const Verdict& verdict = analysis.verdicts.front();
+  CHECK(verdict.state == Verdict::State::fails);
+  REQUIRE(verdict.witness);
+  CHECK(verdict.witness->measured.value == 1000 * ms);
+}

@@ -118,3 +118,14 @@ TEST_CASE(
   CHECK(graph.classes().size() > 1'000);
   CHECK(graph.classes().size() < 20'000);
 }
+
+TEST_CASE("an exploration ends where its classes have taken as much memory as so many small ones") {
+  const Problem problem = test::problem_of(test::pairs_of_drivers(60));
+  const Watch nothing;
+  const Machine machine(problem, nothing);
+  Limits limits;
+  limits.classes = 20'000;
+  ZoneGraph graph(machine, 0, false);
+  CHECK_FALSE(graph.explore(limits));
+  CHECK(graph.classes().size() < limits.classes);
+}

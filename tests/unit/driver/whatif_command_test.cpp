@@ -45,6 +45,7 @@ TEST_CASE("what an option cannot be is refused with what it can be") {
   is_refused({"check", touch, "--analysis", "long"}, "'long' is none of auto, compositional, exact");
   is_refused({"check", touch, "--max-states", "-1"}, "'-1' is no whole number from 0 on");
   is_refused({"check", touch, "--threads", "many"}, "'many' is no whole number from 0 on");
+  is_refused({"check", touch, "--threads", "1001"}, "1001 not in range 0 to 1000");
   is_refused({"check", touch, "--max-errors", "-1"}, "'-1' is no whole number from 0 on");
   is_refused({"simulate", touch, "-e", cell, "--seed", "-1"}, "'-1' is no whole number from 0 on");
   is_refused({"simulate", touch, "-e", cell, "--until", "4000000001 s"},
