@@ -99,34 +99,42 @@ bool Run::stale(const Event& event) const {
   return false;
 }
 
-void Run::step() {
-  while (!queue_.empty() && stale(queue_.next())) queue_.pop();
-  if (queue_.empty()) {
-    fail_at(-1, -1, "nothing is left to happen" + who_waits());
-    return;
-  }
-  const Event event = queue_.pop();
-  if (event.time > options_.horizon) {
+// Brings the clock and the world to `when`. False: the run is over, or something came in on the way.
+bool Run::go_to(Time when) {
+  if (when > options_.horizon) {
     now_ = options_.horizon;
     fail_at(-1, -1,
             "the run is longer than its limit of " + std::to_string(now_.count()) + " ns" + who_waits());
-    return;
+    return false;
   }
-  if (event.time > now_) {
-    events_now_ = 0;
-    try {
-      world_.advance_to(event.time);
-    } catch (const std::exception& error) {
-      fail_at(-1, -1, std::string("the world: ") + error.what());
-      return;
-    }
-    now_ = event.time;
+  try {
+    const Time reached = world_.wait_until(when);
+    if (reached > now_) events_now_ = 0;
+    now_ = reached;
+    world_.advance_to(reached);
+  } catch (const std::exception& error) {
+    fail_at(-1, -1, std::string("the world: ") + error.what());
+  }
+  return !over_ && now_ == when;
+}
+
+void Run::step() {
+  while (!queue_.empty() && stale(queue_.next())) queue_.pop();
+  const Time own = queue_.empty() ? Time::max() : queue_.next().time;
+  const Time in_world = world_.next_event();
+  if (own == Time::max() && in_world == Time::max()) {
+    fail_at(-1, -1, "nothing is left to happen" + who_waits());
+    return;
   }
   if (++events_now_ > most_events_at_one_instant) {
     fail_at(-1, -1, "the skill goes on and on without taking time" + who_waits());
     return;
   }
-  happen(event);
+  if (in_world <= own) {  // what arrives at an instant is there before anything else happens at it
+    go_to(in_world);
+  } else if (own == now_ || go_to(own)) {
+    happen(queue_.pop());
+  }
   settle();
 }
 

@@ -89,6 +89,7 @@ class Run {
   void start_skill();
   bool stale(const Event& event) const;
   void step();
+  bool go_to(Time when);
   void happen(const Event& event);
   void settle();
   void close_devices();

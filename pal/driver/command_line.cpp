@@ -8,7 +8,7 @@
 
 #include "analyzer/replay/check_run.hpp"
 #include "pal/driver/commands.hpp"
-#include "pal/driver/option_values.hpp"
+#include "pal/driver/private/option_values.hpp"
 #include "pal/support/nearest.hpp"
 
 namespace pal::driver {

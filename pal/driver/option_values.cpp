@@ -1,4 +1,4 @@
-#include "pal/driver/option_values.hpp"
+#include "pal/driver/private/option_values.hpp"
 
 #include <charconv>
 #include <chrono>
