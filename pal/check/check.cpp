@@ -36,15 +36,16 @@ class Checker {
         once(environments_, "environment", environment->name);
         result_.environments.push_back(frontend::build_environment(*environment, diagnostics_));
       } else if (const auto* skill = std::get_if<syntax::SkillUnit>(&unit)) {
-        once(skills_, "skill", skill->name);
-        check_skill(index, *skill);
+        if (once(skills_, "skill", skill->name)) check_skill(index, *skill);
       }
     }
   }
 
-  void once(std::map<std::string, const syntax::Name*>& seen, const char* what, const syntax::Name& name) {
+  /// False, and reported, if there is one of this name already.
+  bool once(std::map<std::string, const syntax::Name*>& seen, const char* what, const syntax::Name& name) {
     const auto [first, fresh] = seen.emplace(name.text, &name);
     if (!fresh) frontend::report_twice(diagnostics_, what, name, *first->second);
+    return fresh;
   }
 
   bool complete(const frontend::Scope& scope) const {
@@ -90,6 +91,8 @@ class Checker {
   bool every_name_known(std::size_t first) const {
     if (diagnostics_.not_kept().errors != 0) return false;  // they may say so
     const auto& all = diagnostics_.all();
+    const auto guessed = [](const Diagnostic& finding) { return finding.code == Code::PAL0110; };
+    if (std::any_of(all.begin(), all.end(), guessed)) return false;  // what a TXM sends, and to whom
     return std::none_of(
         all.begin() + static_cast<std::ptrdiff_t>(first), all.end(), [](const Diagnostic& finding) {
           return finding.severity == Severity::error &&
@@ -100,8 +103,10 @@ class Checker {
   /// `sound`: every name meant something. If not, statements are missing, and what is said of talk and flow
   /// would be said of a program that nobody wrote.
   void check_network(const pan::Network& network, bool sound) {
+    const auto errors_before = diagnostics_.errors();
     frontend::check_layers(network, diagnostics_);
-    if (!sound) return;
+    // Whom a module may not talk with does not answer it either: that would be said of the same mistake again.
+    if (!sound || diagnostics_.errors() != errors_before) return;
     const pan::Flow flow(network);
     frontend::check_channels(network, diagnostics_);
     frontend::check_protocol(network, flow, diagnostics_);

@@ -29,6 +29,10 @@ bool is_if(const antlr4::Token* token) {
   return is(token, Parser::NAME) && in_capitals(token) == "IF";
 }
 
+bool is_loop(const antlr4::Token* token) {
+  return is(token, Parser::NAME) && (in_capitals(token) == "WHILE" || in_capitals(token) == "FOR");
+}
+
 bool touch(const antlr4::Token* left, const antlr4::Token* right) {
   return left->getStopIndex() + 1 == right->getStartIndex();
 }
@@ -70,6 +74,11 @@ Foreign no_if(const antlr4::Token* at) {
   return {at, "PAL has no IF", "write CASE, an arm ( … ): for each way with its statements, and END CASE"};
 }
 
+Foreign no_loop(const antlr4::Token* at) {
+  return {at, "PAL has no " + in_capitals(at),
+          "write REPEAT, the statements, and UNTIL( … ), within a CASE if they may not run at all"};
+}
+
 /// Of a comma that cannot stand where it does.
 std::optional<Foreign> comma(const Around& around) {
   const auto* before = around[-1];
@@ -109,12 +118,15 @@ std::optional<Foreign> foreign_form(const Tokens& tokens, const antlr4::Token* a
       return Foreign{at, "an UNTIL names conditions, or forever", "write UNTIL( forever )"};
     case Parser::LEFT:
       if (is_if(around[-1])) return no_if(around[-1]);
+      if (is_loop(around[-1])) return no_loop(around[-1]);
       break;
     case Parser::END:
       if (is_if(around[1])) return no_if(around[1]);
+      if (is_loop(around[1])) return no_loop(around[1]);
       break;
     case Parser::NAME:
       if (is_if(at) && is(around[-1], Parser::END)) return no_if(at);
+      if (is_loop(at) && is(around[-1], Parser::END)) return no_loop(at);
       break;
     default:
       break;
