@@ -33,8 +33,9 @@ struct Workcell::Parts {
   }
 
   void step(runtime::Time when) {
+    const SetPoint wanted = trajectory.at(when);
     physics.step(
-        servos.torques(trajectory.at(when), physics.joints(), physics.joint_speeds(), physics.bias()));
+        servos.torques(wanted, physics.joints(), physics.joint_speeds(), physics.load(wanted.acceleration)));
   }
 
   // Over all contacts of the tip.
