@@ -33,8 +33,9 @@ struct Workcell::Parts {
   }
 
   void step(runtime::Time when) {
+    const SetPoint wanted = trajectory.at(when);
     physics.step(
-        servos.torques(trajectory.at(when), physics.joints(), physics.joint_speeds(), physics.bias()));
+        servos.torques(wanted, physics.joints(), physics.joint_speeds(), physics.load(wanted.acceleration)));
   }
 
   // Over all contacts of the tip.
@@ -49,6 +50,28 @@ struct Workcell::Parts {
       sum += force[0];
     }
     return sum;
+  }
+
+  Wrench wrench() const {
+    // MuJoCo gives what the arm does to the tool; the sensor what the tool does to the arm.
+    const mjtNum* data = physics.data().sensordata;
+    return {-Eigen::Map<const Eigen::Vector3d>(data + physics.index().force),
+            -Eigen::Map<const Eigen::Vector3d>(data + physics.index().torque)};
+  }
+
+  Sample sample() {
+    const Pose tool = physics.site_pose(physics.index().tip);
+    const Joints wanted = trajectory.at(now).position;
+    const Pose set_point = tool_pose(wanted);
+    return {.time = now,
+            .joints = physics.joints(),
+            .joint_set_point = wanted,
+            .tool = tool.translation(),
+            .tool_turn = Eigen::Quaterniond(tool.linear()),
+            .set_point = set_point.translation(),
+            .set_point_turn = Eigen::Quaterniond(set_point.linear()),
+            .contact_force = contact_force(),
+            .wrench = wrench()};
   }
 
   Physics physics;
@@ -67,9 +90,7 @@ void Workcell::advance_to(runtime::Time when) {
   while (parts_->now + physics_step <= when) {
     parts_->step(parts_->now);
     parts_->now += physics_step;
-    const Physics& physics = parts_->physics;
-    parts_->log.push_back(
-        {parts_->now, physics.site_pose(physics.index().tip).translation(), parts_->contact_force()});
+    parts_->log.push_back(parts_->sample());
   }
 }
 
@@ -105,11 +126,7 @@ Pose Workcell::set_point() const {
 }
 
 Wrench Workcell::wrench() const {
-  // MuJoCo gives what the arm does to the tool; the sensor what the tool does to the arm.
-  const ModelIndex& index = parts_->physics.index();
-  const mjtNum* data = parts_->physics.data().sensordata;
-  return {-Eigen::Map<const Eigen::Vector3d>(data + index.force),
-          -Eigen::Map<const Eigen::Vector3d>(data + index.torque)};
+  return parts_->wrench();
 }
 
 const std::vector<Sample>& Workcell::log() const {

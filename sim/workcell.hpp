@@ -24,11 +24,18 @@ struct Wrench {
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();
 };
 
-/// One line of the log, written after each step.
+/// One line of the log, written after each step. Poses are those of the tool's tip in frame 0, in metres.
 struct Sample {
   runtime::Time time{};
-  Eigen::Vector3d tool = Eigen::Vector3d::Zero();  // the tip's site in frame 0, m
-  double contact_force = 0;                        // sum of the normal forces on the tip, N
+  Joints joints = Joints::Zero();           // where the joints are, rad
+  Joints joint_set_point = Joints::Zero();  // where they have been told to be, rad
+  Eigen::Vector3d tool = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond tool_turn = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d set_point = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond set_point_turn = Eigen::Quaterniond::Identity();
+  double contact_force = 0;  // sum of the normal forces on what the tool is meant to touch with, N
+  Wrench wrench;             // as Workcell::wrench()
+  double gripper_width = 0;  // between the fingers, mm; 0 without a gripper
 };
 
 struct WorkcellOptions {

@@ -48,6 +48,8 @@ Physics::Physics(const Scene& scene) : model_(load_model(scene)) {
   if (!data_)
     throw SceneError(scene.file.string(), "there is no memory for the scene's state",
                      "make the scene smaller");
+  wanted_.resize(static_cast<std::size_t>(model_->nv));
+  inertial_.resize(wanted_.size());
   mj_forward(model_.get(), data_.get());
 }
 
@@ -65,11 +67,15 @@ Joints Physics::joint_speeds() const {
   return v;
 }
 
-Joints Physics::bias() const {
-  Joints b;
+Joints Physics::load(const Joints& acceleration) {
   for (std::size_t i = 0; i < joint_count; ++i)
-    b[static_cast<Eigen::Index>(i)] = data_->qfrc_bias[index_.speed[i]];
-  return b;
+    wanted_[static_cast<std::size_t>(index_.speed[i])] = acceleration[static_cast<Eigen::Index>(i)];
+  mj_mulM(model_.get(), data_.get(), inertial_.data(), wanted_.data());
+  Joints torques;
+  for (std::size_t i = 0; i < joint_count; ++i)
+    torques[static_cast<Eigen::Index>(i)] =
+        data_->qfrc_bias[index_.speed[i]] + inertial_[static_cast<std::size_t>(index_.speed[i])];
+  return torques;
 }
 
 void Physics::place(const Joints& q) {

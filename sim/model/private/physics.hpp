@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <vector>
 
 #include "sim/arm/kinematics.hpp"
 #include "sim/scene.hpp"
@@ -47,8 +48,9 @@ class Physics {
 
   Joints joints() const;
   Joints joint_speeds() const;
-  /// Torques that hold the arm against gravity and Coriolis forces, as of the last step.
-  Joints bias() const;
+  /// Torques that hold the arm against gravity and Coriolis forces and give its joints `acceleration`, as of
+  /// the last step.
+  Joints load(const Joints& acceleration);
   /// Puts the arm there at rest; forces and sensors follow.
   void place(const Joints& q);
   /// One step of 1 ms under these joint torques. Throws std::runtime_error if the motion diverged.
@@ -61,6 +63,7 @@ class Physics {
   std::unique_ptr<mjModel, DeleteModel> model_;
   std::unique_ptr<mjData, DeleteData> data_;
   ModelIndex index_;
+  std::vector<mjtNum> wanted_, inertial_;  // room for load(), one figure a degree of freedom
 };
 
 }  // namespace pal::sim
