@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "sim/controller/trajectory.hpp"
+#include "sim/controller/motion_controller.hpp"
 #include "sim/model/private/load.hpp"
 #include "sim/model/private/physics.hpp"
 
@@ -24,16 +24,16 @@ Joints start_joints(const Scene& scene, const Physics& physics, double raise) {
 
 struct Workcell::Parts {
   Parts(const Scene& scene, const WorkcellOptions& options)
-      : physics(scene), trajectory(start_joints(scene, physics, options.raise), alter_period) {
+      : physics(scene), motion(start_joints(scene, physics, options.raise), alter_period) {
     log.reserve(static_cast<std::size_t>(options.log_room / physics_step));
-    physics.place(trajectory.at(runtime::Time::zero()).position);
+    physics.place(motion.at(runtime::Time::zero()).position);
     if (contact_force() > 0)
       throw SceneError(scene.file.string(), "the tool touches something at its start", "raise the start");
     for (runtime::Time t{}; t < options.settle; t += physics_step) step(runtime::Time::zero());
   }
 
   void step(runtime::Time when) {
-    const SetPoint wanted = trajectory.at(when);
+    const SetPoint wanted = motion.at(when);
     physics.step(
         servos.torques(wanted, physics.joints(), physics.joint_speeds(), physics.load(wanted.acceleration)));
   }
@@ -61,7 +61,7 @@ struct Workcell::Parts {
 
   Sample sample() {
     const Pose tool = physics.site_pose(physics.index().tip);
-    const Joints wanted = trajectory.at(now).position;
+    const Joints wanted = motion.at(now).position;
     const Pose set_point = tool_pose(wanted);
     return {.time = now,
             .joints = physics.joints(),
@@ -75,7 +75,7 @@ struct Workcell::Parts {
   }
 
   Physics physics;
-  Trajectory trajectory;
+  MotionController motion;
   JointServos servos;
   runtime::Time now{};
   std::vector<Sample> log;
@@ -100,17 +100,17 @@ runtime::Time Workcell::now() const {
 
 std::optional<std::string> Workcell::move(const Correction& correction, CorrectionFrame frame,
                                           runtime::Time begin) {
-  auto refused = parts_->trajectory.add(correction, frame, begin);
+  auto refused = parts_->motion.correct(correction, frame, begin);
   if (refused) stop();
   return refused;
 }
 
 void Workcell::stop() {
-  parts_->trajectory.stop(parts_->now);
+  parts_->motion.stop(parts_->now);
 }
 
 bool Workcell::idle() const {
-  return parts_->trajectory.idle(parts_->now);
+  return parts_->motion.idle(parts_->now);
 }
 
 Joints Workcell::joints() const {
@@ -122,11 +122,15 @@ Pose Workcell::tool() const {
 }
 
 Pose Workcell::set_point() const {
-  return tool_pose(parts_->trajectory.at(parts_->now).position);
+  return tool_pose(parts_->motion.at(parts_->now).position);
 }
 
 Wrench Workcell::wrench() const {
   return parts_->wrench();
+}
+
+MotionController& Workcell::motion() {
+  return parts_->motion;
 }
 
 const std::vector<Sample>& Workcell::log() const {
