@@ -35,7 +35,7 @@ Joints MotionController::first_ends() const {
 void MotionController::finish_until(runtime::Time when) {
   while (!planned_.empty() && when >= begun_ + first_takes()) {
     corrections_.open(first_ends(), tool_);
-    begun_ += first_takes();
+    still_since_ = begun_ += first_takes();
     planned_.pop_front();
     braking_.reset();
   }

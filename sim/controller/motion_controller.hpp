@@ -26,6 +26,9 @@ class MotionController {
   /// When the last planned motion that was accepted ends; `when` if none is under way.
   runtime::Time planned_end(runtime::Time when) const;
 
+  /// When the last planned motion ended that has ended.
+  runtime::Time still_since() const { return still_since_; }
+
   /// Joint-interpolated, to these joints. After the motions accepted before, or from `when` on.
   std::optional<Refusal> move_joints(const Joints& goal, const MotionSpeed& speed, runtime::Time when);
   /// Joint-interpolated, to where the tip is at `goal` (in frame 0) in `configuration`.
@@ -69,7 +72,8 @@ class MotionController {
   Pose tool_;
   std::deque<PlannedMotion> planned_;  // the first is under way
   runtime::Time begun_{};              // of the first
-  std::optional<Braking> braking_;     // of the first
+  runtime::Time still_since_{};
+  std::optional<Braking> braking_;  // of the first
   Trajectory corrections_;
 };
 
