@@ -1,6 +1,7 @@
 #include "sim/val/workcell_arm.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pal::sim::val {
 namespace {
@@ -10,13 +11,17 @@ constexpr double near_enough = 0.1e-3;  // m
 constexpr runtime::Time long_enough = std::chrono::milliseconds(150);
 constexpr runtime::Time between_looks = std::chrono::milliseconds(2);
 
+// Fingers are at rest that have not moved by more than this for so long.
+constexpr double still = 0.05;  // mm
+constexpr runtime::Time least = std::chrono::milliseconds(80);
+
 }  // namespace
 
 WorkcellArm::WorkcellArm(Workcell& workcell, const runtime::Timeline& timeline)
     : workcell_(workcell), timeline_(timeline) {}
 
 Joints WorkcellArm::joints() const {
-  return workcell_.joints();
+  return workcell_.encoder_joints();
 }
 
 Joints WorkcellArm::goal() const {
@@ -52,7 +57,7 @@ bool WorkcellArm::at_rest() const {
   MotionController& motion = workcell_.motion();
   if (!motion.idle(now())) return false;
   const Pose wanted = tool_pose(motion.goal(now()), motion.tool());
-  const Pose there = tool_pose(workcell_.joints(), motion.tool());
+  const Pose there = tool_pose(workcell_.encoder_joints(), motion.tool());
   return (wanted.translation() - there.translation()).norm() <= near_enough ||
          now() >= motion.still_since() + long_enough;
 }
@@ -62,11 +67,32 @@ runtime::Time WorkcellArm::look_again() const {
 }
 
 std::string WorkcellArm::fault() const {
-  return {};
+  return workcell_.fault() ? workcell_.fault()->text : std::string();
 }
 
 std::string WorkcellArm::clear_fault() {
+  if (workcell_.fault()) workcell_.reset_fault();
   return {};
+}
+
+void WorkcellHand::open() {
+  workcell_.gripper_open();
+  commanded_ = timeline_.now();
+}
+
+void WorkcellHand::close() {
+  workcell_.gripper_close();
+  commanded_ = timeline_.now();
+}
+
+bool WorkcellHand::at_rest() const {
+  const runtime::Time now = timeline_.now();
+  const double width = workcell_.gripper_width();
+  if (std::abs(width - width_) > still) {
+    width_ = width;
+    still_since_ = now;
+  }
+  return now >= commanded_ + least && now >= still_since_ + least;
 }
 
 }  // namespace pal::sim::val

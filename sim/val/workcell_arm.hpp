@@ -1,4 +1,4 @@
-// The workcell's arm, as VAL commands it.
+// The workcell's arm and hand, as VAL commands them.
 #pragma once
 
 #include "runtime/timeline.hpp"
@@ -32,6 +32,25 @@ class WorkcellArm final : public Arm {
 
   Workcell& workcell_;
   const runtime::Timeline& timeline_;
+};
+
+/// The workcell's gripper. Only where the workcell has one.
+class WorkcellHand final : public Hand {
+ public:
+  WorkcellHand(Workcell& workcell, const runtime::Timeline& timeline)
+      : workcell_(workcell), timeline_(timeline) {}
+
+  void open() override;
+  void close() override;
+  bool at_rest() const override;
+
+ private:
+  Workcell& workcell_;
+  const runtime::Timeline& timeline_;
+  runtime::Time commanded_{};
+  // Where the fingers were when they were last seen to move, and when that was.
+  mutable double width_ = 0;
+  mutable runtime::Time still_since_{};
 };
 
 }  // namespace pal::sim::val
