@@ -32,6 +32,7 @@ void LinkedDriver::on_break(std::string_view reason) {
 }
 
 void LinkedDriver::fail(std::string reason) {
+  if (!trouble_.empty()) return;
   timeline_.cancel(time_out_);
   trouble_ = std::move(reason);
   give_up();

@@ -46,12 +46,15 @@ class LinkedDriver : public Driver, private LinkUser {
   /// From now on something is awaited: it is late() if `time` passes before arrived_in_time().
   void await(Time time);
   void arrived_in_time() { timeline_.cancel(time_out_); }
+  /// The first reason counts.
   void fail(std::string reason);
   /// Trouble is forgotten: the device is tried once more.
   void try_again() { trouble_.clear(); }
 
  private:
-  void on_bytes(Bytes bytes) final { arrived(bytes); }
+  void on_bytes(Bytes bytes) final {
+    if (trouble_.empty()) arrived(bytes);
+  }
   void on_break(std::string_view reason) final;
 
   Timeline& timeline_;

@@ -114,8 +114,7 @@ TEST_CASE("gripper: what goes wrong on the line ends the skill, in words", "[gri
     expected = "no answer to STATE came within 50 ms; is it switched on, and is its cable plugged in?";
   }
   cell.timeline.advance_to(cell.timeline.now() + 55ms);
-  REQUIRE_FALSE(cell.session.faults.empty());
-  CHECK(cell.session.faults[0] == expected);
+  CHECK(cell.session.faults == std::vector<std::string>{expected});
   CHECK(cell.session.deliveries.empty());
 
   cell.driver.close();
