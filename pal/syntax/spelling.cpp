@@ -56,6 +56,8 @@ const std::map<std::size_t, std::string>& signs() {
                                                         {Parser::CARET, "'^'"},
                                                         {Parser::DOT, "'.'"},
                                                         {Parser::PERCENT, "'%'"},
+                                                        {Parser::LEFT_BRACKET, "'['"},
+                                                        {Parser::RIGHT_BRACKET, "']'"},
                                                         {Parser::NAME, "a name"},
                                                         {Parser::NUMBER, "a number"},
                                                         {Parser::STRING, "a text in quotes"},
