@@ -19,6 +19,10 @@ sim::ForceTorqueOptions sensor_options(const Session& session) {
   return options;
 }
 
+std::string title(const runtime::Skill& skill, const Session& session) {
+  return std::string(skill.description().name) + " in scene " + session.scene.name;
+}
+
 }  // namespace
 
 SessionResult run_session(runtime::Skill& skill, const Session& session) {
@@ -41,7 +45,9 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   for (const sim::Sample& sample : result.log)
     result.peak_force = std::max(result.peak_force, sample.contact_force);
   if (!result.log.empty()) result.resting_force = result.log.back().contact_force;
-  if (session.picture) result.picture = sim::take_picture(workcell);
+  if (session.picture)
+    result.picture = sim::take_picture(workcell, {.title = title(skill, session),
+                                                  .threshold = parameter_value(skill, session, "threshold")});
   return result;
 }
 

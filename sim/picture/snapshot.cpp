@@ -1,0 +1,23 @@
+#include "sim/picture/private/snapshot.hpp"
+
+#include "sim/model/private/physics.hpp"
+
+namespace pal::sim {
+
+Snapshot take_snapshot(Workcell& workcell) {
+  const mjModel& model = workcell.physics().model();
+  const mjData& data = workcell.physics().data();
+  Snapshot snapshot;
+  snapshot.positions.assign(data.qpos, data.qpos + model.nq);
+  snapshot.mocap_positions.assign(data.mocap_pos, data.mocap_pos + 3 * model.nmocap);
+  snapshot.mocap_turns.assign(data.mocap_quat, data.mocap_quat + 4 * model.nmocap);
+  if (!workcell.log().empty()) {
+    snapshot.sample = workcell.log().back();
+  } else {
+    snapshot.sample.tool = workcell.tool().translation();
+    snapshot.sample.joints = workcell.joints();
+  }
+  return snapshot;
+}
+
+}  // namespace pal::sim
