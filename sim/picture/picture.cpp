@@ -8,10 +8,9 @@ namespace pal::sim {
 Picture take_picture(Workcell& workcell, const PictureOptions& options) {
   Picture picture;
   try {
-    ForceHistory force;
-    for (const Sample& sample : workcell.log()) force.add(sample);
+    std::size_t logged = 0;
     Sheet sheet(workcell.physics().model(), options);
-    picture.image = sheet.draw(take_snapshot(workcell), force, 0);
+    picture.image = sheet.draw(take_snapshot(workcell, logged), 0);
     picture.renderer = sheet.renderer();
   } catch (const std::runtime_error& problem) {
     picture.problem = problem.what();

@@ -52,7 +52,7 @@ void plot_force(Canvas& canvas, const Box& box, const ForceHistory& force, doubl
 
 }  // namespace
 
-void ForceHistory::add(const Sample& sample) {
+void ForceHistory::add(const ForcePoint& point) {
   constexpr std::size_t most = 4096;
   // Of every second pair the higher one stays: peaks are what matters.
   if (points_.size() == most) {
@@ -60,8 +60,8 @@ void ForceHistory::add(const Sample& sample) {
       points_[i] = points_[2 * i].second > points_[2 * i + 1].second ? points_[2 * i] : points_[2 * i + 1];
     points_.resize(most / 2);
   }
-  points_.emplace_back(seconds(sample.time), sample.contact_force);
-  peak_ = std::max(peak_, sample.contact_force);
+  points_.push_back(point);
+  peak_ = std::max(peak_, point.second);
 }
 
 Sheet::Sheet(const mjModel& model, const PictureOptions& options)
@@ -75,7 +75,8 @@ Sheet::Sheet(const mjModel& model, const PictureOptions& options)
                         .shadows = options.shadows,
                         .samples = options.samples}) {}
 
-Image Sheet::draw(const Snapshot& snapshot, const ForceHistory& force, double calm) {
+Image Sheet::draw(const Snapshot& snapshot, double calm) {
+  for (const ForcePoint& point : snapshot.force) force_.add(point);
   stage_.show(snapshot);
   if (!camera_) camera_.emplace(stage_, static_cast<double>(main_width_) / options_.height, options_.camera);
   if (!contact_camera_) contact_camera_.emplace(stage_);
@@ -91,7 +92,7 @@ Image Sheet::draw(const Snapshot& snapshot, const ForceHistory& force, double ca
   scale_bar(canvas, inset, near);
   const Box panel{inset.x, inset.height, inset.width, static_cast<double>(options_.height) - inset.height};
   canvas.fill(panel, paper);
-  describe(canvas, panel, snapshot, force);
+  describe(canvas, panel, snapshot.sample);
   const double line = std::max(1.0, options_.height / 300.0);
   canvas.line({{inset.x, 0}, {inset.x, static_cast<double>(options_.height)}}, ink, line);
   canvas.line({{inset.x, panel.y}, {inset.x + inset.width, panel.y}}, ink, line);
@@ -108,8 +109,7 @@ void Sheet::scale_bar(Canvas& canvas, const Box& box, const View& view) const {
   canvas.text(x + length * metre / 2, y - 0.6 * size, "20 mm", size, ink, false, Canvas::Align::centre);
 }
 
-void Sheet::describe(Canvas& canvas, const Box& box, const Snapshot& snapshot,
-                     const ForceHistory& force) const {
+void Sheet::describe(Canvas& canvas, const Box& box, const Sample& sample) const {
   const double size = options_.height / 38.0, left = box.x + size, width = box.width - 2 * size;
   const double middle = left + 0.33 * width;
   double y = box.y + 1.7 * size;
@@ -119,15 +119,14 @@ void Sheet::describe(Canvas& canvas, const Box& box, const Snapshot& snapshot,
     canvas.text(left, y, name, size, faint);
     canvas.text_within(left + width - middle, middle, y, value, size, ink);
   };
-  const Sample& sample = snapshot.sample;
   const Eigen::Vector3d tool = sample.tool * 1e3;
   row("time", fmt::format("{:.3f} s", seconds(sample.time)));
-  row("force", fmt::format("{:.1f} N    (peak {:.1f} N)", sample.contact_force, force.peak()));
+  row("force", fmt::format("{:.1f} N    (peak {:.1f} N)", sample.contact_force, force_.peak()));
   row("tool", fmt::format("{:.1f}  {:.1f}  {:.1f} mm", tool.x(), tool.y(), tool.z()));
   y += 1.6 * size;
   canvas.text(left, y, options_.threshold ? "contact force, N; red: threshold" : "contact force, N",
               0.8 * size, faint);
-  plot_force(canvas, {box.x, y, box.width, box.y + box.height - y}, force, seconds(sample.time),
+  plot_force(canvas, {box.x, y, box.width, box.y + box.height - y}, force_, seconds(sample.time),
              options_.threshold, 0.75 * size);
 }
 

@@ -4,7 +4,7 @@
 
 namespace pal::sim {
 
-Snapshot take_snapshot(Workcell& workcell) {
+Snapshot take_snapshot(Workcell& workcell, std::size_t& logged) {
   const mjModel& model = workcell.physics().model();
   const mjData& data = workcell.physics().data();
   Snapshot snapshot;
@@ -16,6 +16,10 @@ Snapshot take_snapshot(Workcell& workcell) {
   } else {
     snapshot.sample.tool = workcell.tool().translation();
     snapshot.sample.joints = workcell.joints();
+  }
+  for (; logged < workcell.log().size(); ++logged) {
+    const Sample& sample = workcell.log()[logged];
+    snapshot.force.emplace_back(std::chrono::duration<double>(sample.time).count(), sample.contact_force);
   }
   return snapshot;
 }

@@ -15,12 +15,12 @@ namespace pal::sim {
 /// Force against time, as much of it as a strip of a picture can show.
 class ForceHistory {
  public:
-  void add(const Sample& sample);
-  const std::vector<std::pair<double, double>>& points() const { return points_; }  // s, N
+  void add(const ForcePoint& point);
+  const std::vector<ForcePoint>& points() const { return points_; }
   double peak() const { return peak_; }
 
  private:
-  std::vector<std::pair<double, double>> points_;
+  std::vector<ForcePoint> points_;
   double peak_ = 0;
 };
 
@@ -31,17 +31,18 @@ class Sheet {
   Sheet(const mjModel& model, const PictureOptions& options);
 
   /// `calm`: see WorkcellCamera.
-  Image draw(const Snapshot& snapshot, const ForceHistory& force, double calm);
+  Image draw(const Snapshot& snapshot, double calm);
   const std::string& renderer() const { return painter_.name(); }
 
  private:
-  void describe(Canvas& canvas, const Box& box, const Snapshot& snapshot, const ForceHistory& force) const;
+  void describe(Canvas& canvas, const Box& box, const Sample& sample) const;
   void scale_bar(Canvas& canvas, const Box& box, const View& view) const;
 
   PictureOptions options_;
   int main_width_, side_;  // of the workcell's picture; of the close-up, which is square
   Stage stage_;
   Painter painter_;
+  ForceHistory force_;
   std::optional<WorkcellCamera> camera_;
   std::optional<ContactCamera> contact_camera_;
 };
