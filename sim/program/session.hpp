@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/dispatcher.hpp"
+#include "runtime/drivers/station.hpp"
+#include "runtime/drivers/wire.hpp"
 #include "sim/picture/picture.hpp"
 #include "sim/scene.hpp"
 #include "sim/workcell.hpp"
@@ -18,17 +19,21 @@ struct Session {
   std::vector<runtime::ParameterValue> parameters;
   runtime::CostPolicy times = runtime::CostPolicy::random;
   std::uint64_t seed = 1;
-  /// From the opening of ALTER to its first event; drawn by the seed if not given.
+  /// From the skill's beginning to ALTER's first request; drawn by the seed if not given.
   std::optional<runtime::Time> phase;
   /// How much higher than in the scene the tool starts, mm.
   double raise = 0;
   bool picture = false;
+  /// Outlive the run; null: time is virtual, bytes stay in the process, nobody stops the skill.
+  runtime::Pace* pace = nullptr;
+  runtime::Carrier* alter_carrier = nullptr;
+  const runtime::RunControl* control = nullptr;
 };
 
 struct SessionResult {
   runtime::Outcome outcome;
   runtime::Time phase{};         // as given or drawn
-  std::vector<sim::Sample> log;  // until the arm has come to rest
+  std::vector<sim::Sample> log;  // from the skill's beginning, time 0, until the arm has come to rest
   double peak_force = 0;         // N
   double resting_force = 0;      // N, at the end of the log
   sim::Picture picture;
