@@ -148,7 +148,7 @@ class Robot final : public runtime::Device {
 };
 
 std::unique_ptr<runtime::Skill> make() {
-  return made::make_survey(std::make_unique<FindSeam>(), std::make_unique<Aim>());
+  return made::make_survey(std::make_unique<Aim>(), std::make_unique<FindSeam>());
 }
 
 runtime::Outcome run(Finder& finder, Robot& robot, std::vector<runtime::ParameterValue> parameters = {}) {
@@ -268,7 +268,7 @@ TEST_CASE("parameters that are texts are checked") {
   CHECK_FALSE(made::set_text_parameter(parameters, "place", "park"));
   CHECK_THROWS_WITH(made::set_text_parameter(parameters, "location", "above the conveyor, left."),
                     "parameter location has 25 characters; it may have up to 24");
-  CHECK_THROWS_WITH(made::set_text_parameter(parameters, "location", "K\xC3\xBCche"),
+  CHECK_THROWS_WITH(made::set_text_parameter(parameters, "location", "Caf\xC3\xA9"),
                     "parameter location may have printable characters of ASCII only");
   CHECK(parameters.location == "");
 
