@@ -137,9 +137,11 @@ std::optional<Foreign> foreign_form(const Tokens& tokens, const antlr4::Token* a
   }
   const bool payload = rule == Parser::RuleFieldGroup || rule == Parser::RulePayload ||
                        rule == Parser::RuleType || rule == Parser::RuleMessageUnit;
-  if (!payload) return std::nullopt;
-  const auto misplaced = size_elsewhere(around);
-  return misplaced ? misplaced : type_elsewhere(around);
+  // Behind a unit the declaration may be over already: then it is the file that has no use for a bracket.
+  const bool declared = payload || rule == Parser::RulePhysicalUnit || rule == Parser::RuleUnitFactor ||
+                        rule == Parser::RuleFile;
+  if (auto misplaced = declared ? size_elsewhere(around) : std::nullopt) return misplaced;
+  return payload ? type_elsewhere(around) : std::nullopt;
 }
 
 }  // namespace pal::syntax
