@@ -73,7 +73,7 @@ void Monitor::abort(Line& line) {
   if (machine_.alter != nullptr && machine_.alter->is_open()) machine_.alter->close();
   std::string shown;
   if (program_) {
-    shown = "Program " + program_->name + " stopped at step " + std::to_string(program_->step + 1) + "\r\n";
+    shown = "Stopped " + program_->name + " at step " + std::to_string(program_->step + 1) + "\r\n";
     machine_.timeline.cancel(program_next_);
     machine_.attached = false;
     program_.reset();
@@ -129,7 +129,7 @@ void Monitor::status(Line& line) {
                 machine_.program_speed.straight.value_or(machine_.program_speed.percent),
                 machine_.program_speed.straight ? " mm/s" : "");
   shown_ = text.data();
-  shown_ += program_ ? "Program " + program_->name + " runs, step " + std::to_string(program_->step + 1)
+  shown_ += program_ ? program_->name + " runs, step " + std::to_string(program_->step + 1)
                      : std::string("No program runs");
   shown_ += "\r\nALTER is ";
   shown_ += machine_.alter == nullptr ? "not there" : machine_.alter->is_open() ? "open" : "closed";

@@ -93,7 +93,7 @@ class PlainAlter final : public AlterControl {
 };
 
 /// The controller at one end of a wire, a person at the other.
-struct Bench final : runtime::LinkUser {
+struct Bench : runtime::LinkUser {
   Bench() { wire.a().connect(this); }
   void on_bytes(runtime::Bytes bytes) override { seen += runtime::as_text(bytes); }
   void on_break(std::string_view) override {}
