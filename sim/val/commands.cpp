@@ -97,9 +97,9 @@ void Monitor::tool(Line& line) {
 void Monitor::where(Line& line) {
   line.end();
   const Joints q = machine_.arm.joints();
-  shown_ = "    X        Y        Z        O        A        T\r\n" + columns(figures_of(machine_.here(q))) +
-           "\r\n   JT1      JT2      JT3      JT4      JT5      JT6\r\n" + joint_columns(val_joints(q)) +
-           "\r\n";
+  shown_ =
+      "    X        Y        Z        O        A        T\r\n" + columns(shown_figures(machine_.here(q))) +
+      "\r\n   JT1      JT2      JT3      JT4      JT5      JT6\r\n" + joint_columns(val_joints(q)) + "\r\n";
 }
 
 void Monitor::point(Line& line) {
@@ -143,7 +143,7 @@ void Monitor::list_locations(Line& line) {
   for (const auto& [name, place] : machine_.store.locations) {
     std::array<char, 32> padded{};
     std::snprintf(padded.data(), padded.size(), "%-20s", name.c_str());
-    shown_ += padded.data() + columns(figures_of(place)) + "\r\n";
+    shown_ += padded.data() + columns(shown_figures(place)) + "\r\n";
   }
 }
 

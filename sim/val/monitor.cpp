@@ -146,7 +146,7 @@ void Monitor::ask_location(const std::string& name) {
   state_ = State::asking;
   output_("  X/JT1    Y/JT2    Z/JT3    O/JT4    A/JT5    T/JT6" +
           std::string(defined ? "" : "   *Undefined value*") + "\r\n" +
-          columns(defined ? figures_of(found->second) : Figures{}) + "\r\nChange? ");
+          columns(defined ? shown_figures(found->second) : Figures{}) + "\r\nChange? ");
 }
 
 // Empty: all right as it is. Otherwise up to six figures between commas; what is left out stays.

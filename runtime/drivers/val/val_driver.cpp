@@ -15,7 +15,8 @@ using val::Error;
 using val::Verb;
 
 constexpr std::size_t command_port = 0;
-constexpr std::size_t answer_port = 1;
+constexpr std::size_t request_port = 1;
+constexpr std::size_t answer_port = 2;
 constexpr std::size_t location_at = 1, second_at = location_at + Text::slots,
                       figures_at = second_at + Text::slots;
 constexpr std::size_t error_at = 2, values_at = error_at + Text::slots;
@@ -33,7 +34,7 @@ std::vector<PortSpec> val_ports() {
   PortSpec answer{"answer", false, {{"ok", ""}, {"code", ""}}};
   answer.fields.push_back({"error", "", FieldKind::text});
   answer.fields.push_back({"values", "", FieldKind::number, 12});
-  return {command, answer};
+  return {command, {"request answer", true, {}}, answer};
 }
 
 std::string text_at(std::span<const double> fields, std::size_t at) {
@@ -75,14 +76,16 @@ void ValDriver::attach(DeviceHost& host) {
 }
 
 void ValDriver::receive(std::size_t port, std::span<const double> fields) {
+  if (port == request_port) {
+    queue_.push_back({std::exchange(command_, std::nullopt), nullptr, true});
+    return next();
+  }
   if (port != command_port) return;
-  Command command;
+  Command& command = command_.emplace();
   command.verb = static_cast<Verb>(static_cast<std::int64_t>(fields[0]));
   command.location = text_at(fields, location_at);
   command.second = text_at(fields, second_at);
   std::copy_n(fields.begin() + figures_at, command.figures.size(), command.figures.begin());
-  queue_.push_back({std::move(command), nullptr, true});
-  next();
 }
 
 void ValDriver::submit(Command command, Done done) {
@@ -90,7 +93,8 @@ void ValDriver::submit(Command command, Done done) {
   next();
 }
 
-bool ValDriver::withdraw(std::size_t) {
+bool ValDriver::withdraw(std::size_t port) {
+  if (port != request_port) return false;
   // What is under way is answered; the youngest that waits is not carried out.
   for (std::size_t i = queue_.size(); i-- > (carries_out() ? 1U : 0U);) {
     if (!queue_[i].of_skill) continue;
@@ -105,6 +109,7 @@ void ValDriver::close() {
   const bool left_running = std::exchange(left_running_, false);
   const bool under_way = carries_out() && queue_.front().of_skill;
   std::erase_if(queue_, [](const Waiting& waiting) { return waiting.of_skill; });
+  command_.reset();
   if (!under_way && !(left_running && state_ == State::idle)) return;
   execute_owed_ = false;
   clear_line(true);
@@ -132,8 +137,9 @@ void ValDriver::next() {
   if (state_ != State::idle) return;
   const Waiting& first = queue_.front();
   if (first.of_skill && host_ != nullptr) host_->mark_busy(true);
-  if (first.command.verb == Verb::clear) return finish(std::exchange(executed_, {}));
-  val::LineOf line = val::line_of(first.command);
+  if (!first.command) return finish(Answer::failed(Error::refused, "no command was sent"));
+  if (first.command->verb == Verb::clear) return finish(std::exchange(executed_, {}));
+  val::LineOf line = val::line_of(*first.command);
   if (!line.problem.empty()) return finish(Answer::failed(Error::refused, line.problem));
   line_ = std::move(line.line);
   tries_ = 0;
@@ -176,13 +182,13 @@ void ValDriver::on_bytes(Bytes bytes) {
 void ValDriver::look_for_echo() {
   if (!heard_.ends_with(line_)) return;
   const Waiting& first = queue_.front();
-  state_ = first.command.verb == Verb::point ? State::question : State::answer;
+  state_ = first.command->verb == Verb::point ? State::question : State::answer;
   heard_.clear();
   figures_.clear();
   send("\r");
-  wait(val::answer_time(first.command, options_.answer_within, options_.motion_within),
+  wait(val::answer_time(*first.command, options_.answer_within, options_.motion_within),
        &ValDriver::answer_missing);
-  if (first.command.verb == Verb::execute) {
+  if (first.command->verb == Verb::execute) {
     execute_owed_ = true;
     reply(first, {});
   }
@@ -201,7 +207,7 @@ void ValDriver::look_for_answer() {
   }
   if (prompt == std::string::npos) return;
   const std::string shown = prompt > begin + 1 ? heard_.substr(begin + 1, prompt - begin - 1) : std::string();
-  finish(val::read_answer(queue_.front().command, figures_ + shown));
+  finish(val::read_answer(*queue_.front().command, figures_ + shown));
 }
 
 void ValDriver::answer_missing() {
@@ -226,7 +232,7 @@ void ValDriver::finish(const Answer& answer) {
 
 void ValDriver::reply(const Waiting& to, const Answer& answer) {
   if (!answer.ok) last_error_ = answer.text;
-  const Verb verb = to.command.verb;
+  const Verb verb = to.command ? to.command->verb : Verb::clear;
   if (to.of_skill && answer.ok && (verb == Verb::execute || verb == Verb::open_alter)) left_running_ = true;
   if (verb == Verb::abort || verb == Verb::close_alter) left_running_ = false;
   if (to.done) to.done(answer);

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,9 @@ struct ValOptions {
   Time motion_within = std::chrono::minutes(2);
 };
 
-/// Ports: `command` to the device (verb: val::Verb; location, second: texts; a to f), `answer` from it (ok;
-/// code: val::Error; error: the first 24 characters of its text; values: 12 numbers). One answer to each
-/// command, in their order; a command that comes while another is carried out waits.
+/// Ports: `command` to the device (verb: val::Verb; location, second: texts; a to f); `request answer` to it,
+/// which has the last command carried out; `answer` from it (ok; code: val::Error; error: the first 24
+/// characters of its text; values: 12 numbers). A request that comes while a command is carried out waits.
 ///
 /// A line goes out without its Return; that follows when the echo has come back as it was sent, so that no
 /// line is carried out that was garbled on its way. What VAL shows unasked is passed over. When an answer
@@ -69,7 +70,7 @@ class ValDriver final : public Driver, public LinkUser {
     clearing,  // waits until VAL shows its prompt and nothing more comes
   };
   struct Waiting {
-    val::Command command;
+    std::optional<val::Command> command;  // nothing: the skill asked for an answer to nothing
     Done done;
     bool of_skill = false;
   };
@@ -97,10 +98,11 @@ class ValDriver final : public Driver, public LinkUser {
   std::vector<PortSpec> ports_;
   DeviceHost* host_ = nullptr;
   State state_ = State::unknown;
-  std::deque<Waiting> queue_;  // the first is under way if carries_out()
-  std::string line_;           // of the first
-  std::string heard_;          // since the line, or its Return, was sent
-  std::string figures_;        // of a POINT, when its question is answered
+  std::deque<Waiting> queue_;            // the first is under way if carries_out()
+  std::optional<val::Command> command_;  // that the skill has sent, and not asked an answer to
+  std::string line_;                     // of the first
+  std::string heard_;                    // since the line, or its Return, was sent
+  std::string figures_;                  // of a POINT, when its question is answered
   int tries_ = 0;
   bool broken_ = false;
   bool execute_owed_ = false;  // the first in the queue is an EXECUTE that was answered already

@@ -220,22 +220,27 @@ TEST_CASE("VAL's driver as a device: ports, answers, and an end in the middle of
   Driven cell;
   Host host;
   const auto& ports = cell.driver.ports();
-  REQUIRE(ports.size() == 2);
+  REQUIRE(ports.size() == 3);
   CHECK(ports[0].message == "command");
   CHECK(ports[0].to_device);
-  CHECK(ports[1].message == "answer");
+  CHECK(ports[1] == pal::runtime::PortSpec{"request answer", true, {}});
+  CHECK(ports[2].message == "answer");
   CHECK_FALSE(cell.driver.ready());
   cell.driver.prepare();
   while (!cell.driver.ready()) cell.timeline.advance_to(cell.timeline.next());
   CHECK(cell.driver.trouble().empty());
   cell.driver.attach(host);
   cell.driver.open();
-  cell.driver.receive(0, fields(Verb::here, "A"));
-  cell.driver.receive(0, fields(Verb::drive, {}, 9, 1));
+  const auto ask = [&](const std::array<double, 15>& command) {
+    cell.driver.receive(0, command);
+    cell.driver.receive(1, {});
+  };
+  ask(fields(Verb::here, "A"));
+  ask(fields(Verb::drive, {}, 9, 1));
   cell.timeline.advance_to(cell.timeline.now() + 2s);
   REQUIRE(host.delivered.size() == 2);
   CHECK(host.marks == std::vector<bool>{true, false, true, false});
-  CHECK(host.delivered[0].first == 1);
+  CHECK(host.delivered[0].first == 2);
   REQUIRE(host.delivered[0].second.size() == 18);
   CHECK(host.delivered[0].second[0] == 1);
   CHECK(host.delivered[1].second[0] == 0);
@@ -244,13 +249,13 @@ TEST_CASE("VAL's driver as a device: ports, answers, and an end in the middle of
   pal::runtime::get(text, host.delivered[1].second, 2);
   CHECK(text.view() == "Illegal value 1 to 6 is ");
 
-  cell.driver.receive(0, fields(Verb::speed, {}, 10));
-  cell.driver.receive(0, fields(Verb::ready));
-  cell.driver.receive(0, fields(Verb::move, "A"));
-  CHECK(cell.driver.withdraw(0));
+  ask(fields(Verb::speed, {}, 10));
+  ask(fields(Verb::ready));
+  ask(fields(Verb::move, "A"));
+  CHECK(cell.driver.withdraw(1));
   cell.timeline.advance_to(cell.timeline.now() + 1s);
   CHECK_FALSE(cell.arm.at_rest());
-  CHECK_FALSE(cell.driver.withdraw(0));
+  CHECK_FALSE(cell.driver.withdraw(1));
   cell.driver.close();
   CHECK_FALSE(cell.driver.ready());
   while (!cell.driver.ready()) cell.timeline.advance_to(cell.timeline.next());
@@ -258,10 +263,18 @@ TEST_CASE("VAL's driver as a device: ports, answers, and an end in the middle of
   CHECK(cell.arm.at_rest());
   CHECK(host.delivered.size() == 3);
 
+  // An answer to nothing.
+  cell.driver.attach(host);
+  cell.driver.receive(1, {});
+  cell.timeline.advance_to(cell.timeline.now() + 1s);
+  REQUIRE(host.delivered.size() == 4);
+  CHECK(host.delivered[3].second[1] == static_cast<double>(DriverError::refused));
+  cell.driver.close();
+
   // A program that the skill began does not outlive it.
   cell.machine.store.programs["PROG1"] = {"DELAY 100"};
   cell.driver.attach(host);
-  cell.driver.receive(0, fields(Verb::execute, {}, 1, -1));
+  ask(fields(Verb::execute, {}, 1, -1));
   cell.timeline.advance_to(cell.timeline.now() + 1s);
   CHECK(cell.machine.attached);
   cell.driver.close();
