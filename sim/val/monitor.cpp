@@ -20,9 +20,10 @@ void Monitor::greet() {
 }
 
 void Monitor::line(std::string_view text) {
-  if (state_ == State::asking) return change_location(std::string(text));
-  if (state_ == State::idle) return take(std::string(text));
-  if (state_ == State::doing && Line(text).word() == "ABORT") return stop("*Aborted*\r\n.");
+  const bool abort = Line(text).word() == "ABORT";
+  if (state_ == State::asking && !abort) return change_location(std::string(text));
+  if (state_ == State::idle || state_ == State::asking) return take(std::string(text));
+  if (state_ == State::doing && abort) return stop("*Aborted*\r\n.");
   waiting_.emplace_back(text);
 }
 

@@ -290,4 +290,10 @@ TEST_CASE("VAL's driver: how long a command takes follows from the line and the 
   // "SPEED 50" there and back, Return, 5 ms of VAL's (the echo of Return is shorter), the prompt.
   const Time wanted = cell.wire.speed().duration(8 + 8 + 1) + 5ms + cell.wire.speed().duration(1);
   CHECK(std::abs((cell.timeline.now() - begin - wanted).count()) <= 5);
+
+  // WHERE: an echo of 5, Return, four lines and the prompt.
+  const Time asked = cell.timeline.now();
+  REQUIRE(cell.ask(Verb::where).ok);
+  const Time shown = cell.wire.speed().duration(5 + 5 + 1) + 5ms + cell.wire.speed().duration(217 + 1);
+  CHECK(std::abs((cell.timeline.now() - asked - shown).count()) <= 5);
 }

@@ -117,7 +117,7 @@ struct Bench : runtime::LinkUser {
   PlainArm arm{timeline};
   PlainHand hand{timeline};
   PlainAlter alter;
-  Machine machine{timeline, arm, &hand, &alter, {}, Pose::Identity(), 100, {}, {}, {}, {}, {}, false};
+  Machine machine{.timeline = timeline, .arm = arm, .hand = &hand, .alter = &alter};
   runtime::Wire wire{timeline, {.baud = 9600}};
   Terminal terminal{wire.b(), machine};
   std::string seen;

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "sim/random.hpp"
 #include "tests/unit/sim/val_support.hpp"
 
 using namespace pal::sim;
@@ -216,7 +217,9 @@ TEST_CASE("VAL: POINT shows a location, asks, and takes changes until an empty l
   bench.type("7\r");
   CHECK(bench.type("\r") == "\r\n.");
   CHECK(x_of(bench, "FRESH") == Approx(7));
-  // Control-C leaves the question, too.
+  // ABORT and Control-C leave the question, too.
+  bench.type("POINT fresh\r");
+  CHECK(bench.type("ABORT\r") == "ABORT\r\n.");
   bench.type("POINT fresh\r");
   CHECK(bench.type("8\x03") == "8^C\r\n.");
   CHECK(x_of(bench, "FRESH") == Approx(7));
@@ -331,4 +334,26 @@ TEST_CASE("VAL: lists, forgetting, help") {
   CHECK(bench.ask("LISTP") == " .PROGRAM P\r\n   1  MOVE a\r\n .END\r\n");
   CHECK(bench.ask("HELP").find("CALIBRATE") != std::string::npos);
   CHECK(bench.ask("DO SET averyveryverylongname1 = NULL") == "*Name too long* AVERYVERYVERYLONGNAME1\r\n");
+}
+
+TEST_CASE("VAL: whatever is typed, an answer comes, and ABORT brings back the prompt") {
+  constexpr std::uint64_t seed = 11;
+  INFO("seed " << seed);
+  Random random(seed, 0);
+  const std::vector<std::string> words{
+      "DO",   "MOVE", "MOVES", "APPRO",   "DEPART",  "DRI",   "SET",   "SPEED", "POINT", "HERE",    "WHERE",
+      "TOOL", "BASE", "ALTER", "NOALTER", "EXECUTE", "ABORT", "TRANS", "SHIFT", "BY",    "INVERSE", "NULL",
+      "A",    "B",    "PROG1", "(",       ")",       ",",     ":",     "=",     "1",     "-7.5",    "300",
+      "1e3",  ".",    "*",     "?",       "\x03",    "\x15",  "\x7f",  "\xff",  "MODE1", "LISTL"};
+  Bench bench;
+  bench.machine.store.programs["PROG1"] = {"MOVES A", "TYPE MODE1", "DELAY 1"};
+  for (int i = 0; i < 600; ++i) {
+    std::string line = i % 2 == 0 ? "DO" : "";
+    for (auto n = 1 + static_cast<int>(6 * random.unit()); n > 0; --n)
+      line += " " + words[static_cast<std::size_t>(random.unit() * static_cast<double>(words.size()))];
+    CAPTURE(line);
+    bench.type(line + "\r", 2s);
+    const std::string answer = bench.type("ABORT\r", 3s);
+    REQUIRE(answer.ends_with("."));
+  }
 }

@@ -43,7 +43,7 @@ struct Cell final : pal::runtime::LinkUser {
   pal::runtime::Timeline timeline;
   WorkcellArm arm{workcell, timeline};
   WorkcellHand hand{workcell, timeline};
-  Machine machine{timeline, arm, &hand, nullptr, {}, Pose::Identity(), 100, {}, {}, {}, {}, {}, false};
+  Machine machine{.timeline = timeline, .arm = arm, .hand = &hand};
   pal::runtime::Wire wire{timeline, {.baud = 9600}};
   Terminal terminal{wire.b(), machine};
   std::string seen;
