@@ -7,8 +7,11 @@
 #include "pal/support/duration_text.hpp"
 #include "pal/support/nearest.hpp"
 #include "pal/support/output.hpp"
+#include "runtime/drivers/streams/carrier.hpp"
+#include "runtime/drivers/streams/outside.hpp"
 #include "sim/program/command_line.hpp"
 #include "sim/program/comparison.hpp"
+#include "sim/program/interrupt.hpp"
 #include "sim/program/report_files.hpp"
 
 namespace pal::workcell {
@@ -101,9 +104,31 @@ bool print(const std::vector<Promise>& promises, std::ostream& out) {
   return kept;
 }
 
+std::unique_ptr<runtime::Carrier> make_carrier(const std::string& links) {
+  try {
+    if (links == "pty") return runtime::pseudo_terminal_carrier();
+    if (links == "tcp") return runtime::tcp_carrier();
+  } catch (const std::exception& problem) {
+    throw Failure(ExitStatus::usage, "--links " + links, problem.what(), "use --links process");
+  }
+  return nullptr;
+}
+
+/// Runs the session in the time and over the links that the command asks for; Ctrl-C stops it.
+SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Session session) {
+  std::optional<runtime::Outside> outside;
+  if (command.paced > 0) session.pace = &outside.emplace(command.paced);
+  const auto carrier = make_carrier(command.links);
+  session.alter_carrier = carrier.get();
+  runtime::RunControl control;
+  const Interrupt interrupt(control);
+  session.control = &control;
+  return run_session(skill, session);
+}
+
 ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime::Skill& skill,
                     const Session& session, std::ostream& out) {
-  const SessionResult result = run_session(skill, session);
+  const SessionResult result = run_as_asked(command, skill, session);
   const runtime::Outcome& outcome = result.outcome;
   out << fmt::format("{} in scene {}: {} {}\n", skill.description().name, session.scene.name,
                      outcome.fault ? "fault, completion" : "completion", outcome.code);
