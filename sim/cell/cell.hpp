@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "runtime/drivers/alter/driver.hpp"
 #include "runtime/drivers/station.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/scene.hpp"
@@ -25,11 +27,15 @@ struct CellOptions {
   std::optional<runtime::Time> phase;
   /// How station time goes by; null: it is virtual. Outlives the cell.
   runtime::Pace* pace = nullptr;
-  /// What carries the bytes of ALTER's line; null: they stay in the process. Outlives the cell.
-  runtime::Carrier* alter_carrier = nullptr;
+  /// What carries the bytes of a device's line: empty, or gives null: they stay in the process.
+  std::function<std::unique_ptr<runtime::Carrier>()> carrier;
+  /// The physics as it is looked at while it moves; empty: nobody looks.
+  std::function<std::unique_ptr<runtime::World>(Workcell&)> watch;
+  /// What the skill is given in place of a device; empty: the device. Outlives the cell.
+  std::function<runtime::Device&(runtime::Device&)> tap;
 };
 
-/// Devices: alter, force-torque.
+/// Devices: alter, force-torque; gripper or range-finder where the scene's tool is one.
 class Cell {
  public:
   /// Throws SceneError.
@@ -47,8 +53,13 @@ class Cell {
   runtime::Time phase() const { return phase_; }
   Workcell& workcell();
   runtime::Station& station();
-  runtime::AlterDriver& alter();
-  runtime::Wire& alter_line();
+
+  /// The lines by the names of their devices: for faults on demand.
+  struct Line {
+    std::string device;
+    runtime::Wire* wire = nullptr;
+  };
+  const std::vector<Line>& lines() const;
 
  private:
   struct Parts;

@@ -1,7 +1,10 @@
 #include "sim/cell/served_port.hpp"
 
-#include "sim/cell/workcell_arm.hpp"
+#include "sim/cell/corrected_arm.hpp"
 #include "sim/devices/alter_emulator.hpp"
+#include "sim/devices/force_torque_emulator.hpp"
+#include "sim/val/terminal.hpp"
+#include "sim/val/workcell_arm.hpp"
 
 namespace pal::sim {
 namespace {
@@ -29,8 +32,25 @@ class ServedAlter final : private runtime::Link, private runtime::LinkUser {
 
   runtime::Link& line_;
   LinkUser* user_ = nullptr;
-  WorkcellArm arm_;
+  CorrectedArm arm_;
   AlterEmulator port_;
+};
+
+struct ServedVal {
+  ServedVal(runtime::Timeline& timeline, runtime::Link& line, Workcell& workcell)
+      : arm(workcell, timeline),
+        hand(workcell, timeline),
+        machine{timeline, arm, workcell.tool_kind() == ToolKind::gripper ? &hand : nullptr,
+                nullptr,  {},  Pose::Identity(),
+                100,      {},  {},
+                {},       {},  {},
+                false},
+        terminal(line, machine) {}
+
+  val::WorkcellArm arm;
+  val::WorkcellHand hand;
+  val::Machine machine;
+  val::Terminal terminal;
 };
 
 }  // namespace
@@ -41,6 +61,19 @@ std::vector<ServedPort> served_ports() {
        runtime::alter::line,
        [](auto& timeline, auto& link, auto& workcell, auto) {
          return std::make_shared<ServedAlter>(timeline, link, workcell);
+       }},
+      {"force-torque", "the ATI force-torque sensor", ForceTorqueEmulatorOptions{}.line,
+       [](auto& timeline, auto& link, auto& workcell, auto seed) {
+         ForceTorqueEmulatorOptions sensor;
+         sensor.seed = seed;
+         return std::make_shared<ForceTorqueEmulator>(
+             timeline, link, [&workcell] { return workcell.wrench(); }, sensor);
+       }},
+      {"val",
+       "VAL II's terminal; DO ALTER has no line of its own here",
+       {9600, 10},
+       [](auto& timeline, auto& link, auto& workcell, auto) {
+         return std::make_shared<ServedVal>(timeline, link, workcell);
        }},
   };
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/cell/cell.hpp"
+#include "sim/program/onlookers.hpp"
 
 namespace pal::workcell {
 namespace {
@@ -19,16 +20,43 @@ std::vector<sim::Sample> log_since(const std::vector<sim::Sample>& log, runtime:
   return result;
 }
 
+/// The workcell, and what looks at it, which goes before it.
+struct OnlookedWorld final : runtime::World {
+  OnlookedWorld(sim::Workcell& workcell, const runtime::Skill& skill, const Session& session)
+      : onlookers(workcell, skill, session), watched(workcell, onlookers.watchers()) {}
+  void advance_to(runtime::Time when) override { watched.advance_to(when); }
+
+  Onlookers onlookers;
+  WatchedWorld watched;
+};
+
 }  // namespace
 
+std::string title(const runtime::Skill& skill, const Session& session) {
+  return std::string(skill.description().name) + " in scene " + session.scene.name;
+}
+
 SessionResult run_session(runtime::Skill& skill, const Session& session) {
-  sim::Cell cell(session.scene, {.raise = session.raise,
-                                 .seed = session.seed,
-                                 .times = session.times,
-                                 .phase = session.phase,
-                                 .pace = session.pace,
-                                 .alter_carrier = session.alter_carrier});
   SessionResult result;
+  result.messages = std::make_unique<sim::MessageLog>();
+  OnlookedWorld* world = nullptr;
+  sim::CellOptions cell_options;
+  cell_options.raise = session.raise;
+  cell_options.seed = session.seed;
+  cell_options.times = session.times;
+  cell_options.phase = session.phase;
+  cell_options.pace = session.pace;
+  cell_options.carrier = session.carrier;
+  cell_options.watch = [&](sim::Workcell& workcell) {
+    auto made = std::make_unique<OnlookedWorld>(workcell, skill, session);
+    world = made.get();
+    return made;
+  };
+  cell_options.tap = [&](runtime::Device& device) -> runtime::Device& {
+    return result.messages->watch(device);
+  };
+  sim::Cell cell(session.scene, cell_options);
+
   runtime::RunOptions options;
   options.costs = session.times;
   options.seed = session.seed;
@@ -37,11 +65,13 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   result.phase = cell.phase();
 
   cell.rest(rest);
+  // Before the picture: OpenGL is drawn with by one thread at a time.
+  result.video_problem = world->onlookers.end();
   result.log = log_since(cell.workcell().log(), cell.station().begun());
   for (const sim::Sample& sample : result.log)
     result.peak_force = std::max(result.peak_force, sample.contact_force);
   if (!result.log.empty()) result.resting_force = result.log.back().contact_force;
-  if (session.picture) result.picture = sim::take_picture(cell.workcell());
+  if (session.picture) result.picture = sim::take_picture(cell.workcell(), captioned({}, skill, session));
   return result;
 }
 
@@ -52,6 +82,13 @@ std::optional<double> parameter_value(const runtime::Skill& skill, const Session
   for (const runtime::ParameterSpec& parameter : skill.description().parameters)
     if (parameter.name == name) return parameter.default_value;
   return std::nullopt;
+}
+
+std::string text_parameter(const runtime::ParameterSpec& parameter, const Session& session) {
+  std::string text(parameter.default_text);
+  for (const runtime::ParameterValue& value : session.parameters)
+    if (value.name == parameter.name) text = value.text.value_or(text);
+  return text;
 }
 
 }  // namespace pal::workcell
