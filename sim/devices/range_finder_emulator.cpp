@@ -36,7 +36,8 @@ double range_error(double z) {
   };
   static constexpr std::array<Known, 4> known{{{150, 0.1}, {250, 0.2}, {850, 2}, {1000, 20}}};
   if (z <= known.front().z) return known.front().error;
-  const auto above = std::find_if(known.begin() + 1, known.end() - 1, [z](const Known& k) { return k.z >= z; });
+  const auto above =
+      std::find_if(known.begin() + 1, known.end() - 1, [z](const Known& k) { return k.z >= z; });
   const Known& a = *(above - 1);
   const double part = (z - a.z) / (above->z - a.z);
   return a.error * std::pow(above->error / a.error, part);
@@ -188,7 +189,7 @@ std::string RangeFinderEmulator::measured(const Point& point) {
   const double error = std::clamp(limit / 2 * noise_.normal(), -limit, limit);
   const double z = point.z + error;
   const double y = point.y * z / point.z;
-  std::array<char, 24> text{};
+  std::array<char, 48> text{};
   std::snprintf(text.data(), text.size(), "%05ld %05ld", std::lround(y * 10) + protocol::x_offset,
                 std::lround(z * 10));
   return text.data();
