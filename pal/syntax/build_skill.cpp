@@ -80,6 +80,7 @@ void Builder::add_slot(SkillUnit& skill, Parser::SlotContext* context) {
 }
 
 Parameter Builder::parameter(Parser::ParameterSlotContext* context) {
+  const auto errors_before = diagnostics_.errors();
   Parameter result;
   result.name = name(context->name());
   result.where = span(context);
@@ -99,6 +100,8 @@ Parameter Builder::parameter(Parser::ParameterSlotContext* context) {
     result.high = take();
   }
   result.description = text(context->STRING());
+  // A figure that could not be read is no wrong default or range besides.
+  if (diagnostics_.errors() != errors_before) diagnostics_.distrust(result.where);
   return result;
 }
 
