@@ -8,11 +8,13 @@
 namespace pal::sensing {
 namespace {
 
-constexpr double connected = 6;           // deviations between neighbours
-constexpr double steepest = 1.7;          // of a surface: 60 degrees
-constexpr std::size_t seed_reach = 6;     // points on either side that a line begins with
-constexpr std::size_t reach = 40;         // to which it goes on
-constexpr std::size_t least_surface = 3;  // points
+constexpr double connected = 6;        // deviations between neighbours
+constexpr double steepest = 1.7;       // of a surface: 60 degrees
+constexpr std::size_t seed_reach = 6;  // points on either side that a line begins with
+constexpr std::array<std::size_t, 5> reaches{2, 6, 20, 40, 80};  // to which it goes on
+constexpr double outlier = 4;                                    // deviations; counts no more than this
+constexpr double uneven = 1.25;                                   // deviations, root mean square
+constexpr std::size_t least_surface = 3;                         // points
 
 bool connects(const Points& points, std::size_t i, double noise) {  // with i + 1
   const double allowed = connected * noise + steepest * std::abs(points.y[i + 1] - points.y[i]);
@@ -31,17 +33,32 @@ Stretch around(const Points& points, std::size_t i, std::size_t left, std::size_
   return stretch;
 }
 
-// The longest line to the point: through it, or only on one side, where the nearest point is a ridge.
+// Whether the points lie as evenly about the line as their noise has it: about a chord of a curve they do
+// not.
+bool straight(const Points& points, const LineOnStretch& fitted, double noise) {
+  double squares = 0;
+  for (std::size_t i = fitted.stretch.begin; i < fitted.stretch.end; ++i) {
+    const double off = std::min(std::abs(points.z[i] - fitted.line.at(points.y[i])) / noise, outlier);
+    squares += off * off;
+  }
+  return squares <= uneven * uneven * static_cast<double>(fitted.stretch.size());
+}
+
+// The longest straight line to the point: through it, or only on one side, where the nearest point is a
+// ridge.
 LineOnStretch line_at(const Points& points, std::size_t i, double noise) {
   LineOnStretch longest;
-  for (const auto& [left, right] : {std::array<std::size_t, 2>{1, 1}, {1, 0}, {0, 1}}) {
-    const auto sides = [&](std::size_t count) {
-      return around(points, i, left * count, right * count, noise);
-    };
-    const Stretch seed = sides(seed_reach);
-    if (seed.size() < least_surface) continue;
-    const LineOnStretch grown = grow_line(points, seed, sides(reach), noise);
-    if (grown.stretch.size() > longest.stretch.size()) longest = grown;
+  for (const std::size_t reach : reaches) {
+    for (const auto& [left, right] : {std::array<std::size_t, 2>{1, 1}, {1, 0}, {0, 1}}) {
+      const auto sides = [&](std::size_t count) {
+        return around(points, i, left * count, right * count, noise);
+      };
+      const Stretch seed = sides(std::min(seed_reach, reach));
+      if (seed.size() < least_surface) continue;
+      const LineOnStretch grown = grow_line(points, seed, sides(reach), noise);
+      const bool usable = straight(points, grown, noise) || longest.stretch.size() == 0;
+      if (usable && grown.stretch.size() > longest.stretch.size()) longest = grown;
+    }
   }
   return longest;
 }

@@ -9,6 +9,7 @@ namespace {
 constexpr double spike = 6;                            // deviations
 constexpr double steepest = 1.7;                       // of a surface: 60 degrees
 constexpr double step = 0.1;                           // mm
+constexpr double beyond_noise = 4;                     // deviations
 constexpr double median_to_deviation = 1.4826;         // of normally distributed values
 constexpr double middle_to_point = 1.224744871391589;  // sqrt(3/2): a point, and the mean of two
 
@@ -53,7 +54,16 @@ double noise_of(const Points& points) {
   }
   const auto middle = off.begin() + static_cast<std::ptrdiff_t>(count / 2);
   std::nth_element(off.begin(), middle, off.begin() + static_cast<std::ptrdiff_t>(count));
-  return std::max(least, median_to_deviation * *middle / middle_to_point);
+  // The median comes in whole and half steps; it only says what is no noise. What remains is squared.
+  const double limit = beyond_noise * std::max(least, median_to_deviation * *middle);
+  double squares = 0;
+  double counted = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (off[i] > limit) continue;
+    squares += off[i] * off[i];
+    counted += 1;
+  }
+  return std::max(least, std::sqrt(squares / counted) / middle_to_point);
 }
 
 }  // namespace pal::sensing

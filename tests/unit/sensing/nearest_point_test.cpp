@@ -23,11 +23,30 @@ TEST_CASE("nearest point: standoff from 150 to 450 mm, within half the stated er
     const Scan seen = scan(outline({{-600, z - 600 * lean}, {600, z + 600 * lean}}), random);
     const auto nearest = find_nearest_point(seen.profile());
     REQUIRE(nearest);
-    if (std::abs(nearest->z - exact) / test::stated_error(exact) > .5) WARN(z << " exact " << exact << " got " << nearest->z << " at y " << nearest->y);
     worst = std::max(worst, std::abs(nearest->z - exact) / test::stated_error(exact));
   }
   WARN("nearest point of a plane that leans " << lean << ": at most " << worst << " of the stated error off");
   CHECK(worst < 0.5);
+}
+
+TEST_CASE("nearest point: of a ridge, and of a round thing", "[nearest-point]") {
+  std::mt19937 random(6);
+  double ridge = 0, round = 0;  // the worst, in stated errors
+  for (int i = 0; i < 200; ++i) {
+    const double y = std::uniform_real_distribution<double>(-20, 20)(random);
+    const Scan roof = scan(outline({{y - 300, 370}, {y, 200}, {y + 300, 370}}), random);
+    const auto top = find_nearest_point(roof.profile());
+    REQUIRE(top);
+    ridge = std::max(ridge, std::abs(top->z - 200) / test::stated_error(200));
+    test::Outline bar;
+    for (double a = -1.4; a <= 1.4; a += 0.02) bar.push_back({y + 50 * std::sin(a), 250 - 50 * std::cos(a)});
+    const auto crest = find_nearest_point(scan(outline(bar), random).profile());
+    REQUIRE(crest);
+    round = std::max(round, std::abs(crest->z - 200) / test::stated_error(200));
+  }
+  WARN("nearest point: at most " << ridge << " of the stated error off a ridge, " << round << " off a bar");
+  CHECK(ridge < 2.5);
+  CHECK(round < 2.5);
 }
 
 TEST_CASE("nearest point: a narrow thing counts, a spike does not", "[nearest-point]") {
