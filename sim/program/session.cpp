@@ -5,6 +5,7 @@
 
 #include "sim/devices/alter_port.hpp"
 #include "sim/devices/force_torque_sensor.hpp"
+#include "sim/program/onlookers.hpp"
 
 namespace pal::workcell {
 namespace {
@@ -21,27 +22,37 @@ sim::ForceTorqueOptions sensor_options(const Session& session) {
 
 }  // namespace
 
+std::string title(const runtime::Skill& skill, const Session& session) {
+  return std::string(skill.description().name) + " in scene " + session.scene.name;
+}
+
 SessionResult run_session(runtime::Skill& skill, const Session& session) {
   sim::Workcell workcell(session.scene, {.raise = session.raise});
   sim::AlterPort alter(workcell, {.phase = session.phase, .seed = session.seed});
   sim::ForceTorqueSensor sensor(workcell, sensor_options(session));
-  const std::array<runtime::Device*, 2> devices{&alter, &sensor};
-  runtime::Dispatcher dispatcher(devices, workcell);
-
+  Onlookers onlookers(workcell, skill, session);
+  WatchedWorld world(workcell, onlookers.watchers());
   SessionResult result;
+  result.messages = std::make_unique<sim::MessageLog>();
+  const std::array<runtime::Device*, 2> devices{&result.messages->watch(alter),
+                                                &result.messages->watch(sensor)};
+  runtime::Dispatcher dispatcher(devices, world);
+
   runtime::RunOptions options;
   options.costs = session.times;
   options.seed = session.seed;
   result.outcome = dispatcher.run(skill, session.parameters, options);
   result.phase = alter.phase();
 
-  while (!workcell.idle()) workcell.advance_to(workcell.now() + sim::alter_period);
-  workcell.advance_to(workcell.now() + rest);
+  while (!workcell.idle()) world.advance_to(workcell.now() + sim::alter_period);
+  world.advance_to(workcell.now() + rest);
+  // Before the picture: OpenGL is drawn with by one thread at a time.
+  result.video_problem = onlookers.end();
   result.log = workcell.log();
   for (const sim::Sample& sample : result.log)
     result.peak_force = std::max(result.peak_force, sample.contact_force);
   if (!result.log.empty()) result.resting_force = result.log.back().contact_force;
-  if (session.picture) result.picture = sim::take_picture(workcell);
+  if (session.picture) result.picture = sim::take_picture(workcell, captioned({}, skill, session));
   return result;
 }
 

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "runtime/dispatcher.hpp"
 #include "sim/picture/picture.hpp"
+#include "sim/report/message_log.hpp"
 #include "sim/scene.hpp"
 #include "sim/workcell.hpp"
 
@@ -23,21 +26,29 @@ struct Session {
   /// How much higher than in the scene the tool starts, mm.
   double raise = 0;
   bool picture = false;
+  std::string video{};               // the file; empty: none
+  std::ostream* progress = nullptr;  // where progress is shown; nullptr: nowhere
+  bool terminal = false;             // progress is a line that is rewritten
 };
 
 struct SessionResult {
   runtime::Outcome outcome;
   runtime::Time phase{};         // as given or drawn
   std::vector<sim::Sample> log;  // until the arm has come to rest
-  double peak_force = 0;         // N
-  double resting_force = 0;      // N, at the end of the log
+  std::unique_ptr<sim::MessageLog> messages;
+  double peak_force = 0;     // N
+  double resting_force = 0;  // N, at the end of the log
   sim::Picture picture;
+  std::string video_problem;  // why there is no video after all; empty with it, or if none was asked for
 };
 
-/// Runs the skill, then lets the arm end its motion and come to rest. Throws sim::SceneError;
-/// std::runtime_error when the physics diverged after the skill's end (before it, that is a fault of the
-/// skill).
+/// Runs the skill, then lets the arm end its motion and come to rest. Pictures, video and progress change
+/// nothing of the run. Throws sim::SceneError; sim::VideoError, before the run; std::runtime_error when the
+/// physics diverged after the skill's end (before it, that is a fault of the skill).
 SessionResult run_session(runtime::Skill& skill, const Session& session);
+
+/// "touch in scene touch"
+std::string title(const runtime::Skill& skill, const Session& session);
 
 /// The value that the session gives a parameter, or its default; nothing if the skill has none of that name.
 std::optional<double> parameter_value(const runtime::Skill& skill, const Session& session,
