@@ -126,7 +126,8 @@ void RangeFinderEmulator::take_requests() {
 void RangeFinderEmulator::scan_step() {
   const Time passed = timeline_.now() - scan_began_;
   text_.clear();
-  while (next_point_ < protocol::points && protocol::point_time(next_point_) <= passed) cast_point();
+  const Pose pose = view_.pose();
+  while (next_point_ < protocol::points && protocol::point_time(next_point_) <= passed) cast_point(pose);
   if (next_point_ < protocol::points) {
     send(text_);
     next_step_ = timeline_.at(scan_began_ + std::min(passed + step, last_step()), [this] { scan_step(); });
@@ -147,11 +148,11 @@ Time RangeFinderEmulator::last_step() const {
   return protocol::collecting - protocol::line.duration(left * point_length + end_length);
 }
 
-void RangeFinderEmulator::cast_point() {
+void RangeFinderEmulator::cast_point(const Pose& pose) {
   const std::size_t i = next_point_++;
   const Time since = scan_began_ + protocol::point_time(i) - swinging_since_;
   const double swing = 1 - missing_swing * std::exp(-seconds(since) / swing_time);
-  const std::optional<Point> met = meet(angle(i) * swing);
+  const std::optional<Point> met = meet(pose, angle(i) * swing);
   const bool valid = met && met->z >= options_.nearest && met->z <= options_.farthest &&
                      !(before_ && too_steep(*before_, *met));
   before_ = met;
@@ -166,8 +167,7 @@ double RangeFinderEmulator::angle(std::size_t point) const {
   return (part - 0.5) * options_.field_of_view * degree;
 }
 
-std::optional<RangeFinderEmulator::Point> RangeFinderEmulator::meet(double angle) const {
-  const Pose pose = view_.pose();
+std::optional<RangeFinderEmulator::Point> RangeFinderEmulator::meet(const Pose& pose, double angle) const {
   const Eigen::Vector3d ray(0, std::sin(angle), std::cos(angle));
   const std::optional<double> distance = view_.cast(pose.translation(), pose.linear() * ray);
   if (!distance) return std::nullopt;

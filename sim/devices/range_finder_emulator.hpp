@@ -72,8 +72,8 @@ class RangeFinderEmulator final : public runtime::LinkUser {
   void begin_scan();
   void take_requests();
   void scan_step();
-  void cast_point();
-  std::optional<Point> meet(double angle) const;
+  void cast_point(const Pose& pose);
+  std::optional<Point> meet(const Pose& pose, double angle) const;
   bool too_steep(const Point& before, const Point& here) const;
   std::string measured(const Point& point);
   double angle(std::size_t point) const;
