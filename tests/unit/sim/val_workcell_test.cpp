@@ -1,9 +1,13 @@
 // VAL and the physics: what a person at the terminal would see.
 #include <catch2/catch.hpp>
 
+#include "runtime/drivers/alter/driver.hpp"
+#include "runtime/drivers/val/alter_opener.hpp"
 #include "runtime/drivers/wire.hpp"
-#include "sim/val/terminal.hpp"
-#include "sim/val/workcell_arm.hpp"
+#include "sim/cell/workcell_arm.hpp"
+#include "sim/controller/motion_controller.hpp"
+#include "sim/devices/alter_emulator.hpp"
+#include "sim/val/controller.hpp"
 #include "tests/unit/sim/support.hpp"
 
 using namespace pal::sim;
@@ -41,11 +45,11 @@ struct Cell final : pal::runtime::LinkUser {
 
   Workcell workcell;
   pal::runtime::Timeline timeline;
-  WorkcellArm arm{workcell, timeline};
-  WorkcellHand hand{workcell, timeline};
-  Machine machine{.timeline = timeline, .arm = arm, .hand = &hand};
+  pal::runtime::Wire alter_wire{timeline, pal::runtime::alter::line};
+  pal::sim::WorkcellArm altered{workcell};
+  AlterEmulator alter{timeline, alter_wire.b(), altered};
   pal::runtime::Wire wire{timeline, {.baud = 9600}};
-  Terminal terminal{wire.b(), machine};
+  Controller controller{timeline, wire.b(), workcell, &alter};
   std::string seen;
 };
 
@@ -76,7 +80,7 @@ TEST_CASE("VAL in the workcell: what the arm hits ends the motion, and CALIBRATE
   CHECK_FALSE(cell.workcell.fault());
   CHECK(cell.ask("DO MOVES a") == "");
   cell.pass(150ms);
-  CHECK(cell.off(cell.machine.base * cell.machine.store.locations["A"]) < 0.15e-3);
+  CHECK(cell.off(cell.controller.store().locations["A"]) < 0.15e-3);
 }
 
 TEST_CASE("VAL in the workcell: OPENI and CLOSEI wait for the fingers") {
@@ -87,4 +91,28 @@ TEST_CASE("VAL in the workcell: OPENI and CLOSEI wait for the fingers") {
   CHECK(cell.ask("DO CLOSEI") == "");
   CHECK(cell.timeline.now() - begin > 700ms);  // 80 mm at 100 mm/s
   CHECK(cell.workcell.gripper_width() == Approx(0).margin(1));
+}
+
+TEST_CASE("VAL in the workcell: ALTER is opened through VAL, and TOOL sets the point that turns") {
+  Cell cell("nothing");
+  pal::runtime::ValDriver val(cell.timeline, cell.wire.a());
+  pal::runtime::ValAlterOpener opener(val);
+  std::string problem = "no answer yet";
+  const auto done = [&](const std::string& text) { problem = text; };
+  opener.open({.world = false, .cumulative = true}, done);
+  cell.pass(500ms);
+  CHECK(problem.empty());
+  CHECK(cell.alter.is_open() == false);  // nobody has answered it: it has ended itself
+  opener.close(done);
+  cell.pass(500ms);
+  CHECK(problem.find("ALTER") == 0);
+  std::optional<pal::runtime::val::Answer> answer;
+  val.submit({pal::runtime::val::Verb::set_figures, "SEAM", {}, {49, 0, 397, 90, -90, 0}}, nullptr);
+  val.submit({pal::runtime::val::Verb::tool, "SEAM", {}, {}}, [&](const auto& given) { answer = given; });
+  cell.pass(500ms);
+  REQUIRE(answer);
+  CHECK(answer->ok);
+  CHECK((cell.altered.tool().translation() -
+         tool_pose(cell.workcell.joints(), Pose(Eigen::Translation3d(0.049, 0, 0.397))).translation())
+            .norm() < 1e-9);
 }
