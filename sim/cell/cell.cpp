@@ -2,10 +2,12 @@
 
 #include <utility>
 
+#include "runtime/drivers/val/val_driver.hpp"
 #include "sim/cell/workcell_arm.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/devices/force_torque_sensor.hpp"
 #include "sim/random.hpp"
+#include "sim/val/controller.hpp"
 
 namespace pal::sim {
 namespace {
@@ -47,8 +49,12 @@ struct Cell::Parts {
         alter_port(station.timeline(), alter_wire.b(), arm),
         opener(alter_port),
         alter(station.timeline(), alter_wire.a(), opener),
+        val_wire(station.timeline(), val::terminal_line),
+        controller(station.timeline(), val_wire.b(), workcell, &alter_port),
+        val_driver(station.timeline(), val_wire.a()),
         force_torque(workcell, sensor_options(options)) {
     station.add(alter);
+    station.add(val_driver);
     station.add(force_torque);
   }
 
@@ -60,6 +66,9 @@ struct Cell::Parts {
   AlterEmulator alter_port;
   DirectOpener opener;
   runtime::AlterDriver alter;
+  runtime::Wire val_wire;
+  val::Controller controller;
+  runtime::ValDriver val_driver;
   ForceTorqueSensor force_torque;
 };
 
@@ -93,6 +102,18 @@ runtime::Station& Cell::station() {
 
 runtime::AlterDriver& Cell::alter() {
   return parts_->alter;
+}
+
+runtime::ValDriver& Cell::val_driver() {
+  return parts_->val_driver;
+}
+
+val::Store& Cell::val_store() {
+  return parts_->controller.store();
+}
+
+runtime::Wire& Cell::val_line() {
+  return parts_->val_wire;
 }
 
 runtime::Wire& Cell::alter_line() {

@@ -8,8 +8,10 @@
 
 #include "runtime/drivers/alter/driver.hpp"
 #include "runtime/drivers/station.hpp"
+#include "runtime/drivers/val/val_driver.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/scene.hpp"
+#include "sim/val/store.hpp"
 #include "sim/workcell.hpp"
 
 namespace pal::sim {
@@ -26,13 +28,14 @@ struct CellOptions {
   std::optional<runtime::Time> phase;
   /// How station time goes by; null: it is virtual. Outlives the cell.
   runtime::Pace* pace = nullptr;
-  /// What stands between the station and the physics, to look on; empty: nothing. Made once, with the workcell.
+  /// What stands between the station and the physics, to look on; empty: nothing. Made once, with the
+  /// workcell.
   std::function<std::unique_ptr<runtime::World>(Workcell&)> look_on;
   /// What carries the bytes of ALTER's line; null: they stay in the process. Outlives the cell.
   runtime::Carrier* alter_carrier = nullptr;
 };
 
-/// Devices: alter, force-torque.
+/// Devices: alter, force-torque, val.
 class Cell {
  public:
   /// Throws SceneError.
@@ -52,6 +55,10 @@ class Cell {
   runtime::Station& station();
   runtime::AlterDriver& alter();
   runtime::Wire& alter_line();
+  runtime::ValDriver& val_driver();
+  /// Locations that skills can name, and programs: VAL's memory.
+  val::Store& val_store();
+  runtime::Wire& val_line();
 
  private:
   struct Parts;

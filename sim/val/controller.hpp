@@ -2,11 +2,15 @@
 #pragma once
 
 #include "runtime/drivers/link.hpp"
+#include "runtime/drivers/wire.hpp"
 #include "runtime/timeline.hpp"
 #include "sim/val/terminal.hpp"
 #include "sim/val/workcell_arm.hpp"
 
 namespace pal::sim::val {
+
+/// The line of the terminal.
+inline constexpr runtime::LineSpeed terminal_line{9600, 10};
 
 /// Takes bytes and gives bytes. Whoever brings time on brings the workcell to an instant before the
 /// timeline's actions of that instant.
