@@ -13,8 +13,8 @@ struct Acceleration {
   Vector linear;
 };
 
-// Of the point of a body that is at `point`. MuJoCo's spatial vectors (rotation first) are about the centre of
-// mass of the body's tree.
+// Of the point of a body that is at `point`. MuJoCo's spatial vectors (rotation first) are about the centre
+// of mass of the body's tree.
 Acceleration at_point(const mjModel& model, const mjData& data, const std::vector<mjtNum>& accelerations,
                       int body, const Vector& point) {
   const Vector arm = point - ConstVector(data.subtree_com + 3 * model.body_rootid[body]);
@@ -49,10 +49,8 @@ void GraspFriction::correct(const mjModel& model, mjData& data, const ModelIndex
       computed = true;
     }
     const ConstVector point(contact.pos);
-    const Acceleration one =
-        at_point(model, data, acceleration_, model.geom_bodyid[contact.geom1], point);
-    const Acceleration other =
-        at_point(model, data, acceleration_, model.geom_bodyid[contact.geom2], point);
+    const Acceleration one = at_point(model, data, acceleration_, model.geom_bodyid[contact.geom1], point);
+    const Acceleration other = at_point(model, data, acceleration_, model.geom_bodyid[contact.geom2], point);
     for (int row = 1; row < contact.dim; ++row) {
       const bool along = row < 3;
       const ConstVector axis(contact.frame + 3 * (along ? row : row - 3));

@@ -32,8 +32,7 @@ constexpr std::array<Warning, 7> warnings{
 
 }  // namespace
 
-Physics::Physics(const Scene& scene)
-    : loaded_(load_scene(scene)), grasp_(std::make_unique<GraspFriction>()) {
+Physics::Physics(const Scene& scene) : loaded_(load_scene(scene)), grasp_(std::make_unique<GraspFriction>()) {
   index_ = find_names(*loaded_.model, loaded_.tool, scene);
   let_arm_meet_itself(*loaded_.model, index_);
   data_.reset(mj_makeData(loaded_.model.get()));
