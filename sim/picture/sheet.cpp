@@ -72,8 +72,7 @@ Sheet::Sheet(const mjModel& model, const PictureOptions& options)
       painter_(stage_, {.renderer = options.renderer,
                         .width = std::max(main_width_, side_),
                         .height = options.height,
-                        .shadows = options.shadows,
-                        .samples = options.samples}) {}
+                        .quality = options.quality}) {}
 
 Image Sheet::draw(const Snapshot& snapshot, double calm) {
   for (const ForcePoint& point : snapshot.force) force_.add(point);
