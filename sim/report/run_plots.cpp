@@ -133,7 +133,8 @@ Plot position_plot(const std::vector<Sample>& log, const std::string& title,
       }
   }
   std::string csv =
-      "time_s,set_point_x_mm,set_point_y_mm,set_point_z_mm,tool_x_mm,tool_y_mm,tool_z_mm,following_error_mm\n";
+      "time_s,set_point_x_mm,set_point_y_mm,set_point_z_mm,tool_x_mm,tool_y_mm,tool_z_mm,following_error_"
+      "mm\n";
   for (const std::size_t row : telling_rows(error, most_rows)) {
     const Eigen::Vector3d wanted = log[row].set_point * 1e3, actual = log[row].tool * 1e3;
     csv += fmt::format("{:.3f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}\n", seconds(log[row].time),
