@@ -19,7 +19,7 @@ inline RangeProfile pyramid_profile(double standoff) {
     const double slope = std::tan(i * 0.25 * 3.14159265358979 / 180);
     double away = standoff - 40;
     while (away < standoff - height(slope * away)) away += 0.01;
-    const bool edge = height(slope * away) != height(slope * away + (slope > 0 ? -0.4 : 0.4));
+    const bool edge = height(slope * away) != height(slope * away + (slope > 0 ? -2 : 2));
     profile.points.push_back({slope * away, away, !edge});
   }
   return profile;
