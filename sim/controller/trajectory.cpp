@@ -40,10 +40,11 @@ std::string describe(const InverseSolution& solution) {
 
 }  // namespace
 
-Trajectory::Trajectory(const Joints& start, runtime::Time period)
+Trajectory::Trajectory(const Joints& start, runtime::Time period, const Pose& tool)
     : period_(period),
+      tool_(tool),
       configuration_(configuration_of(start)),
-      opened_(tool_pose(start)),
+      opened_(tool_pose(start, tool)),
       goal_(opened_),
       goal_joints_(start),
       resting_(start) {}
@@ -55,7 +56,7 @@ std::optional<std::string> Trajectory::add(const Correction& correction, Correct
   if (distance > straight_line_speed * seconds(period_))
     return "the tool would move at " + figure(distance / seconds(period_)) + " m/s, its limit is " +
            figure(straight_line_speed) + " m/s";
-  const InverseSolution solution = inverse_tool(goal, configuration_, goal_joints_);
+  const InverseSolution solution = inverse_tool(goal, tool_, configuration_, goal_joints_);
   if (solution.problem != InverseProblem::none) return describe(solution);
   for (std::size_t i = 0; i < joint_count; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
@@ -87,10 +88,14 @@ SetPoint Trajectory::at(runtime::Time when) {
 }
 
 void Trajectory::stop(runtime::Time when) {
-  resting_ = at(when).position;
+  hold(at(when).position);
+}
+
+void Trajectory::hold(const Joints& q) {
+  resting_ = q;
   count_ = 0;
   goal_joints_ = resting_;
-  goal_ = tool_pose(resting_);
+  goal_ = tool_pose(resting_, tool_);
 }
 
 bool Trajectory::idle(runtime::Time when) const {

@@ -14,8 +14,9 @@ namespace pal::sim {
 /// Keeps the pose that the corrections add up to and moves the joints there, each evenly over one period.
 class Trajectory {
  public:
-  /// The arm stands still at `start`. `period`: how long each correction takes.
-  Trajectory(const Joints& start, runtime::Time period);
+  /// The arm stands still at `start`. `period`: how long each correction takes. `tool`: from the flange to
+  /// the tip.
+  Trajectory(const Joints& start, runtime::Time period, const Pose& tool = pad_tool());
 
   /// Adds a relative motion, to be made from `begin` on or after those before it, whichever is later.
   /// Refused, with the reason, when the pose is out of reach, a joint would leave its range, or the motion is
@@ -27,6 +28,9 @@ class Trajectory {
 
   /// Drops what has not been moved at `when` and stays there.
   void stop(runtime::Time when);
+
+  /// Drops what has not been moved and stays at `q`.
+  void hold(const Joints& q);
 
   bool idle(runtime::Time when) const;
 
@@ -44,6 +48,7 @@ class Trajectory {
   static constexpr std::size_t capacity = 4;
 
   runtime::Time period_;
+  Pose tool_;
   Configuration configuration_;
   Pose opened_;
   Pose goal_;
