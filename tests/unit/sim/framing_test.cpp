@@ -65,9 +65,32 @@ TEST_CASE("cameras see the tool and keep arm and table in the picture, wherever 
       const Eigen::Map<const Eigen::Vector3d> place(stage.data().xpos + 3 * body);
       CHECK(in_picture(view, aspect, place).cwiseAbs().maxCoeff() < 1);
     }
-    const View near = ContactCamera(stage).view(stage);
+    const View near = ContactCamera(stage).view(stage, 0);
     CHECK(in_picture(near, 1, stage.tip()).cwiseAbs().maxCoeff() < 0.5);
   }
+}
+
+TEST_CASE("the close-up shows tip and surface, and passes from one to the other without a jump") {
+  Workcell workcell(scene("pyramid"));
+  Stage stage(workcell.physics().model());
+  std::size_t logged = 0;
+  Snapshot snapshot = take_snapshot(workcell, logged);
+  stage.show(snapshot);
+  const auto ahead = workcell.cast(workcell.tool().translation(), workcell.tool().linear().col(2));
+  REQUIRE(ahead);
+  REQUIRE(*ahead > 0.1);
+  ContactCamera camera(stage);
+  const View both = camera.view(stage, 0.9);
+  const Eigen::Vector3d surface = stage.tip() + *ahead * stage.pointing();
+  CHECK(in_picture(both, 1, stage.tip()).cwiseAbs().maxCoeff() < 0.8);
+  CHECK(in_picture(both, 1, surface).cwiseAbs().maxCoeff() < 0.8);
+  snapshot.positions[1] += 0.5;  // up, and away from any surface
+  stage.show(snapshot);
+  const double first = camera.view(stage, 0.9).distance;
+  double last = first;
+  for (int i = 0; i < 100; ++i) last = camera.view(stage, 0.9).distance;
+  CHECK(first > 0.85 * both.distance);
+  CHECK(last < 0.6 * both.distance);
 }
 
 TEST_CASE("a camera that has been drawn back does not come nearer again") {
