@@ -23,7 +23,8 @@ double last_second(const std::vector<Sample>& log) {
 std::string end_of_skill(const std::optional<runtime::Time>& end, bool labelled) {
   if (!end) return {};
   std::string text = fmt::format(
-      "set arrow from {0:.4f}, graph 0 to {0:.4f}, graph 1 nohead dashtype (2,4) linecolor \"#555555\"\n",
+      "set arrow from {0:.4f}, graph 0 to {0:.4f}, graph 1 nohead dashtype 3 linewidth 1.5 linecolor "
+      "\"#666666\"\n",
       seconds(*end));
   if (labelled)
     text += fmt::format(
@@ -111,7 +112,8 @@ Plot force_plot(const std::vector<Sample>& log, const MessageLog& messages, cons
         band.low, band.high, PlotColours::band, quoted(band.label), (band.low + band.high) / 2);
   for (const ForceLevel& level : options.levels)
     plot.script += fmt::format(
-        "set arrow from graph 0, first {0:g} to graph 1, first {0:g} nohead dashtype 2 linecolor \"{1}\"\n"
+        "set arrow from graph 0, first {0:g} to graph 1, first {0:g} nohead dashtype 2 linewidth 1.3 "
+        "linecolor \"{1}\"\n"
         "set label {2} at graph 0.01, first {0:g} offset 0,0.6 textcolor \"{1}\"\n",
         level.newtons, PlotColours::limit, quoted(fmt::format("{} {:g} N", level.label, level.newtons)));
   plot.script += fmt::format(
@@ -142,7 +144,7 @@ Plot position_plot(const std::vector<Sample>& log, const std::string& title,
   }
   Plot plot{"position", {}, {{"position.csv", csv}}};
   plot.script = plot_beginning(plot.name, 960, 900) +
-                "set multiplot layout 4,1 margins 0.13,0.97,0.06,0.93 spacing 0.0,0.03 " + heading(title) +
+                "set multiplot layout 4,1 margins 0.13,0.97,0.075,0.93 spacing 0.0,0.03 " + heading(title) +
                 set_range("x", {0, last_second(log)}) + end_of_skill(end, false) +
                 "set format y \"%8g\"\nset format x \"\"\n";
   constexpr std::array<const char*, 3> names{"x", "y", "z"};
