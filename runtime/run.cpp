@@ -66,6 +66,9 @@ void Run::start_skill() {
   }
   try {
     skill_.start();
+  } catch (const ParameterError& refused) {
+    fail_at(-1, -1, refused.what());
+    return;
   } catch (const std::exception& error) {
     fail_at(-1, -1, std::string("starting the skill: ") + error.what());
     return;
