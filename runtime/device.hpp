@@ -11,15 +11,20 @@
 #include <string>
 #include <vector>
 
+#include "runtime/payload.hpp"
+
 namespace pal::runtime {
 
 /// An instant or a length of time; instants count from the start of the run.
 using Time = std::chrono::nanoseconds;
 
-/// One field of a message: all payloads are flat lists of numbers (booleans 0 or 1).
+/// One field of a message: all payloads are flat lists of numbers (payload.hpp).
+/// {"x", "mm"}; {"x", "mm", FieldKind::number, 255}; {"location", "", FieldKind::text}.
 struct FieldSpec {
   std::string name;
   std::string unit;  // canonical spelling, as in PAL; empty: a plain number
+  FieldKind kind = FieldKind::number;
+  std::size_t count = 1;  // of values: the size of an array
 
   friend bool operator==(const FieldSpec&, const FieldSpec&) = default;
 };

@@ -1,6 +1,7 @@
 // Runs skills, one at a time.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -9,9 +10,11 @@
 
 namespace pal::runtime {
 
+/// {"reach", 5}; {.name = "location", .text = "park"}.
 struct ParameterValue {
   std::string name;
-  double value = 0;  // in the parameter's unit; booleans 0 or 1
+  double value = 0;                                // in the parameter's unit; booleans 0 or 1
+  std::optional<std::string> text = std::nullopt;  // of a parameter that is a TEXT, instead of `value`
 };
 
 class Dispatcher {

@@ -34,12 +34,13 @@ std::set<std::string> included_by(const fs::path& file) {
 
 std::vector<Scene> list_scenes(const std::vector<fs::path>& folders) {
   std::vector<Scene> scenes;
-  std::set<std::string> parts;
+  std::set<std::string> parts{"puma560.xml", "cell.xml"};  // what scenes in MJCF include
   for (const fs::path& folder : folders) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
-      if (entry.path().extension() != ".xml") continue;
-      parts.merge(included_by(entry.path()));
+      const bool mjcf = entry.path().extension() == ".xml";
+      if (!mjcf && entry.path().extension() != ".scene") continue;
+      if (mjcf) parts.merge(included_by(entry.path()));
       const std::string name = entry.path().stem().string();
       const auto same = [&](const Scene& scene) { return scene.name == name; };
       if (std::none_of(scenes.begin(), scenes.end(), same)) scenes.push_back({name, entry.path()});
@@ -52,7 +53,8 @@ std::vector<Scene> list_scenes(const std::vector<fs::path>& folders) {
 
 Scene find_scene(const std::string& name_or_path, const std::vector<fs::path>& folders) {
   const fs::path path(name_or_path);
-  if (name_or_path.find('/') != std::string::npos || path.extension() == ".xml") {
+  if (name_or_path.find('/') != std::string::npos || path.extension() == ".xml" ||
+      path.extension() == ".scene") {
     if (!fs::exists(path)) throw SceneError(name_or_path, "there is no such file", "check the path");
     return {path.stem().string(), path};
   }

@@ -1,4 +1,4 @@
-// Scene files: MJCF that includes the arm and says where the tool starts (docs/workcell.md, "Scenes").
+// Scene files: what stands around the arm, which tool it has, where it starts (docs/workcell/scenes.md).
 #pragma once
 
 #include <filesystem>
@@ -28,12 +28,12 @@ struct Scene {
   std::filesystem::path file;
 };
 
-/// A scene by its name, or by the path of a file (anything with a '/' or ending in .xml). Names are looked up
-/// in `folders`, in their order. Throws SceneError, with the names that there are as a hint.
+/// A scene by its name, or by the path of a file (anything with a '/' or ending in .scene or .xml). Names are
+/// looked up in `folders`, in their order. Throws SceneError, with the names that there are as a hint.
 Scene find_scene(const std::string& name_or_path, const std::vector<std::filesystem::path>& folders);
 
-/// The names of the scenes in `folders`, sorted: every *.xml that is not itself included by another one
-/// there.
+/// The names of the scenes in `folders`, sorted: every *.scene, and every *.xml that is not itself included
+/// by another one there.
 std::vector<Scene> list_scenes(const std::vector<std::filesystem::path>& folders);
 
 /// What the scene says about itself in one line. Throws SceneError.

@@ -1,18 +1,25 @@
 #include "sim/workcell.hpp"
 
-#include <array>
+#include <algorithm>
+#include <cstdio>
 
-#include "sim/controller/trajectory.hpp"
-#include "sim/model/private/load.hpp"
+#include "sim/arm/joint_sensing.hpp"
+#include "sim/controller/gripper_servo.hpp"
+#include "sim/controller/motion_controller.hpp"
+#include "sim/model/private/contacts.hpp"
+#include "sim/model/private/names.hpp"
 #include "sim/model/private/physics.hpp"
 
 namespace pal::sim {
 namespace {
 
+using FaultListener = std::function<void(const ArmFault&)>;
+
 Joints start_joints(const Scene& scene, const Physics& physics, double raise) {
-  Start start = read_start(physics.model(), scene);
+  Start start = physics.loaded().start;
   start.tool.translation().z() += raise * 1e-3;
-  const InverseSolution solution = inverse_tool(start.tool, start.configuration, Joints::Zero());
+  const InverseSolution solution =
+      inverse_tool(start.tool, flange_to_tip_of(physics.loaded().tool), start.configuration, Joints::Zero());
   if (solution.problem != InverseProblem::none)
     throw SceneError(scene.file.string(),
                      "the arm cannot bring the tool to its start as " + to_string(start.configuration),
@@ -20,40 +27,115 @@ Joints start_joints(const Scene& scene, const Physics& physics, double raise) {
   return solution.q;
 }
 
+std::string millimetres(double metres) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1f mm", metres * 1e3);
+  return text.data();
+}
+
 }  // namespace
 
 struct Workcell::Parts {
   Parts(const Scene& scene, const WorkcellOptions& options)
-      : physics(scene), trajectory(start_joints(scene, physics, options.raise), alter_period) {
+      : physics(scene),
+        tool(flange_to_tip_of(physics.loaded().tool)),
+        motion(start_joints(scene, physics, options.raise), alter_period, tool),
+        sensing(options.machine.value_or(physics.loaded().machine)) {
     log.reserve(static_cast<std::size_t>(options.log_room / physics_step));
-    physics.place(trajectory.at(runtime::Time::zero()).position);
-    if (contact_force() > 0)
-      throw SceneError(scene.file.string(), "the tool touches something at its start", "raise the start");
+    physics.place(motion.at(runtime::Time::zero()).position);
+    if (const auto touching = any_contact_of_arm(physics))
+      throw SceneError(scene.file.string(),
+                       "at its start " + words_for(physics.model(), touching->first) + " touches " +
+                           words_for(physics.model(), touching->second),
+                       "move the start away from it, or choose another configuration");
     for (runtime::Time t{}; t < options.settle; t += physics_step) step(runtime::Time::zero());
   }
 
   void step(runtime::Time when) {
-    physics.step(
-        servos.torques(trajectory.at(when), physics.joints(), physics.joint_speeds(), physics.bias()));
+    SetPoint wanted = motion.at(when);
+    wanted.position = sensing.nearest(wanted.position);
+    const Joints torques = servos.torques(wanted, sensing.read(physics.joints()), physics.joint_speeds(),
+                                          physics.load(wanted.acceleration));
+    sensing.advance(torques);
+    physics.step(torques, finger_forces());
   }
 
-  // Over all contacts of the tip.
-  double contact_force() const {
-    double sum = 0;
+  std::array<double, 2> finger_forces() {
+    if (physics.loaded().tool != ToolKind::gripper) return {};
     const mjData& data = physics.data();
-    for (int i = 0; i < data.ncon; ++i) {
-      const mjContact& contact = data.contact[i];
-      if (contact.geom1 != physics.index().tip_geom && contact.geom2 != physics.index().tip_geom) continue;
-      std::array<mjtNum, 6> force{};
-      mj_contactForce(&physics.model(), &data, i, force.data());
-      sum += force[0];
+    const auto& [left, right] = physics.index().fingers;
+    return gripper.forces({data.qpos[left.position], data.qpos[right.position]},
+                          {data.qvel[left.speed], data.qvel[right.speed]});
+  }
+
+  double gripper_width() const {
+    if (physics.loaded().tool != ToolKind::gripper) return 0;
+    const auto& [left, right] = physics.index().fingers;
+    return 1e3 * (physics.data().qpos[left.position] + physics.data().qpos[right.position]);
+  }
+
+  Wrench wrench() const {
+    // MuJoCo gives what the arm does to the tool; the sensor what the tool does to the arm.
+    const mjtNum* data = physics.data().sensordata;
+    return {-Eigen::Map<const Eigen::Vector3d>(data + physics.index().force),
+            -Eigen::Map<const Eigen::Vector3d>(data + physics.index().torque)};
+  }
+
+  Sample sample() {
+    const Pose tip = physics.site_pose(physics.index().tip);
+    const Joints wanted = motion.at(now).position;
+    const Pose set_point = tool_pose(wanted, tool);
+    return {.time = now,
+            .joints = physics.joints(),
+            .joint_set_point = wanted,
+            .tool = tip.translation(),
+            .tool_turn = Eigen::Quaterniond(tip.linear()),
+            .set_point = set_point.translation(),
+            .set_point_turn = Eigen::Quaterniond(set_point.linear()),
+            .contact_force = contact_force(physics),
+            .wrench = wrench(),
+            .gripper_width = gripper_width()};
+  }
+
+  // What stops the arm, if anything does.
+  std::optional<ArmFault> look(const Sample& sample) {
+    if (const auto hit = collisions.look(physics)) {
+      const auto of_arm = [&](int geom) {
+        return physics.index().roles[static_cast<std::size_t>(geom)] != Role::cell;
+      };
+      return ArmFault{of_arm(hit->first) && of_arm(hit->second) ? ArmFault::Kind::self_collision
+                                                                : ArmFault::Kind::collision,
+                      collision_words(physics.model(), physics.index(), hit->first, hit->second), now};
     }
-    return sum;
+    const double error = (sample.tool - sample.set_point).norm();
+    if (error * 1e3 <= greatest_following_error) return std::nullopt;
+    Eigen::Index joint = 0;
+    (sample.joints - sample.joint_set_point).cwiseAbs().maxCoeff(&joint);
+    return ArmFault{ArmFault::Kind::following_error,
+                    "the tool is " + millimetres(error) +
+                        " from where it was told to be; the joint farthest off is joint " +
+                        std::to_string(joint + 1),
+                    now};
+  }
+
+  void stop_with(ArmFault why) {
+    motion.hold(physics.joints());
+    fault = std::move(why);
+    std::erase_if(listeners, [](const auto& listener) { return listener.expired(); });
+    const auto told = listeners;  // a listener may add others
+    for (const auto& listener : told)
+      if (const auto alive = listener.lock()) (*alive)(*fault);
   }
 
   Physics physics;
-  Trajectory trajectory;
+  Pose tool;  // from the flange to the tip
+  MotionController motion;
+  JointSensing sensing;
   JointServos servos;
+  GripperServo gripper;
+  CollisionWatch collisions;
+  std::optional<ArmFault> fault;
+  std::vector<std::weak_ptr<FaultListener>> listeners;
   runtime::Time now{};
   std::vector<Sample> log;
 };
@@ -67,9 +149,9 @@ void Workcell::advance_to(runtime::Time when) {
   while (parts_->now + physics_step <= when) {
     parts_->step(parts_->now);
     parts_->now += physics_step;
-    const Physics& physics = parts_->physics;
-    parts_->log.push_back(
-        {parts_->now, physics.site_pose(physics.index().tip).translation(), parts_->contact_force()});
+    parts_->log.push_back(parts_->sample());
+    if (parts_->fault) continue;
+    if (auto fault = parts_->look(parts_->log.back())) parts_->stop_with(std::move(*fault));
   }
 }
 
@@ -79,21 +161,42 @@ runtime::Time Workcell::now() const {
 
 std::optional<std::string> Workcell::move(const Correction& correction, CorrectionFrame frame,
                                           runtime::Time begin) {
-  auto refused = parts_->trajectory.add(correction, frame, begin);
+  if (parts_->fault) return "the arm has stopped: " + parts_->fault->text;
+  auto refused = parts_->motion.correct(correction, frame, begin);
   if (refused) stop();
   return refused;
 }
 
 void Workcell::stop() {
-  parts_->trajectory.stop(parts_->now);
+  parts_->motion.stop(parts_->now);
 }
 
 bool Workcell::idle() const {
-  return parts_->trajectory.idle(parts_->now);
+  return parts_->motion.idle(parts_->now);
+}
+
+const std::optional<ArmFault>& Workcell::fault() const {
+  return parts_->fault;
+}
+
+void Workcell::reset_fault() {
+  parts_->fault.reset();
+  parts_->motion.hold(parts_->physics.joints());
+  parts_->collisions.forgive(parts_->physics);
+}
+
+std::shared_ptr<void> Workcell::on_fault(std::function<void(const ArmFault&)> listener) {
+  auto shared = std::make_shared<FaultListener>(std::move(listener));
+  parts_->listeners.push_back(shared);
+  return shared;
 }
 
 Joints Workcell::joints() const {
   return parts_->physics.joints();
+}
+
+Joints Workcell::encoder_joints() const {
+  return parts_->sensing.read(parts_->physics.joints());
 }
 
 Pose Workcell::tool() const {
@@ -101,23 +204,63 @@ Pose Workcell::tool() const {
 }
 
 Pose Workcell::set_point() const {
-  return tool_pose(parts_->trajectory.at(parts_->now).position);
+  return tool_pose(parts_->motion.at(parts_->now).position, parts_->tool);
 }
 
 Wrench Workcell::wrench() const {
-  // MuJoCo gives what the arm does to the tool; the sensor what the tool does to the arm.
-  const ModelIndex& index = parts_->physics.index();
-  const mjtNum* data = parts_->physics.data().sensordata;
-  return {-Eigen::Map<const Eigen::Vector3d>(data + index.force),
-          -Eigen::Map<const Eigen::Vector3d>(data + index.torque)};
+  return parts_->wrench();
+}
+
+MotionController& Workcell::motion() {
+  return parts_->motion;
 }
 
 const std::vector<Sample>& Workcell::log() const {
   return parts_->log;
 }
 
+ToolKind Workcell::tool_kind() const {
+  return parts_->physics.loaded().tool;
+}
+
+Pose Workcell::flange_to_tip() const {
+  return parts_->tool;
+}
+
 double Workcell::pad_stiffness() const {
-  return parts_->physics.model().jnt_stiffness[parts_->physics.index().pad_joint];
+  const int joint = parts_->physics.index().pad_joint;
+  return joint < 0 ? 0 : parts_->physics.model().jnt_stiffness[joint];
+}
+
+void Workcell::gripper_command(double width, double force) {
+  parts_->gripper.command(parts_->gripper_width(), width, force);
+}
+
+double Workcell::gripper_width() const {
+  return parts_->gripper_width();
+}
+
+double Workcell::gripper_force() const {
+  const Grip held = grip(parts_->physics);
+  return 0.5 * (held.left + held.right);
+}
+
+bool Workcell::holds_part() const {
+  return grip(parts_->physics).part;
+}
+
+std::optional<double> Workcell::cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const {
+  // The arm's shapes are group 1 (sim/scenes/puma560.xml).
+  static constexpr std::array<mjtByte, mjNGROUP> groups{1, 0, 1, 1, 1, 1};
+  const Physics& physics = parts_->physics;
+  const Pose base = physics.base_pose();
+  const Eigen::Vector3d from = base * origin;
+  const Eigen::Vector3d along = base.linear() * direction.normalized();
+  int met = -1;
+  const double distance =
+      mj_ray(&physics.model(), &physics.data(), from.data(), along.data(), groups.data(), 1, -1, &met);
+  if (met < 0) return std::nullopt;
+  return distance;
 }
 
 Physics& Workcell::physics() {

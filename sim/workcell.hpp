@@ -1,18 +1,23 @@
 // The robot, its controller and what it touches, in physics that advances in fixed steps of 1 ms.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "runtime/device.hpp"
+#include "sim/arm/arm_fault.hpp"
 #include "sim/arm/kinematics.hpp"
+#include "sim/arm/machine.hpp"
+#include "sim/arm/tool.hpp"
 #include "sim/controller/correction.hpp"
 #include "sim/scene.hpp"
 
 namespace pal::sim {
 
+class MotionController;
 class Physics;
 
 inline constexpr runtime::Time physics_step = std::chrono::milliseconds(1);
@@ -24,11 +29,18 @@ struct Wrench {
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();
 };
 
-/// One line of the log, written after each step.
+/// One line of the log, written after each step. Poses are those of the tool's tip in frame 0, in metres.
 struct Sample {
   runtime::Time time{};
-  Eigen::Vector3d tool = Eigen::Vector3d::Zero();  // the tip's site in frame 0, m
-  double contact_force = 0;                        // sum of the normal forces on the tip, N
+  Joints joints = Joints::Zero();           // where the joints are, rad
+  Joints joint_set_point = Joints::Zero();  // where they have been told to be, rad
+  Eigen::Vector3d tool = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond tool_turn = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d set_point = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond set_point_turn = Eigen::Quaterniond::Identity();
+  double contact_force = 0;  // sum of the normal forces on what the tool is meant to touch with, N
+  Wrench wrench;             // as Workcell::wrench()
+  double gripper_width = 0;  // between the fingers, mm; 0 without a gripper
 };
 
 struct WorkcellOptions {
@@ -38,6 +50,8 @@ struct WorkcellOptions {
   runtime::Time settle = std::chrono::milliseconds(300);
   /// How long a run the log has room for without allocating.
   runtime::Time log_room = std::chrono::seconds(60);
+  /// The machine's imperfections; as the scene says if not given.
+  std::optional<MachineOptions> machine = std::nullopt;
 };
 
 class Workcell final : public runtime::World {
@@ -55,20 +69,50 @@ class Workcell final : public runtime::World {
   /// Gives the controller a relative motion to be made evenly within [begin, begin + 28 ms], after all those
   /// given before. A motion that the arm cannot make is refused: the answer says why, and the arm stops.
   std::optional<std::string> move(const Correction& correction, CorrectionFrame frame, runtime::Time begin);
-  /// Drops what has not been moved yet and holds the arm where its set-point is.
+  /// Drops what has not been moved yet: a planned motion slows down, corrections end at once.
   void stop();
+  /// The owner of the set-point, for those who plan motions. What it is told at `now()` is moved from the next step on.
+  MotionController& motion();
   /// No motion is left to make.
   bool idle() const;
 
-  Joints joints() const;
+  /// Why the arm stopped by itself, until reset_fault(). It stands where it was, and refuses to move.
+  const std::optional<ArmFault>& fault() const;
+  /// The arm takes motions again, from where it stands. What it touches then is forgiven until they have
+  /// parted.
+  void reset_fault();
+  /// Calls `listener` in the step in which the arm stops, as long as the answer lives.
+  [[nodiscard]] std::shared_ptr<void> on_fault(std::function<void(const ArmFault&)> listener);
+
+  Joints joints() const;  // where the joints are
+  /// Where the controller believes the joints to be: by the encoders, whose counts and play the joints have.
+  Joints encoder_joints() const;
   Pose tool() const;       // the tip, where the arm is
   Pose set_point() const;  // the tip, where the arm has been told to be
   /// What the environment does to the tool, and the tool's weight: pressing gives a negative force along z.
   /// As of the last step.
   Wrench wrench() const;
   const std::vector<Sample>& log() const;
-  /// Newton per metre, of the tool's compliant pad alone.
+
+  ToolKind tool_kind() const;
+  /// From the flange to the tip.
+  Pose flange_to_tip() const;
+  /// Newton per metre, of the tool's compliant pad alone; 0 for other tools.
   double pad_stiffness() const;
+
+  /// Moves the fingers to a width (mm, 0 to 80) at 100 mm/s, pressing with at most `force` (N) on what is
+  /// between them. Without a gripper nothing happens, as when a valve drives nothing.
+  void gripper_command(double width, double force = 30);
+  void gripper_open() { gripper_command(gripper_opening); }
+  void gripper_close() { gripper_command(0); }
+  double gripper_width() const;  // mm between the finger pads; 0 without a gripper
+  double gripper_force() const;  // N, mean of the two pads
+  /// Both pads press on the same loose part.
+  bool holds_part() const;
+
+  /// How far a ray goes from `origin` along `direction` (both in frame 0; m) until it meets something that is
+  /// not the arm, m; nothing if it meets nothing. `direction` need not have length 1.
+  std::optional<double> cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
 
   /// For pictures; private to the library.
   Physics& physics();

@@ -74,15 +74,16 @@ void add_check(CLI::App& app, CheckOptions& options) {
       "what that leaves undecided")
       ->type_name("ANALYSIS");
   add_choice<Format>(*command, "--format", options.format,
-                     {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}},
-                     "text, json or sarif (2.1.0)")
+                     {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}, {"junit", Format::junit}},
+                     "text, json, sarif (2.1.0) or junit (XML)")
       ->type_name("FORMAT");
   add_choice<Stage>(*command, "--emit", options.emit, {{"tree", Stage::tree}, {"pan", Stage::pan}},
                     "also print what stands between two stages: tree or pan")
       ->type_name("STAGE");
   command->add_option("--witness", options.witness, "write the run that shows each bound, for pal replay")
       ->type_name("FILE");
-  command->add_flag("--explain", options.explain, "print what adds up to each bound");
+  auto* explain = command->add_flag("--explain", options.explain, "print what adds up to each bound");
+  command->add_flag("--quiet", options.quiet, "print findings only, and nothing of what holds")->excludes(explain);
   command->add_flag("--statistics", options.statistics,
                     "print states, classes, seconds and peak memory of each requirement and of all");
   command->footer(statuses);
@@ -227,7 +228,11 @@ void add_generate(CLI::App& app, GenerateOptions& options) {
       ->add_option("--depfile-target", options.depfile_target,
                    "target of that rule, if not the files written")
       ->type_name("FILE");
-  command->footer(statuses_of_results);
+  add_limits(*command, options.limits);
+  command->add_flag("--allow-failing", options.allow_failing, "prove nothing: generate whatever the verdicts would be");
+  command->footer(
+      "Exit status: 0 done; 1 the specification is wrong; 2 bad usage, or a file could not be read or written; 3 "
+      "some requirement fails or is undecided, and nothing was written.");
 }
 
 void add_format(CLI::App& app, FormatOptions& options) {

@@ -87,6 +87,10 @@ Parameter Builder::parameter(Parser::ParameterSlotContext* context) {
   auto written = type(context->type());
   result.type = written.type;
   result.unit = std::move(written.unit);
+  if (written.size != 0) {
+    diagnostics_.report(Code::PAL0616, span(context->type()), "a parameter is one value, not an array",
+                        "declare a parameter for each value");
+  }
   const auto literals = context->literal();
   std::size_t next = 0;
   const auto take = [&] { return next < literals.size() ? literal(literals[next++]) : std::nullopt; };

@@ -85,6 +85,11 @@ std::string plain(std::string_view name) {
   return result;
 }
 
+/// Reserved words, and those that begin a unit.
+bool may_not_name_activity(std::size_t type) {
+  return type >= Lexer::WTM && type <= Lexer::ENVIRONMENT;
+}
+
 class Reader {
  public:
   Reader(const Tokens& tokens, std::string_view text, Diagnostics& diagnostics)
@@ -103,6 +108,8 @@ class Reader {
         return open_text(at);
       case Lexer::SLASH:
         return foreign_comment(at);
+      case Lexer::ACTIVITY:
+        return activity(at);
       case Lexer::STRAY:
         if (const auto last = quoted_text(at)) return *last;
         return run(at);
@@ -110,7 +117,7 @@ class Reader {
         if (const auto last = name_with_strays(at)) return *last;
         return at;
       default:
-        return at;
+        return renamed(at);
     }
   }
 
@@ -186,10 +193,38 @@ class Reader {
     if (told_.insert(written).second) {
       if (auto* finding = report(Code::PAL0102, where, "'" + written + "' has letters that no name may have",
                                  "names have the letters a to z, digits, '_' and '-': write " + meant))
-        finding->fix = {{where, meant}};
+        finding->fix = everywhere(written, where, meant);
     }
     result_.rereadings.push_back({first, last, Lexer::NAME, meant});
     return last;
+  }
+
+  /// The name is another one wherever it stands.
+  std::vector<Edit> everywhere(const std::string& written, SourceSpan first, const std::string& meant) const {
+    std::vector<Edit> edits;
+    for (std::size_t at = first.begin; at != std::string_view::npos; at = text_.find(written, at + written.size()))
+      edits.push_back({span_of(first.file, at, at + written.size()), meant});
+    return edits;
+  }
+
+  /// ACTIVITY message: a word that may not name an activity. Where it is one, it is read as a name from here on.
+  std::size_t activity(std::size_t at) {
+    if (at + 1 >= all_.size() || !may_not_name_activity(all_[at + 1]->getType())) return at;
+    const auto* word = all_[at + 1];
+    report(Code::PAL0101, tokens_.span(word), "'" + word->getText() + "' is a word of PAL, and cannot name an activity",
+           "choose another name");
+    result_.rereadings.push_back({at + 1, at + 1, Lexer::NAME, word->getText()});
+    renamed_.insert(word->getType());
+    return at + 1;
+  }
+
+  /// Where such a word stands for an activity: alone on its line, behind AT or behind TIME.
+  std::size_t renamed(std::size_t at) {
+    if (!renamed_.contains(all_[at]->getType())) return at;
+    const bool alone = tokens_.first_on_line(all_[at]) && at + 1 < all_.size() && tokens_.first_on_line(all_[at + 1]);
+    if (alone || (at > 0 && (is(at - 1, Lexer::AT) || is(at - 1, Lexer::TIME))))
+      result_.rereadings.push_back({at, at, Lexer::NAME, all_[at]->getText()});
+    return at;
   }
 
   /// Anything else.
@@ -229,6 +264,7 @@ class Reader {
   Diagnostics& diagnostics_;
   std::size_t reported_ = 0;
   std::set<std::string> told_;
+  std::set<std::size_t> renamed_;  // words that name an activity
   Strays result_;
 };
 

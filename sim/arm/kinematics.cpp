@@ -86,8 +86,20 @@ Pose wrist_pose(const Joints& q) {
   return pose;
 }
 
+Pose flange_pose(const Joints& q) {
+  return wrist_pose(q) * along_z(wrist_to_flange);
+}
+
+Pose tool_pose(const Joints& q, const Pose& tool) {
+  return flange_pose(q) * tool;
+}
+
 Pose tool_pose(const Joints& q) {
-  return wrist_pose(q) * along_z(wrist_to_flange + flange_to_tip);
+  return tool_pose(q, pad_tool());
+}
+
+Pose pad_tool() {
+  return along_z(flange_to_tip);
 }
 
 Configuration configuration_of(const Joints& q) {
@@ -154,8 +166,13 @@ InverseSolution inverse_wrist(const Pose& wrist, Configuration configuration, co
   return solution;
 }
 
+InverseSolution inverse_tool(const Pose& tip, const Pose& tool, Configuration configuration,
+                             const Joints& reference) {
+  return inverse_wrist(tip * tool.inverse() * along_z(-wrist_to_flange), configuration, reference);
+}
+
 InverseSolution inverse_tool(const Pose& tip, Configuration configuration, const Joints& reference) {
-  return inverse_wrist(tip * along_z(-wrist_to_flange - flange_to_tip), configuration, reference);
+  return inverse_tool(tip, pad_tool(), configuration, reference);
 }
 
 }  // namespace pal::sim

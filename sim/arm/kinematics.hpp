@@ -34,7 +34,13 @@ std::optional<Configuration> parse_configuration(std::string_view text);
 /// Frame 6 (the wrist's centre) in frame 0 (the shoulder), by the Denavit-Hartenberg formula.
 Pose wrist_pose(const Joints& q);
 
-/// The tool's tip in frame 0; z points out of the tool.
+/// The face of the flange in frame 0; z points out of it.
+Pose flange_pose(const Joints& q);
+
+/// The tip in frame 0 of a tool that stands at `tool` in the flange's frame; z points out of the tool.
+Pose tool_pose(const Joints& q, const Pose& tool);
+
+/// The same for the pad, whose tip is 95 mm before the flange.
 Pose tool_pose(const Joints& q);
 
 /// The configuration in which joint angles `q` hold the arm.
@@ -59,7 +65,14 @@ struct InverseSolution {
 /// (|sin q5| < 1e-9) joint 4 stays at its reference. `q` is also given when the problem is over_limit.
 InverseSolution inverse_wrist(const Pose& wrist, Configuration configuration, const Joints& reference);
 
-/// The same for the tool's tip.
+/// The same for the tip of a tool that stands at `tool` in the flange's frame.
+InverseSolution inverse_tool(const Pose& tip, const Pose& tool, Configuration configuration,
+                             const Joints& reference);
+
+/// The same for the pad.
 InverseSolution inverse_tool(const Pose& tip, Configuration configuration, const Joints& reference);
+
+/// From the flange to the pad's tip.
+Pose pad_tool();
 
 }  // namespace pal::sim

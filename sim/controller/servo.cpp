@@ -31,7 +31,7 @@ constexpr double friction_speed = 1e-3;  // rad/s
 }  // namespace
 
 Joints JointServos::torques(const SetPoint& wanted, const Joints& position, const Joints& speed,
-                            const Joints& bias) {
+                            const Joints& load) {
   Joints result;
   for (std::size_t i = 0; i < joint_count; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
@@ -42,7 +42,7 @@ Joints JointServos::torques(const SetPoint& wanted, const Joints& position, cons
     const double error = wanted.position[row] - position[row];
     const double friction = drive.coulomb * std::clamp(wanted.speed[row] / friction_speed, -1.0, 1.0) +
                             drive.viscous * wanted.speed[row];
-    const double torque = bias[row] + friction + stiffness * error +
+    const double torque = load[row] + friction + stiffness * error +
                           damping * (wanted.speed[row] - speed[row]) + integral_[row];
     // The integral stands while the drive gives all it has.
     if (std::abs(torque) < limit) integral_[row] += stiffness * integral_rate * error * period;

@@ -9,14 +9,16 @@ namespace pal::sim {
 struct SetPoint {
   Joints position = Joints::Zero();
   Joints speed = Joints::Zero();
+  Joints acceleration = Joints::Zero();
 };
 
 /// Proportional, differential and integral action per joint on top of the computed load; friction is fed
 /// forward where the set-point moves. Torques are limited to what the drives can give.
 class JointServos {
  public:
-  /// `bias`: the torques that hold the arm against gravity and Coriolis forces. Called once each millisecond.
-  Joints torques(const SetPoint& wanted, const Joints& position, const Joints& speed, const Joints& bias);
+  /// `load`: the torques that hold the arm against gravity and Coriolis forces and accelerate it as wanted.
+  /// Called once each millisecond.
+  Joints torques(const SetPoint& wanted, const Joints& position, const Joints& speed, const Joints& load);
 
   /// Forgets the integral action.
   void reset();

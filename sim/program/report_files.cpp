@@ -47,9 +47,13 @@ Json promises_json(const std::vector<Promise>& promises) {
 Json run_json(const runtime::Skill& skill, const Session& session, const SessionResult& result,
               const std::vector<Promise>& promises) {
   Json parameters = Json::object();
-  for (const runtime::ParameterSpec& parameter : skill.description().parameters)
-    parameters[std::string(parameter.name)] = {{"value", *parameter_value(skill, session, parameter.name)},
-                                               {"unit", parameter.unit}};
+  for (const runtime::ParameterSpec& parameter : skill.description().parameters) {
+    const bool text = parameter.type == runtime::ParameterType::text;
+    parameters[std::string(parameter.name)] = {
+        {"value", text ? Json(text_parameter(parameter, session))
+                       : Json(*parameter_value(skill, session, parameter.name))},
+        {"unit", parameter.unit}};
+  }
   Json json;
   json["skill"] = skill.description().name;
   json["environment"] = skill.description().environment;

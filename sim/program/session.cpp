@@ -54,4 +54,11 @@ std::optional<double> parameter_value(const runtime::Skill& skill, const Session
   return std::nullopt;
 }
 
+std::string text_parameter(const runtime::ParameterSpec& parameter, const Session& session) {
+  std::string text(parameter.default_text);
+  for (const runtime::ParameterValue& value : session.parameters)
+    if (value.name == parameter.name) text = value.text.value_or(text);
+  return text;
+}
+
 }  // namespace pal::workcell

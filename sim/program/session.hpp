@@ -43,4 +43,7 @@ SessionResult run_session(runtime::Skill& skill, const Session& session);
 std::optional<double> parameter_value(const runtime::Skill& skill, const Session& session,
                                       std::string_view name);
 
+/// Likewise of a parameter that is a text.
+std::string text_parameter(const runtime::ParameterSpec& parameter, const Session& session);
+
 }  // namespace pal::workcell

@@ -1,14 +1,21 @@
-// Reading MJCF. Private to pal_sim.
+// From a scene's file to a MuJoCo model. Private to pal_sim.
 #pragma once
 
 #include <mujoco/mujoco.h>
 
+#include <memory>
+#include <string>
+
+#include "sim/arm/machine.hpp"
+#include "sim/arm/tool.hpp"
 #include "sim/scene.hpp"
 
 namespace pal::sim {
 
-/// Loads the scene's file. Throws SceneError with the place that MuJoCo names. The caller owns the model.
-mjModel* load_model(const Scene& scene);
+struct DeleteModel {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+};
+using ModelPointer = std::unique_ptr<mjModel, DeleteModel>;
 
 /// Where a scene says that the tool starts.
 struct Start {
@@ -16,7 +23,15 @@ struct Start {
   Configuration configuration;
 };
 
-/// Reads the scene's custom elements "start" and "configuration". Throws SceneError.
-Start read_start(const mjModel& model, const Scene& scene);
+/// What a scene's file comes to.
+struct LoadedScene {
+  ModelPointer model;  // never null
+  Start start;
+  ToolKind tool = ToolKind::pad;
+  MachineOptions machine;
+};
+
+/// Loads a .scene file, or a scene in MJCF. Throws SceneError: with file and line where they are known.
+LoadedScene load_scene(const Scene& scene);
 
 }  // namespace pal::sim

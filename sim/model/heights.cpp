@@ -1,0 +1,56 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "sim/model/private/mjcf.hpp"
+
+namespace pal::sim {
+namespace {
+
+constexpr double tau = 2 * std::numbers::pi;
+
+// `height` of the point at (x, y), mm from the thing's middle.
+Heights sampled(const Thing& thing, int rows, int columns,
+                const std::function<double(double x, double y)>& height) {
+  const std::vector<double>& size = thing.all("size");
+  std::vector<double> values;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column)
+      values.push_back(height(size[0] * (static_cast<double>(column) / (columns - 1) - 0.5),
+                              size[1] * (static_cast<double>(row) / (rows - 1) - 0.5)));
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  Heights heights{thing.name, rows, columns, std::max(*greatest - *least, 1e-3), {}};
+  for (const double value : values)
+    heights.values.push_back(static_cast<float>((value - *least) / heights.span));
+  return heights;
+}
+
+int cells(double length, double at_most) {
+  return 1 + static_cast<int>(std::ceil(length / at_most));
+}
+
+}  // namespace
+
+Heights wave_heights(const Thing& thing) {
+  // Strips of 2 mm are flat to a hundredth of a millimetre at the usual waves; a finer grid would give the
+  // tip more points of contact than MuJoCo takes.
+  constexpr double strip = 2.0;
+  const double height = thing.one("height"), length = thing.one("length");
+  return sampled(thing, 2, cells(thing.all("size")[0], strip),
+                 [&](double x, double) { return 0.5 * height * (1 - std::cos(tau * x / length)); });
+}
+
+Heights surface_heights(const Thing& thing) {
+  // Across the seam the range finder's points are 0.6 mm apart at 200 mm.
+  constexpr double across = 0.5, along = 1.25;
+  const double height = thing.one("height"), length = thing.one("length"), swing = thing.one("swing");
+  const double fall = std::tan(radians(thing.one("slope"))), step = thing.one("step");
+  const std::vector<double>& size = thing.all("size");
+  return sampled(thing, cells(size[1], across), cells(size[0], along), [&](double x, double y) {
+    const double seam = swing * std::sin(tau * x / (1.7 * length));
+    return 0.5 * height * std::sin(tau * x / length) - fall * std::abs(y - seam) - (y < seam ? step : 0);
+  });
+}
+
+}  // namespace pal::sim

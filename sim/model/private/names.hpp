@@ -1,0 +1,22 @@
+// What the parts of a model are, and what people call them. Private to pal_sim.
+#pragma once
+
+#include <string>
+
+#include "sim/model/private/physics.hpp"
+
+namespace pal::sim {
+
+/// Finds what the workcell needs. Throws SceneError when the scene lacks something.
+ModelIndex find_names(const mjModel& model, ToolKind tool, const Scene& scene);
+
+/// The far half of the arm meets the near half: contacts between them are found, as collisions.
+void let_arm_meet_itself(mjModel& model, const ModelIndex& index);
+
+/// "the forearm", "post 2", "the table".
+std::string words_for(const mjModel& model, int geom);
+
+/// "the forearm hit post 2"; the arm's part first.
+std::string collision_words(const mjModel& model, const ModelIndex& index, int geom, int other);
+
+}  // namespace pal::sim

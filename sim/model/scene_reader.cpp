@@ -1,0 +1,287 @@
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "sim/model/private/scene_description.hpp"
+
+namespace pal::sim {
+namespace {
+
+struct Word {
+  std::string text;
+  bool quoted = false;
+};
+
+std::string join(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string shortest(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+std::optional<double> number(const std::string& text) {
+  const char* begin = text.c_str() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
+  const char* end = text.c_str() + text.size();
+  double value = 0;
+  const auto [stop, problem] = std::from_chars(begin, end, value);
+  if (problem != std::errc() || stop != end || !(value > -1e12 && value < 1e12)) return std::nullopt;
+  return value;
+}
+
+class Reader {
+ public:
+  explicit Reader(std::string file) : file_(std::move(file)) {}
+
+  SceneDescription read(std::string_view text) {
+    std::istringstream in{std::string(text)};
+    for (std::string line; std::getline(in, line);) {
+      ++line_;
+      words_ = split(line);
+      at_ = 0;
+      if (!words_.empty()) read_line(line);
+    }
+    finish();
+    return std::move(scene_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& cause, const std::string& hint, int line = 0) const {
+    throw SceneError(file_ + ":" + std::to_string(line == 0 ? line_ : line), cause, hint);
+  }
+
+  std::vector<Word> split(const std::string& line) const {
+    std::vector<Word> words;
+    for (std::size_t i = 0; i < line.size();) {
+      const char c = line[i];
+      if (c == '#') break;
+      if (c == ' ' || c == '\t' || c == '\r') {
+        ++i;
+      } else if (c == '"') {
+        const std::size_t end = line.find('"', i + 1);
+        if (end == std::string::npos)
+          fail("a quotation mark is not closed", "write a name as \"left plate\"");
+        words.push_back({line.substr(i + 1, end - i - 1), true});
+        i = end + 1;
+      } else {
+        const std::size_t end = std::min(line.find_first_of(" \t\r#\"", i), line.size());
+        words.push_back({line.substr(i, end - i), false});
+        i = end;
+      }
+    }
+    return words;
+  }
+
+  void read_line(const std::string& line) {
+    const std::string first = words_[at_++].text;
+    if (first == "about") return read_about(line);
+    if (first == "tool") return read_tool();
+    if (first == "start") return read_start_line();
+    if (first == "configuration") return read_configuration();
+    if (first == "machine") return read_machine();
+    if (first == "no") return read_no();
+    const auto& kinds = thing_kinds();
+    const auto kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](const ThingKind& known) { return known.name == first; });
+    if (kind != kinds.end()) return read_thing(*kind);
+    std::vector<std::string> names{"about", "tool", "start", "configuration", "machine", "no table"};
+    for (const ThingKind& known : kinds) names.emplace_back(known.name);
+    fail("'" + first + "' is not something that a scene has", "a line begins with " + join(names));
+  }
+
+  void read_about(const std::string& line) {
+    only_once("about");
+    const std::size_t begin = line.find_first_not_of(" \t", line.find("about") + 5);
+    if (begin == std::string::npos) fail("'about' says nothing", "write what the scene is in a few words");
+    scene_.about = line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
+  }
+
+  void read_tool() {
+    only_once("tool");
+    const std::string name = at_ < words_.size() ? words_[at_++].text : "";
+    const auto tool = parse_tool(name);
+    if (!tool) fail("'" + name + "' is not a tool", "write tool pad, tool gripper or tool range-finder");
+    scene_.tool = *tool;
+    nothing_left();
+  }
+
+  void read_start_line() {
+    only_once("start");
+    std::array<double, 4> start{};
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      if (i == 3 && at_ == words_.size()) break;
+      const auto value = at_ < words_.size() ? number(words_[at_].text) : std::nullopt;
+      if (!value)
+        fail(
+            at_ < words_.size() ? "'" + words_[at_].text + "' is not a number"
+                                : "the start has too few figures",
+            "write start X Y Z TURN: where the tool's tip begins, in mm from the shoulder, and how far it is "
+            "turned about the vertical, in degrees");
+      start[i] = *value;
+      ++at_;
+    }
+    scene_.start = start;
+    nothing_left();
+  }
+
+  void read_configuration() {
+    only_once("configuration");
+    std::string words;
+    for (; at_ < words_.size(); ++at_) words += (words.empty() ? "" : " ") + words_[at_].text;
+    const auto configuration = parse_configuration(words);
+    if (!configuration)
+      fail("'" + words + "' is not a configuration of the arm",
+           "write righty or lefty, above or below, flip or noflip");
+    scene_.configuration = *configuration;
+  }
+
+  void read_machine() {
+    only_once("machine");
+    const std::string hint = "write machine exact, or machine seed NUMBER";
+    const std::string word = at_ < words_.size() ? words_[at_++].text : "";
+    if (word == "exact") {
+      scene_.machine = MachineOptions::exact();
+    } else if (word == "seed") {
+      const std::string text = at_ < words_.size() ? words_[at_++].text : "";
+      std::uint64_t seed = 0;
+      const auto [stop, problem] = std::from_chars(text.data(), text.data() + text.size(), seed);
+      if (problem != std::errc() || stop != text.data() + text.size() || text.empty())
+        fail("'" + text + "' is not a seed, which is a whole number from 0 on", hint);
+      scene_.machine.seed = seed;
+    } else {
+      fail("'" + word + "' is not something that the machine can be", hint);
+    }
+    nothing_left();
+  }
+
+  void read_no() {
+    if (at_ >= words_.size() || words_[at_++].text != "table")
+      fail("only the table can be left out", "write no table");
+    only_once("no table");
+    scene_.table = false;
+    nothing_left();
+  }
+
+  void read_thing(const ThingKind& kind) {
+    Thing thing;
+    thing.kind = kind.name;
+    thing.line = line_;
+    if (at_ < words_.size() && words_[at_].quoted) thing.name = words_[at_++].text;
+    while (at_ < words_.size()) read_setting(kind, thing);
+    for (const Setting& setting : kind.settings) {
+      if (thing.given(setting.name)) continue;
+      if (setting.needed)
+        fail("this " + thing.kind + " does not say '" + std::string(setting.name) + "'", usage(setting));
+      thing.figures[std::string(setting.name)] = {setting.usual.begin(), setting.usual.end()};
+    }
+    scene_.things.push_back(std::move(thing));
+  }
+
+  void read_setting(const ThingKind& kind, Thing& thing) {
+    const std::string name = words_[at_++].text;
+    const auto setting = std::find_if(kind.settings.begin(), kind.settings.end(),
+                                      [&](const Setting& known) { return known.name == name; });
+    if (setting == kind.settings.end()) {
+      std::vector<std::string> names;
+      for (const Setting& known : kind.settings) names.emplace_back(known.name);
+      fail("a " + thing.kind + " has no '" + name + "'",
+           "it can be told " + join(names) + "; a name comes first, in quotation marks");
+    }
+    if (thing.given(name)) fail("'" + name + "' is said twice", "take one of them out");
+    std::vector<double> figures;
+    for (; at_ < words_.size() && figures.size() < setting->most; ++at_) {
+      const auto value = number(words_[at_].text);
+      if (!value) break;
+      if (*value < setting->low || *value > setting->high)
+        fail("'" + name + "' is " + words_[at_].text + ", which is out of its range",
+             "write a value from " + shortest(setting->low) + " to " + shortest(setting->high) + " " +
+                 std::string(setting->unit));
+      figures.push_back(*value);
+    }
+    if (figures.size() < setting->least)
+      fail(at_ < words_.size() && figures.empty()
+               ? "'" + words_[at_].text + "' is not a number"
+               : "'" + name + "' has " + std::to_string(figures.size()) + " figures instead of " +
+                     std::to_string(setting->least),
+           usage(*setting));
+    for (std::size_t i = figures.size(); i < setting->most; ++i) figures.push_back(setting->usual[i]);
+    thing.figures[name] = std::move(figures);
+    thing.said.push_back(name);
+  }
+
+  static std::string usage(const Setting& setting) {
+    std::string text = "write " + std::string(setting.name);
+    static constexpr std::array<const char*, 3> letters{" X", " Y", " Z"};
+    for (std::size_t i = 0; i < setting.most; ++i) text += setting.most == 1 ? " N" : letters.at(i);
+    if (setting.least < setting.most) text += ", of which the last may be left out";
+    return text + (setting.unit.empty() ? "" : ", in " + std::string(setting.unit));
+  }
+
+  void nothing_left() const {
+    if (at_ < words_.size())
+      fail("'" + words_[at_].text + "' is one word too many", "take it out; # begins a remark");
+  }
+
+  void only_once(const std::string& what) {
+    if (std::find(said_.begin(), said_.end(), what) != said_.end())
+      fail("'" + what + "' is said twice", "take one of them out");
+    said_.push_back(what);
+  }
+
+  // Names for what has none: "plate", or "post 1", "post 2" where there are several.
+  void finish() {
+    if (!scene_.start)
+      fail("the scene does not say where the tool starts", "add a line: start X Y Z, in mm from the shoulder",
+           std::max(line_, 1));
+    std::map<std::string, int> count, used;
+    for (const Thing& thing : scene_.things) ++count[thing.kind];
+    std::vector<std::string> names{"table", "floor", "base",        "link1",        "link2",
+                                   "link3", "link4", "link5",       "link6",        "sensor",
+                                   "tool",  "pad",   "finger left", "finger right", "range finder"};
+    for (Thing& thing : scene_.things) {
+      const int serial = ++used[thing.kind];
+      if (thing.name.empty())
+        thing.name = thing.kind + (count[thing.kind] > 1 ? " " + std::to_string(serial) : "");
+      if (std::any_of(thing.name.begin(), thing.name.end(),
+                      [](char c) { return c == '<' || c == '>' || c == '&' || c == '/'; }))
+        fail("the name '" + thing.name + "' has a character that names cannot have", "leave out < > & and /",
+             thing.line);
+      if (std::find(names.begin(), names.end(), thing.name) != names.end())
+        fail("there is more than one thing named '" + thing.name + "'", "give it another name", thing.line);
+      names.push_back(thing.name);
+    }
+  }
+
+  std::string file_;
+  int line_ = 0;
+  std::vector<Word> words_;
+  std::size_t at_ = 0;
+  std::vector<std::string> said_;
+  SceneDescription scene_;
+};
+
+}  // namespace
+
+bool Thing::given(std::string_view setting) const {
+  return std::find(said.begin(), said.end(), setting) != said.end();
+}
+
+SceneDescription parse_description(std::string_view text, const std::string& file) {
+  return Reader(file).read(text);
+}
+
+SceneDescription read_description(const Scene& scene) {
+  std::ifstream in(scene.file, std::ios::binary);
+  if (!in)
+    throw SceneError(scene.file.string(), "the file cannot be read", "check the path and its permissions");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return parse_description(text, scene.file.string());
+}
+
+}  // namespace pal::sim
