@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/in_use.hpp"
 #include "runtime/payload.hpp"
 
 namespace pal::runtime {
@@ -87,6 +88,12 @@ class Device {
 
   /// The skill is over, in whatever way. The device leaves its machine standing still.
   virtual void close() = 0;
+
+  /// Whether a run has it; the dispatcher's business.
+  InUse& in_use() { return in_use_; }
+
+ private:
+  InUse in_use_;
 };
 
 /// What moves while the skill runs: a physics engine, or nothing.
@@ -94,16 +101,17 @@ class World {
  public:
   virtual ~World() = default;
 
-  /// Brings the world to instant `when` (never back in time). Called before anything happens at `when`. What the
-  /// world does by itself up to then happens in here: it may deliver messages by the DeviceHosts, whose clock is at
-  /// `when` already.
+  /// Brings the world to instant `when` (never back in time). Called before anything happens at `when`. What
+  /// the world does by itself up to then happens in here: it may deliver messages by the DeviceHosts, whose
+  /// clock is at `when` already.
   virtual void advance_to(Time when) = 0;
 
-  /// When something happens in the world by itself: bytes arrive, a conversion ends. A run stops there on its way.
+  /// When something happens in the world by itself: bytes arrive, a conversion ends. A run stops there on its
+  /// way.
   virtual Time next_event() { return Time::max(); }
 
-  /// Waits as long as it takes to get to `when` in the world's own time; virtual time does not wait. Returns an
-  /// earlier instant if something came in from outside meanwhile: the run goes there first.
+  /// Waits as long as it takes to get to `when` in the world's own time; virtual time does not wait. Returns
+  /// an earlier instant if something came in from outside meanwhile: the run goes there first.
   virtual Time wait_until(Time when) { return when; }
 };
 

@@ -7,6 +7,7 @@
 #include "runtime/ports.hpp"
 #include "runtime/recorder.hpp"
 #include "runtime/run.hpp"
+#include "runtime/thrown.hpp"
 
 namespace pal::runtime {
 
@@ -38,7 +39,27 @@ Connection connect(const Wiring& wiring, std::string_view name, std::span<Device
   return connection;
 }
 
-Outcome refuse(const Skill& skill, const std::string& reason) {
+/// Takes what a run uses, and frees it in the end.
+class Taken {
+ public:
+  Taken() = default;
+  Taken(const Taken&) = delete;
+  Taken& operator=(const Taken&) = delete;
+  ~Taken() {
+    for (InUse* each : taken_) each->free();
+  }
+  void take(InUse& in_use, const std::string& otherwise) {
+    if (!in_use.take()) throw std::runtime_error(otherwise);
+    taken_.push_back(&in_use);
+  }
+
+ private:
+  std::vector<InUse*> taken_;
+};
+
+}  // namespace
+
+Outcome refused(const Skill& skill, const std::string& reason) {
   Outcome outcome;
   outcome.fault = true;
   outcome.code = -1;
@@ -55,11 +76,12 @@ Outcome refuse(const Skill& skill, const std::string& reason) {
   return outcome;
 }
 
-}  // namespace
-
 Outcome Dispatcher::run(Skill& skill, std::span<const ParameterValue> parameters, const RunOptions& options) {
+  Taken taken;
   std::vector<Connection> connections;
   try {
+    taken.take(in_use_, "another skill is running; a dispatcher runs one at a time");
+    taken.take(skill.in_use(), "the skill is running already");
     skill.reset_parameters();
     for (const ParameterValue& parameter : parameters) {
       if (parameter.text) {
@@ -70,11 +92,13 @@ Outcome Dispatcher::run(Skill& skill, std::span<const ParameterValue> parameters
     }
     for (std::string_view device : skill.wiring().devices) {
       connections.push_back(connect(skill.wiring(), device, devices_));
+      taken.take(connections.back().device->in_use(),
+                 "device " + std::string(device) + " is in use by a skill that is running");
     }
-  } catch (const std::runtime_error& error) {
-    return refuse(skill, error.what());
+    return Run(skill, world_, connections, options).execute();
+  } catch (...) {
+    return refused(skill, what_was_thrown());
   }
-  return Run(skill, world_, connections, options).execute();
 }
 
 }  // namespace pal::runtime

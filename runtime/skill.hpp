@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "runtime/in_use.hpp"
 #include "runtime/task.hpp"
 #include "runtime/wiring.hpp"
 
@@ -79,6 +80,12 @@ class Skill {
   /// Makes a coroutine of each module that is run by Execute for each thread that runs it, and drops them
   /// together, so that the frames are there when they are needed.
   virtual void reserve_executed(Thread& thread) = 0;
+
+  /// Whether it runs; the dispatcher's business.
+  InUse& in_use() { return in_use_; }
+
+ private:
+  InUse in_use_;
 };
 
 }  // namespace pal::runtime

@@ -1,4 +1,5 @@
-// The clock of a station, and what is going to happen by it: bytes that arrive, conversions that end, time-outs.
+// The clock of a station, and what is going to happen by it: bytes that arrive, conversions that end,
+// time-outs.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +10,8 @@
 
 namespace pal::runtime {
 
-/// Actions in the order of their instants; actions of one instant run in the order in which they were asked for.
-/// Instants count from the station's start and go on from one skill to the next. One thread only.
+/// Actions in the order of their instants; actions of one instant run in the order in which they were asked
+/// for. Instants count from the station's start and go on from one skill to the next. One thread only.
 class Timeline {
  public:
   /// Names one action. A token is never used again, so that cancelling twice, or too late, does no harm.

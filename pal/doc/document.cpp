@@ -68,7 +68,7 @@ std::string content_of(const pan::Message& message) {
     const bool unnamed = message.fields.size() == 1 && (field.name.empty() || field.name == "value");
     result += unnamed ? "" : field.name + (last ? ": " : ", ");
     if (!last) continue;
-    result += doc::type_text(field.type, field.unit, field.size) + (i + 1 == message.fields.size() ? "" : "; ");
+    result += type_text(field.type, field.unit, field.size) + (i + 1 == message.fields.size() ? "" : "; ");
   }
   return result;
 }
@@ -184,8 +184,8 @@ class Writer {
     for (const auto& p : network_.skill.parameters) {
       const bool boolean = p.type == pan::ScalarType::boolean;
       if (p.type == pan::ScalarType::text) {
-        table.rows.push_back({text("P" + std::to_string(++count)), code(p.name), text(doc::type_text(p.type, {})),
-                              code(p.default_text),
+        table.rows.push_back({text("P" + std::to_string(++count)), code(p.name), text(type_text(p.type, {})),
+                              code("\"" + p.default_text + "\""),
                               text("up to " + std::to_string(pan::longest_text) + " characters"),
                               text(p.description)});
         continue;
@@ -194,7 +194,7 @@ class Writer {
         return boolean ? std::string(value != 0 ? "TRUE" : "FALSE") : number(value);
       };
       table.rows.push_back({text("P" + std::to_string(++count)), code(p.name),
-                            text(doc::type_text(p.type, p.unit)), text(figure(p.default_value)),
+                            text(type_text(p.type, p.unit)), text(figure(p.default_value)),
                             text(boolean ? "FALSE or TRUE" : figure(p.low) + " to " + figure(p.high)),
                             text(p.description)});
     }

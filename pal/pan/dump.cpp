@@ -45,7 +45,7 @@ void dump_template(const Network& network, std::ostream& out) {
   dump_texts("model data", skill.model_data, out);
   if (network.main.valid()) out << "  main " << network.modules[network.main.index()].name << '\n';
   for (const auto& p : skill.parameters) {
-    out << "  parameter " << p.name << " : " << type_text(p.type, p.unit) << " default ";
+    out << "  parameter " << p.name << " : " << declared_type(p.type, p.unit) << " default ";
     if (p.type == ScalarType::text) {
       out << quoted(p.default_text);
     } else {
@@ -72,7 +72,7 @@ void dump_messages(const Network& network, std::ostream& out) {
     out << "message " << message.name;
     const char* before = " : ";
     for (const auto& field : message.fields) {
-      out << before << field.name << ' ' << type_text(field.type, field.unit, field.size);
+      out << before << field.name << ' ' << declared_type(field.type, field.unit, field.size);
       before = ", ";
     }
     if (message.asks_for.valid()) out << " asks for " << network.messages[message.asks_for.index()].name;
@@ -206,7 +206,7 @@ struct BehaviourDump {
 
 }  // namespace
 
-std::string type_text(ScalarType type, const std::string& unit, int size) {
+std::string declared_type(ScalarType type, const std::string& unit, int size) {
   std::string text = type == ScalarType::real      ? "REAL"
                      : type == ScalarType::integer ? "INTEGER"
                      : type == ScalarType::boolean ? "BOOLEAN"

@@ -21,8 +21,8 @@ struct LineSpeed {
   Time duration(std::size_t bytes) const;
 };
 
-/// What carries the bytes of a wire, beside the time that they take: nothing, or a pair of file descriptors. Gives
-/// back what came out at the other end, which is what went in unless something is broken.
+/// What carries the bytes of a wire, beside the time that they take: nothing, or a pair of file descriptors.
+/// Gives back what came out at the other end, which is what went in unless something is broken.
 class Carrier {
  public:
   virtual ~Carrier() = default;
@@ -30,8 +30,8 @@ class Carrier {
   virtual std::vector<std::uint8_t> carry(Direction direction, Bytes bytes) = 0;
 };
 
-/// Two ends, a and b, and a line each way. Bytes that are written together arrive together, when the last one has
-/// passed: at max(now, the line is free) + duration. The other end is called by the timeline.
+/// Two ends, a and b, and a line each way. Bytes that are written together arrive together, when the last one
+/// has passed: at max(now, the line is free) + duration. The other end is called by the timeline.
 class Wire {
  public:
   /// What happens to bytes on their way, for tests and for faults on demand: may change, drop or add some.

@@ -23,11 +23,18 @@ enum class Renderer {
 };
 
 struct PictureOptions {
-  int width = 1280;
-  int height = 960;
+  int width = 1600;
+  int height = 900;
   Renderer renderer = Renderer::automatic;
-  /// A camera of the scene. Where the scene has none of this name, MuJoCo's free camera is used.
+  bool shadows = true;
+  int samples = 8;  // a pixel, against jagged edges
+  /// A camera of the scene. Where the scene has none of this name, the camera stands where arm, tool and
+  /// workpiece are in the picture and nothing hides the tool.
   std::string camera = "report";
+  /// Above the figures, for instance "touch in scene touch".
+  std::string title{};
+  /// N: drawn into the curve of the force.
+  std::optional<double> threshold{};
 };
 
 /// Either an image or the reason why there is none: pictures are never worth a crash.
@@ -37,7 +44,9 @@ struct Picture {
   std::string renderer;  // who drew it: "EGL" or "OSMesa"
 };
 
-/// Draws the workcell as it stands. Takes 10 to 1000 ms, so not while a run is going on.
+/// Draws the workcell as it stands: the whole, the contact close up beside it, time, force and place of the
+/// tool, and the force over the whole log. Takes 50 to 1000 ms, so not while a run is going on. The physics
+/// are not touched.
 Picture take_picture(Workcell& workcell, const PictureOptions& options = {});
 
 /// The image as the bytes of a PNG file. Throws std::runtime_error if libpng cannot.

@@ -1,10 +1,14 @@
 #include "sim/program/command_line.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <ostream>
 #include <sstream>
 
+#include "sim/report/video.hpp"
 #include "sim/scene.hpp"
 
 namespace pal::workcell {
@@ -17,6 +21,32 @@ std::vector<std::string> folders_of(std::vector<std::string> given, const char* 
   return given;
 }
 
+/// CLI11 takes -1 for the greatest number that there is.
+CLI::Validator whole_number() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        std::uint64_t value = 0;
+        const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool whole = problem == std::errc() && end == text.data() + text.size();
+        return whole ? std::string() : "'" + text + "' is not a whole number from 0 to 18446744073709551615";
+      },
+      "");
+}
+
+/// CLI11's own range lets "nan" pass.
+CLI::Validator number_within(double low, double high) {
+  return CLI::Validator(
+      [low, high](const std::string& text) {
+        double value = 0;
+        const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool inside =
+            problem == std::errc() && end == text.data() + text.size() && value >= low && value <= high;
+        return inside ? std::string()
+                      : fmt::format("'{}' is not a number from {:g} to {:g}", text, low, high);
+      },
+      fmt::format("FLOAT in [{:g} - {:g}]", low, high));
+}
+
 void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& folders) {
   app.add_option("skill", command.skill, "the skill to run; 'workcell list' shows those that there are")
       ->required();
@@ -26,30 +56,39 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
   app.add_option("--set", command.settings,
                  "a parameter of the skill, as name=value in the parameter's unit");
   app.add_option("--seed", command.seed, "decides all that is drawn: times, phases, noise")
+      ->check(whole_number())
       ->capture_default_str();
-  app.add_option("--phase", command.phase,
-                 "from ALTER's opening to its first request, ms; drawn if not given")
-      ->check(CLI::Range(0.0, 28.0));
+  auto* phase = app.add_option("--phase", command.phase,
+                               "from ALTER's opening to its first request, ms; drawn if not given")
+                    ->check(number_within(0, 28));
   app.add_option("--time", command.times, "which times of their intervals things take")
       ->check(CLI::IsMember({"worst", "best", "random"}))
       ->capture_default_str();
-  app.add_option("--output", command.output,
-                 "a folder for the trace, the log, the figures, the charts and the picture");
+  auto* output =
+      app.add_option("--output", command.output,
+                     "a folder for the trace, the log, the figures, the charts, the plots and the picture");
   app.add_flag("!--no-picture", command.picture, "draw no picture of the arm");
+  app.add_flag("!--no-plots", command.plots, "draw no plots of force and position");
+  auto* video =
+      app.add_flag("--video", command.video, "with --output: films the run, as run.mp4 (needs ffmpeg)")
+          ->needs(output);
+  auto* live = app.add_flag("--live", command.live, "shows how far the run is while it goes on");
   app.add_flag("!--no-proof", command.proof, "do not hold the run against what was proved of the skill");
-  const auto* sweep = app.add_option("--sweep", command.sweep,
-                                     "runs so often, over the phases of the two clocks, and prints how "
-                                     "far the tool pressed past the threshold")
-                          ->check(CLI::Range(1, 100000));
+  auto* sweep = app.add_option("--sweep", command.sweep,
+                               "runs so often, over the phases of the two clocks, and prints how "
+                               "far the tool pressed past the threshold")
+                    ->check(CLI::Range(1, 100000));
+  // A sweep goes over the phases itself, and its runs are too many to look at.
+  for (CLI::Option* single : {phase, video, live}) sweep->excludes(single);
   app.add_option("--against", command.against,
                  "with --sweep: a second skill, over the same phases, for comparison")
-      ->needs(const_cast<CLI::Option*>(sweep));
+      ->needs(sweep);
 }
 
 }  // namespace
 
 ExitStatus main_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
-                        std::ostream& out, std::ostream& error) {
+                        std::ostream& out, std::ostream& error, bool terminal) {
   CLI::App app("Runs skills on a PUMA 560 in physics, in virtual time.", "workcell");
   app.require_subcommand(1);
   app.footer(
@@ -73,6 +112,7 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
   }
   try {
     list_command.scene_folders = run_command.scene_folders = folders_of(folders, PAL_SCENE_FOLDERS);
+    run_command.terminal = terminal;
     run_command.skill_folders = folders_of({}, PAL_SKILL_FOLDERS);
     return list_app->parsed() ? list(list_command, skills, out) : run(run_command, skills, out);
   } catch (const Failure& failure) {
@@ -80,6 +120,10 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
     return failure.status();
   } catch (const sim::SceneError& problem) {
     const Failure failure(ExitStatus::wrong_specification, problem.place(), problem.cause(), problem.hint());
+    failure.print(error);
+    return failure.status();
+  } catch (const sim::VideoError& problem) {
+    const Failure failure(ExitStatus::usage, "--video", problem.what(), problem.hint());
     failure.print(error);
     return failure.status();
   } catch (const std::exception& problem) {

@@ -25,6 +25,10 @@ struct RunCommand {
   std::string times = "random";
   std::string output;  // folder; empty: no files
   bool picture = true;
+  bool video = false;
+  bool plots = true;
+  bool live = false;      // shows progress
+  bool terminal = false;  // it goes to a terminal
   bool proof = true;
   std::vector<std::string> skill_folders;  // of the skills' PAL
   int sweep = 0;                           // runs; 0: one run
@@ -37,8 +41,9 @@ ExitStatus list(const ListCommand& command, const std::vector<KnownSkill>& skill
 /// "workcell run". Throws Failure.
 ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out);
 
-/// The whole program: reads the command line, runs the command, prints what failed.
+/// The whole program: reads the command line, runs the command, prints what failed. `terminal`: `out` is one,
+/// so that a line on it can be rewritten.
 ExitStatus main_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
-                        std::ostream& out, std::ostream& error);
+                        std::ostream& out, std::ostream& error, bool terminal = false);
 
 }  // namespace pal::workcell

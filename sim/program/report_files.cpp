@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "sim/program/statistics.hpp"
+#include "sim/report/log_table.hpp"
 
 namespace pal::workcell {
 namespace {
@@ -18,14 +19,6 @@ std::string json_text(const Json& json) {
 
 std::string in_folder(const std::string& folder, const char* name) {
   return folder + "/" + name;
-}
-
-std::string log_csv(const std::vector<sim::Sample>& log) {
-  std::string text = "time_ns,tool_x_mm,tool_y_mm,tool_z_mm,contact_force_N\n";
-  for (const sim::Sample& sample : log)
-    text += fmt::format("{},{:.6f},{:.6f},{:.6f},{:.6f}\n", sample.time.count(), sample.tool.x() * 1e3,
-                        sample.tool.y() * 1e3, sample.tool.z() * 1e3, sample.contact_force);
-  return text;
 }
 
 const char* name(runtime::CostPolicy policy) {
@@ -97,13 +90,30 @@ std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skil
   std::vector<OutputFile> files{
       {in_folder(folder, "trace.json"), trace.str()},
       {in_folder(folder, "trace.chrome.json"), chrome.str()},
-      {in_folder(folder, "log.csv"), log_csv(result.log)},
+      {in_folder(folder, "log.csv"), sim::log_table(result.log, result.messages)},
       {in_folder(folder, "run.json"), json_text(run_json(skill, session, result, promises))}};
   for (const Promise& promise : promises)
     files.push_back({folder + "/atc." + promise.requirement + ".svg", promise.chart});
   if (result.picture.image)
     files.push_back({in_folder(folder, "arm.png"), sim::encode_png(*result.picture.image)});
   return files;
+}
+
+sim::DrawnPlots run_plots(const runtime::Skill& skill, const Session& session, const SessionResult& result) {
+  const std::string heading = title(skill, session);
+  sim::ForcePlotOptions force{heading, {}, {}, result.outcome.duration};
+  std::optional<double> least, greatest;
+  for (const runtime::ParameterSpec& parameter : skill.description().parameters) {
+    if (parameter.unit != "N") continue;
+    const double value = *parameter_value(skill, session, parameter.name);
+    if (parameter.name.starts_with("min")) least = value;
+    if (parameter.name.starts_with("max")) greatest = value;
+    force.levels.push_back({std::string(parameter.name), value});
+  }
+  if (least && greatest) force.bands.push_back({"", *least, *greatest});
+  return sim::draw({sim::force_plot(result.log, result.messages, force),
+                    sim::position_plot(result.log, heading, result.outcome.duration),
+                    sim::path_plot(result.log, heading)});
 }
 
 std::vector<OutputFile> sweep_files(const std::string& folder, const std::vector<std::string>& skills,

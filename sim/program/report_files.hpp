@@ -9,15 +9,19 @@
 #include "sim/program/promise.hpp"
 #include "sim/program/session.hpp"
 #include "sim/program/sweep.hpp"
+#include "sim/report/plot.hpp"
 
 namespace pal::workcell {
 
-/// trace.json, trace.chrome.json (for Perfetto), log.csv (the tool's way and the contact force, each
-/// millisecond), run.json (what was asked and what came of it), atc.REQUIREMENT.svg for each promise and,
-/// with a picture, arm.png; all in `folder`.
+/// trace.json, trace.chrome.json (for Perfetto), log.csv (sim/report/log_table.hpp), run.json (what was asked
+/// and what came of it), atc.REQUIREMENT.svg for each promise and, with a picture, arm.png; all in `folder`.
 std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skill& skill,
                                   const Session& session, const SessionResult& result,
                                   const std::vector<Promise>& promises);
+
+/// Force, position and path over the run. Parameters of the skill in newtons are levels in the plot of the
+/// force; where two of them are called min… and max… they are a band.
+sim::DrawnPlots run_plots(const runtime::Skill& skill, const Session& session, const SessionResult& result);
 
 /// sweep.csv, a line a run, and sweep.json, the figures over all of them.
 std::vector<OutputFile> sweep_files(const std::string& folder, const std::vector<std::string>& skills,

@@ -77,12 +77,20 @@ Session make_session(const RunCommand& command, const runtime::Skill& skill) {
   Session session;
   session.scene =
       sim::find_scene(command.scene, {command.scene_folders.begin(), command.scene_folders.end()});
-  for (const std::string& setting : command.settings)
-    session.parameters.push_back(parse_setting(setting, skill));
+  for (const std::string& setting : command.settings) {
+    const runtime::ParameterValue value = parse_setting(setting, skill);
+    for (const runtime::ParameterValue& before : session.parameters)
+      if (before.name == value.name)
+        throw Failure(ExitStatus::usage, "--set " + setting,
+                      fmt::format("{} has been set before, to {:g}", value.name, before.value),
+                      "set it once");
+    session.parameters.push_back(value);
+  }
   session.times = parse_times(command.times);
   session.seed = command.seed;
   if (command.phase >= 0) session.phase = runtime::Time(static_cast<std::int64_t>(command.phase * 1e6));
   session.picture = command.picture && !command.output.empty();
+  if (command.video) session.video = command.output + "/run.mp4";
   return session;
 }
 
@@ -105,8 +113,26 @@ bool print(const std::vector<Promise>& promises, std::ostream& out) {
   return kept;
 }
 
+void write_run(const RunCommand& command, const runtime::Skill& skill, const Session& session,
+               const SessionResult& result, const std::vector<Promise>& proved, std::ostream& out) {
+  std::vector<OutputFile> files = run_files(command.output, skill, session, result, proved);
+  if (command.plots) {
+    const sim::DrawnPlots plots = run_plots(skill, session, result);
+    for (const auto& [name, content] : plots.files)
+      files.push_back({command.output + "/plots/" + name, content});
+    if (!plots.problem.empty()) out << "  no plots, only their data: " << plots.problem << '\n';
+  }
+  write(files, out);
+  if (session.video.empty()) return;
+  if (!result.video_problem.empty())
+    throw Failure(ExitStatus::usage, "--video", result.video_problem, "the run's other files are there");
+  out << "  wrote " << session.video << '\n';
+}
+
 ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime::Skill& skill,
-                    const Session& session, std::ostream& out) {
+                    Session session, std::ostream& out) {
+  if (command.live) session.progress = &out;
+  session.terminal = command.terminal;
   const SessionResult result = run_session(skill, session);
   const runtime::Outcome& outcome = result.outcome;
   out << fmt::format("{} in scene {}: {} {}\n", skill.description().name, session.scene.name,
@@ -127,7 +153,7 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
   std::vector<Promise> proved;
   if (command.proof) proved = promises(known, command.skill_folders, outcome.trace);
   const bool kept = print(proved, out);
-  if (!command.output.empty()) write(run_files(command.output, skill, session, result, proved), out);
+  if (!command.output.empty()) write_run(command, skill, session, result, proved, out);
 
   const auto is_error = [&](const runtime::CompletionSpec& completion) {
     return completion.code == outcome.code && completion.kind == runtime::CompletionSpec::Kind::error;

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "runtime/dispatcher.hpp"
+#include "runtime/drivers/station.hpp"
+#include "runtime/drivers/wire.hpp"
 #include "sim/picture/picture.hpp"
+#include "sim/report/message_log.hpp"
 #include "sim/scene.hpp"
 #include "sim/workcell.hpp"
 
@@ -18,26 +20,38 @@ struct Session {
   std::vector<runtime::ParameterValue> parameters;
   runtime::CostPolicy times = runtime::CostPolicy::random;
   std::uint64_t seed = 1;
-  /// From the opening of ALTER to its first event; drawn by the seed if not given.
+  /// From the skill's beginning to ALTER's first request; drawn by the seed if not given.
   std::optional<runtime::Time> phase;
   /// How much higher than in the scene the tool starts, mm.
   double raise = 0;
   bool picture = false;
+  std::string video{};               // the file; empty: none
+  std::ostream* progress = nullptr;  // where progress is shown; nullptr: nowhere
+  bool terminal = false;             // progress is a line that is rewritten
+  /// Outlive the run; null: time is virtual, bytes stay in the process, nobody stops the skill.
+  runtime::Pace* pace = nullptr;
+  runtime::Carrier* alter_carrier = nullptr;
+  const runtime::RunControl* control = nullptr;
 };
 
 struct SessionResult {
   runtime::Outcome outcome;
   runtime::Time phase{};         // as given or drawn
-  std::vector<sim::Sample> log;  // until the arm has come to rest
+  std::vector<sim::Sample> log;  // from the skill's beginning, time 0, until the arm has come to rest
+  sim::MessageLog messages;
   double peak_force = 0;         // N
   double resting_force = 0;      // N, at the end of the log
   sim::Picture picture;
+  std::string video_problem;  // why there is no video after all; empty with it, or if none was asked for
 };
 
-/// Runs the skill, then lets the arm end its motion and come to rest. Throws sim::SceneError;
-/// std::runtime_error when the physics diverged after the skill's end (before it, that is a fault of the
-/// skill).
+/// Runs the skill, then lets the arm end its motion and come to rest. Pictures, video and progress change
+/// nothing of the run. Throws sim::SceneError; sim::VideoError, before the run; std::runtime_error when the
+/// physics diverged after the skill's end (before it, that is a fault of the skill).
 SessionResult run_session(runtime::Skill& skill, const Session& session);
+
+/// "touch in scene touch"
+std::string title(const runtime::Skill& skill, const Session& session);
 
 /// The value that the session gives a parameter, or its default; nothing if the skill has none of that name.
 std::optional<double> parameter_value(const runtime::Skill& skill, const Session& session,

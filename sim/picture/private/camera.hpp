@@ -1,0 +1,40 @@
+// Cameras that are computed from what there is to see. Private to pal_sim.
+#pragma once
+
+#include "sim/picture/private/stage.hpp"
+
+namespace pal::sim {
+
+/// Keeps the arm, its tool and what stands in its reach in the picture, and looks at the tool past whatever
+/// might hide it. The direction is chosen once; as the arm moves on, the camera draws back where it must, and
+/// never jumps.
+class WorkcellCamera {
+ public:
+  /// `camera`: a camera of the model that is used instead, if there is one of this name.
+  WorkcellCamera(const Stage& stage, double aspect, const std::string& camera);
+
+  /// The view of the stage as it stands. `calm`: how much of the way to the best view is left to later
+  /// pictures, 0 to 1.
+  View view(const Stage& stage, double calm);
+
+ private:
+  void include_all(const Stage& stage);
+
+  int fixed_;
+  Framing framing_;
+  bool begun_ = false;
+  View shown_;
+};
+
+/// Looks at the tool's tip from near by. The direction is chosen once.
+class ContactCamera {
+ public:
+  explicit ContactCamera(const Stage& stage);
+
+  View view(const Stage& stage) const;
+
+ private:
+  View direction_;
+};
+
+}  // namespace pal::sim

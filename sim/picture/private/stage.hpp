@@ -1,0 +1,41 @@
+// A copy of the model that poses for pictures. Private to pal_sim.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "sim/model/private/physics.hpp"
+#include "sim/picture/private/framing.hpp"
+#include "sim/picture/private/snapshot.hpp"
+
+namespace pal::sim {
+
+/// Owns its model and its state: nothing that is drawn touches the physics, whatever thread it is drawn on.
+class Stage {
+ public:
+  explicit Stage(const mjModel& model);
+
+  /// Puts every body where the snapshot has it.
+  void show(const Snapshot& snapshot);
+
+  mjModel& model() { return *model_; }
+  const mjModel& model() const { return *model_; }
+  mjData& data() { return *data_; }
+  const mjData& data() const { return *data_; }
+  /// In the world's frame.
+  Eigen::Vector3d tip() const;
+  Eigen::Vector3d base() const;  // the shoulder: frame 0
+  /// The body is the arm's: its base or anything that hangs on it.
+  bool of_arm(int body) const;
+  /// The body is beyond the flange: sensors, tool, gripper.
+  bool of_tool(int body) const;
+
+ private:
+  bool hangs_on(int body, int ancestor) const;
+
+  std::unique_ptr<mjModel, DeleteModel> model_;
+  std::unique_ptr<mjData, DeleteData> data_;
+  int base_, flange_, tip_;
+};
+
+}  // namespace pal::sim

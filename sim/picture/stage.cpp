@@ -1,0 +1,55 @@
+#include "sim/picture/private/stage.hpp"
+
+#include <stdexcept>
+
+namespace pal::sim {
+namespace {
+
+int require(const mjModel& model, mjtObj kind, const char* name) {
+  const int id = mj_name2id(&model, kind, name);
+  if (id < 0) throw std::runtime_error(std::string("the model has no '") + name + "'");
+  return id;
+}
+
+}  // namespace
+
+Stage::Stage(const mjModel& model)
+    : model_(mj_copyModel(nullptr, &model)),
+      data_(model_ ? mj_makeData(model_.get()) : nullptr),
+      base_(require(model, mjOBJ_BODY, "base")),
+      flange_(model.site_bodyid[require(model, mjOBJ_SITE, "flange")]),
+      tip_(require(model, mjOBJ_SITE, "tip")) {
+  if (!model_ || !data_) throw std::runtime_error("there is no memory for a copy of the model");
+}
+
+void Stage::show(const Snapshot& snapshot) {
+  std::copy(snapshot.positions.begin(), snapshot.positions.end(), data_->qpos);
+  std::copy(snapshot.mocap_positions.begin(), snapshot.mocap_positions.end(), data_->mocap_pos);
+  std::copy(snapshot.mocap_turns.begin(), snapshot.mocap_turns.end(), data_->mocap_quat);
+  mj_kinematics(model_.get(), data_.get());
+  mj_comPos(model_.get(), data_.get());
+  mj_camlight(model_.get(), data_.get());
+}
+
+Eigen::Vector3d Stage::tip() const {
+  return Eigen::Map<const Eigen::Vector3d>(data_->site_xpos + 3 * tip_);
+}
+
+Eigen::Vector3d Stage::base() const {
+  return Eigen::Map<const Eigen::Vector3d>(data_->xpos + 3 * base_);
+}
+
+bool Stage::hangs_on(int body, int ancestor) const {
+  while (body != 0 && body != ancestor) body = model_->body_parentid[body];
+  return body == ancestor;
+}
+
+bool Stage::of_arm(int body) const {
+  return hangs_on(body, base_);
+}
+
+bool Stage::of_tool(int body) const {
+  return hangs_on(body, flange_);
+}
+
+}  // namespace pal::sim

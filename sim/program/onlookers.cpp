@@ -1,0 +1,39 @@
+#include "sim/program/onlookers.hpp"
+
+namespace pal::workcell {
+
+sim::PictureOptions captioned(sim::PictureOptions options, const runtime::Skill& skill,
+                              const Session& session) {
+  options.title = title(skill, session);
+  options.threshold = parameter_value(skill, session, "threshold");
+  return options;
+}
+
+Onlookers::Onlookers(sim::Workcell& workcell, const runtime::Skill& skill, const Session& session) {
+  if (!session.video.empty()) {
+    sim::VideoOptions options{.file = session.video};
+    options.picture = captioned(options.picture, skill, session);
+    video_.emplace(workcell, options);
+  }
+  if (session.progress != nullptr) progress_.emplace(workcell, *session.progress, session.terminal);
+}
+
+std::vector<Watcher> Onlookers::watchers() {
+  std::vector<Watcher> result;
+  if (video_) result.push_back({sim::video_period, [this] { video_->film(); }});
+  if (progress_) result.push_back({Progress::period, [this] { progress_->show(); }});
+  return result;
+}
+
+std::string Onlookers::end() {
+  if (progress_) progress_->end();
+  if (!video_) return {};
+  try {
+    video_->finish();
+    return {};
+  } catch (const sim::VideoError& problem) {
+    return problem.what();
+  }
+}
+
+}  // namespace pal::workcell

@@ -1,0 +1,36 @@
+// Video and progress: what looks on while a session runs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/program/progress.hpp"
+#include "sim/program/session.hpp"
+#include "sim/program/watched_world.hpp"
+#include "sim/report/video.hpp"
+
+namespace pal::workcell {
+
+/// Lives as long as the run.
+class Onlookers {
+ public:
+  /// Throws sim::VideoError when a video that is asked for cannot be made.
+  Onlookers(sim::Workcell& workcell, const runtime::Skill& skill, const Session& session);
+  Onlookers(const Onlookers&) = delete;
+  Onlookers& operator=(const Onlookers&) = delete;
+
+  std::vector<Watcher> watchers();
+  /// The run is over: the last line of progress, and the video is whole. What went wrong with it, or nothing.
+  std::string end();
+
+ private:
+  std::optional<sim::Video> video_;
+  std::optional<Progress> progress_;
+};
+
+/// Options of a picture with the session's title and threshold.
+sim::PictureOptions captioned(sim::PictureOptions options, const runtime::Skill& skill,
+                              const Session& session);
+
+}  // namespace pal::workcell

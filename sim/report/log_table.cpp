@@ -1,0 +1,113 @@
+#include "sim/report/log_table.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <iterator>
+#include <optional>
+
+#include "sim/arm/puma.hpp"
+
+namespace pal::sim {
+namespace {
+
+using Text = fmt::memory_buffer;
+
+template <class... Values>
+void append(Text& text, fmt::format_string<Values...> format, Values&&... values) {
+  fmt::format_to(std::back_inserter(text), format, std::forward<Values>(values)...);
+}
+
+void header(Text& text, const MessageLog& messages) {
+  append(text, "time_ms");
+  for (const char* kind : {"", "_set_point"})
+    for (std::size_t joint = 1; joint <= joint_count; ++joint) append(text, ",joint{}{}_deg", joint, kind);
+  for (const char* what : {"tool", "set_point"}) {
+    for (const char axis : {'x', 'y', 'z'}) append(text, ",{}_{}_mm", what, axis);
+    for (const char axis : {'x', 'y', 'z'}) append(text, ",{}_r{}_deg", what, axis);
+  }
+  append(text,
+         ",contact_force_N,wrench_fx_N,wrench_fy_N,wrench_fz_N,wrench_tx_N*m,wrench_ty_N*m,wrench_tz_N*m,"
+         "gripper_width_mm");
+  for (const MessageLog::DeviceNames& device : messages.devices())
+    for (const runtime::PortSpec& port : device.ports)
+      for (const runtime::FieldSpec& field : port.fields)
+        append(text, ",{}.{}.{}{}{}", device.name, port.message, field.name, field.unit.empty() ? "" : "_",
+               field.unit);
+  append(text, "\n");
+}
+
+void pose(Text& text, const Eigen::Vector3d& place, const Eigen::Quaterniond& turn) {
+  const Eigen::Vector3d angles = turn_angles(turn);
+  append(text, ",{:.4f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f}", place.x() * 1e3, place.y() * 1e3,
+         place.z() * 1e3, angles.x(), angles.y(), angles.z());
+}
+
+void arm(Text& text, const Sample& sample) {
+  append(text, "{}", std::chrono::duration_cast<std::chrono::milliseconds>(sample.time).count());
+  for (const Joints* joints : {&sample.joints, &sample.joint_set_point})
+    for (const double angle : *joints) append(text, ",{:.5f}", degrees(angle));
+  pose(text, sample.tool, sample.tool_turn);
+  pose(text, sample.set_point, sample.set_point_turn);
+  append(text, ",{:.4f}", sample.contact_force);
+  for (const double force : sample.wrench.force) append(text, ",{:.4f}", force);
+  for (const double torque : sample.wrench.torque) append(text, ",{:.5f}", torque);
+  append(text, ",{:.3f}", sample.gripper_width);
+}
+
+// The latest message of each port with fields, as it stands at one sample after the other.
+class LatestMessages {
+ public:
+  explicit LatestMessages(const MessageLog& messages) : messages_(messages) {
+    for (const MessageLog::DeviceNames& device : messages.devices())
+      latest_.emplace_back(device.ports.size());
+  }
+
+  void up_to(runtime::Time time) {
+    for (; next_ < messages_.messages().size() && messages_.messages()[next_].time <= time; ++next_) {
+      const LoggedMessage& message = messages_.messages()[next_];
+      latest_[message.device][message.port] = &message;
+    }
+  }
+
+  void write(Text& text) const {
+    for (std::size_t device = 0; device < latest_.size(); ++device)
+      for (std::size_t port = 0; port < latest_[device].size(); ++port)
+        for (std::size_t field = 0; field < messages_.devices()[device].ports[port].fields.size(); ++field) {
+          const LoggedMessage* message = latest_[device][port];
+          if (message == nullptr)
+            append(text, ",");
+          else
+            append(text, ",{:.6g}", message->fields[field]);
+        }
+  }
+
+ private:
+  const MessageLog& messages_;
+  std::vector<std::vector<const LoggedMessage*>> latest_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+Eigen::Vector3d turn_angles(const Eigen::Quaterniond& turn) {
+  const Eigen::Matrix3d r = turn.toRotationMatrix();
+  const double x = degrees(std::atan2(r(2, 1), r(2, 2)));
+  return {x < -90 ? x + 360 : x, degrees(std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0)))),
+          degrees(std::atan2(r(1, 0), r(0, 0)))};
+}
+
+std::string log_table(const std::vector<Sample>& log, const MessageLog& messages) {
+  Text text;
+  header(text, messages);
+  LatestMessages latest(messages);
+  for (const Sample& sample : log) {
+    latest.up_to(sample.time);
+    arm(text, sample);
+    latest.write(text);
+    append(text, "\n");
+  }
+  return fmt::to_string(text);
+}
+
+}  // namespace pal::sim
