@@ -2,10 +2,17 @@
 
 #include <utility>
 
+#include "runtime/drivers/gripper/driver.hpp"
+#include "runtime/drivers/range_finder/driver.hpp"
+#include "runtime/drivers/val/val_driver.hpp"
 #include "sim/cell/workcell_arm.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/devices/force_torque_sensor.hpp"
+#include "sim/devices/gripper_emulator.hpp"
+#include "sim/devices/range_finder_emulator.hpp"
 #include "sim/random.hpp"
+#include "sim/val/terminal.hpp"
+#include "sim/val/workcell_arm.hpp"
 
 namespace pal::sim {
 namespace {
@@ -34,6 +41,59 @@ runtime::Time phase_of(const CellOptions& options) {
   return options.phase.value_or(random.between(runtime::Time::zero(), alter_period));
 }
 
+/// The controller's terminal and the driver that types at it.
+struct ValLine {
+  ValLine(Workcell& workcell, runtime::Timeline& timeline, AlterControl& alter)
+      : arm(workcell, timeline),
+        hand(workcell, timeline),
+        machine{.timeline = timeline,
+                .arm = arm,
+                .hand = workcell.tool_kind() == ToolKind::gripper ? &hand : nullptr,
+                .alter = &alter},
+        wire(timeline, {.baud = 9600}),
+        terminal(wire.b(), machine),
+        driver(timeline, wire.a()) {}
+
+  val::WorkcellArm arm;
+  val::WorkcellHand hand;
+  val::Machine machine;
+  runtime::Wire wire;
+  val::Terminal terminal;
+  runtime::ValDriver driver;
+};
+
+struct GripperLine {
+  GripperLine(const Workcell& workcell, runtime::Timeline& timeline, std::uint64_t seed)
+      : wire(timeline, {.baud = 9600}),
+        emulator(
+            timeline, wire.b(),
+            [&workcell] {
+              return GripperState{workcell.gripper_width(), workcell.gripper_force(), workcell.holds_part()};
+            },
+            {.seed = seed}),
+        driver(timeline, wire.a()) {}
+
+  runtime::Wire wire;
+  GripperEmulator emulator;
+  runtime::GripperDriver driver;
+};
+
+struct RangeFinderLine {
+  RangeFinderLine(const Workcell& workcell, runtime::Timeline& timeline, std::uint64_t seed)
+      : wire(timeline, runtime::range_finder::line),
+        emulator(timeline, wire.b(),
+                 {[&workcell] { return workcell.tool(); },
+                  [&workcell](const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
+                    return workcell.cast(origin, direction);
+                  }},
+                 {.seed = seed}),
+        driver(timeline, wire.a()) {}
+
+  runtime::Wire wire;
+  RangeFinderEmulator emulator;
+  runtime::RangeFinderDriver driver;
+};
+
 }  // namespace
 
 // In this order: what comes later uses what stands before it.
@@ -47,9 +107,15 @@ struct Cell::Parts {
         alter_port(station.timeline(), alter_wire.b(), arm),
         opener(alter_port),
         alter(station.timeline(), alter_wire.a(), opener),
-        force_torque(workcell, sensor_options(options)) {
+        force_torque(workcell, sensor_options(options)),
+        val(workcell, station.timeline(), alter_port) {
     station.add(alter);
     station.add(force_torque);
+    station.add(val.driver);
+    if (workcell.tool_kind() == ToolKind::gripper)
+      station.add(gripper.emplace(workcell, station.timeline(), options.seed).driver);
+    if (workcell.tool_kind() == ToolKind::range_finder)
+      station.add(range_finder.emplace(workcell, station.timeline(), options.seed).driver);
   }
 
   Workcell workcell;
@@ -61,6 +127,9 @@ struct Cell::Parts {
   DirectOpener opener;
   runtime::AlterDriver alter;
   ForceTorqueSensor force_torque;
+  ValLine val;
+  std::optional<GripperLine> gripper;
+  std::optional<RangeFinderLine> range_finder;
 };
 
 Cell::Cell(const Scene& scene, const CellOptions& options)
@@ -93,6 +162,10 @@ runtime::Station& Cell::station() {
 
 runtime::AlterDriver& Cell::alter() {
   return parts_->alter;
+}
+
+val::Store& Cell::taught() {
+  return parts_->val.machine.store;
 }
 
 runtime::Wire& Cell::alter_line() {

@@ -10,6 +10,7 @@
 #include "runtime/drivers/station.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/scene.hpp"
+#include "sim/val/store.hpp"
 #include "sim/workcell.hpp"
 
 namespace pal::sim {
@@ -32,7 +33,7 @@ struct CellOptions {
   runtime::Carrier* alter_carrier = nullptr;
 };
 
-/// Devices: alter, force-torque.
+/// Devices: alter, force-torque, val; gripper and range-finder where the scene mounts them.
 class Cell {
  public:
   /// Throws SceneError.
@@ -52,6 +53,8 @@ class Cell {
   runtime::Station& station();
   runtime::AlterDriver& alter();
   runtime::Wire& alter_line();
+  /// What has been taught to the controller.
+  val::Store& taught();
 
  private:
   struct Parts;
