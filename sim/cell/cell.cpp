@@ -41,11 +41,24 @@ runtime::Time phase_of(const CellOptions& options) {
   return options.phase.value_or(random.between(runtime::Time::zero(), alter_period));
 }
 
+/// ALTER's port as VAL opens and closes it.
+class AlterByVal final : public val::AlterControl {
+ public:
+  explicit AlterByVal(sim::AlterControl& port) : port_(port) {}
+  std::string open(const val::AlterMode& mode) override { return port_.open({mode.world, mode.cumulative}); }
+  std::string close() override { return port_.close(); }
+  bool is_open() const override { return port_.is_open(); }
+
+ private:
+  sim::AlterControl& port_;
+};
+
 /// The controller's terminal and the driver that types at it.
 struct ValLine {
-  ValLine(Workcell& workcell, runtime::Timeline& timeline, AlterControl& alter)
+  ValLine(Workcell& workcell, runtime::Timeline& timeline, AlterControl& port)
       : arm(workcell, timeline),
         hand(workcell, timeline),
+        alter(port),
         machine{.timeline = timeline,
                 .arm = arm,
                 .hand = workcell.tool_kind() == ToolKind::gripper ? &hand : nullptr,
@@ -56,6 +69,7 @@ struct ValLine {
 
   val::WorkcellArm arm;
   val::WorkcellHand hand;
+  AlterByVal alter;
   val::Machine machine;
   runtime::Wire wire;
   val::Terminal terminal;
