@@ -37,7 +37,7 @@ function(pal_add_skill name)
     OUTPUT ${generated}
     COMMAND ${CMAKE_COMMAND} -DPAL=$<TARGET_FILE:pal::pal> -DFILE=${pal_name} -DENVIRONMENT=${environment_name}
             -DSKILL=${ARG_SKILL} -DALLOW_FAILING=${ARG_ALLOW_FAILING} -P "${_pal_skill_directory}/PalCheck.cmake"
-    COMMAND pal::pal generate ${pal_name} --environment ${environment_name} --skill ${ARG_SKILL} -o "${directory}"
+    COMMAND pal::pal generate ${pal_name} --environment ${environment_name} --skill ${ARG_SKILL} -o "${directory}" --allow-failing
             --depfile "${directory}/${prefix}.d" --depfile-target "${directory}/${prefix}_messages.hpp"
     DEPENDS pal::pal "${pal_file}" "${environment_file}" "${_pal_skill_directory}/PalCheck.cmake"
     DEPFILE "${directory}/${prefix}.d"

@@ -30,7 +30,7 @@ class Dumper {
     for (const PlannedMessage& message : plan_.messages) {
       out_ << "message " << message.pal_name << " as " << message.type << ", " << message.variable << ':';
       for (const PlannedField& field : message.fields) {
-        out_ << ' ' << cpp_type(field.type) << ' ' << field.name
+        out_ << ' ' << cpp_type(field.type, field.size) << ' ' << field.name
              << (field.unit.empty() ? "" : " " + field.unit) << ';';
       }
       out_ << '\n';

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "codegen/emit.hpp"
 
 namespace pal::codegen {
@@ -13,6 +15,8 @@ std::string from_number(const PlannedField& field, std::size_t index) {
       return "static_cast<std::int64_t>(" + number + ")";
     case pan::ScalarType::boolean:
       return number + " != 0";
+    case pan::ScalarType::text:
+      break;  // in no plain message
   }
   return {};
 }
@@ -25,17 +29,63 @@ std::string to_number(const PlannedField& field) {
       return "static_cast<double>(" + field.name + ")";
     case pan::ScalarType::boolean:
       return field.name + " ? 1.0 : 0.0";
+    case pan::ScalarType::text:
+      break;  // in no plain message
   }
   return {};
+}
+
+/// Where the field's numbers end that begin at `at`; a text takes runtime::Text::slots of them.
+std::size_t end_of(const PlannedField& field, std::size_t at) {
+  constexpr std::size_t of_a_text = 4;
+  if (field.type == pan::ScalarType::text) return at + of_a_text;
+  return at + (field.size == 0 ? 1 : static_cast<std::size_t>(field.size));
+}
+
+/// The conversions of a message with arrays or texts.
+void write_long_conversions(Writer& out, const PlannedMessage& message) {
+  std::size_t count = 0;
+  for (const PlannedField& field : message.fields) count = end_of(field, count);
+  out.line("static constexpr std::size_t field_count = " + std::to_string(count) + ";");
+  out.open("std::array<double, field_count> fields() const {");
+  out.line("std::array<double, field_count> numbers{};");
+  std::size_t at = 0;
+  for (const PlannedField& field : message.fields) {
+    out.line("runtime::put(" + field.name + ", numbers, " + std::to_string(at) + ");");
+    at = end_of(field, at);
+  }
+  out.line("return numbers;");
+  out.close();
+  out.open("static " + message.type + " from_fields(std::span<const double> numbers) {");
+  out.line(message.type + " message;");
+  at = 0;
+  for (const PlannedField& field : message.fields) {
+    out.line("runtime::get(message." + field.name + ", numbers, " + std::to_string(at) + ");");
+    at = end_of(field, at);
+  }
+  out.line("return message;");
+  out.close();
+}
+
+/// Of a field when nothing has come yet.
+std::string start_of(const PlannedField& field) {
+  if (field.type == pan::ScalarType::text) return "";
+  if (field.size != 0) return "{}";
+  return field.type == pan::ScalarType::boolean ? " = false" : " = 0";
 }
 
 void write_message(Writer& out, const PlannedMessage& message) {
   out.line("/// MESSAGE " + message.pal_name);
   out.open("struct " + message.type + " {");
   for (const PlannedField& field : message.fields) {
-    const std::string start = field.type == pan::ScalarType::boolean ? "false" : "0";
     const std::string unit = field.unit.empty() ? "" : "  // " + field.unit;
-    out.line(std::string(cpp_type(field.type)) + " " + field.name + " = " + start + ";" + unit);
+    out.line(cpp_type(field.type, field.size) + " " + field.name + start_of(field) + ";" + unit);
+  }
+  if (!is_plain(message)) {
+    out.line();
+    write_long_conversions(out, message);
+    out.close("};");
+    return;
   }
   const std::string count = std::to_string(message.fields.size());
   std::string numbers;
@@ -61,6 +111,8 @@ GeneratedFile emit_messages(const Plan& plan) {
   write_heading(out, plan, "The messages of skill " + plan.skill.name + ".");
   out.line("#pragma once").line();
   out.line("#include <array>").line("#include <cstddef>").line("#include <cstdint>").line("#include <span>");
+  if (!std::all_of(plan.messages.begin(), plan.messages.end(), is_plain))
+    out.line().line("#include \"runtime/payload.hpp\"");
   open_namespace(out, plan);
   for (const PlannedMessage& message : plan.messages) {
     if (&message != &plan.messages.front()) out.line();

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "codegen/emit.hpp"
 #include "codegen/names.hpp"
 
@@ -72,7 +74,17 @@ void write_class(Writer& out, const Plan& plan) {
   out.line("if (!" + plan.name +
            "::set_parameter(parameters_, name, value)) "
            "runtime::unknown_parameter(description(), name);");
-  out.close().line();
+  out.close();
+  const bool texts = std::any_of(plan.parameters.begin(), plan.parameters.end(), [](const auto& parameter) {
+    return parameter.pal.type == pan::ScalarType::text;
+  });
+  if (texts) {
+    out.open("void set_text_parameter(std::string_view name, std::string_view text) override {");
+    out.line("if (!" + plan.name +
+             "::set_text_parameter(parameters_, name, text)) Skill::set_text_parameter(name, text);");
+    out.close();
+  }
+  out.line();
   out.open("void start() override {");
   for (const PlannedModule& module : plan.modules) out.line(module.variable + "_.start(parameters_);");
   out.close().line();

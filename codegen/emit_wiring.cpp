@@ -45,6 +45,12 @@ std::string fields_of(const Plan& plan, const PlannedChannel& channel) {
   return channel.fields ? plan.messages[*channel.fields].variable + "_fields" : "{}";
 }
 
+/// Of what is no single number, the default.
+std::string kind_and_count(const PlannedField& field) {
+  if (field.type == pan::ScalarType::text) return ", runtime::FieldKind::text";
+  return field.size == 0 ? "" : ", runtime::FieldKind::number, " + std::to_string(field.size);
+}
+
 void write_fields(Writer& out, const Plan& plan) {
   for (std::size_t m = 0; m < plan.messages.size(); ++m) {
     const bool used = std::any_of(plan.channels.begin(), plan.channels.end(),
@@ -53,7 +59,8 @@ void write_fields(Writer& out, const Plan& plan) {
     const PlannedMessage& message = plan.messages[m];
     std::vector<std::string> rows;
     for (const PlannedField& field : message.fields) {
-      rows.push_back("{" + literal(field.pal_name) + ", " + literal(field.unit) + "}");
+      rows.push_back("{" + literal(field.pal_name) + ", " + literal(field.unit) + kind_and_count(field) +
+                     "}");
     }
     out.list("constexpr std::array<runtime::Field, " + std::to_string(message.fields.size()) + "> " +
                  message.variable + "_fields{{",
@@ -87,7 +94,9 @@ void write_tables(Writer& out, const Plan& plan) {
   }
   out.close("}};").line();
 
-  out.line("// Fields of messages: name, unit.");
+  const bool plain = std::all_of(plan.messages.begin(), plan.messages.end(), is_plain);
+  out.line(plain ? "// Fields of messages: name, unit."
+                 : "// Fields of messages: name, unit; of texts and arrays also kind, values.");
   write_fields(out, plan);
   out.line();
   out.line("// Sender, message, receiver, fields, answer, request, from a device, to a device.");

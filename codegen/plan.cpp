@@ -81,7 +81,8 @@ class Planner {
       Scope fields({"fields", "field_count", "from_fields", "message", "numbers"});
       for (const pan::Field& field : message.fields) {
         const std::string name = field.name.empty() ? "value" : field.name;
-        planned.fields.push_back({fields.unique(snake_case(name)), field.name, field.type, field.unit});
+        planned.fields.push_back(
+            {fields.unique(snake_case(name)), field.name, field.type, field.unit, field.size});
       }
       plan_.messages.push_back(std::move(planned));
     }
@@ -248,6 +249,12 @@ class Planner {
 };
 
 }  // namespace
+
+bool is_plain(const PlannedMessage& message) {
+  return std::all_of(message.fields.begin(), message.fields.end(), [](const PlannedField& field) {
+    return field.size == 0 && field.type != pan::ScalarType::text;
+  });
+}
 
 std::optional<Plan> make_plan(const pan::Network& network, const pan::Environment& environment,
                               const SourceManager& sources, Diagnostics& diagnostics) {

@@ -20,6 +20,7 @@ struct PlannedField {
   std::string pal_name;
   pan::ScalarType type = pan::ScalarType::real;
   std::string unit;
+  int size = 0;  // of an array; 0: a single value
 };
 
 /// A message with fields: a struct. Messages without fields need no C++.
@@ -29,6 +30,9 @@ struct PlannedMessage {
   std::string pal_name;
   std::vector<PlannedField> fields;
 };
+
+/// True if every field is a single number or boolean.
+bool is_plain(const PlannedMessage& message);
 
 struct PlannedParameter {
   std::string name;  // C++

@@ -83,7 +83,8 @@ void close_namespace(Writer& out, const Plan& plan) {
   out.line().line("}  // namespace pal::skills::" + plan.name);
 }
 
-std::string_view cpp_type(pan::ScalarType type) {
+std::string cpp_type(pan::ScalarType type, int size) {
+  if (size != 0) return "std::array<" + cpp_type(type) + ", " + std::to_string(size) + ">";
   switch (type) {
     case pan::ScalarType::real:
       return "double";
@@ -91,6 +92,8 @@ std::string_view cpp_type(pan::ScalarType type) {
       return "std::int64_t";
     case pan::ScalarType::boolean:
       return "bool";
+    case pan::ScalarType::text:
+      return "runtime::Text";
   }
   return {};
 }

@@ -40,8 +40,8 @@ void write_heading(Writer& out, const Plan& plan, std::string_view what);
 void open_namespace(Writer& out, const Plan& plan);
 void close_namespace(Writer& out, const Plan& plan);
 
-/// "double", "std::int64_t", "bool".
-std::string_view cpp_type(pan::ScalarType type);
+/// "double", "std::int64_t", "bool", "runtime::Text"; of an array "std::array<double, 255>".
+std::string cpp_type(pan::ScalarType type, int size = 0);
 /// A number that reads back as itself: "20", "0.5"; of type bool "true", "false".
 std::string number(double value, pan::ScalarType type);
 /// "28ms", "50us", "1s": the greatest unit in which it is whole.

@@ -109,6 +109,7 @@ SET           : S E T ;
 SIGNAL        : S I G N A L ;
 SPORADIC      : S P O R A D I C ;
 TEST          : T E S T ;
+TEXT          : T E X T ;
 TIME          : T I M E ;
 WITHIN        : W I T H I N ;
 WRITES        : W R I T E S ;
@@ -124,6 +125,8 @@ SLASH         : '/' ;
 CARET         : '^' ;
 DOT           : '.' ;
 PERCENT       : '%' ;
+LEFT_BRACKET  : '[' ;
+RIGHT_BRACKET : ']' ;
 
 NAME          : [a-zA-Z_] [a-zA-Z0-9_]* ( '-' [a-zA-Z0-9_]+ )* ;
 NUMBER        : '-'? [0-9]+ ( '.' [0-9]+ )? ( [eE] [+-]? [0-9]+ )? ;

@@ -30,7 +30,10 @@ payload
 
 fieldGroup : name ( COMMA name )* COLON type ;
 
-type : ( REAL | INTEGER | BOOLEAN ) physicalUnit? ;
+// REAL mm; REAL[255] mm. What may have a size, and what a unit, is checked where the tree is built.
+type : ( REAL | INTEGER | BOOLEAN | TEXT ) size? physicalUnit? ;
+
+size : LEFT_BRACKET NUMBER RIGHT_BRACKET ;
 
 physicalUnit : unitFactor ( ( STAR | SLASH ) unitFactor )* | PERCENT ;
 
@@ -162,7 +165,7 @@ names : NONE | name ( COMMA name )* ;
 
 strings : NONE | STRING+ ;
 
-literal : NUMBER physicalUnit? | truth ;
+literal : NUMBER physicalUnit? | truth | STRING ;
 
 measure
   : RESPONSE FROM message OF party TO step AT MOST duration                           # response
@@ -251,7 +254,8 @@ contextual
   | FIRST | FOREVER | FRAMES | GENERIC | IN | INTEGER | INTERVAL | JITTER | LATENCY | LEAST | LOAD | LOSS | METHOD
   | MODEL | MODULE | MOST | NONPREEMPTIVE | NORMAL | NOTHING | OF | ON | PARAMETER | PERIOD | PHASE | PLACE
   | POSTCONDITION | PRECONDITION | PRIORITY | PROCESSOR | PROCESSORS | PROTOCOL | RANGE | REACTION | READ
-  | READS | REAL | RECEIVE | REQUIREMENT | RESPONSE | RETURNS | SEND | SET | SIGNAL | SPORADIC | TEST | TIME | WITHIN | WRITES
+  | READS | REAL | RECEIVE | REQUIREMENT | RESPONSE | RETURNS | SEND | SET | SIGNAL | SPORADIC | TEST | TEXT | TIME | WITHIN
+  | WRITES
   ;
 
 // The words that begin a unit of a file.

@@ -11,15 +11,21 @@
 #include <string>
 #include <vector>
 
+#include "runtime/in_use.hpp"
+#include "runtime/payload.hpp"
+
 namespace pal::runtime {
 
 /// An instant or a length of time; instants count from the start of the run.
 using Time = std::chrono::nanoseconds;
 
-/// One field of a message: all payloads are flat lists of numbers (booleans 0 or 1).
+/// One field of a message: all payloads are flat lists of numbers (payload.hpp).
+/// {"x", "mm"}; {"x", "mm", FieldKind::number, 255}; {"location", "", FieldKind::text}.
 struct FieldSpec {
   std::string name;
   std::string unit;  // canonical spelling, as in PAL; empty: a plain number
+  FieldKind kind = FieldKind::number;
+  std::size_t count = 1;  // of values: the size of an array
 
   friend bool operator==(const FieldSpec&, const FieldSpec&) = default;
 };
@@ -82,6 +88,12 @@ class Device {
 
   /// The skill is over, in whatever way. The device leaves its machine standing still.
   virtual void close() = 0;
+
+  /// Whether a run has it; the dispatcher's business.
+  InUse& in_use() { return in_use_; }
+
+ private:
+  InUse in_use_;
 };
 
 /// What moves while the skill runs: a physics engine, or nothing.
@@ -89,8 +101,18 @@ class World {
  public:
   virtual ~World() = default;
 
-  /// Brings the world to instant `when` (never back in time). Called before anything happens at `when`.
+  /// Brings the world to instant `when` (never back in time). Called before anything happens at `when`. What
+  /// the world does by itself up to then happens in here: it may deliver messages by the DeviceHosts, whose
+  /// clock is at `when` already.
   virtual void advance_to(Time when) = 0;
+
+  /// When something happens in the world by itself: bytes arrive, a conversion ends. A run stops there on its
+  /// way.
+  virtual Time next_event() { return Time::max(); }
+
+  /// Waits as long as it takes to get to `when` in the world's own time; virtual time does not wait. Returns
+  /// an earlier instant if something came in from outside meanwhile: the run goes there first.
+  virtual Time wait_until(Time when) { return when; }
 };
 
 }  // namespace pal::runtime

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "runtime/ports.hpp"
 #include "runtime/run.hpp"
 
 namespace pal::runtime {
@@ -24,9 +25,10 @@ void DeviceLink::at(Time when, std::function<void()> action) {
 bool DeviceLink::deliver(std::size_t port, std::span<const double> fields) {
   if (run_.over()) return true;
   const PortSpec& spec = device_.ports().at(port);
-  if (spec.to_device || fields.size() != spec.fields.size()) {
+  if (spec.to_device || !is_payload(spec.fields, fields)) {
     throw std::logic_error("delivers " + spec.message + " in a form that its port does not have");
   }
+  run_.observe(device_, port, fields);
   const int channel = channels_[port];
   if (channel < 0) return true;  // the skill has no use for this message
   return run_.mail().deliver(channel, fields);

@@ -4,27 +4,14 @@
 #include <stdexcept>
 #include <vector>
 
+#include "runtime/ports.hpp"
 #include "runtime/recorder.hpp"
 #include "runtime/run.hpp"
+#include "runtime/thrown.hpp"
 
 namespace pal::runtime {
 
 namespace {
-
-bool same_fields(std::span<const Field> expected, const std::vector<FieldSpec>& offered) {
-  return std::equal(expected.begin(), expected.end(), offered.begin(), offered.end(),
-                    [](const Field& a, const FieldSpec& b) { return a.name == b.name && a.unit == b.unit; });
-}
-
-std::string in_words(std::span<const Field> fields) {
-  if (fields.empty()) return "no fields";
-  std::string text;
-  for (const Field& field : fields) {
-    text += (text.empty() ? "" : ", ") + std::string(field.name);
-    if (!field.unit.empty()) text += " in " + std::string(field.unit);
-  }
-  return text;
-}
 
 Connection connect(const Wiring& wiring, std::string_view name, std::span<Device* const> devices) {
   const auto found = std::find_if(devices.begin(), devices.end(),
@@ -41,16 +28,38 @@ Connection connect(const Wiring& wiring, std::string_view name, std::span<Device
     const auto port = std::find_if(ports.begin(), ports.end(), [&](const PortSpec& candidate) {
       return candidate.message == channel.message && candidate.to_device == to;
     });
-    if (port == ports.end() || !same_fields(channel.fields, port->fields)) {
+    const std::string differs = port == ports.end() ? "" : difference(channel.fields, port->fields);
+    if (port == ports.end() || !differs.empty()) {
       throw std::runtime_error("device " + called + (to ? " does not take " : " does not send ") +
-                               std::string(channel.message) + " with " + in_words(channel.fields));
+                               std::string(channel.message) + " with " + in_words(channel.fields) +
+                               (differs.empty() ? "" : ": " + differs));
     }
     connection.channels[static_cast<std::size_t>(port - ports.begin())] = static_cast<int>(c);
   }
   return connection;
 }
 
-Outcome refuse(const Skill& skill, const std::string& reason) {
+/// Takes what a run uses, and frees it in the end.
+class Taken {
+ public:
+  Taken() = default;
+  Taken(const Taken&) = delete;
+  Taken& operator=(const Taken&) = delete;
+  ~Taken() {
+    for (InUse* each : taken_) each->free();
+  }
+  void take(InUse& in_use, const std::string& otherwise) {
+    if (!in_use.take()) throw std::runtime_error(otherwise);
+    taken_.push_back(&in_use);
+  }
+
+ private:
+  std::vector<InUse*> taken_;
+};
+
+}  // namespace
+
+Outcome refused(const Skill& skill, const std::string& reason) {
   Outcome outcome;
   outcome.fault = true;
   outcome.code = -1;
@@ -67,20 +76,29 @@ Outcome refuse(const Skill& skill, const std::string& reason) {
   return outcome;
 }
 
-}  // namespace
-
 Outcome Dispatcher::run(Skill& skill, std::span<const ParameterValue> parameters, const RunOptions& options) {
+  Taken taken;
   std::vector<Connection> connections;
   try {
+    taken.take(in_use_, "another skill is running; a dispatcher runs one at a time");
+    taken.take(skill.in_use(), "the skill is running already");
     skill.reset_parameters();
-    for (const ParameterValue& parameter : parameters) skill.set_parameter(parameter.name, parameter.value);
+    for (const ParameterValue& parameter : parameters) {
+      if (parameter.text) {
+        skill.set_text_parameter(parameter.name, *parameter.text);
+      } else {
+        skill.set_parameter(parameter.name, parameter.value);
+      }
+    }
     for (std::string_view device : skill.wiring().devices) {
       connections.push_back(connect(skill.wiring(), device, devices_));
+      taken.take(connections.back().device->in_use(),
+                 "device " + std::string(device) + " is in use by a skill that is running");
     }
-  } catch (const std::runtime_error& error) {
-    return refuse(skill, error.what());
+    return Run(skill, world_, connections, options).execute();
+  } catch (...) {
+    return refused(skill, what_was_thrown());
   }
-  return Run(skill, world_, connections, options).execute();
 }
 
 }  // namespace pal::runtime

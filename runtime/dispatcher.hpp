@@ -1,17 +1,21 @@
 // Runs skills, one at a time.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
+#include "runtime/in_use.hpp"
 #include "runtime/outcome.hpp"
 #include "runtime/skill.hpp"
 
 namespace pal::runtime {
 
+/// {"reach", 5}; {.name = "location", .text = "park"}.
 struct ParameterValue {
   std::string name;
-  double value = 0;  // in the parameter's unit; booleans 0 or 1
+  double value = 0;                                // in the parameter's unit; booleans 0 or 1
+  std::optional<std::string> text = std::nullopt;  // of a parameter that is a TEXT, instead of `value`
 };
 
 class Dispatcher {
@@ -21,13 +25,18 @@ class Dispatcher {
 
   /// Runs the skill in virtual time from 0 to its end. Parameters that are not given have their defaults. A
   /// parameter that may not be, and a device that is missing or whose ports are not what the skill needs, end
-  /// the skill before it begins, with its error completion and the reason. Never throws for what a skill, a
-  /// device or the world does.
+  /// the skill before it begins, with its error completion and the reason. So does a dispatcher, a skill or a
+  /// device that is running already, in this thread (a device begins a run in its receive) or in another one.
+  /// Never throws for what a skill, a device or the world does.
   Outcome run(Skill& skill, std::span<const ParameterValue> parameters = {}, const RunOptions& options = {});
 
  private:
   std::span<Device* const> devices_;
   World& world_;
+  InUse in_use_;
 };
+
+/// The outcome of a skill that does not begin: its error completion, and why.
+Outcome refused(const Skill& skill, const std::string& reason);
 
 }  // namespace pal::runtime

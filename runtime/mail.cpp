@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "runtime/ports.hpp"
 #include "runtime/run.hpp"
 
 namespace pal::runtime {
@@ -16,7 +17,7 @@ Mail::Mail(Run& run, const Wiring& wiring) : run_(run) {
   for (const ChannelSpec& spec : wiring.channels) {
     slots_.emplace_back();
     slots_.back().spec = &spec;
-    slots_.back().fields.resize(spec.fields.size());
+    slots_.back().fields.resize(payload_size(spec.fields));
     slots_.back().asked.reserve(usual_asked);
   }
   for (std::size_t i = 0; i < slots_.size(); ++i) {

@@ -7,6 +7,8 @@
 
 #include "runtime/cost_policy.hpp"
 #include "runtime/device.hpp"
+#include "runtime/observer.hpp"
+#include "runtime/run_control.hpp"
 #include "runtime/trace/trace.hpp"
 
 namespace pal::runtime {
@@ -17,6 +19,8 @@ struct RunOptions {
   Time horizon = std::chrono::minutes(10);  // a run that is longer ends with its error completion
   std::size_t trace_capacity =
       1U << 20U;  // events for which there is room before memory is taken during the run
+  const RunControl* control = nullptr;  // outlives the run; null: nobody asks anything of it
+  MessageObserver* observer = nullptr;  // outlives the run; null: nobody looks on
 };
 
 struct Outcome {

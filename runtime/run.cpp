@@ -1,8 +1,9 @@
 #include "runtime/run.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <utility>
+
+#include "runtime/thrown.hpp"
 
 namespace pal::runtime {
 
@@ -44,8 +45,12 @@ Run::Run(Skill& skill, World& world, const std::vector<Connection>& connections,
 }
 
 Outcome Run::execute() {
-  start_skill();
-  while (!over_) step();
+  try {
+    start_skill();
+    while (!over_) step();
+  } catch (...) {
+    fail_at(-1, -1, "the run: " + what_was_thrown());
+  }
   close_devices();
   for (const CompletionSpec& completion : skill_.description().completions) {
     if (!outcome_.fault && completion.code == outcome_.code) outcome_.reason = completion.description;
@@ -59,19 +64,24 @@ void Run::start_skill() {
   for (DeviceLink& link : devices_) {
     try {
       link.device().attach(link);
-    } catch (const std::exception& error) {
-      fail_device(static_cast<int>(&link - &devices_.front()), link.device().name() + ": " + error.what());
+    } catch (...) {
+      fail_device(static_cast<int>(&link - &devices_.front()),
+                  link.device().name() + ": " + what_was_thrown());
       return;
     }
   }
   try {
     skill_.start();
-  } catch (const std::exception& error) {
-    fail_at(-1, -1, std::string("starting the skill: ") + error.what());
+  } catch (...) {
+    fail_at(-1, -1, "starting the skill: " + what_was_thrown());
     return;
   }
   for (Thread& thread : threads_) {
     thread.control.task = skill_.body(static_cast<std::size_t>(thread.control.index), thread);
+    if (!thread.control.task) {
+      fail_at(-1, -1, "the skill has no body for its thread " + std::string(thread.control.spec->name));
+      return;
+    }
   }
   if (!threads_.empty()) skill_.reserve_executed(threads_.front());
   for (Thread& thread : threads_) {
@@ -99,34 +109,46 @@ bool Run::stale(const Event& event) const {
   return false;
 }
 
-void Run::step() {
-  while (!queue_.empty() && stale(queue_.next())) queue_.pop();
-  if (queue_.empty()) {
-    fail_at(-1, -1, "nothing is left to happen" + who_waits());
-    return;
-  }
-  const Event event = queue_.pop();
-  if (event.time > options_.horizon) {
+// Brings the clock and the world to `when`. False: the run is over, or something came in on the way.
+bool Run::go_to(Time when) {
+  if (when > options_.horizon) {
     now_ = options_.horizon;
     fail_at(-1, -1,
             "the run is longer than its limit of " + std::to_string(now_.count()) + " ns" + who_waits());
+    return false;
+  }
+  try {
+    const Time reached = world_.wait_until(when);
+    if (reached > now_) events_now_ = 0;
+    now_ = reached;
+    world_.advance_to(reached);
+  } catch (...) {
+    fail_at(-1, -1, "the world: " + what_was_thrown());
+  }
+  return !over_ && now_ == when;
+}
+
+void Run::step() {
+  if (options_.control != nullptr && options_.control->stopping()) {
+    fail_at(-1, -1, "stopped on request");
     return;
   }
-  if (event.time > now_) {
-    events_now_ = 0;
-    try {
-      world_.advance_to(event.time);
-    } catch (const std::exception& error) {
-      fail_at(-1, -1, std::string("the world: ") + error.what());
-      return;
-    }
-    now_ = event.time;
+  while (!queue_.empty() && stale(queue_.next())) queue_.pop();
+  const Time own = queue_.empty() ? Time::max() : queue_.next().time;
+  const Time in_world = world_.next_event();
+  if (own == Time::max() && in_world == Time::max()) {
+    fail_at(-1, -1, "nothing is left to happen" + who_waits());
+    return;
   }
   if (++events_now_ > most_events_at_one_instant) {
     fail_at(-1, -1, "the skill goes on and on without taking time" + who_waits());
     return;
   }
-  happen(event);
+  if (in_world <= own) {  // what arrives at an instant is there before anything else happens at it
+    go_to(in_world);
+  } else if (own == now_ || go_to(own)) {
+    happen(queue_.pop());
+  }
   settle();
 }
 
@@ -154,8 +176,8 @@ void Run::happen(const Event& event) {
       const auto device = static_cast<int>(event.token);
       try {
         queue_.take_action(event)();
-      } catch (const std::exception& error) {
-        fail_device(device, devices_[event.token].device().name() + ": " + error.what());
+      } catch (...) {
+        fail_device(device, devices_[event.token].device().name() + ": " + what_was_thrown());
       }
       break;
     }
@@ -228,18 +250,23 @@ void Run::open_device(int device) {
   DeviceLink& link = devices_[static_cast<std::size_t>(device)];
   try {
     link.open();
-  } catch (const std::exception& error) {
-    fail_device(device, link.device().name() + ": " + error.what());
+  } catch (...) {
+    fail_device(device, link.device().name() + ": " + what_was_thrown());
   }
+}
+
+void Run::observe(const Device& device, std::size_t port, std::span<const double> fields) {
+  if (options_.observer != nullptr) options_.observer->passed(now_, device, port, fields);
 }
 
 void Run::hand_to_device(int device, std::size_t port, std::span<const double> fields) {
   if (over_) return;
   Device& receiver = devices_[static_cast<std::size_t>(device)].device();
+  observe(receiver, port, fields);
   try {
     receiver.receive(port, fields);
-  } catch (const std::exception& error) {
-    fail_device(device, receiver.name() + ": " + error.what());
+  } catch (...) {
+    fail_device(device, receiver.name() + ": " + what_was_thrown());
   }
 }
 
@@ -247,8 +274,8 @@ bool Run::withdraw_from_device(int device, std::size_t port) {
   Device& receiver = devices_[static_cast<std::size_t>(device)].device();
   try {
     return receiver.withdraw(port);
-  } catch (const std::exception& error) {
-    fail_device(device, receiver.name() + ": " + error.what());
+  } catch (...) {
+    fail_device(device, receiver.name() + ": " + what_was_thrown());
     return true;
   }
 }
@@ -257,11 +284,11 @@ void Run::close_devices() {
   for (DeviceLink& link : devices_) {
     try {
       link.device().close();
-    } catch (const std::exception& error) {
+    } catch (...) {
       outcome_.fault = true;
       outcome_.code = error_code();
-      outcome_.reason +=
-          (outcome_.reason.empty() ? "closing " : "; closing ") + link.device().name() + ": " + error.what();
+      outcome_.reason += (outcome_.reason.empty() ? "closing " : "; closing ") + link.device().name() + ": " +
+                         what_was_thrown();
     }
   }
 }
@@ -304,13 +331,7 @@ void Run::fail_device(int device, const std::string& reason) {
 }
 
 void Run::fail_by_exception(const Thread& thread) {
-  try {
-    throw;
-  } catch (const std::exception& error) {
-    fail(thread, error.what());
-  } catch (...) {
-    fail(thread, "an exception that is not a std::exception");
-  }
+  fail(thread, what_was_thrown());
 }
 
 std::string Run::place_of(const Thread& thread) const {

@@ -19,6 +19,8 @@ std::string with_unit(double value, std::string_view unit) {
 
 void check_parameter(const ParameterSpec& parameter, double value) {
   const std::string name(parameter.name);
+  if (parameter.type == ParameterType::text)
+    throw ParameterError("parameter " + name + " is a text; it cannot be a number");
   const bool in_range = value >= parameter.low && value <= parameter.high;  // false for NaN as well
   if (!in_range) {
     throw ParameterError("parameter " + name + " is " + with_unit(value, parameter.unit) +
@@ -29,6 +31,25 @@ void check_parameter(const ParameterSpec& parameter, double value) {
     throw ParameterError("parameter " + name + " is " + with_unit(value, parameter.unit) +
                          "; it must be a whole number");
   }
+}
+
+void check_parameter(const ParameterSpec& parameter, std::string_view text) {
+  const std::string name(parameter.name);
+  if (parameter.type != ParameterType::text)
+    throw ParameterError("parameter " + name + " is a number; it cannot be a text");
+  if (Text::fits(text)) return;
+  const bool too_long = text.size() > Text::capacity;
+  throw ParameterError("parameter " + name +
+                       (too_long ? " has " + std::to_string(text.size()) + " characters; it may have up to " +
+                                       std::to_string(Text::capacity)
+                                 : std::string(" may have printable characters of ASCII only")));
+}
+
+void Skill::set_text_parameter(std::string_view name, std::string_view text) {
+  for (const ParameterSpec& parameter : description().parameters) {
+    if (parameter.name == name) check_parameter(parameter, text);
+  }
+  unknown_parameter(description(), name);
 }
 
 void unknown_parameter(const SkillDescription& skill, std::string_view name) {

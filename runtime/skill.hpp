@@ -6,14 +6,15 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "runtime/in_use.hpp"
 #include "runtime/task.hpp"
 #include "runtime/wiring.hpp"
 
 namespace pal::runtime {
 
-enum class ParameterType { real, integer, boolean };
+enum class ParameterType { real, integer, boolean, text };
 
-/// A number that whoever starts the skill may set; low <= default_value <= high, all in `unit`.
+/// A number or a text that whoever starts the skill may set; low <= default_value <= high, all in `unit`.
 struct ParameterSpec {
   std::string_view name;
   ParameterType type = ParameterType::real;
@@ -22,6 +23,7 @@ struct ParameterSpec {
   double high = 0;
   double default_value = 0;
   std::string_view description;
+  std::string_view default_text = {};  // of a text, which has neither unit nor range
 };
 
 /// A way in which the skill can end.
@@ -49,6 +51,7 @@ class ParameterError : public std::runtime_error {
 
 /// Throws ParameterError unless `value` is one that `parameter` may have.
 void check_parameter(const ParameterSpec& parameter, double value);
+void check_parameter(const ParameterSpec& parameter, std::string_view text);
 
 /// Throws the ParameterError for a name that the skill does not have.
 [[noreturn]] void unknown_parameter(const SkillDescription& skill, std::string_view name);
@@ -65,6 +68,8 @@ class Skill {
   virtual void reset_parameters() = 0;
   /// `value` in the parameter's unit; booleans 0 or 1. Throws ParameterError.
   virtual void set_parameter(std::string_view name, double value) = 0;
+  /// Of a parameter that is a TEXT. Throws ParameterError; this one always: it is for a skill without texts.
+  virtual void set_text_parameter(std::string_view name, std::string_view text);
 
   /// The run begins: the modules forget their last run and their activities get the parameters.
   virtual void start() = 0;
@@ -75,6 +80,12 @@ class Skill {
   /// Makes a coroutine of each module that is run by Execute for each thread that runs it, and drops them
   /// together, so that the frames are there when they are needed.
   virtual void reserve_executed(Thread& thread) = 0;
+
+  /// Whether it runs; the dispatcher's business.
+  InUse& in_use() { return in_use_; }
+
+ private:
+  InUse in_use_;
 };
 
 }  // namespace pal::runtime

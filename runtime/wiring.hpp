@@ -14,10 +14,12 @@ struct Interval {
   Time worst{};
 };
 
-/// One number of a message.
+/// One field of a message.
 struct Field {
   std::string_view name;
   std::string_view unit;  // canonical spelling; empty: a plain number
+  FieldKind kind = FieldKind::number;
+  std::size_t count = 1;  // of values: the size of an array
 };
 
 struct ProcessorSpec {

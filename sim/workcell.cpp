@@ -5,7 +5,7 @@
 
 #include "sim/arm/joint_sensing.hpp"
 #include "sim/controller/gripper_servo.hpp"
-#include "sim/controller/trajectory.hpp"
+#include "sim/controller/motion_controller.hpp"
 #include "sim/model/private/contacts.hpp"
 #include "sim/model/private/names.hpp"
 #include "sim/model/private/physics.hpp"
@@ -39,10 +39,10 @@ struct Workcell::Parts {
   Parts(const Scene& scene, const WorkcellOptions& options)
       : physics(scene),
         tool(flange_to_tip_of(physics.loaded().tool)),
-        trajectory(start_joints(scene, physics, options.raise), alter_period, tool),
+        motion(start_joints(scene, physics, options.raise), alter_period, tool),
         sensing(options.machine.value_or(physics.loaded().machine)) {
     log.reserve(static_cast<std::size_t>(options.log_room / physics_step));
-    physics.place(trajectory.at(runtime::Time::zero()).position);
+    physics.place(motion.at(runtime::Time::zero()).position);
     if (const auto touching = any_contact_of_arm(physics))
       throw SceneError(
           scene.file.string(),
@@ -52,7 +52,7 @@ struct Workcell::Parts {
   }
 
   void step(runtime::Time when) {
-    SetPoint wanted = trajectory.at(when);
+    SetPoint wanted = motion.at(when);
     wanted.position = sensing.nearest(wanted.position);
     const Joints torques = servos.torques(wanted, sensing.read(physics.joints()), physics.joint_speeds(),
                                           physics.load(wanted.acceleration));
@@ -83,7 +83,7 @@ struct Workcell::Parts {
 
   Sample sample() {
     const Pose tip = physics.site_pose(physics.index().tip);
-    const Joints wanted = trajectory.at(now).position;
+    const Joints wanted = motion.at(now).position;
     const Pose set_point = tool_pose(wanted, tool);
     return {.time = now,
             .joints = physics.joints(),
@@ -119,7 +119,7 @@ struct Workcell::Parts {
   }
 
   void stop_with(ArmFault why) {
-    trajectory.hold(physics.joints());
+    motion.hold(physics.joints());
     fault = std::move(why);
     std::erase_if(listeners, [](const auto& listener) { return listener.expired(); });
     const auto told = listeners;  // a listener may add others
@@ -129,7 +129,7 @@ struct Workcell::Parts {
 
   Physics physics;
   Pose tool;  // from the flange to the tip
-  Trajectory trajectory;
+  MotionController motion;
   JointSensing sensing;
   JointServos servos;
   GripperServo gripper;
@@ -162,17 +162,17 @@ runtime::Time Workcell::now() const {
 std::optional<std::string> Workcell::move(const Correction& correction, CorrectionFrame frame,
                                           runtime::Time begin) {
   if (parts_->fault) return "the arm has stopped: " + parts_->fault->text;
-  auto refused = parts_->trajectory.add(correction, frame, begin);
+  auto refused = parts_->motion.correct(correction, frame, begin);
   if (refused) stop();
   return refused;
 }
 
 void Workcell::stop() {
-  parts_->trajectory.stop(parts_->now);
+  parts_->motion.stop(parts_->now);
 }
 
 bool Workcell::idle() const {
-  return parts_->trajectory.idle(parts_->now);
+  return parts_->motion.idle(parts_->now);
 }
 
 const std::optional<ArmFault>& Workcell::fault() const {
@@ -181,7 +181,7 @@ const std::optional<ArmFault>& Workcell::fault() const {
 
 void Workcell::reset_fault() {
   parts_->fault.reset();
-  parts_->trajectory.hold(parts_->physics.joints());
+  parts_->motion.hold(parts_->physics.joints());
   parts_->collisions.forgive(parts_->physics);
 }
 
@@ -204,11 +204,15 @@ Pose Workcell::tool() const {
 }
 
 Pose Workcell::set_point() const {
-  return tool_pose(parts_->trajectory.at(parts_->now).position, parts_->tool);
+  return tool_pose(parts_->motion.at(parts_->now).position, parts_->tool);
 }
 
 Wrench Workcell::wrench() const {
   return parts_->wrench();
+}
+
+MotionController& Workcell::motion() {
+  return parts_->motion;
 }
 
 const std::vector<Sample>& Workcell::log() const {

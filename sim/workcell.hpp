@@ -17,6 +17,7 @@
 
 namespace pal::sim {
 
+class MotionController;
 class Physics;
 
 inline constexpr runtime::Time physics_step = std::chrono::milliseconds(1);
@@ -68,8 +69,10 @@ class Workcell final : public runtime::World {
   /// Gives the controller a relative motion to be made evenly within [begin, begin + 28 ms], after all those
   /// given before. A motion that the arm cannot make is refused: the answer says why, and the arm stops.
   std::optional<std::string> move(const Correction& correction, CorrectionFrame frame, runtime::Time begin);
-  /// Drops what has not been moved yet and holds the arm where its set-point is.
+  /// Drops what has not been moved yet: a planned motion slows down, corrections end at once.
   void stop();
+  /// The owner of the set-point, for those who plan motions. What it is told at `now()` is moved from the next step on.
+  MotionController& motion();
   /// No motion is left to make.
   bool idle() const;
 

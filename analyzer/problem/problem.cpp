@@ -6,6 +6,7 @@
 #include "analyzer/problem/problem_builder.hpp"
 #include "pal/pan/threads.hpp"
 #include "pal/support/diagnostic_code.hpp"
+#include "pal/support/nearest.hpp"
 
 namespace pal::analyzer {
 
@@ -74,12 +75,20 @@ Range ProblemBuilder::activity(const Activity& activity) {
   }
   if (found != nullptr) return {found->time.best.count(), found->time.worst.count()};
   if (untimed_.insert(activity.name + " OF " + module).second) {
-    diagnostics_
-        .report(Code::PAL0725, environment_.where,
-                "environment " + environment_.name + " gives activity " + activity.name + " of " + module +
-                    " no time",
-                "add TIME " + activity.name + " OF " + module + " : … to the environment")
-        .notes.push_back({activity.where, "the activity"});
+    auto& finding =
+        diagnostics_.report(Code::PAL0725, environment_.where,
+                            "environment " + environment_.name + " gives activity " + activity.name + " of " +
+                                module + " no time",
+                            "add TIME " + activity.name + " OF " + module + " : … to the environment");
+    finding.notes.push_back({activity.where, "the activity"});
+    const auto is_of_another = [&](const ActivityTime& time) {
+      return std::none_of(network_.activities.begin(), network_.activities.end(),
+                          [&](const Activity& known) { return known.name == time.activity; });
+    };
+    for (const ActivityTime& time : environment_.activities) {
+      if (is_of_another(time) && nearest(activity.name, {time.activity}))
+        finding.notes.push_back({time.where, "is " + activity.name + " meant here?"});
+    }
   }
   return {};
 }
@@ -93,9 +102,18 @@ void ProblemBuilder::place(Thread& thread, int runner) {
     return;
   }
   if (placement == nullptr) {
-    diagnostics_.report(Code::PAL0721, environment_.where,
-                        "environment " + environment_.name + " places " + thread.name + " nowhere",
-                        "add PLACE " + thread.name + " ON … to the environment");
+    auto& finding = diagnostics_.report(Code::PAL0721, environment_.where,
+                                        "environment " + environment_.name + " places " + thread.name + " nowhere",
+                                        "add PLACE " + thread.name + " ON … to the environment");
+    const auto is_other_module = [&](const Placement& placed) {
+      return std::none_of(network_.modules.begin(), network_.modules.end(), [&](const Module& module) {
+        return module.name == module_of_thread(placed.thread);
+      });
+    };
+    for (const Placement& other : environment_.placements) {
+      if (is_other_module(other) && nearest(thread.name, {other.thread}))
+        finding.notes.push_back({other.where, "is " + thread.name + " meant here?"});
+    }
     thread.processor = 0;
     return;
   }

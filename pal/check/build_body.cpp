@@ -79,9 +79,11 @@ class BodyBuilder {
     open_.clear();
   }
 
+  const std::string& name_of_speaker() const { return names_.name_of(speaker_); }
+
   std::optional<pan::ChannelId> incoming(const syntax::Source& source, SourceSpan where) {
     const auto message = names_.message(source.message);
-    const auto from = names_.party(source.from);
+    const auto from = names_.party(source.from, name_of_speaker());
     if (!message || !from) return std::nullopt;
     return names_.channel(*from, *message, speaker_, where);
   }
@@ -132,7 +134,7 @@ class BodyBuilder {
 
   void add(const syntax::Send& send, const syntax::Statement& s) {
     const auto message = names_.message(send.message);
-    const auto to = names_.party(send.to);
+    const auto to = names_.party(send.to, name_of_speaker());
     if (!message || !to) return;
     append(pan::Send{names_.channel(speaker_, *message, *to, s.where)}, s.where);
   }

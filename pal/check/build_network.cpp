@@ -86,7 +86,7 @@ pan::Network build_network(const Scope& scope, const syntax::SkillUnit& skill, D
   connect_writers(network);
   network.main = waits_for_start(network);
   build_requirements(skill, names, network, diagnostics);
-  check_sensors(names, network, diagnostics);
+  if (names.all_known()) check_sensors(names, network, diagnostics);
   return network;
 }
 

@@ -11,6 +11,7 @@
 #include "pal/check/families.hpp"
 #include "pal/check/report.hpp"
 #include "pal/check/scope.hpp"
+#include "pal/check/unused.hpp"
 #include "pal/pan/flow.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
@@ -24,7 +25,9 @@ class Checker {
       : trees_(trees), diagnostics_(diagnostics) {}
 
   Specification check() {
+    find_twice();
     for (std::size_t i = 0; i < trees_.size(); ++i) check_units(i);
+    for (std::size_t i = 0; i < trees_.size(); ++i) check_leftovers(i);
     for (std::size_t i = 0; i < trees_.size(); ++i) check_unused(i);
     return std::move(result_);
   }
@@ -36,15 +39,32 @@ class Checker {
         once(environments_, "environment", environment->name);
         result_.environments.push_back(frontend::build_environment(*environment, diagnostics_));
       } else if (const auto* skill = std::get_if<syntax::SkillUnit>(&unit)) {
-        once(skills_, "skill", skill->name);
-        check_skill(index, *skill);
+        const bool first = once(skills_, "skill", skill->name);
+        // Of two skills of one name nobody knows which is meant.
+        if (first && !twice_.contains(skill->name.text)) {
+          check_skill(index, *skill);
+        } else {
+          used_.insert(index);
+        }
       }
     }
   }
 
-  void once(std::map<std::string, const syntax::Name*>& seen, const char* what, const syntax::Name& name) {
+  void find_twice() {
+    std::set<std::string> seen;
+    for (const auto& tree : trees_) {
+      for (const auto& unit : tree.units) {
+        const auto* skill = std::get_if<syntax::SkillUnit>(&unit);
+        if (skill != nullptr && !seen.insert(skill->name.text).second) twice_.insert(skill->name.text);
+      }
+    }
+  }
+
+  /// False, and reported, if there is one of this name already.
+  bool once(std::map<std::string, const syntax::Name*>& seen, const char* what, const syntax::Name& name) {
     const auto [first, fresh] = seen.emplace(name.text, &name);
     if (!fresh) frontend::report_twice(diagnostics_, what, name, *first->second);
+    return fresh;
   }
 
   bool complete(const frontend::Scope& scope) const {
@@ -62,10 +82,47 @@ class Checker {
     const auto before = diagnostics_.all().size();
     const auto errors_before = diagnostics_.errors();
     auto network = frontend::build_network(scope, skill, diagnostics_);
-    check_network(network, every_name_known(before));
-    if (diagnostics_.errors() == errors_before)
+    const bool sound = every_name_known(before);
+    check_network(network, sound);
+    if (sound && diagnostics_.errors() == errors_before)
       frontend::check_deadlocks(network, pan::Flow(network), diagnostics_);
     result_.skills.push_back(std::move(network));
+  }
+
+  /// What a file with skills declares beside them. Nothing is said of a file in which something is wrong.
+  void check_leftovers(std::size_t index) {
+    const FileId file = trees_[index].file;
+    if (trees_[index].complete && trees_[index].units.empty())
+      diagnostics_.report(Code::PAL0120, {file, 0, 0}, "this file declares nothing",
+                          "write a SKILL, a module or an ENVIRONMENT, or leave the file out");
+    if (diagnostics_.errors() != 0 || !trees_[index].complete) return;
+    std::vector<const pan::Network*> skills;
+    for (const auto& network : result_.skills) {
+      if (network.skill.where.file == file) skills.push_back(&network);
+    }
+    if (skills.empty()) return;
+    std::vector<const pan::Environment*> environments;
+    for (const auto& environment : result_.environments) {
+      if (environment.where.file == file) environments.push_back(&environment);
+    }
+    frontend::check_unused(trees_[index], skills, environments, diagnostics_);
+    check_left_modules(index, skills);
+  }
+
+  /// Modules in the file of a skill that it does not list: checked by themselves.
+  void check_left_modules(std::size_t index, const std::vector<const pan::Network*>& skills) {
+    for (const auto& unit : trees_[index].units) {
+      const auto* module = std::get_if<syntax::ModuleUnit>(&unit);
+      if (module == nullptr || module->name.text.empty()) continue;
+      const auto lists = [&](const pan::Network* skill) {
+        return std::any_of(skill->modules.begin(), skill->modules.end(),
+                           [&](const pan::Module& listed) { return listed.name == module->name.text; });
+      };
+      if (std::any_of(skills.begin(), skills.end(), lists)) continue;
+      diagnostics_.report(Code::PAL0209, module->name.where,
+                          "no skill uses this module: what it says is not checked",
+                          "list it in the skill's template, or move it to a file of its own");
+    }
   }
 
   /// Files with modules that no skill sees: a sketch for each that no other such file uses.
@@ -90,6 +147,8 @@ class Checker {
   bool every_name_known(std::size_t first) const {
     if (diagnostics_.not_kept().errors != 0) return false;  // they may say so
     const auto& all = diagnostics_.all();
+    const auto guessed = [](const Diagnostic& finding) { return finding.code == Code::PAL0110; };
+    if (std::any_of(all.begin(), all.end(), guessed)) return false;  // what a TXM sends, and to whom
     return std::none_of(
         all.begin() + static_cast<std::ptrdiff_t>(first), all.end(), [](const Diagnostic& finding) {
           return finding.severity == Severity::error &&
@@ -100,8 +159,10 @@ class Checker {
   /// `sound`: every name meant something. If not, statements are missing, and what is said of talk and flow
   /// would be said of a program that nobody wrote.
   void check_network(const pan::Network& network, bool sound) {
+    const auto errors_before = diagnostics_.errors();
     frontend::check_layers(network, diagnostics_);
-    if (!sound) return;
+    // Whom a module may not talk with does not answer it either: that would be said of the same mistake again.
+    if (!sound || diagnostics_.errors() != errors_before) return;
     const pan::Flow flow(network);
     frontend::check_channels(network, diagnostics_);
     frontend::check_protocol(network, flow, diagnostics_);
@@ -124,6 +185,7 @@ class Checker {
   std::set<std::size_t> used_;
   std::map<std::string, const syntax::Name*> environments_;
   std::map<std::string, const syntax::Name*> skills_;
+  std::set<std::string> twice_;  // names that several skills have
 };
 
 }  // namespace

@@ -122,6 +122,7 @@ void check_placements(const pan::Environment& environment, Diagnostics& diagnost
   std::vector<std::string> processors;
   for (const auto& processor : environment.processors) processors.push_back(processor.name);
   const std::set<std::string> known(processors.begin(), processors.end());
+  if (known.empty()) return;  // said once, of the environment
   for (const auto& placement : environment.placements) {
     if (known.contains(placement.processor) || placement.processor.empty()) continue;
     const auto meant =

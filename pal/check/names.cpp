@@ -60,6 +60,23 @@ pan::DeviceId Names::enter_device(const syntax::Name& name, const syntax::Device
   return entry->second;
 }
 
+void Names::unknown(Code code, const char* what, const syntax::Name& name,
+                    const std::vector<std::string>& known, const std::string& otherwise) {
+  if (!unknown_.emplace(code, name.text).second) return;
+  // The module that is missed may be the one that has another's name.
+  if (scope_.module_twice && code == Code::PAL0201) return;
+  report_unknown(diagnostics_, code, what, name, known, otherwise,
+                 [this](const std::string& meant) { return declaration(meant); });
+}
+
+std::optional<SourceSpan> Names::declaration(const std::string& name) const {
+  if (const auto* module = scope_.modules.find(name)) return module->name.where;
+  if (const auto* device = scope_.devices.find(name)) return device->name.where;
+  if (const auto* message = scope_.messages.find(name)) return message->name.where;
+  if (const auto* condition = scope_.conditions.find(name)) return condition->name.where;
+  return std::nullopt;
+}
+
 std::optional<pan::ModuleId> Names::module(const syntax::Name& name, bool listed) {
   if (name.text.empty()) return std::nullopt;
   if (const auto* unit = scope_.modules.find(name.text)) {
@@ -83,8 +100,8 @@ std::optional<pan::ModuleId> Names::module(const syntax::Name& name, bool listed
     finding.notes.push_back({device->name.where, "it is declared here"});
     return std::nullopt;
   }
-  report_unknown(diagnostics_, Code::PAL0201, "module", name, scope_.modules.names(),
-                 "declare it, or name the file that does in a USES");
+  unknown(Code::PAL0201, "module", name, scope_.modules.names(),
+          "declare it, or name the file that does in a USES");
   return std::nullopt;
 }
 
@@ -117,7 +134,7 @@ void Names::check_listed(const syntax::Name& name, pan::ModuleId module) {
   listed_.insert(module);  // once is enough
 }
 
-std::optional<pan::Party> Names::party(const syntax::PartyName& name) {
+std::optional<pan::Party> Names::party(const syntax::PartyName& name, const std::string& speaker) {
   if (name.name.text.empty()) return std::nullopt;
   if (scope_.modules.find(name.name.text) != nullptr) {
     const auto id = *module(name.name, false);
@@ -137,8 +154,9 @@ std::optional<pan::Party> Names::party(const syntax::PartyName& name) {
   }
   auto known = scope_.modules.names();
   for (const auto& other : scope_.devices.names()) known.push_back(other);
-  report_unknown(diagnostics_, Code::PAL0201, "module or device", name.name, known,
-                 "declare it, or name the file that does in a USES");
+  std::erase(known, speaker);
+  unknown(Code::PAL0201, "module or device", name.name, known,
+          "declare it, or name the file that does in a USES");
   return std::nullopt;
 }
 
@@ -154,8 +172,8 @@ std::optional<pan::MessageId> Names::message(const syntax::MessageName& name) {
   if (name.name.text.empty()) return std::nullopt;
   const auto* unit = scope_.messages.find(name.name.text);
   if (unit == nullptr && !trusting_) {
-    report_unknown(diagnostics_, Code::PAL0202, "message", name.name, scope_.messages.names(),
-                   "declare it: MESSAGE " + name.name.text + " : REAL N, with its own type");
+    unknown(Code::PAL0202, "message", name.name, scope_.messages.names(),
+            "declare it: MESSAGE " + name.name.text + " : with its type, such as REAL N");
     return std::nullopt;
   }
   const auto [entry, added] = messages_.emplace(name.name.text, pan::MessageId(network_.messages.size()));
@@ -175,8 +193,8 @@ std::optional<pan::ConditionId> Names::condition(const syntax::Name& name) {
   if (name.text.empty()) return std::nullopt;
   const auto* unit = scope_.conditions.find(name.text);
   if (unit == nullptr && !trusting_) {
-    report_unknown(diagnostics_, Code::PAL0203, "condition", name, scope_.conditions.names(),
-                   "declare it: CONDITION " + name.text);
+    unknown(Code::PAL0203, "condition", name, scope_.conditions.names(),
+            "declare it: CONDITION " + name.text);
     return std::nullopt;
   }
   const auto [entry, added] = conditions_.emplace(name.text, pan::ConditionId(network_.conditions.size()));

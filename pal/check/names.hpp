@@ -29,7 +29,8 @@ class Names {
 
   /// A module or device that a message goes to or comes from. Checks kind words, and that the template lists
   /// a module.
-  std::optional<pan::Party> party(const syntax::PartyName& name);
+  /// `speaker`: who talks with it, and is not meant itself; empty: nobody known.
+  std::optional<pan::Party> party(const syntax::PartyName& name, const std::string& speaker = {});
   /// A module to execute, likewise.
   std::optional<pan::ModuleId> callee(const syntax::PartyName& name);
 
@@ -52,6 +53,9 @@ class Names {
                          SourceSpan where);
 
   bool trusting() const { return trusting_; }
+  /// Every name looked up so far meant something.
+  bool all_known() const { return unknown_.empty(); }
+  const std::string& name_of(pan::ModuleId module) const { return network_.modules[module.index()].name; }
   bool is_module(const std::string& name) const { return scope_.modules.find(name) != nullptr; }
 
  private:
@@ -59,6 +63,11 @@ class Names {
   pan::DeviceId enter_device(const syntax::Name& name, const syntax::DeviceUnit* unit);
   void check_kind(const syntax::PartyName& name, pan::ModuleId module);
   void check_listed(const syntax::Name& name, pan::ModuleId module);
+  /// Reports a name that means nothing: once, however often it is used.
+  void unknown(Code code, const char* what, const syntax::Name& name, const std::vector<std::string>& known,
+               const std::string& otherwise);
+  /// Where this name is declared, as whatever; nothing if it is not.
+  std::optional<SourceSpan> declaration(const std::string& name) const;
 
   const Scope& scope_;
   bool trusting_;
@@ -67,6 +76,7 @@ class Names {
   std::vector<const syntax::ModuleUnit*> units_;  // by ModuleId
   std::map<std::string, pan::ModuleId> modules_;
   std::set<pan::ModuleId> listed_;
+  std::set<std::pair<Code, std::string>> unknown_;
   std::map<std::string, pan::DeviceId> devices_;
   std::map<std::string, pan::MessageId> messages_;
   std::map<std::string, pan::ConditionId> conditions_;

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "pal/check/report.hpp"
 #include "pal/support/diagnostic_code.hpp"
+#include "pal/support/utf8.hpp"
 #include "pal/units/conversion.hpp"
 #include "pal/units/unit.hpp"
 
@@ -22,6 +24,17 @@ std::string difference(const units::Unit& left, const units::Unit& right) {
   return "the value is too great";
 }
 
+/// The first character that is no printable ASCII, for a message; nothing if there is none.
+std::optional<std::string> first_not_printable(std::string_view text) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] >= ' ' && text[at] <= '~') continue;
+    const auto code = static_cast<unsigned char>(text[at]);
+    if (code < 0x80) return "a control character";
+    return quoted(std::string(text.substr(at, utf8::decode(text.substr(at)).bytes)));
+  }
+  return std::nullopt;
+}
+
 class ParameterBuilder {
  public:
   ParameterBuilder(const syntax::Parameter& written, Diagnostics& diagnostics)
@@ -35,6 +48,10 @@ class ParameterBuilder {
     result.description = written_.description;
     result.where = written_.where;
     check_presence();
+    if (is_text()) {
+      result.default_text = default_text();
+      return result;
+    }
     check_range_unit();
     const auto value = in_unit(written_.default_value, {});
     const auto low = in_unit(written_.low, range_unit());
@@ -58,12 +75,19 @@ class ParameterBuilder {
 
  private:
   bool is_boolean() const { return written_.type == pan::ScalarType::boolean; }
+  bool is_text() const { return written_.type == pan::ScalarType::text; }
 
   void report(Code code, const std::string& what, const std::string& hint) {
     diagnostics_.report(code, written_.where, "parameter " + quoted(written_.name.text) + what, hint);
   }
 
   void check_presence() {
+    if (is_text()) {
+      if (!written_.default_value)
+        report(Code::PAL0604, " has no default", "add DEFAULT and a text in quotes");
+      if (written_.low) report(Code::PAL0604, " is TEXT and has a range", "remove RANGE");
+      return;
+    }
     if (!written_.default_value || (!is_boolean() && !written_.low)) {
       report(Code::PAL0604, is_boolean() ? " has no default" : " needs a default and a range",
              is_boolean() ? "add DEFAULT TRUE or DEFAULT FALSE"
@@ -98,7 +122,43 @@ class ParameterBuilder {
     return value;
   }
 
+  /// Empty if what is written is no text that the parameter can hold.
+  std::string default_text() {
+    if (!written_.default_value) return {};
+    const auto& literal = *written_.default_value;
+    const auto name = quoted(written_.name.text);
+    if (!literal.text) {
+      diagnostics_.report(Code::PAL0614, literal.where,
+                          "parameter " + name + " is TEXT: its default is a text",
+                          "write it in quotes, or declare the parameter REAL, INTEGER or BOOLEAN");
+      return {};
+    }
+    if (const auto foreign = first_not_printable(*literal.text)) {
+      diagnostics_.report(
+          Code::PAL0617, literal.where,
+          "the default of " + name + " has " + *foreign + "; a TEXT holds printable ASCII only",
+          "spell it with letters, digits, signs and spaces of ASCII");
+      return {};
+    }
+    if (literal.text->size() > pan::longest_text) {
+      diagnostics_.report(Code::PAL0617, literal.where,
+                          "the default of " + name + " has " + std::to_string(literal.text->size()) +
+                              " characters; a TEXT holds at most " + std::to_string(pan::longest_text),
+                          "shorten it");
+      return {};
+    }
+    return *literal.text;
+  }
+
   bool check_type(const syntax::Literal& literal) {
+    if (literal.text) {
+      diagnostics_.report(Code::PAL0614, literal.where,
+                          "parameter " + quoted(written_.name.text) +
+                              (is_boolean() ? " is BOOLEAN: it is no text" : " is a number: it is no text"),
+                          is_boolean() ? "write TRUE or FALSE, or declare the parameter TEXT"
+                                       : "write a number, or declare the parameter TEXT");
+      return false;
+    }
     const bool truth = literal.digits.empty();
     if (truth == is_boolean()) return true;
     diagnostics_.report(

@@ -25,11 +25,15 @@ bool may_guess(const Diagnostics& diagnostics, std::size_t known) {
 }
 
 void report_unknown(Diagnostics& diagnostics, Code code, const std::string& what, const syntax::Name& name,
-                    const std::vector<std::string>& known, const std::string& otherwise) {
+                    const std::vector<std::string>& known, const std::string& otherwise,
+                    const DeclaredAt& declared) {
   const auto meant = may_guess(diagnostics, known.size()) ? nearest(name.text, known) : std::nullopt;
   auto& finding = diagnostics.report(code, name.where, "there is no " + what + " " + quoted(name.text),
                                      meant ? "did you mean " + quoted(*meant) + "?" : otherwise);
-  if (meant) finding.fix = {{name.where, *meant}};
+  if (!meant) return;
+  finding.fix = {{name.where, *meant}};
+  const auto place = declared ? declared(*meant) : std::nullopt;
+  if (place) finding.notes.push_back({*place, quoted(*meant) + " is declared here"});
 }
 
 }  // namespace pal::frontend

@@ -1,6 +1,8 @@
 // Findings that several families of checks make.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +19,12 @@ void report_twice(Diagnostics& diagnostics, const std::string& what, const synta
 /// unknown, of which none is a slip of the fingers, and comparing all with all takes long.
 bool may_guess(const Diagnostics& diagnostics, std::size_t known);
 
-/// There is no `what` of that name; says which of `known` may be meant, else `otherwise`.
+/// There is no `what` of that name; says which of `known` may be meant, and where that is `declared`, else
+/// `otherwise`.
+using DeclaredAt = std::function<std::optional<SourceSpan>(const std::string& name)>;
 void report_unknown(Diagnostics& diagnostics, Code code, const std::string& what, const syntax::Name& name,
-                    const std::vector<std::string>& known, const std::string& otherwise);
+                    const std::vector<std::string>& known, const std::string& otherwise,
+                    const DeclaredAt& declared = {});
 
 /// "'name'".
 std::string quoted(const std::string& name);

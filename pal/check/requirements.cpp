@@ -5,16 +5,20 @@
 #include <utility>
 
 #include "pal/check/report.hpp"
+#include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
+#include "pal/support/nearest.hpp"
 
 namespace pal::frontend {
 
 namespace {
 
+constexpr std::size_t most_compared = 2000;  // statements that a misspelt one is held against
+
 class RequirementBuilder {
  public:
   RequirementBuilder(Names& names, pan::Network& network, Diagnostics& diagnostics)
-      : names_(names), network_(network), diagnostics_(diagnostics) {}
+      : names_(names), network_(network), diagnostics_(diagnostics), bodies_known_(names.all_known()) {}
 
   void build(const syntax::Requirement& written) {
     if (auto measure = std::visit([&](const auto& m) { return build_measure(m); }, written.measure)) {
@@ -153,13 +157,52 @@ class RequirementBuilder {
         if (matches->is(nodes[n].content, network_)) result.push_back({module, pan::NodeId(n)});
       }
     }
-    if (result.empty()) {
-      diagnostics_.report(Code::PAL0802, step.where,
-                          only ? "there is no such statement in " + quoted(step.in->name.text)
-                               : std::string("there is no such statement in this skill"),
-                          "write the statement as it stands in the module, without kind words if you like");
-    }
+    // A statement with an unknown name in it is left out of its module: its own finding says so.
+    if (result.empty() && bodies_known_) report_missing(step, only);
     return result;
+  }
+
+  void report_missing(const syntax::Step& step, std::optional<pan::ModuleId> only) {
+    const auto meant = nearest(text_of(step), statements_of(only));
+    auto& finding = diagnostics_.report(
+        Code::PAL0802, step.where,
+        only ? "there is no such statement in " + quoted(step.in->name.text)
+             : std::string("there is no such statement in this skill"),
+        meant ? "did you mean " + *meant + "?"
+              : "write the statement as it stands in the module, without kind words if you like");
+    if (meant && !step.in) finding.fix = {{step.where, *meant}};
+  }
+
+  /// In canonical spelling.
+  static std::string text_of(const syntax::Step& step) {
+    const std::string message = (step.message.request ? "request " : "") + step.message.name.text;
+    const std::string& party = step.party.name.text;
+    switch (step.kind) {
+      case syntax::Step::Kind::wait:
+        return "WTM( " + message + " from " + party + " )";
+      case syntax::Step::Kind::send:
+        return "TXM( " + message + (step.message.request ? " from " : " to ") + party + " )";
+      case syntax::Step::Kind::set:
+        return "SPC( " + step.name.text + (!step.value ? "" : *step.value ? " = TRUE" : " = FALSE") + " )";
+      case syntax::Step::Kind::read:
+        return "RPC( " + step.name.text + " )";
+      case syntax::Step::Kind::perform:
+        return step.name.text;
+    }
+    return {};
+  }
+
+  /// That a requirement could name, of one module or of all.
+  std::vector<std::string> statements_of(std::optional<pan::ModuleId> only) const {
+    std::vector<std::string> texts;
+    if (!may_guess(diagnostics_, network_.modules.size())) return texts;
+    for (std::size_t m = 0; m < network_.modules.size(); ++m) {
+      if (only && only->index() != m) continue;
+      const auto& nodes = network_.modules[m].body.nodes;
+      for (std::size_t n = 0; n < nodes.size() && texts.size() < most_compared; ++n)
+        texts.push_back(pan::statement_text(network_, pan::ModuleId(m), pan::NodeId(n)));
+    }
+    return texts;
   }
 
   struct Matcher {
@@ -220,6 +263,7 @@ class RequirementBuilder {
   Names& names_;
   pan::Network& network_;
   Diagnostics& diagnostics_;
+  bool bodies_known_;  // every name in the modules means something
 };
 
 }  // namespace

@@ -33,6 +33,10 @@ std::string unit_text(const std::string& unit) {
   return unit.empty() ? "a plain number" : quoted(unit);
 }
 
+std::string size_text(int size) {
+  return size == 0 ? "a single value" : std::to_string(size) + (size == 1 ? " value" : " values");
+}
+
 /// How one unit relates to another, if both can be compared: "1 cm is 10 mm".
 std::string relation(const std::string& left, const std::string& right) {
   const auto from = units::parse_unit(left);
@@ -53,6 +57,9 @@ void report_two_messages(const syntax::MessageUnit& second, const syntax::Messag
   for (std::size_t i = 0; i < std::min(first.fields.size(), second.fields.size()); ++i) {
     const auto& a = first.fields[i];
     const auto& b = second.fields[i];
+    if (a.size != b.size)
+      differences +=
+          "; " + quoted(b.name) + " has " + size_text(b.size) + " here and " + size_text(a.size) + " there";
     if (a.unit == b.unit) continue;
     differences += "; " + quoted(b.name) + " is in " + unit_text(b.unit) + " here and in " +
                    unit_text(a.unit) + " there" + relation(b.unit, a.unit);
@@ -75,6 +82,7 @@ Scope scope_of(const std::vector<syntax::Tree>& trees, std::size_t root, Diagnos
     if (const auto* first = declarations.add(unit)) {
       // Of two files the one that uses the other is to be changed.
       const bool same_file = first->name.where.file == unit.name.where.file;
+      if constexpr (std::is_same_v<std::decay_t<decltype(unit)>, syntax::ModuleUnit>) scope.module_twice = true;
       if constexpr (std::is_same_v<std::decay_t<decltype(unit)>, syntax::MessageUnit>) {
         return report_two_messages(same_file ? unit : *first, same_file ? *first : unit, diagnostics);
       }

@@ -42,6 +42,7 @@ struct Scope {
   Declarations<syntax::ConditionUnit> conditions;
   Declarations<syntax::DeviceUnit> devices;
   Declarations<syntax::ModuleUnit> modules;
+  bool module_twice = false;  // one of two modules of a name is lost
 };
 
 /// What `trees[root]` sees. Reports names that it sees twice.

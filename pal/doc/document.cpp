@@ -50,11 +50,13 @@ Line named(const std::string& name, const std::vector<std::string>& descriptions
   return line;
 }
 
-std::string type_text(pan::ScalarType type, const std::string& unit) {
+std::string type_text(pan::ScalarType type, const std::string& unit, int size) {
   const std::string word = type == pan::ScalarType::real      ? "real"
                            : type == pan::ScalarType::integer ? "integer"
-                                                              : "boolean";
-  return unit.empty() ? word : word + ", in " + unit;
+                           : type == pan::ScalarType::boolean ? "boolean"
+                                                              : "text";
+  const std::string each = size == 0 ? word : std::to_string(size) + " x " + word;
+  return unit.empty() ? each : each + ", in " + unit;
 }
 
 std::string content_of(const pan::Message& message) {
@@ -62,11 +64,11 @@ std::string content_of(const pan::Message& message) {
   std::string result;
   for (std::size_t i = 0; i < message.fields.size(); ++i) {
     const auto& field = message.fields[i];
-    const bool last = i + 1 == message.fields.size() || message.fields[i + 1].type != field.type ||
-                      message.fields[i + 1].unit != field.unit;
+    const bool last = i + 1 == message.fields.size() || !pan::of_one_type(field, message.fields[i + 1]);
     const bool unnamed = message.fields.size() == 1 && (field.name.empty() || field.name == "value");
     result += unnamed ? "" : field.name + (last ? ": " : ", ");
-    if (last) result += type_text(field.type, field.unit) + (i + 1 == message.fields.size() ? "" : "; ");
+    if (!last) continue;
+    result += type_text(field.type, field.unit, field.size) + (i + 1 == message.fields.size() ? "" : "; ");
   }
   return result;
 }
@@ -181,6 +183,13 @@ class Writer {
     int count = 0;
     for (const auto& p : network_.skill.parameters) {
       const bool boolean = p.type == pan::ScalarType::boolean;
+      if (p.type == pan::ScalarType::text) {
+        table.rows.push_back({text("P" + std::to_string(++count)), code(p.name), text(type_text(p.type, {})),
+                              code("\"" + p.default_text + "\""),
+                              text("up to " + std::to_string(pan::longest_text) + " characters"),
+                              text(p.description)});
+        continue;
+      }
       const auto figure = [&](double value) {
         return boolean ? std::string(value != 0 ? "TRUE" : "FALSE") : number(value);
       };

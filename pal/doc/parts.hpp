@@ -22,7 +22,7 @@ Line named(const std::string& name, const std::vector<std::string>& descriptions
 /// What a message carries: "fx, fy, fz: real, in N; on: boolean".
 std::string content_of(const pan::Message& message);
 /// "real, in N"; "boolean".
-std::string type_text(pan::ScalarType type, const std::string& unit);
+std::string type_text(pan::ScalarType type, const std::string& unit, int size = 0);
 
 /// The template of one logical sensor: what it tells, drivers that it needs, methods, what it returns.
 Part sensor_part(const pan::Network& network, pan::ModuleId sensor);

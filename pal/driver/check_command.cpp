@@ -4,6 +4,7 @@
 #include "pal/check/load.hpp"
 #include "pal/driver/commands.hpp"
 #include "pal/driver/interruption.hpp"
+#include "pal/driver/junit.hpp"
 #include "pal/driver/report.hpp"
 #include "pal/driver/sarif.hpp"
 #include "pal/driver/statistics.hpp"
@@ -72,7 +73,11 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
   if (options.format == Format::json) {
     console.out << json(proofs, session, options.statistics);
   } else if (options.format == Format::sarif) {
-    console.out << sarif(proofs, session, status);
+    console.out << sarif(session, status);
+  } else if (options.format == Format::junit) {
+    console.out << junit(proofs, session);
+  } else if (options.quiet) {
+    show_findings(session, console);
   } else {
     show_findings(session, console);
     if (!wrong) say_what_was_not_proved(session, console.err);

@@ -2,15 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <ostream>
 
 #include "analyzer/replay/check_run.hpp"
 #include "pal/driver/commands.hpp"
-#include "pal/support/duration_text.hpp"
+#include "pal/driver/private/option_values.hpp"
 #include "pal/support/nearest.hpp"
 
 namespace pal::driver {
@@ -24,34 +22,6 @@ const char* const statuses =
 // Of commands that prove nothing, or to which what they prove is no finding.
 const char* const statuses_of_results =
     "Exit status: 0 done; 1 the specification is wrong; 2 bad usage, or a file could not be read or written.";
-
-/// One of the words of `values`.
-template <typename Value>
-CLI::Option* add_choice(CLI::App& command, const char* name, Value& value,
-                        const std::map<std::string, Value>& values, const char* description) {
-  const auto choose = [&value, values, name](const std::string& word) {
-    if (const auto found = values.find(word); found != values.end()) {
-      value = found->second;
-      return;
-    }
-    std::string known;
-    for (const auto& each : values) known += (known.empty() ? "" : ", ") + each.first;
-    throw CLI::ValidationError(name, "'" + word + "' is none of " + known);
-  };
-  return command.add_option_function<std::string>(name, choose, description);
-}
-
-/// Also where a number below 0 would be taken for a great one.
-CLI::Validator whole_number() {
-  const auto complaint = [](const std::string& text) {
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (end == text.data() + text.size() && error == std::errc()) return std::string();
-    return "'" + text + "' is no whole number from 0 on" +
-           (error == std::errc::result_out_of_range ? ", of 64 bits" : "");
-  };
-  return CLI::Validator(complaint, "");
-}
 
 void add_max_errors(CLI::App& command, std::size_t& most) {
   command.add_option("--max-errors", most, "show so many findings, errors before warnings; 0: all")
@@ -70,27 +40,6 @@ void add_selection(CLI::App& command, Selection& selection) {
   command.add_option("--environment-name", selection.environment, "only the environment of this name")
       ->type_name("NAME");
   add_max_errors(command, selection.max_errors);
-}
-
-/// "90", "90 s", "1.5min".
-Duration duration_of(const std::string& text, const char* option) {
-  const std::size_t end = text.find_first_not_of("0123456789.");
-  const std::string number = text.substr(0, end);
-  const std::size_t unit = end == std::string::npos ? end : text.find_first_not_of(' ', end);
-  const auto duration = parse_duration(number, unit == std::string::npos ? "s" : text.substr(unit));
-  if (const auto* time = std::get_if<Duration>(&duration)) return *time;
-  throw CLI::ValidationError(option, "'" + text + "' is no length of time, as 90 s or 500 ms is");
-}
-
-void add_timeout(CLI::App& command, double& seconds, const char* description) {
-  command
-      .add_option_function<std::string>(
-          "--timeout",
-          [&seconds](const std::string& text) {
-            seconds = std::chrono::duration<double>(duration_of(text, "--timeout")).count();
-          },
-          description)
-      ->type_name("DURATION");
 }
 
 void add_limits(CLI::App& command, ProofLimits& limits) {
@@ -125,15 +74,16 @@ void add_check(CLI::App& app, CheckOptions& options) {
       "what that leaves undecided")
       ->type_name("ANALYSIS");
   add_choice<Format>(*command, "--format", options.format,
-                     {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}},
-                     "text, json or sarif (2.1.0)")
+                     {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}, {"junit", Format::junit}},
+                     "text, json, sarif (2.1.0) or junit (XML)")
       ->type_name("FORMAT");
   add_choice<Stage>(*command, "--emit", options.emit, {{"tree", Stage::tree}, {"pan", Stage::pan}},
                     "also print what stands between two stages: tree or pan")
       ->type_name("STAGE");
   command->add_option("--witness", options.witness, "write the run that shows each bound, for pal replay")
       ->type_name("FILE");
-  command->add_flag("--explain", options.explain, "print what adds up to each bound");
+  auto* explain = command->add_flag("--explain", options.explain, "print what adds up to each bound");
+  command->add_flag("--quiet", options.quiet, "print findings only, and nothing of what holds")->excludes(explain);
   command->add_flag("--statistics", options.statistics,
                     "print states, classes, seconds and peak memory of each requirement and of all");
   command->footer(statuses);
@@ -278,7 +228,11 @@ void add_generate(CLI::App& app, GenerateOptions& options) {
       ->add_option("--depfile-target", options.depfile_target,
                    "target of that rule, if not the files written")
       ->type_name("FILE");
-  command->footer(statuses_of_results);
+  add_limits(*command, options.limits);
+  command->add_flag("--allow-failing", options.allow_failing, "prove nothing: generate whatever the verdicts would be");
+  command->footer(
+      "Exit status: 0 done; 1 the specification is wrong; 2 bad usage, or a file could not be read or written; 3 "
+      "some requirement fails or is undecided, and nothing was written.");
 }
 
 void add_format(CLI::App& app, FormatOptions& options) {

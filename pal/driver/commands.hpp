@@ -14,7 +14,7 @@
 
 namespace pal::driver {
 
-enum class Format { text, json, sarif };
+enum class Format { text, json, sarif, junit };
 /// A value between two stages, to look at.
 enum class Stage { none, tree, pan };
 
@@ -24,6 +24,7 @@ struct CheckOptions {
   Format format = Format::text;
   Stage emit = Stage::none;
   bool explain = false;
+  bool quiet = false;  // of what holds nothing is said
   bool statistics = false;
   std::string witness;  // where to write the witnesses
 };
@@ -90,6 +91,8 @@ struct GenerateOptions {
   std::string output = ".";
   std::string depfile;         // a make rule with every text that was read
   std::string depfile_target;  // its target; empty: the files written
+  ProofLimits limits;
+  bool allow_failing = false;  // nothing is proved
 };
 ExitStatus generate(const GenerateOptions& options, const Console& console);
 

@@ -5,6 +5,8 @@
 #include "codegen/generate.hpp"
 #include "pal/check/resources.hpp"
 #include "pal/driver/commands.hpp"
+#include "pal/driver/interruption.hpp"
+#include "pal/driver/proof.hpp"
 #include "pal/driver/write.hpp"
 
 namespace pal::driver {
@@ -48,6 +50,16 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
     generated =
         codegen::generate(session.specification.skills.front(), session.specification.environments.front(),
                           session.sources, session.diagnostics);
+  }
+  if (one && !options.allow_failing && !session.diagnostics.has_errors()) {
+    const Interruption interruption;
+    const std::vector<Proof> proofs = prove(session, options.limits);
+    if (!session.diagnostics.has_errors() && !all_hold(proofs)) {
+      report_unmet(proofs, session);
+      show_findings(session, console);
+      console.err << "pal: nothing was generated, since a requirement does not hold; --allow-failing generates all the same\n";
+      return ExitStatus::not_met;
+    }
   }
   show_findings(session, console);
   if (session.diagnostics.has_errors()) return status_of_findings(session);

@@ -56,6 +56,7 @@ void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& o
 
 std::string json(const std::vector<Proof>& proofs, const Session& session, bool statistics) {
   nlohmann::ordered_json document;
+  document["format_version"] = 1;
   document["diagnostics"] =
       nlohmann::ordered_json::parse(render_json(session.diagnostics.sorted(), session.sources));
   document["not_kept"] = session.diagnostics.not_kept().sum();

@@ -1,5 +1,6 @@
 #include "pal/driver/sarif.hpp"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -30,7 +31,7 @@ std::string uri_of(const std::string& path) {
 
 class Log {
  public:
-  explicit Log(const SourceManager& sources) : sources_(sources) {}
+  Log(const SourceManager& sources, const std::vector<Code>& rules) : sources_(sources), rules_(rules) {}
 
   Json result(const Diagnostic& finding) const {
     Json result = head(finding.code, name(finding.severity), finding.message, finding.where);
@@ -42,19 +43,6 @@ class Log {
       result["relatedLocations"].push_back(std::move(related));
     }
     if (!finding.fix.empty()) result["fixes"].push_back(fix(finding));
-    return result;
-  }
-
-  /// A requirement that holds (3.27.9): of kind pass, and so without a level.
-  Json pass(const Proof& proof, std::size_t index) const {
-    const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-    const std::string bound = verdict.bound ? figure_text(verdict.measure, *verdict.bound) : "without bound";
-    Json result = head(Code::PAL0890, "none",
-                       "'" + verdict.requirement + "' holds: " + measure_text(proof.problem, index) +
-                           " is at most " + bound + " in " + proof.problem.environment + ", at most " +
-                           whole_text(verdict.measure, verdict.limit) + " is required",
-                       verdict.where);
-    result["kind"] = "pass";
     return result;
   }
 
@@ -75,7 +63,7 @@ class Log {
   Json head(Code code, std::string_view level, const std::string& message, const SourceSpan& where) const {
     Json result;
     result["ruleId"] = name(code);
-    result["ruleIndex"] = static_cast<std::size_t>(code);
+    result["ruleIndex"] = std::find(rules_.begin(), rules_.end(), code) - rules_.begin();
     result["level"] = level;
     result["message"]["text"] = message;
     result["locations"] = Json::array();
@@ -130,6 +118,7 @@ class Log {
   }
 
   const SourceManager& sources_;
+  const std::vector<Code>& rules_;
 };
 
 std::string_view meaning(ExitStatus status) {
@@ -157,13 +146,18 @@ Json invocation(ExitStatus status) {
 
 }  // namespace
 
-std::string sarif(const std::vector<Proof>& proofs, const Session& session, ExitStatus status) {
-  const Log log(session.sources);
+std::string sarif(const Session& session, ExitStatus status) {
+  const auto findings = session.diagnostics.sorted();
+  std::vector<Code> rules;  // those that occur
+  for (const Diagnostic& finding : findings) {
+    if (std::find(rules.begin(), rules.end(), finding.code) == rules.end()) rules.push_back(finding.code);
+  }
+  const Log log(session.sources, rules);
   Json run;
   Json& driver = run["tool"]["driver"];
   driver["name"] = "pal";
   driver["version"] = PAL_VERSION;
-  driver["rules"] = Json::parse(sarif_rules());
+  driver["rules"] = Json::parse(sarif_rules(rules));
   run["invocations"].push_back(invocation(status));
   if (const auto not_kept = session.diagnostics.not_kept().sum(); not_kept != 0) {
     Json notification;
@@ -174,14 +168,8 @@ std::string sarif(const std::vector<Proof>& proofs, const Session& session, Exit
   run["columnKind"] = "unicodeCodePoints";
   run["artifacts"] = log.artifacts();
   run["results"] = Json::array();
-  for (const Diagnostic& finding : session.diagnostics.sorted())
+  for (const Diagnostic& finding : findings)
     run["results"].push_back(log.result(finding));
-  for (const Proof& proof : proofs) {
-    for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
-      if (proof.analysis.verdicts[i].state == analyzer::VerdictState::holds)
-        run["results"].push_back(log.pass(proof, i));
-    }
-  }
   Json document;
   document["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";
   document["version"] = "2.1.0";

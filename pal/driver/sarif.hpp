@@ -11,12 +11,10 @@
 namespace pal::driver {
 
 /// A log of one run of `pal check` that ended with `status`, in SARIF 2.1.0 (OASIS, 2020; schema 2.1.0): a
-/// result a finding and one, of kind `pass`, a requirement that holds. Section numbers in the source are the
-/// standard's.
-std::string sarif(const std::vector<Proof>& proofs, const Session& session, ExitStatus status);
+/// result for each finding. A requirement that holds is no finding. Section numbers in the source are the standard's.
+std::string sarif(const Session& session, ExitStatus status);
 
-/// The rules of that log as JSON text: an array with each row of the table of findings, its number being the
-/// row's.
-std::string sarif_rules();
+/// The rules of these codes as JSON text: an array in the same order.
+std::string sarif_rules(const std::vector<Code>& codes);
 
 }  // namespace pal::driver

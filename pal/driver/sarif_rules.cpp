@@ -2,7 +2,6 @@
 #include <nlohmann/json.hpp>
 
 #include "pal/driver/sarif.hpp"
-#include "pal/explain/codes.hpp"
 #include "pal/explain/page.hpp"
 
 namespace pal::driver {
@@ -37,9 +36,9 @@ Json rule(Code code) {
 
 }  // namespace
 
-std::string sarif_rules() {
+std::string sarif_rules(const std::vector<Code>& codes) {
   auto rules = Json::array();
-  for (const Code code : all_codes()) rules.push_back(rule(code));
+  for (const Code code : codes) rules.push_back(rule(code));
   return rules.dump();
 }
 

@@ -92,6 +92,7 @@ std::string text(const Simulated& simulated) {
 
 std::string json(const std::vector<Simulated>& simulations) {
   Json document;
+  document["format_version"] = 1;
   document["simulations"] = Json::array();
   for (const Simulated& simulated : simulations) {
     Json made{{"skill", simulated.problem.skill}, {"environment", simulated.problem.environment},

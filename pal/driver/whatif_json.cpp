@@ -54,6 +54,7 @@ Json placements_row(const WhatIfAnswer& answer, const analyzer::Placements& on) 
 
 std::string json(const std::vector<WhatIfAnswer>& answers) {
   Json document;
+  document["format_version"] = 1;
   document["what_if"] = Json::array();
   for (const WhatIfAnswer& answer : answers) {
     Json row{{"skill", answer.skill}, {"environment", answer.environment}};

@@ -18,11 +18,6 @@ std::string quoted(std::string_view text) {
   return result + '"';
 }
 
-std::string type_text(ScalarType type, const std::string& unit) {
-  const char* word = type == ScalarType::real ? "REAL" : type == ScalarType::integer ? "INTEGER" : "BOOLEAN";
-  return unit.empty() ? word : word + (" " + unit);
-}
-
 std::string number_text(double value) {
   auto text = std::to_string(value);
   text.erase(text.find_last_not_of('0') + 1);
@@ -50,9 +45,13 @@ void dump_template(const Network& network, std::ostream& out) {
   dump_texts("model data", skill.model_data, out);
   if (network.main.valid()) out << "  main " << network.modules[network.main.index()].name << '\n';
   for (const auto& p : skill.parameters) {
-    out << "  parameter " << p.name << " : " << type_text(p.type, p.unit) << " default "
-        << number_text(p.default_value) << " range " << number_text(p.low) << " to " << number_text(p.high)
-        << ' ' << quoted(p.description) << '\n';
+    out << "  parameter " << p.name << " : " << declared_type(p.type, p.unit) << " default ";
+    if (p.type == ScalarType::text) {
+      out << quoted(p.default_text);
+    } else {
+      out << number_text(p.default_value) << " range " << number_text(p.low) << " to " << number_text(p.high);
+    }
+    out << ' ' << quoted(p.description) << '\n';
   }
   for (const auto& c : skill.contingencies) {
     out << "  contingency " << c.number << ' ' << quoted(c.description);
@@ -73,7 +72,7 @@ void dump_messages(const Network& network, std::ostream& out) {
     out << "message " << message.name;
     const char* before = " : ";
     for (const auto& field : message.fields) {
-      out << before << field.name << ' ' << type_text(field.type, field.unit);
+      out << before << field.name << ' ' << declared_type(field.type, field.unit, field.size);
       before = ", ";
     }
     if (message.asks_for.valid()) out << " asks for " << network.messages[message.asks_for.index()].name;
@@ -206,6 +205,15 @@ struct BehaviourDump {
 };
 
 }  // namespace
+
+std::string declared_type(ScalarType type, const std::string& unit, int size) {
+  std::string text = type == ScalarType::real      ? "REAL"
+                     : type == ScalarType::integer ? "INTEGER"
+                     : type == ScalarType::boolean ? "BOOLEAN"
+                                                   : "TEXT";
+  if (size != 0) text += '[' + std::to_string(size) + ']';
+  return unit.empty() ? text : text + ' ' + unit;
+}
 
 void dump(const Network& network, std::ostream& out) {
   dump_template(network, out);

@@ -19,6 +19,9 @@ std::string guard_text(const Network& network, const Guard& guard);
 /// "skill module", …
 std::string kind_text(ModuleKind kind);
 
+/// "REAL[255] mm": a type as it is declared. `size` is that of an array; 0: a single value.
+std::string declared_type(ScalarType type, const std::string& unit, int size = 0);
+
 /// The name of the module or device.
 const std::string& party_name(const Network& network, const Party& party);
 

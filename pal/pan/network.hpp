@@ -17,14 +17,25 @@ namespace pal::pan {
 enum class ModuleKind { sensor_driver, logical_sensor, machine_controller, skill_module, contingency_module };
 
 /// A type of one field of a message, or of a parameter.
-enum class ScalarType { real, integer, boolean };
+enum class ScalarType { real, integer, boolean, text };
+
+/// The most values that an array may have, and the most characters of a text: what a message carries is
+/// bounded.
+constexpr int largest_array = 4096;
+constexpr std::size_t longest_text = 24;
 
 /// One field of a message. `unit` is the canonical spelling ("mm", "N", "N*m", "deg"); empty: a plain number.
 struct Field {
   std::string name;
   ScalarType type = ScalarType::real;
   std::string unit;
+  int size = 0;  // of an array, 1 to largest_array; 0: a single value
 };
+
+/// True if both may stand in one group of a declaration: `x, z : REAL[255] mm`.
+inline bool of_one_type(const Field& a, const Field& b) {
+  return a.type == b.type && a.unit == b.unit && a.size == b.size;
+}
 
 /// A message by name. A request has no fields of its own: it asks for `asks_for`.
 /// The texts `request X` and `X request` both name the message "request X".
@@ -90,7 +101,8 @@ struct Device {
   SourceSpan where;
 };
 
-/// A parameter of the skill. Range and default are in `unit`; low <= default <= high.
+/// A parameter of the skill. Range and default are in `unit`; low <= default <= high. A text has neither
+/// unit nor range.
 struct Parameter {
   std::string name;
   ScalarType type = ScalarType::real;
@@ -98,6 +110,7 @@ struct Parameter {
   double low = 0;
   double high = 0;
   double default_value = 0;
+  std::string default_text;  // of a text: printable ASCII
   std::string description;
   SourceSpan where;
 };

@@ -28,6 +28,7 @@ class Builder {
   struct TypeOf {
     pan::ScalarType type = pan::ScalarType::real;
     std::string unit;
+    int size = 0;  // of an array; 0: a single value
   };
 
   // units: build_units.cpp
@@ -100,6 +101,7 @@ class Builder {
   Duration duration(antlr4::tree::TerminalNode* number, antlr4::tree::TerminalNode* unit);
   Interval interval(Parser::IntervalContext* context);
   std::string unit(Parser::PhysicalUnitContext* context);
+  int size(Parser::SizeContext* context);
   TypeOf type(Parser::TypeContext* context);
   std::optional<pan::ModuleKind> kind(Parser::KindContext* context) const;
   std::optional<pan::ModuleKind> kind(Parser::HeaderContext* context) const;

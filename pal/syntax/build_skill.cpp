@@ -80,12 +80,17 @@ void Builder::add_slot(SkillUnit& skill, Parser::SlotContext* context) {
 }
 
 Parameter Builder::parameter(Parser::ParameterSlotContext* context) {
+  const auto errors_before = diagnostics_.errors();
   Parameter result;
   result.name = name(context->name());
   result.where = span(context);
   auto written = type(context->type());
   result.type = written.type;
   result.unit = std::move(written.unit);
+  if (written.size != 0) {
+    diagnostics_.report(Code::PAL0616, span(context->type()), "a parameter is one value, not an array",
+                        "declare a parameter for each value");
+  }
   const auto literals = context->literal();
   std::size_t next = 0;
   const auto take = [&] { return next < literals.size() ? literal(literals[next++]) : std::nullopt; };
@@ -95,6 +100,8 @@ Parameter Builder::parameter(Parser::ParameterSlotContext* context) {
     result.high = take();
   }
   result.description = text(context->STRING());
+  // A figure that could not be read is no wrong default or range besides.
+  if (diagnostics_.errors() != errors_before) diagnostics_.distrust(result.where);
   return result;
 }
 

@@ -34,13 +34,13 @@ MessageUnit Builder::message_unit(Parser::MessageUnitContext* context) {
   if (payload == nullptr) return result;
   if (payload->type() != nullptr) {
     auto written = type(payload->type());
-    result.fields.push_back({"value", written.type, std::move(written.unit)});
+    result.fields.push_back({"value", written.type, std::move(written.unit), written.size});
     return result;
   }
   for (auto* group : payload->fieldGroup()) {
     const auto field = type(group->type());
     for (auto& field_name : names(group->name())) {
-      result.fields.push_back({field_name.text, field.type, field.unit});
+      result.fields.push_back({field_name.text, field.type, field.unit, field.size});
       result.field_names.push_back(std::move(field_name));
     }
   }

@@ -124,6 +124,7 @@ std::optional<Literal> Builder::literal(Parser::LiteralContext* context) {
   if (auto* truth = context->truth()) {
     return Literal{{}, truth->TRUE() != nullptr ? 1.0 : 0.0, {}, span(context)};
   }
+  if (auto* string = context->STRING()) return Literal{{}, 0, {}, span(context), text(string)};
   const auto value = real(context->NUMBER());
   if (!value) return std::nullopt;
   return Literal{context->NUMBER()->getText(), *value, unit(context->physicalUnit()), span(context)};
@@ -199,17 +200,51 @@ std::string Builder::unit(Parser::PhysicalUnitContext* context) {
   return written;
 }
 
+/// Of an array. A size that means nothing is reported, and 1 stands for it, so that nothing else is.
+int Builder::size(Parser::SizeContext* context) {
+  if (context == nullptr || context->exception != nullptr) return 0;
+  auto* number = context->NUMBER();
+  if (number == nullptr || is_made_up(number->getSymbol())) return 1;
+  const auto digits = number->getText();
+  const std::string limit = std::to_string(pan::largest_array);
+  int value = 0;
+  const auto* end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, value);
+  if (stop != end) {
+    diagnostics_.report(Code::PAL0615, span(number), "the size of an array is a whole number",
+                        "write a whole number from 1 to " + limit + ", without point and exponent");
+  } else if (digits.starts_with('-') || (error == std::errc{} && value == 0)) {
+    diagnostics_.report(
+        Code::PAL0615, span(number), "an array has at least one value",
+        "write a size from 1 to " + limit + "; a message without a value is declared as SIGNAL");
+  } else if (error != std::errc{} || value > pan::largest_array) {
+    diagnostics_.report(Code::PAL0615, span(number), "an array has at most " + limit + " values",
+                        "send the values in several messages, one after another");
+  } else {
+    return value;
+  }
+  return 1;
+}
+
 Builder::TypeOf Builder::type(Parser::TypeContext* context) {
   if (context == nullptr) return {};
   const bool boolean = context->BOOLEAN() != nullptr;
-  if (boolean && context->physicalUnit() != nullptr) {
-    diagnostics_.report(Code::PAL0614, span(context), "a BOOLEAN has no unit",
-                        "remove the unit, or write REAL or INTEGER");
+  const bool text = context->TEXT() != nullptr;
+  if ((boolean || text) && context->physicalUnit() != nullptr) {
+    diagnostics_.report(Code::PAL0614, span(context),
+                        boolean ? "a BOOLEAN has no unit" : "a TEXT has no unit",
+                        boolean ? "remove the unit, or write REAL or INTEGER" : "remove the unit");
+  }
+  if (text && context->size() != nullptr) {
+    diagnostics_.report(Code::PAL0616, span(context), "there are no arrays of TEXT",
+                        "declare a field for each text, as in first, second : TEXT");
+    return {pan::ScalarType::text, {}, 0};
   }
   return {context->INTEGER() != nullptr ? pan::ScalarType::integer
           : boolean                     ? pan::ScalarType::boolean
+          : text                        ? pan::ScalarType::text
                                         : pan::ScalarType::real,
-          unit(context->physicalUnit())};
+          unit(context->physicalUnit()), size(context->size())};
 }
 
 std::optional<pan::ModuleKind> Builder::kind(Parser::KindContext* context) const {

@@ -29,6 +29,10 @@ bool is_if(const antlr4::Token* token) {
   return is(token, Parser::NAME) && in_capitals(token) == "IF";
 }
 
+bool is_loop(const antlr4::Token* token) {
+  return is(token, Parser::NAME) && (in_capitals(token) == "WHILE" || in_capitals(token) == "FOR");
+}
+
 bool touch(const antlr4::Token* left, const antlr4::Token* right) {
   return left->getStopIndex() + 1 == right->getStartIndex();
 }
@@ -60,14 +64,49 @@ std::optional<Foreign> type_elsewhere(const Around& around) {
   for (const std::ptrdiff_t back : {0, -1}) {
     const auto* type = around[back];
     if (!is(type, Parser::NAME) || !is(around[back - 1], Parser::COLON) || !is_type_elsewhere(type)) continue;
+    const std::string word = in_capitals(type);
+    if (word == "STRING" || word == "CHAR")
+      return Foreign{type, "PAL has no type " + spelling(*type), "write TEXT, for up to 24 characters"};
     return Foreign{type, "PAL has no type " + spelling(*type),
                    "write REAL, INTEGER or BOOLEAN, or SIGNAL for a message without a value"};
   }
   return std::nullopt;
 }
 
+/// x[3] : REAL mm, or REAL mm[3].
+std::optional<Foreign> size_elsewhere(const Around& around) {
+  for (const std::ptrdiff_t step : {0, 1}) {
+    const auto* bracket = around[step];
+    const auto* number = around[step + 1];
+    if (!is(bracket, Parser::LEFT_BRACKET) || !is(number, Parser::NUMBER)) continue;
+    if (!is(around[step - 1], Parser::NAME)) return std::nullopt;
+    return Foreign{bracket, "the size of an array stands directly behind its type",
+                   "write it as in x : REAL[" + number->getText() + "] mm"};
+  }
+  return std::nullopt;
+}
+
 Foreign no_if(const antlr4::Token* at) {
   return {at, "PAL has no IF", "write CASE, an arm ( … ): for each way with its statements, and END CASE"};
+}
+
+const antlr4::Token* first_of_line(const Around& around) {
+  std::ptrdiff_t back = 0;
+  while (around[back - 1] != nullptr && around[back - 1]->getLine() == around[0]->getLine()) --back;
+  return around[back];
+}
+
+/// Told at the word that began the loop, so that its DO and its END tell the same once more.
+Foreign no_loop(const Around& around, std::ptrdiff_t steps) {
+  const auto* at = around[steps];
+  for (std::ptrdiff_t back = steps; around[back] != nullptr; --back) {
+    if (is_loop(around[back]) && !is(around[back - 1], Parser::END)) {
+      at = around[back];
+      break;
+    }
+  }
+  return {at, "PAL has no " + in_capitals(at),
+          "write REPEAT, the statements, and UNTIL( … ), within a CASE if they may not run at all"};
 }
 
 /// Of a comma that cannot stand where it does.
@@ -93,6 +132,9 @@ std::optional<Foreign> comma(const Around& around) {
 std::optional<Foreign> foreign_form(const Tokens& tokens, const antlr4::Token* at,
                                     const antlr4::ParserRuleContext* context) {
   const Around around(tokens, at);
+  if (is(around[-1], Parser::COLON) && is(around[-3], Parser::REQUIREMENT))
+    return Foreign{at, "there is no measure " + spelling(*at),
+                   "the measures are RESPONSE, AGE, REACTION, INTERVAL, LOSS, DURATION, LOAD and BUSY PERIOD"};
   const auto* outer = dynamic_cast<const antlr4::ParserRuleContext*>(context->parent);
   const std::size_t rule = context->getRuleIndex();
   switch (at->getType()) {
@@ -107,20 +149,30 @@ std::optional<Foreign> foreign_form(const Tokens& tokens, const antlr4::Token* a
     case Parser::FALSE:
       if (!is(around[-1], Parser::LEFT) || !is(around[-2], Parser::UNTIL)) return std::nullopt;
       return Foreign{at, "an UNTIL names conditions, or forever", "write UNTIL( forever )"};
+    case Parser::DO:
+      if (is_loop(first_of_line(around))) return no_loop(around, 0);
+      break;
     case Parser::LEFT:
       if (is_if(around[-1])) return no_if(around[-1]);
+      if (is_loop(around[-1])) return no_loop(around, -1);
       break;
     case Parser::END:
       if (is_if(around[1])) return no_if(around[1]);
+      if (is_loop(around[1])) return no_loop(around, 1);
       break;
     case Parser::NAME:
       if (is_if(at) && is(around[-1], Parser::END)) return no_if(at);
+      if (is_loop(at) && is(around[-1], Parser::END)) return no_loop(around, 0);
       break;
     default:
       break;
   }
   const bool payload = rule == Parser::RuleFieldGroup || rule == Parser::RulePayload ||
                        rule == Parser::RuleType || rule == Parser::RuleMessageUnit;
+  // Behind a unit the declaration may be over already: then it is the file that has no use for a bracket.
+  const bool declared = payload || rule == Parser::RulePhysicalUnit || rule == Parser::RuleUnitFactor ||
+                        rule == Parser::RuleFile;
+  if (auto misplaced = declared ? size_elsewhere(around) : std::nullopt) return misplaced;
   return payload ? type_elsewhere(around) : std::nullopt;
 }
 

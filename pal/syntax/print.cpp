@@ -23,13 +23,6 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-std::string type(pan::ScalarType type, const std::string& unit) {
-  const char* word = type == pan::ScalarType::real      ? "REAL"
-                     : type == pan::ScalarType::integer ? "INTEGER"
-                                                        : "BOOLEAN";
-  return unit.empty() ? word : word + (" " + unit);
-}
-
 std::string list(const std::vector<Name>& names) {
   std::string result;
   for (const auto& name : names) result += (result.empty() ? "" : ", ") + name.text;
@@ -143,15 +136,18 @@ class Printer {
     if (!all.empty()) line(slot + (" " + list(all)));
   }
 
+  static std::string type(const pan::Field& field) {
+    return pan::declared_type(field.type, field.unit, field.size);
+  }
+
   static std::string payload(const MessageUnit& message) {
     if (message.fields.empty()) return "SIGNAL";
-    if (message.field_names.empty()) return type(message.fields.front().type, message.fields.front().unit);
+    if (message.field_names.empty()) return type(message.fields.front());
     std::string result;
     for (std::size_t i = 0; i < message.fields.size(); ++i) {
       const auto& field = message.fields[i];
-      const bool last = i + 1 == message.fields.size() || message.fields[i + 1].type != field.type ||
-                        message.fields[i + 1].unit != field.unit;
-      result += field.name + (!last ? ", " : " : " + type(field.type, field.unit));
+      const bool last = i + 1 == message.fields.size() || !pan::of_one_type(field, message.fields[i + 1]);
+      result += field.name + (!last ? ", " : " : " + type(field));
       if (last && i + 1 != message.fields.size()) result += "; ";
     }
     return result;
@@ -159,10 +155,11 @@ class Printer {
 
   void parameter(const Parameter& p) {
     const auto literal = [](const Literal& value) {
+      if (value.text) return quoted(*value.text);
       if (value.digits.empty()) return std::string(value.value != 0 ? "TRUE" : "FALSE");
       return value.digits + (value.unit.empty() ? "" : " " + value.unit);
     };
-    auto text = "PARAMETER " + p.name.text + " : " + type(p.type, p.unit);
+    auto text = "PARAMETER " + p.name.text + " : " + pan::declared_type(p.type, p.unit);
     if (p.default_value) text += " DEFAULT " + literal(*p.default_value);
     if (p.low && p.high) text += " RANGE " + literal(*p.low) + " TO " + literal(*p.high);
     line(text + with_text(p.description));

@@ -22,6 +22,8 @@ constexpr std::size_t least = 5;
 constexpr std::size_t far_sight = 200;
 // From the unit's beginning to the mistake; trying changes in a longer one would take too long.
 constexpr std::size_t longest_unit = 1500;
+// Lines of one name before the mistake that may be a misspelled REPEAT, CASE or CONCURRENT.
+constexpr std::size_t most_lines = 12;
 
 using Types = std::vector<std::size_t>;
 
@@ -52,6 +54,10 @@ bool is_word(std::size_t type) {
   return !stands_for_many(type) && !spelling_of_type(type).empty();
 }
 
+std::set<std::size_t> openers() {
+  return {Parser::REPEAT, Parser::CASE, Parser::CONCURRENT, Parser::BEGIN};
+}
+
 std::set<std::size_t> all_keywords() {
   std::set<std::size_t> types;
   for (std::size_t type = Parser::WTM; type < Parser::LEFT; ++type) types.insert(type);
@@ -70,6 +76,19 @@ std::vector<Change> candidates(const Mistake& mistake, const Tokens& tokens) {
       if (const auto meant = keyword_like(all[where]->getText(), keywords))
         result.push_back({where, 1, {*meant}});
     }
+  }
+  // A word that was cut in two: FOR EVER.
+  if (at > 0 && at < all.size() && all[at]->getType() == Parser::NAME && all[at - 1]->getType() == Parser::NAME) {
+    if (const auto meant = keyword_like(all[at - 1]->getText() + all[at]->getText(), all_keywords()))
+      result.push_back({at - 1, 2, {*meant}});
+  }
+  // A misspelled keyword that stands for an activity on a line of its own: what it opened is missed at its end.
+  std::size_t tried = 0;
+  for (auto where = at; where-- > mistake.unit_begin && tried < most_lines;) {
+    if (all[where]->getType() != Parser::NAME || !tokens.first_on_line(all[where])) continue;
+    if (all[where + 1]->getLine() == all[where]->getLine()) continue;
+    ++tried;
+    if (const auto meant = keyword_like(all[where]->getText(), openers())) result.push_back({where, 1, {*meant}});
   }
   // Between units any name could be made one by a word before it: rather it is too many.
   if (mistake.expected.contains(Parser::USES) && !last) result.push_back({at, 1, {}});
@@ -159,7 +178,8 @@ Edit insertion(const Change& change, const Mistake& mistake, const Tokens& token
   const auto words = words_of(change.added);
   auto place = tokens.span(next);
   place.end = place.begin;
-  if (before == nullptr || !tokens.first_on_line(next)) return {place, words + " "};
+  const bool at_end = next->getType() == antlr4::Token::EOF;
+  if (before == nullptr || (!tokens.first_on_line(next) && !at_end)) return {place, words + " "};
   place.begin = place.end = tokens.span(before).end;
   const bool ends_something = !mistake.finding.notes.empty();
   if (!ends_something) return {place, " " + words};
@@ -202,7 +222,7 @@ Diagnostic told_by(const Change& change, const Mistake& mistake, const Tokens& t
     if (is_known) finding.fix = {insertion(change, mistake, tokens)};
     return finding;
   }
-  finding.where = tokens.span(at);
+  finding.where = tokens.span(at, tokens.all()[change.at + change.removed - 1]);
   finding.fix = {{finding.where, words_of(change.added)}};
   if (change.added.empty()) {
     if (change.at != mistake.at) finding.message = "unexpected " + spelling(*at);

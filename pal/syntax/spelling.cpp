@@ -56,6 +56,8 @@ const std::map<std::size_t, std::string>& signs() {
                                                         {Parser::CARET, "'^'"},
                                                         {Parser::DOT, "'.'"},
                                                         {Parser::PERCENT, "'%'"},
+                                                        {Parser::LEFT_BRACKET, "'['"},
+                                                        {Parser::RIGHT_BRACKET, "']'"},
                                                         {Parser::NAME, "a name"},
                                                         {Parser::NUMBER, "a number"},
                                                         {Parser::STRING, "a text in quotes"},
@@ -102,7 +104,8 @@ std::optional<std::size_t> keyword_like(const std::string& word, const std::set<
   for (const auto type : types) {
     if (is_keyword(type)) words.push_back(word_of_type(type));
   }
-  const auto meant = nearest(capitals, words);
+  const bool exact = std::find(words.begin(), words.end(), capitals) != words.end();
+  const auto meant = exact ? std::optional(capitals) : nearest(capitals, words);
   if (!meant) return std::nullopt;
   return *std::find_if(types.begin(), types.end(),
                        [&](std::size_t type) { return word_of_type(type) == *meant; });

@@ -6,6 +6,7 @@
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/utf8.hpp"
 #include "pal/syntax/parse.hpp"
+#include "pal/syntax/strays.hpp"
 
 namespace pal::syntax {
 
@@ -42,9 +43,11 @@ Tokens::Tokens(FileId file, std::string_view text, Diagnostics& diagnostics)
   lexer_.removeErrorListeners();  // every character is a token, so there is nothing to listen to
   read(lexer_);
   report_length(diagnostics);
-  report_strays(diagnostics);
-  if (has_errors_) drop_strays();
-  bound_nesting(diagnostics);
+  const Strays strays = read_strays(*this, text, diagnostics);
+  has_errors_ = has_errors_ || strays.has_errors;
+  parseable_ = parseable_ && strays.parseable;
+  if (!strays.rereadings.empty()) reread(strays.rereadings);
+  if (parseable_) bound_nesting(diagnostics);
 }
 
 void Tokens::read(antlr4::TokenSource& source) {
@@ -60,14 +63,26 @@ void Tokens::apply(const Change& change) {
   changed_ = std::move(list);
 }
 
-void Tokens::drop_strays() {
-  auto tokens = copy(all_, 0, all_.size() - 1, nullptr);
-  std::erase_if(tokens, [](const auto& token) { return token->getType() == Lexer::STRAY; });
-  for (const auto& token : tokens) {
-    if (token->getType() != Lexer::OPEN_STRING) continue;
-    static_cast<antlr4::CommonToken*>(token.get())->setType(Lexer::STRING);
+void Tokens::reread(const std::vector<Rereading>& rereadings) {
+  const auto tokens = copy(all_, 0, all_.size() - 1, nullptr);
+  std::vector<std::unique_ptr<antlr4::Token>> result;
+  auto next = rereadings.begin();
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (next == rereadings.end() || i < next->first) {
+      result.push_back(std::make_unique<antlr4::CommonToken>(tokens[i].get()));
+      continue;
+    }
+    if (next->type != 0) {
+      auto token = std::make_unique<antlr4::CommonToken>(tokens[next->first].get());
+      token->setType(next->type);
+      token->setStopIndex(tokens[next->last]->getStopIndex());
+      token->setText(next->text);
+      result.push_back(std::move(token));
+    }
+    i = next->last;
+    ++next;
   }
-  changed_ = std::make_unique<TokenList>(std::move(tokens), lexer_);
+  changed_ = std::make_unique<TokenList>(std::move(result), lexer_);
   read(*changed_);
 }
 
@@ -115,43 +130,6 @@ void Tokens::report_length(Diagnostics& diagnostics) {
   has_errors_ = true;
 }
 
-void Tokens::report_strays(Diagnostics& diagnostics) {
-  constexpr std::size_t most = 100;
-  std::size_t found = 0;
-  for (std::size_t i = 0; i < all_.size(); ++i) {
-    const auto type = all_[i]->getType();
-    if (type != Lexer::OPEN_STRING && type != Lexer::STRAY) continue;
-    has_errors_ = true;
-    if (++found == most) {
-      diagnostics.report(Code::PAL0104, span(all_[i]),
-                         "too many characters that mean nothing; the rest of this file is not reported",
-                         "is this file PAL?");
-      parseable_ = false;
-      return;
-    }
-    if (type == Lexer::OPEN_STRING) {
-      const auto end = span(all_[i]).end;
-      diagnostics
-          .report(Code::PAL0103, span(all_[i]), "the text has no closing quote on its line",
-                  "end the text with \"")
-          .fix = {{{file_, end, end}, "\""}};
-      continue;
-    }
-    auto last = i;
-    while (last + 1 < all_.size() && all_[last + 1]->getType() == Lexer::STRAY &&
-           all_[last + 1]->getStartIndex() == all_[last]->getStopIndex() + 1) {
-      ++last;
-    }
-    const auto where = span(all_[i], all_[last]);
-    diagnostics
-        .report(Code::PAL0102, where,
-                last == i ? "this character means nothing in PAL" : "these characters mean nothing in PAL",
-                "remove it; a comment begins with #")
-        .fix = {{where, ""}};
-    i = last;
-  }
-}
-
 void Tokens::bound_nesting(Diagnostics& diagnostics) {
   int depth = 0;
   auto previous = antlr4::Token::EOF;
@@ -190,7 +168,8 @@ void Tokens::bound_nesting(Diagnostics& diagnostics) {
       diagnostics.report(
           Code::PAL0105, span(token),
           "statements and parentheses are nested deeper than " + std::to_string(deepest_nesting),
-          "move inner statements to a module of their own and Execute it");
+          type == Lexer::LEFT ? "write the test with fewer parentheses, or set a condition to a part of it"
+                              : "move inner statements to a module of their own and Execute it");
       parseable_ = false;
       has_errors_ = true;
       return;

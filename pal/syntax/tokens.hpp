@@ -15,6 +15,8 @@
 
 namespace pal::syntax {
 
+struct Rereading;
+
 /// The most words and signs of one file that are read: some 300,000 lines.
 constexpr std::size_t most_tokens = 2'000'000;
 
@@ -67,9 +69,8 @@ class Tokens {
  private:
   std::uint32_t byte(std::size_t code_point) const;
   void read(antlr4::TokenSource& source);
-  void drop_strays();
+  void reread(const std::vector<Rereading>& rereadings);
   void report_length(Diagnostics& diagnostics);
-  void report_strays(Diagnostics& diagnostics);
   void bound_nesting(Diagnostics& diagnostics);
 
   FileId file_;

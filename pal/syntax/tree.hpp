@@ -86,12 +86,13 @@ struct Contingency {
   SourceSpan where;
 };
 
-/// A value of a parameter: 20, 2 cm/s, TRUE.
+/// A value of a parameter: 20, 2 cm/s, TRUE, "park".
 struct Literal {
-  std::string digits;  // of a number, as written; empty: TRUE or FALSE
+  std::string digits;  // of a number, as written; empty: TRUE or FALSE, or a text
   double value = 0;    // TRUE: 1
   std::string unit;    // as written, without spaces; empty: none is given
   SourceSpan where;
+  std::optional<std::string> text = std::nullopt;  // of a text
 };
 
 struct Parameter {

@@ -68,6 +68,8 @@ bool space_between(const PlacedToken& before, const PlacedToken& here) {
   const auto right = here.token->getType();
   if (joined_to_both_sides(left) || joined_to_both_sides(right)) return false;
   if (right == Parser::COMMA || right == Parser::SEMICOLON) return false;
+  if (right == Parser::LEFT_BRACKET || right == Parser::RIGHT_BRACKET || left == Parser::LEFT_BRACKET)
+    return false;
   if (right == Parser::COLON) {
     const auto rule = here.in->getRuleIndex();
     return rule != Parser::RuleModuleUnit && rule != Parser::RuleArm && rule != Parser::RuleWaitArm;
@@ -84,7 +86,7 @@ bool may_begin_line(const PlacedToken& before, const PlacedToken& here) {
   if (left == Parser::COMMA || left == Parser::SEMICOLON) return true;
   const auto rule = here.in->getRuleIndex();
   const auto type = here.token->getType();
-  if (type == Parser::STRING) return true;
+  if (type == Parser::STRING) return rule != Parser::RuleLiteral;
   if (!is_keyword(here)) return false;
   switch (type) {
     case Parser::READS:
@@ -178,7 +180,7 @@ std::size_t cell_of(Table table, std::size_t position, const PlacedToken& here, 
       return is(Parser::COLON)     ? 1
              : is(Parser::DEFAULT) ? 2
              : is(Parser::RANGE)   ? 3
-             : is(Parser::STRING)  ? 4
+             : is(Parser::STRING)  ? (here.in->getRuleIndex() == Parser::RuleLiteral ? 0 : 4)
                                    : 0;
     case Table::processor:
     case Table::behaviour:

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/controller/planner.hpp"
+
 namespace pal::sim {
 namespace {
 
@@ -11,31 +13,10 @@ double seconds(runtime::Time time) {
   return std::chrono::duration<double>(time).count();
 }
 
-std::string joint_text(std::size_t joint) {
-  return "joint " + std::to_string(joint + 1);
-}
-
 std::string figure(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.3g", value);
   return text.data();
-}
-
-std::string describe(const InverseSolution& solution) {
-  switch (solution.problem) {
-    case InverseProblem::too_far:
-      return "the tool would be out of the arm's reach";
-    case InverseProblem::too_near:
-      return "the tool would be too near to the arm's own axis";
-    case InverseProblem::over_limit: {
-      const JointLimits& limits = puma_limits[solution.joint];
-      return joint_text(solution.joint) + " would leave its range of " + figure(degrees(limits.lower)) +
-             " to " + figure(degrees(limits.upper)) + " degrees";
-    }
-    case InverseProblem::none:
-      break;
-  }
-  return {};
 }
 
 }  // namespace
@@ -50,21 +31,15 @@ Trajectory::Trajectory(const Joints& start, runtime::Time period, const Pose& to
       resting_(start) {}
 
 std::optional<std::string> Trajectory::add(const Correction& correction, CorrectionFrame frame,
-                                           runtime::Time begin) {
-  const Pose goal = corrected(goal_, correction, frame, opened_);
+                                           runtime::Time begin, bool cumulative) {
+  const Pose goal = corrected(cumulative ? goal_ : opened_, correction, frame, opened_);
   const double distance = (goal.translation() - goal_.translation()).norm();
   if (distance > straight_line_speed * seconds(period_))
     return "the tool would move at " + figure(distance / seconds(period_)) + " m/s, its limit is " +
            figure(straight_line_speed) + " m/s";
   const InverseSolution solution = inverse_tool(goal, tool_, configuration_, goal_joints_);
-  if (solution.problem != InverseProblem::none) return describe(solution);
-  for (std::size_t i = 0; i < joint_count; ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const double speed = std::abs(solution.q[row] - goal_joints_[row]) / seconds(period_);
-    if (speed > puma_limits[i].speed)
-      return joint_text(i) + " would turn at " + figure(speed) + " rad/s, its limit is " +
-             figure(puma_limits[i].speed) + " rad/s";
-  }
+  if (const auto refusal = refusal_of(solution)) return refusal->text;
+  if (const auto refusal = too_fast((solution.q - goal_joints_) / seconds(period_))) return refusal->text;
   if (count_ == capacity) return "corrections come faster than they can be moved";
   if (count_ > 0) begin = std::max(begin, segments_[count_ - 1].begin + period_);
   segments_[count_++] = {begin, goal_joints_, solution.q};
@@ -96,6 +71,13 @@ void Trajectory::hold(const Joints& q) {
   count_ = 0;
   goal_joints_ = resting_;
   goal_ = tool_pose(resting_, tool_);
+}
+
+void Trajectory::open(const Joints& q, const Pose& tool) {
+  tool_ = tool;
+  configuration_ = configuration_of(q);
+  hold(q);
+  opened_ = goal_;
 }
 
 bool Trajectory::idle(runtime::Time when) const {

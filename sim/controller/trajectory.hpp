@@ -20,8 +20,9 @@ class Trajectory {
 
   /// Adds a relative motion, to be made from `begin` on or after those before it, whichever is later.
   /// Refused, with the reason, when the pose is out of reach, a joint would leave its range, or the motion is
-  /// faster than the arm.
-  std::optional<std::string> add(const Correction& correction, CorrectionFrame frame, runtime::Time begin);
+  /// faster than the arm. Not cumulative: relative to the pose at opening, not to the corrections before it.
+  std::optional<std::string> add(const Correction& correction, CorrectionFrame frame, runtime::Time begin,
+                                 bool cumulative = true);
 
   /// The set-point at `when`; instants must not run backwards.
   SetPoint at(runtime::Time when);
@@ -32,10 +33,15 @@ class Trajectory {
   /// Drops what has not been moved and stays at `q`.
   void hold(const Joints& q);
 
+  /// Begins anew at `q`, with another tool: what CorrectionFrame::tool_at_open and corrections that are not
+  /// cumulative count from.
+  void open(const Joints& q, const Pose& tool);
+
   bool idle(runtime::Time when) const;
 
   /// Where all corrections so far lead.
   const Pose& goal() const { return goal_; }
+  const Joints& goal_joints() const { return goal_joints_; }
 
  private:
   struct Segment {

@@ -14,6 +14,9 @@ const char* name(runtime::CompletionSpec::Kind kind) {
 }
 
 std::string range(const runtime::ParameterSpec& parameter) {
+  if (parameter.type == runtime::ParameterType::text)
+    return fmt::format("up to {} characters, default \"{}\"", runtime::Text::capacity,
+                       parameter.default_text);
   if (parameter.type == runtime::ParameterType::boolean)
     return fmt::format("0 or 1, default {:g}", parameter.default_value);
   const std::string unit = parameter.unit.empty() ? "" : " " + std::string(parameter.unit);

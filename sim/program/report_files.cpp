@@ -40,9 +40,13 @@ Json promises_json(const std::vector<Promise>& promises) {
 Json run_json(const runtime::Skill& skill, const Session& session, const SessionResult& result,
               const std::vector<Promise>& promises) {
   Json parameters = Json::object();
-  for (const runtime::ParameterSpec& parameter : skill.description().parameters)
-    parameters[std::string(parameter.name)] = {{"value", *parameter_value(skill, session, parameter.name)},
-                                               {"unit", parameter.unit}};
+  for (const runtime::ParameterSpec& parameter : skill.description().parameters) {
+    const bool text = parameter.type == runtime::ParameterType::text;
+    parameters[std::string(parameter.name)] = {
+        {"value", text ? Json(text_parameter(parameter, session))
+                       : Json(*parameter_value(skill, session, parameter.name))},
+        {"unit", parameter.unit}};
+  }
   Json json;
   json["skill"] = skill.description().name;
   json["environment"] = skill.description().environment;
@@ -86,7 +90,7 @@ std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skil
   std::vector<OutputFile> files{
       {in_folder(folder, "trace.json"), trace.str()},
       {in_folder(folder, "trace.chrome.json"), chrome.str()},
-      {in_folder(folder, "log.csv"), sim::log_table(result.log, *result.messages)},
+      {in_folder(folder, "log.csv"), sim::log_table(result.log, result.messages)},
       {in_folder(folder, "run.json"), json_text(run_json(skill, session, result, promises))}};
   for (const Promise& promise : promises)
     files.push_back({folder + "/atc." + promise.requirement + ".svg", promise.chart});
@@ -107,7 +111,7 @@ sim::DrawnPlots run_plots(const runtime::Skill& skill, const Session& session, c
     force.levels.push_back({std::string(parameter.name), value});
   }
   if (least && greatest) force.bands.push_back({"", *least, *greatest});
-  return sim::draw({sim::force_plot(result.log, *result.messages, force),
+  return sim::draw({sim::force_plot(result.log, result.messages, force),
                     sim::position_plot(result.log, heading, result.outcome.duration),
                     sim::path_plot(result.log, heading)});
 }

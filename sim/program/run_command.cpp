@@ -48,13 +48,17 @@ runtime::ParameterValue parse_setting(const std::string& setting, const runtime:
   for (const runtime::ParameterSpec& parameter : skill.description().parameters) {
     names.emplace_back(parameter.name);
     if (parameter.name != name) continue;
-    const double value = parse_number(setting, setting.substr(equals + 1));
+    const std::string written = setting.substr(equals + 1);
+    const bool text = parameter.type == runtime::ParameterType::text;
+    const double value = text ? 0 : parse_number(setting, written);
     try {
-      runtime::check_parameter(parameter, value);
+      text ? runtime::check_parameter(parameter, written) : runtime::check_parameter(parameter, value);
     } catch (const runtime::ParameterError& problem) {
       throw Failure(ExitStatus::wrong_specification, place, problem.what(),
-                    fmt::format("its default is {:g} {}", parameter.default_value, parameter.unit));
+                    text ? fmt::format("its default is \"{}\"", parameter.default_text)
+                         : fmt::format("its default is {:g} {}", parameter.default_value, parameter.unit));
     }
+    if (text) return {.name = name, .text = written};
     return {name, value};
   }
   const auto nearest = pal::nearest(name, names);

@@ -1,10 +1,8 @@
 #include "sim/program/session.hpp"
 
 #include <algorithm>
-#include <array>
 
-#include "sim/devices/alter_port.hpp"
-#include "sim/devices/force_torque_sensor.hpp"
+#include "sim/cell/cell.hpp"
 #include "sim/program/onlookers.hpp"
 
 namespace pal::workcell {
@@ -12,12 +10,14 @@ namespace {
 
 constexpr runtime::Time rest = std::chrono::milliseconds(400);
 
-sim::ForceTorqueOptions sensor_options(const Session& session) {
-  sim::ForceTorqueOptions options;
-  options.seed = session.seed;
-  if (session.times == runtime::CostPolicy::worst) options.shortest = options.longest;
-  if (session.times == runtime::CostPolicy::best) options.longest = options.shortest;
-  return options;
+// From the skill's beginning on; times count from there.
+std::vector<sim::Sample> log_since(const std::vector<sim::Sample>& log, runtime::Time begun) {
+  std::vector<sim::Sample> result;
+  for (sim::Sample sample : log) {
+    sample.time -= begun;
+    if (sample.time >= runtime::Time::zero()) result.push_back(sample);
+  }
+  return result;
 }
 
 }  // namespace
@@ -27,32 +27,35 @@ std::string title(const runtime::Skill& skill, const Session& session) {
 }
 
 SessionResult run_session(runtime::Skill& skill, const Session& session) {
-  sim::Workcell workcell(session.scene, {.raise = session.raise});
-  sim::AlterPort alter(workcell, {.phase = session.phase, .seed = session.seed});
-  sim::ForceTorqueSensor sensor(workcell, sensor_options(session));
-  Onlookers onlookers(workcell, skill, session);
-  WatchedWorld world(workcell, onlookers.watchers());
+  std::optional<Onlookers> onlookers;
+  const auto look_on = [&](sim::Workcell& workcell) -> std::unique_ptr<runtime::World> {
+    onlookers.emplace(workcell, skill, session);
+    return std::make_unique<WatchedWorld>(workcell, onlookers->watchers());
+  };
+  sim::Cell cell(session.scene, {.raise = session.raise,
+                                 .seed = session.seed,
+                                 .times = session.times,
+                                 .phase = session.phase,
+                                 .pace = session.pace,
+                                 .look_on = look_on,
+                                 .alter_carrier = session.alter_carrier});
   SessionResult result;
-  result.messages = std::make_unique<sim::MessageLog>();
-  const std::array<runtime::Device*, 2> devices{&result.messages->watch(alter),
-                                                &result.messages->watch(sensor)};
-  runtime::Dispatcher dispatcher(devices, world);
-
   runtime::RunOptions options;
   options.costs = session.times;
   options.seed = session.seed;
-  result.outcome = dispatcher.run(skill, session.parameters, options);
-  result.phase = alter.phase();
+  options.control = session.control;
+  options.observer = &result.messages;
+  result.outcome = cell.run(skill, session.parameters, options);
+  result.phase = cell.phase();
 
-  while (!workcell.idle()) world.advance_to(workcell.now() + sim::alter_period);
-  world.advance_to(workcell.now() + rest);
+  cell.rest(rest);
   // Before the picture: OpenGL is drawn with by one thread at a time.
-  result.video_problem = onlookers.end();
-  result.log = workcell.log();
+  result.video_problem = onlookers->end();
+  result.log = log_since(cell.workcell().log(), cell.station().begun());
   for (const sim::Sample& sample : result.log)
     result.peak_force = std::max(result.peak_force, sample.contact_force);
   if (!result.log.empty()) result.resting_force = result.log.back().contact_force;
-  if (session.picture) result.picture = sim::take_picture(workcell, captioned({}, skill, session));
+  if (session.picture) result.picture = sim::take_picture(cell.workcell(), captioned({}, skill, session));
   return result;
 }
 
@@ -63,6 +66,13 @@ std::optional<double> parameter_value(const runtime::Skill& skill, const Session
   for (const runtime::ParameterSpec& parameter : skill.description().parameters)
     if (parameter.name == name) return parameter.default_value;
   return std::nullopt;
+}
+
+std::string text_parameter(const runtime::ParameterSpec& parameter, const Session& session) {
+  std::string text(parameter.default_text);
+  for (const runtime::ParameterValue& value : session.parameters)
+    if (value.name == parameter.name) text = value.text.value_or(text);
+  return text;
 }
 
 }  // namespace pal::workcell

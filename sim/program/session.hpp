@@ -2,13 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <iosfwd>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "runtime/dispatcher.hpp"
+#include "runtime/drivers/station.hpp"
+#include "runtime/drivers/wire.hpp"
 #include "sim/picture/picture.hpp"
 #include "sim/report/message_log.hpp"
 #include "sim/scene.hpp"
@@ -21,7 +20,7 @@ struct Session {
   std::vector<runtime::ParameterValue> parameters;
   runtime::CostPolicy times = runtime::CostPolicy::random;
   std::uint64_t seed = 1;
-  /// From the opening of ALTER to its first event; drawn by the seed if not given.
+  /// From the skill's beginning to ALTER's first request; drawn by the seed if not given.
   std::optional<runtime::Time> phase;
   /// How much higher than in the scene the tool starts, mm.
   double raise = 0;
@@ -29,15 +28,19 @@ struct Session {
   std::string video{};               // the file; empty: none
   std::ostream* progress = nullptr;  // where progress is shown; nullptr: nowhere
   bool terminal = false;             // progress is a line that is rewritten
+  /// Outlive the run; null: time is virtual, bytes stay in the process, nobody stops the skill.
+  runtime::Pace* pace = nullptr;
+  runtime::Carrier* alter_carrier = nullptr;
+  const runtime::RunControl* control = nullptr;
 };
 
 struct SessionResult {
   runtime::Outcome outcome;
   runtime::Time phase{};         // as given or drawn
-  std::vector<sim::Sample> log;  // until the arm has come to rest
-  std::unique_ptr<sim::MessageLog> messages;
-  double peak_force = 0;     // N
-  double resting_force = 0;  // N, at the end of the log
+  std::vector<sim::Sample> log;  // from the skill's beginning, time 0, until the arm has come to rest
+  sim::MessageLog messages;
+  double peak_force = 0;         // N
+  double resting_force = 0;      // N, at the end of the log
   sim::Picture picture;
   std::string video_problem;  // why there is no video after all; empty with it, or if none was asked for
 };
@@ -53,5 +56,8 @@ std::string title(const runtime::Skill& skill, const Session& session);
 /// The value that the session gives a parameter, or its default; nothing if the skill has none of that name.
 std::optional<double> parameter_value(const runtime::Skill& skill, const Session& session,
                                       std::string_view name);
+
+/// Likewise of a parameter that is a text.
+std::string text_parameter(const runtime::ParameterSpec& parameter, const Session& session);
 
 }  // namespace pal::workcell

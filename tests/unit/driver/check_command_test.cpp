@@ -92,7 +92,8 @@ TEST_CASE("the JSON form has the documented members and no others") {
   const auto answer = pal::test::pal({"check", read_first, "--environment", cell, "--format", "json"});
   CHECK(answer.status == ExitStatus::not_met);
   const Json document = Json::parse(answer.out);
-  REQUIRE(document.size() == 3);
+  REQUIRE(document.size() == 4);
+  CHECK(document.at("format_version") == 1);
   CHECK(document.at("not_kept") == 0);
   for (const Json& diagnostic : document.at("diagnostics")) {
     for (const char* member : {"code", "severity", "file", "line", "column", "message"})

@@ -40,8 +40,8 @@ TEST_CASE("how few processors do is said of the priorities that were tried") {
 }
 
 TEST_CASE("what an option cannot be is refused with what it can be") {
-  is_refused({"check", touch, "--format", "xml"}, "'xml' is none of json, sarif, text");
-  is_refused({"check", touch, "--format", "1"}, "'1' is none of json, sarif, text");
+  is_refused({"check", touch, "--format", "xml"}, "'xml' is none of json, junit, sarif, text");
+  is_refused({"check", touch, "--format", "1"}, "'1' is none of json, junit, sarif, text");
   is_refused({"check", touch, "--analysis", "long"}, "'long' is none of auto, compositional, exact");
   is_refused({"check", touch, "--max-states", "-1"}, "'-1' is no whole number from 0 on");
   is_refused({"check", touch, "--threads", "many"}, "'many' is no whole number from 0 on");

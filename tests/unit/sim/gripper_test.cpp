@@ -1,8 +1,7 @@
 // Grasping: the fingers, and how truly they hold.
 #include <catch2/catch.hpp>
-#include <cmath>
-#include <numbers>
 
+#include "sim/controller/motion_controller.hpp"
 #include "sim/model/private/physics.hpp"
 #include "tests/unit/sim/scene_text.hpp"
 #include "tests/unit/sim/support.hpp"
@@ -28,21 +27,12 @@ class Cell {
   }
   Eigen::Vector3d in_hand() { return 1e3 * (workcell.tool().inverse() * Eigen::Vector3d(part() * 1e-3)); }
 
-  // Moves the tip there (mm) with a smooth start and end, at most 0.25 m/s, and waits until it rests.
+  // Moves the tip there (mm) in a straight line, at the speed of VAL's 100 percent, and waits until it rests.
   void go(double x, double y, double z) {
-    const Eigen::Vector3d from = workcell.set_point().translation() * 1e3;
-    const Eigen::Vector3d way = Eigen::Vector3d(x, y, z) - from;
-    const int cycles = std::max(8, static_cast<int>(std::ceil(2 * way.norm() / 250 / 0.028)));
-    double done = 0;
-    for (int i = 1; i <= cycles; ++i) {
-      const double u = static_cast<double>(i) / cycles;
-      const double part = u - std::sin(2 * std::numbers::pi * u) / (2 * std::numbers::pi);
-      const Eigen::Vector3d step = way * (part - done);
-      done = part;
-      REQUIRE_FALSE(
-          workcell.move({step.x(), step.y(), step.z(), 0, 0, 0}, CorrectionFrame::world, workcell.now()));
-      wait(alter_period);
-    }
+    Pose goal = workcell.set_point();
+    goal.translation() = 1e-3 * Eigen::Vector3d(x, y, z);
+    REQUIRE_FALSE(workcell.motion().move_straight(goal, {}, workcell.now()));
+    while (!workcell.idle()) wait(alter_period);
     wait(200ms);
   }
   void wait(pal::runtime::Time time) {
@@ -117,28 +107,29 @@ TEST_CASE("gripper: a part that is held creeps less than 0.01 mm in 30 s") {
   CHECK(cell.workcell.holds_part());
 }
 
-TEST_CASE("gripper: a part moved six times drifts less than 0.5 mm, with the machine's play or without") {
+TEST_CASE("gripper: a part moved six times drifts less than 0.5 mm, and does not slip in the hand") {
   for (const bool exact : {true, false}) {
     Cell cell(scene("parts"), {.machine = exact ? MachineOptions::exact() : MachineOptions{}});
-    Eigen::Vector3d first = Eigen::Vector3d::Zero();
-    double x = 460, y = -200;
+    double x = 460, y = -200, slip = 0;
     for (int i = 0; i < 6; ++i) {
       cell.go(x, y, on_table);
       cell.close();
-      if (i == 0) first = cell.in_hand();
       cell.go(x, y, on_table + 60);
+      const Eigen::Vector3d held = cell.in_hand();
       x = i % 2 == 0 ? 540 : 460;
       y = i % 2 == 0 ? -120 : -200;
       cell.go(x, y, on_table + 60);
       REQUIRE(cell.workcell.holds_part());
+      slip = std::max(slip, (cell.in_hand() - held).norm());
       cell.go(x, y, on_table);
       cell.open();
       cell.go(x, y, on_table + 60);
     }
     const Eigen::Vector3d off = cell.part() - Eigen::Vector3d(460, -200, on_table);
-    CAPTURE(exact, off.transpose());
-    // Without play what is left is from the jerks of motions that change speed every 28 ms.
-    CHECK(off.head<2>().norm() < (exact ? 0.2 : 0.5));
+    CAPTURE(exact, off.transpose(), slip);
+    CHECK(slip < 0.01);  // 0.05 to 0.1 mm where friction does not follow a hand that goes along a curve
+    // What is left is where the tool comes down: not quite where it came down before.
+    CHECK(off.head<2>().norm() < (exact ? 0.1 : 0.5));
     CHECK(std::abs(off.z()) < 0.1);
   }
 }

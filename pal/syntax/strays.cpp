@@ -1,0 +1,279 @@
+#include "pal/syntax/strays.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/utf8.hpp"
+#include "pal/syntax/tokens.hpp"
+
+namespace pal::syntax {
+namespace {
+
+using Lexer = grammar::PalLexer;
+
+constexpr std::size_t most_reports = 100;
+
+/// Where the line that begins at `begin` ends, without its end of line.
+std::size_t end_of_line(std::string_view text, std::size_t begin) {
+  return std::min(text.find_first_of("\r\n", begin), text.size());
+}
+
+bool starts_with_any(std::string_view line, std::initializer_list<std::string_view> beginnings) {
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](std::string_view beginning) { return line.starts_with(beginning); });
+}
+
+bool is_marker(std::string_view line, char sign) {
+  constexpr std::size_t length = 7;
+  return line.size() >= length && line.find_first_not_of(sign) >= length && line[0] == sign &&
+         (line.size() == length || line[length] == ' ');
+}
+
+SourceSpan span_of(FileId file, std::size_t begin, std::size_t end) {
+  return {file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+}
+
+/// The lines that a merge left behind: one finding at the first of them, however many there are.
+bool report_conflict(std::string_view text, FileId file, Diagnostics& diagnostics) {
+  Diagnostic* finding = nullptr;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = end_of_line(text, begin);
+    const std::string_view line = text.substr(begin, end - begin);
+    if (finding == nullptr) {
+      if (is_marker(line, '<'))
+        finding = &diagnostics.report(Code::PAL0119, span_of(file, begin, end),
+                                      "a conflict of a merge is left in this file",
+                                      "keep the lines that you want, and remove those that begin with <<<<<<<, "
+                                      "======= and >>>>>>>");
+    } else if (finding->notes.size() < 2 && (is_marker(line, '=') || is_marker(line, '>'))) {
+      finding->notes.push_back({span_of(file, begin, end), "it goes on here"});
+    }
+    begin = std::min(text.find('\n', end), text.size() - 1) + 1;
+  }
+  return finding != nullptr;
+}
+
+bool report_markup(std::string_view text, FileId file, Diagnostics& diagnostics) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (begin == std::string_view::npos) return false;
+  const std::string_view start = text.substr(begin, 15);
+  if (!starts_with_any(start, {"<html", "<HTML", "<!DOCTYPE", "<!doctype", "<?xml", "<body", "<pre"})) return false;
+  diagnostics.report(Code::PAL0119, span_of(file, begin, end_of_line(text, begin)), "this file is a page of the web, not PAL",
+                     "copy the text that the page shows, not its source");
+  return true;
+}
+
+/// Latin letters without their marks; what else there is becomes '_'.
+std::string plain(std::string_view name) {
+  static const std::map<std::string_view, std::string_view> letters{
+      {"à", "a"}, {"á", "a"}, {"â", "a"}, {"ã", "a"}, {"ä", "a"}, {"å", "a"}, {"ç", "c"}, {"è", "e"}, {"é", "e"},
+      {"ê", "e"}, {"ë", "e"}, {"ì", "i"}, {"í", "i"}, {"î", "i"}, {"ï", "i"}, {"ñ", "n"}, {"ò", "o"}, {"ó", "o"},
+      {"ô", "o"}, {"õ", "o"}, {"ö", "o"}, {"ø", "o"}, {"ù", "u"}, {"ú", "u"}, {"û", "u"}, {"ü", "u"}, {"ß", "ss"}};
+  std::string result;
+  for (std::size_t at = 0; at < name.size();) {
+    const std::size_t bytes = utf8::decode(name.substr(at)).bytes;
+    const std::string_view letter = name.substr(at, bytes);
+    const auto found = letters.find(letter);
+    result += found != letters.end() ? found->second : bytes == 1 ? letter : "_";
+    at += bytes;
+  }
+  return result;
+}
+
+/// Reserved words, and those that begin a unit.
+bool may_not_name_activity(std::size_t type) {
+  return type >= Lexer::WTM && type <= Lexer::ENVIRONMENT;
+}
+
+class Reader {
+ public:
+  Reader(const Tokens& tokens, std::string_view text, Diagnostics& diagnostics)
+      : tokens_(tokens), all_(tokens.all()), text_(text), diagnostics_(diagnostics) {}
+
+  Strays read() {
+    for (std::size_t at = 0; at < all_.size() && result_.parseable;) at = read_at(at) + 1;
+    return std::move(result_);
+  }
+
+ private:
+  /// What begins at token `at`; gives its last token.
+  std::size_t read_at(std::size_t at) {
+    switch (all_[at]->getType()) {
+      case Lexer::OPEN_STRING:
+        return open_text(at);
+      case Lexer::SLASH:
+        return foreign_comment(at);
+      case Lexer::ACTIVITY:
+        return activity(at);
+      case Lexer::STRAY:
+        if (const auto last = quoted_text(at)) return *last;
+        return run(at);
+      case Lexer::NAME:
+        if (const auto last = name_with_strays(at)) return *last;
+        return at;
+      default:
+        return renamed(at);
+    }
+  }
+
+  /// Null where so much was reported that the rest is passed over.
+  Diagnostic* report(Code code, SourceSpan where, std::string message, std::string hint) {
+    result_.has_errors = true;
+    if (++reported_ < most_reports) return &diagnostics_.report(code, where, std::move(message), std::move(hint));
+    diagnostics_.report(Code::PAL0104, where,
+                        "too many unexpected characters; the rest of this file is not reported", "is this file PAL?");
+    result_.parseable = false;
+    return nullptr;
+  }
+
+  std::size_t open_text(std::size_t at) {
+    const SourceSpan where = tokens_.span(all_[at]);
+    auto* finding =
+        report(Code::PAL0103, where, "the text has no closing quote on its line", "end the text with \"");
+    if (finding != nullptr) finding->fix = {{span_of(where.file, where.end, where.end), "\""}};
+    result_.rereadings.push_back({at, at, Lexer::STRING, all_[at]->getText()});
+    return at;
+  }
+
+  /// /* … */, which may go over lines.
+  std::size_t foreign_comment(std::size_t at) {
+    if (!is(at + 1, Lexer::STAR) || !touch(at)) return at;
+    std::size_t last = at + 1;
+    while (last + 2 < all_.size() && !(is(last, Lexer::STAR) && is(last + 1, Lexer::SLASH) && touch(last))) ++last;
+    const bool closed = is(last, Lexer::STAR) && is(last + 1, Lexer::SLASH);
+    last = closed ? last + 1 : at + 1;
+    report(Code::PAL0102, tokens_.span(all_[at], all_[at + 1]), "PAL has no comments in /* and */",
+           "begin each line of the comment with #");
+    result_.rereadings.push_back({at, last, 0, {}});
+    return last;
+  }
+
+  /// A text in quotes of a word processor; all of it stands on one line.
+  std::optional<std::size_t> quoted_text(std::size_t at) {
+    static const std::set<std::string_view> opening{"“", "”", "„", "«", "‘", "’"};
+    static const std::set<std::string_view> closing{"“", "”", "»", "‘", "’", "\""};
+    const SourceSpan open = tokens_.span(all_[at]);
+    if (!opening.contains(source(open))) return std::nullopt;
+    for (std::size_t last = at + 1; last + 1 < all_.size() && all_[last]->getLine() == all_[at]->getLine(); ++last) {
+      SourceSpan close = tokens_.span(all_[last]);
+      if (!closing.contains(source(close).substr(0, 3)) && source(close)[0] != '"') continue;
+      if (source(close)[0] == '"') close.end = close.begin + 1;
+      const std::string inside(text_.substr(open.end, close.begin - open.end));
+      if (auto* finding = report(Code::PAL0102, span_of(open.file, open.begin, close.end),
+                                 "a text stands in straight quotes", "write \"" + inside + "\""))
+        finding->fix = {{open, "\""}, {close, "\""}};
+      result_.rereadings.push_back({at, last, Lexer::STRING, "\"" + inside + "\""});
+      return last;
+    }
+    return std::nullopt;
+  }
+
+  /// A name with letters that no name may have; told once for each name.
+  std::optional<std::size_t> name_with_strays(std::size_t at) {
+    std::size_t last = at;
+    bool has_stray = false;
+    while (last + 1 < all_.size() && touch(last) && (is(last + 1, Lexer::NAME) || is_letter(last + 1))) {
+      ++last;
+      has_stray = has_stray || all_[last]->getType() == Lexer::STRAY;
+    }
+    if (!has_stray) return std::nullopt;
+    return name(at, last);
+  }
+
+  std::size_t name(std::size_t first, std::size_t last) {
+    const SourceSpan where = tokens_.span(all_[first], all_[last]);
+    const std::string written(source(where));
+    const std::string meant = plain(written);
+    result_.has_errors = true;
+    if (told_.insert(written).second) {
+      if (auto* finding = report(Code::PAL0102, where, "'" + written + "' has letters that no name may have",
+                                 "names have the letters a to z, digits, '_' and '-': write " + meant))
+        finding->fix = everywhere(written, where, meant);
+    }
+    result_.rereadings.push_back({first, last, Lexer::NAME, meant});
+    return last;
+  }
+
+  /// The name is another one wherever it stands.
+  std::vector<Edit> everywhere(const std::string& written, SourceSpan first, const std::string& meant) const {
+    std::vector<Edit> edits;
+    for (std::size_t at = first.begin; at != std::string_view::npos; at = text_.find(written, at + written.size()))
+      edits.push_back({span_of(first.file, at, at + written.size()), meant});
+    return edits;
+  }
+
+  /// ACTIVITY message: a word that may not name an activity. Where it is one, it is read as a name from here on.
+  std::size_t activity(std::size_t at) {
+    if (at + 1 >= all_.size() || !may_not_name_activity(all_[at + 1]->getType())) return at;
+    const auto* word = all_[at + 1];
+    report(Code::PAL0101, tokens_.span(word), "'" + word->getText() + "' is a word of PAL, and cannot name an activity",
+           "choose another name");
+    result_.rereadings.push_back({at + 1, at + 1, Lexer::NAME, word->getText()});
+    renamed_.insert(word->getType());
+    return at + 1;
+  }
+
+  /// Where such a word stands for an activity: alone on its line, behind AT or behind TIME.
+  std::size_t renamed(std::size_t at) {
+    if (!renamed_.contains(all_[at]->getType())) return at;
+    const bool alone = tokens_.first_on_line(all_[at]) && at + 1 < all_.size() && tokens_.first_on_line(all_[at + 1]);
+    if (alone || (at > 0 && (is(at - 1, Lexer::AT) || is(at - 1, Lexer::TIME))))
+      result_.rereadings.push_back({at, at, Lexer::NAME, all_[at]->getText()});
+    return at;
+  }
+
+  /// Anything else.
+  std::size_t run(std::size_t at) {
+    if (is_letter(at) && touch(at) && is(at + 1, Lexer::NAME)) {
+      const auto last = name_with_strays(at + 1);
+      if (last) result_.rereadings.pop_back();
+      return name(at, last.value_or(at + 1));
+    }
+    std::size_t last = at;
+    while (touch(last) && is(last + 1, Lexer::STRAY)) ++last;
+    const SourceSpan where = tokens_.span(all_[at], all_[last]);
+    if (auto* finding = report(Code::PAL0102, where, last == at ? "unexpected character" : "unexpected characters",
+                               "remove it; a comment begins with #"))
+      finding->fix = {{where, ""}};
+    result_.rereadings.push_back({at, last, 0, {}});
+    return last;
+  }
+
+  bool is(std::size_t at, std::size_t type) const { return at < all_.size() && all_[at]->getType() == type; }
+  /// The next token begins where this one ends.
+  bool touch(std::size_t at) const {
+    return at + 1 < all_.size() && all_[at]->getStopIndex() + 1 == all_[at + 1]->getStartIndex() &&
+           all_[at + 1]->getType() != antlr4::Token::EOF;
+  }
+  std::string_view source(SourceSpan where) const { return text_.substr(where.begin, where.end - where.begin); }
+  /// A letter of another alphabet, as far as two bytes of UTF-8 tell: not a quote, a dash or a sign.
+  bool is_letter(std::size_t at) const {
+    if (!is(at, Lexer::STRAY)) return false;
+    const std::string_view letter = source(tokens_.span(all_[at]));
+    return letter.size() == 2 && static_cast<unsigned char>(letter[0]) >= 0xC3;
+  }
+
+  const Tokens& tokens_;
+  const std::vector<antlr4::Token*>& all_;
+  std::string_view text_;
+  Diagnostics& diagnostics_;
+  std::size_t reported_ = 0;
+  std::set<std::string> told_;
+  std::set<std::size_t> renamed_;  // words that name an activity
+  Strays result_;
+};
+
+}  // namespace
+
+Strays read_strays(const Tokens& tokens, std::string_view text, Diagnostics& diagnostics) {
+  if (report_markup(text, tokens.file(), diagnostics) || report_conflict(text, tokens.file(), diagnostics))
+    return {false, true, {}};
+  return Reader(tokens, text, diagnostics).read();
+}
+
+}  // namespace pal::syntax

@@ -1,0 +1,36 @@
+// Characters that are no part of PAL, told by what they are. Private to pal/syntax: shows ANTLR.
+#pragma once
+
+#include <antlr4-runtime.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pal/support/diagnostic.hpp"
+
+namespace pal::syntax {
+
+class Tokens;
+
+/// Tokens [first, last] are read as one token of this type and text; type 0: they are left out.
+struct Rereading {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  std::size_t type = 0;
+  std::string text;
+};
+
+struct Strays {
+  bool parseable = true;  // false: the file is something else than PAL, or nearly all of it is
+  bool has_errors = false;
+  std::vector<Rereading> rereadings;  // in the order of the text
+};
+
+/// Reports each character, or run of them, that means nothing in PAL: typographic quotes, letters that no name may have,
+/// comments of other languages, a text without a closing quote. Says how to read on, so that nothing else is reported
+/// for the same mistake.
+Strays read_strays(const Tokens& tokens, std::string_view text, Diagnostics& diagnostics);
+
+}  // namespace pal::syntax

@@ -1,0 +1,85 @@
+// The driver of the robot controller's ALTER port.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/drivers/alter/frame.hpp"
+#include "runtime/drivers/alter/opener.hpp"
+#include "runtime/drivers/driver.hpp"
+#include "runtime/timeline.hpp"
+
+namespace pal::runtime {
+
+struct AlterDriverOptions {
+  std::string name = "alter";
+  alter::Mode mode;
+  /// From opening to the controller's first request.
+  Time first_request_within = std::chrono::seconds(1);
+  /// A controller that asks for nothing for so long is switched off, or its cable is unplugged.
+  Time silent_for = std::chrono::milliseconds(60);
+};
+
+/// Ports: `tick` from the device, one for each request of the controller; `correction` to it (dx, dy, dz in
+/// mm, rx, ry, rz in deg); `request position` to it, answered at once by `position` (x, y, z in mm, rx, ry,
+/// rz in deg: the tool's tip in frame 0, as the controller's last request gave it).
+///
+/// prepare() opens ALTER, release() closes it. Open, each request is answered: in a session by the skill's
+/// correction, otherwise by no motion. What rounding to the line's resolution leaves of a correction is added
+/// to the next one, so that thousands of small ones do not drift.
+class AlterDriver final : public Driver, private LinkUser {
+ public:
+  /// What is given outlives the driver.
+  AlterDriver(Timeline& timeline, Link& link, alter::Opener& opener, AlterDriverOptions options = {});
+  ~AlterDriver() override;
+  AlterDriver(const AlterDriver&) = delete;
+  AlterDriver& operator=(const AlterDriver&) = delete;
+
+  const std::string& name() const override { return options_.name; }
+  const std::vector<PortSpec>& ports() const override { return ports_; }
+  void attach(DeviceHost& host) override;
+  void open() override { in_session_ = true; }
+  void receive(std::size_t port, std::span<const double> fields) override;
+  void close() override;
+
+  void prepare() override;
+  bool ready() const override { return state_ == State::open || !trouble_.empty(); }
+  void release() override;
+  bool released() const override { return state_ == State::closed; }
+  std::string trouble() const override { return trouble_; }
+
+  /// The first instant at or after `from` at which a request is expected; `from` itself if ALTER is not open.
+  Time next_tick(Time from) const;
+
+ private:
+  enum class State { closed, opening, open, closing };
+
+  void on_bytes(Bytes bytes) override;
+  void on_break(std::string_view reason) override;
+  void take(const alter::Frame& frame);
+  void requested(const alter::Request& request);
+  void correct(std::span<const double> fields);
+  void answer(bool motion, const alter::Figures& correction = {});
+  void expect_request(Time within, std::string otherwise);
+  void fail(std::string reason);
+
+  Timeline& timeline_;
+  Link& link_;
+  alter::Opener& opener_;
+  AlterDriverOptions options_;
+  std::vector<PortSpec> ports_;
+  alter::Decoder decoder_;
+  DeviceHost* host_ = nullptr;
+  bool in_session_ = false;
+  State state_ = State::closed;
+  std::string trouble_;
+  bool asked_ = false;  // the controller waits for an answer
+  alter::Request request_;
+  Time requested_at_{};
+  alter::Figures left_by_rounding_{};
+  Timeline::Token silence_;
+};
+
+}  // namespace pal::runtime

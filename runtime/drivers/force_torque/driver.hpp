@@ -1,0 +1,61 @@
+// The driver of the ATI force-torque sensor.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/drivers/force_torque/codec.hpp"
+#include "runtime/drivers/linked_driver.hpp"
+
+namespace pal::runtime {
+
+struct ForceTorqueDriverOptions {
+  std::string name = "force-torque";
+  // How long the sensor may take before it is in trouble.
+  Time boot_within = std::chrono::seconds(1);
+  Time prompt_within = std::chrono::milliseconds(200);
+  Time record_within = std::chrono::milliseconds(20);
+};
+
+/// Ports: `request wrench` to the device; `wrench` from it (fx, fy, fz in N, tx, ty, tz in N*m; pressing
+/// gives a negative fz). `request record` and `record` are the same with a seventh field, `overload`
+/// (BOOLEAN): an axis has left its range of 65 N or 5 N*m, and the values end there. An overload is no fault.
+///
+/// prepare() starts the sensor anew: the load of that moment is the zero. Requests are served one at a time,
+/// in the order in which they come. A record that does not come, or is not one, is a fault.
+class ForceTorqueDriver final : public LinkedDriver {
+ public:
+  ForceTorqueDriver(Timeline& timeline, Link& link, ForceTorqueDriverOptions options = {});
+
+  void prepare() override;
+  /// The start-up dialogue is over, well or badly.
+  bool ready() const override { return step_ == Step::none; }
+  void open() override {}
+  void receive(std::size_t port, std::span<const double> fields) override;
+  bool withdraw(std::size_t port) override;
+  void close() override;
+
+ private:
+  enum class Step { none, drain, boot, binary, axes, bias, discard };
+
+  void arrived(Bytes bytes) override;
+  void give_up() override;
+  std::string missing() const override { return codec_.missing(); }
+  void late() override;
+
+  void start(Step step);
+  void command(Step step, std::string_view text);
+  void ask_for_record(Time within);
+  void serve_next();
+  void answered();
+  void deliver();
+
+  ForceTorqueDriverOptions options_;
+  force_torque::Codec codec_;
+  Step step_ = Step::none;
+  std::vector<std::size_t> waiting_;  // ports of requests, oldest first; the first one is served if serving_
+  bool serving_ = false;
+};
+
+}  // namespace pal::runtime

@@ -1,0 +1,88 @@
+// Where skills run one after the other, with devices and physics that go on between them.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/dispatcher.hpp"
+#include "runtime/drivers/driver.hpp"
+#include "runtime/timeline.hpp"
+
+namespace pal::runtime {
+
+/// How station time goes by; without one it is virtual and waits for nothing.
+class Pace {
+ public:
+  virtual ~Pace() = default;
+  /// Returns when the outside world has come to `when` (station time), with `when`; or earlier, with the
+  /// instant at which something came in from outside: an action of the station's timeline by then, at that
+  /// instant.
+  virtual Time wait_until(Time when) = 0;
+};
+
+struct StationOptions {
+  /// Devices must be ready for a skill, or given up before one, within this time.
+  Time ready_within = std::chrono::seconds(10);
+  /// Physics is never further ahead of the timeline than this.
+  Time physics_grain = std::chrono::milliseconds(1);
+};
+
+/// How one skill is run.
+struct SessionOptions {
+  RunOptions run;
+  /// The station instant at which the skill begins, given the earliest possible one; not before it. Empty:
+  /// the earliest.
+  std::function<Time(Time earliest)> begin;
+};
+
+/// Owns the timeline that its drivers and the physics go by. One thread only.
+class Station {
+ public:
+  /// The physics, and a pace, outlive the station.
+  explicit Station(World& physics, Pace* pace = nullptr, StationOptions options = {});
+  Station(const Station&) = delete;
+  Station& operator=(const Station&) = delete;
+
+  Timeline& timeline() { return timeline_; }
+  Time now() const { return timeline_.now(); }
+
+  /// Drivers are prepared before a skill that uses them, and released before one that does not. They outlive
+  /// the station's last use. A device that is no driver is there for the length of a skill only.
+  void add(Driver& driver);
+  void add(Device& device);
+
+  /// Readies the devices, runs the skill from its time 0 to its end, closes the sessions. A device that is in
+  /// trouble refuses the skill before it begins, with the reason. Never throws for what skill, devices or
+  /// physics do. While a skill runs, from inside a device, another is refused.
+  Outcome run(Skill& skill, std::span<const ParameterValue> parameters = {},
+              const SessionOptions& options = {});
+
+  /// Lets time pass: drivers keep their devices content. Throws what physics or a driver throws.
+  void idle(Time time);
+
+  /// When the last skill began, in station time.
+  Time begun() const { return begun_; }
+
+ private:
+  class RunWorld;
+
+  void pass_to(Time when);
+  void go_to(Time when, const RunControl* control = nullptr);
+  void make_ready(const Skill& skill, const RunOptions& options);
+  std::string pass_until(const std::function<std::string()>& unfinished, const RunOptions& options);
+  std::vector<Driver*> drivers_for(const Skill& skill, bool used) const;
+
+  World& physics_;
+  Pace* pace_;
+  StationOptions options_;
+  Timeline timeline_;
+  std::vector<Driver*> drivers_;
+  std::vector<Device*> devices_;  // the drivers, too
+  Time begun_{};
+  bool running_ = false;
+};
+
+}  // namespace pal::runtime

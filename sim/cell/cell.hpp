@@ -1,0 +1,62 @@
+// The workcell as a station: physics, emulated devices, the lines to them, and the drivers at the near ends.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "runtime/drivers/alter/driver.hpp"
+#include "runtime/drivers/station.hpp"
+#include "runtime/drivers/wire.hpp"
+#include "sim/scene.hpp"
+#include "sim/workcell.hpp"
+
+namespace pal::sim {
+
+struct CellOptions {
+  /// How much higher than in the scene the tool starts, mm.
+  double raise = 0;
+  /// Decides all that devices draw.
+  std::uint64_t seed = 1;
+  /// Which times of their intervals devices take.
+  runtime::CostPolicy times = runtime::CostPolicy::random;
+  /// From the beginning of a skill to ALTER's first request, within [0, 28 ms]; drawn by the seed if not
+  /// given.
+  std::optional<runtime::Time> phase;
+  /// How station time goes by; null: it is virtual. Outlives the cell.
+  runtime::Pace* pace = nullptr;
+  /// What stands between the station and the physics, to look on; empty: nothing. Made once, with the workcell.
+  std::function<std::unique_ptr<runtime::World>(Workcell&)> look_on;
+  /// What carries the bytes of ALTER's line; null: they stay in the process. Outlives the cell.
+  runtime::Carrier* alter_carrier = nullptr;
+};
+
+/// Devices: alter, force-torque.
+class Cell {
+ public:
+  /// Throws SceneError.
+  explicit Cell(const Scene& scene, const CellOptions& options = {});
+  ~Cell();
+  Cell(const Cell&) = delete;
+  Cell& operator=(const Cell&) = delete;
+
+  /// Runs the skill; it begins so that ALTER's first request comes at the phase. As Station::run.
+  runtime::Outcome run(runtime::Skill& skill, std::span<const runtime::ParameterValue> parameters = {},
+                       const runtime::RunOptions& options = {});
+  /// Until the arm has made all motions that it accepted, and for `time` more.
+  void rest(runtime::Time time);
+
+  runtime::Time phase() const { return phase_; }
+  Workcell& workcell();
+  runtime::Station& station();
+  runtime::AlterDriver& alter();
+  runtime::Wire& alter_line();
+
+ private:
+  struct Parts;
+  runtime::Time phase_;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace pal::sim

@@ -1,0 +1,24 @@
+// How the robot's own controller opens and closes its ALTER port.
+#pragma once
+
+#include <string>
+
+#include "runtime/drivers/alter/opener.hpp"
+
+namespace pal::sim {
+
+using AlterMode = runtime::alter::Mode;
+
+/// What VAL's DO ALTER and DO NOALTER reach.
+class AlterControl {
+ public:
+  virtual ~AlterControl() = default;
+  /// From now on the port asks for a correction every 28 ms. Empty: it does; otherwise why not.
+  virtual std::string open(const AlterMode& mode) = 0;
+  /// Takes no more corrections; those that were accepted are still moved. Empty: all went well; otherwise
+  /// what had ended it before.
+  virtual std::string close() = 0;
+  virtual bool is_open() const = 0;
+};
+
+}  // namespace pal::sim

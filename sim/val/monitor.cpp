@@ -1,0 +1,166 @@
+#include "sim/val/monitor.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/val/error.hpp"
+
+namespace pal::sim::val {
+
+Monitor::Monitor(Machine& machine, Output output, MonitorOptions options)
+    : machine_(machine), output_(std::move(output)), options_(options), doing_(machine, false) {}
+
+Monitor::~Monitor() {
+  machine_.timeline.cancel(next_);
+  machine_.timeline.cancel(program_next_);
+}
+
+void Monitor::greet() {
+  output_("\r\nVAL II as emulated by pal\r\n.", true);
+}
+
+void Monitor::line(std::string_view text) {
+  if (state_ == State::asking) return change_location(std::string(text));
+  if (state_ == State::idle) return take(std::string(text));
+  if (state_ == State::doing && Line(text).word() == "ABORT") return stop("*Aborted*\r\n.");
+  waiting_.emplace_back(text);
+}
+
+void Monitor::interrupt() {
+  if (state_ == State::doing) return stop("*Aborted*\r\n");
+  if (state_ == State::asking) answer("");
+}
+
+void Monitor::take(std::string text) {
+  state_ = State::thinking;
+  next_ = machine_.timeline.after(options_.thinking, [this, text = std::move(text)] { carry_out(text); });
+}
+
+void Monitor::carry_out(const std::string& text) {
+  shown_.clear();
+  try {
+    Line line(text);
+    if (line.done()) return answer("");
+    const std::optional<std::string> word = line.word();
+    if (!word) throw Error("Unknown command");
+    command(line, *word);
+    if (state_ == State::thinking) answer(shown_);
+  } catch (const Error& error) {
+    answer(shown_ + error.shown() + "\r\n");
+  }
+}
+
+void Monitor::answer(const std::string& lines) {
+  state_ = State::idle;
+  output_(lines + ".", false);
+  if (waiting_.empty()) return;
+  const std::string next = std::move(waiting_.front());
+  waiting_.pop_front();
+  take(next);
+}
+
+void Monitor::do_instruction(Line& line) {
+  const std::string shown = doing_.begin(line);
+  if (!shown.empty()) shown_ += shown + "\r\n";
+  state_ = State::doing;
+  look_at_do();
+}
+
+void Monitor::look_at_do() {
+  try {
+    if (const std::optional<runtime::Time> again = doing_.pending()) {
+      next_ = machine_.timeline.at(*again, [this] { look_at_do(); });
+      return;
+    }
+    answer(shown_);
+  } catch (const Error& error) {
+    answer(shown_ + error.shown() + "\r\n");
+  }
+}
+
+void Monitor::stop(std::string answer_then) {
+  machine_.timeline.cancel(next_);
+  doing_.abandon();
+  machine_.arm.stop();
+  state_ = State::stopping;
+  stop_answer_ = std::move(answer_then);
+  look_at_stop();
+}
+
+void Monitor::look_at_stop() {
+  if (machine_.arm.at_rest()) return answer(std::exchange(stop_answer_, {}));
+  next_ = machine_.timeline.at(machine_.arm.look_again(), [this] { look_at_stop(); });
+}
+
+void Monitor::step_program() {
+  RunningProgram& program = *program_;
+  try {
+    if (program.begun) {
+      if (const std::optional<runtime::Time> again = program.instruction.pending()) {
+        program_next_ = machine_.timeline.at(*again, [this] { step_program(); });
+        return;
+      }
+      program.begun = false;
+      ++program.step;
+    }
+    if (program.step == program.lines.size()) {
+      program.step = 0;
+      if (program.count > 0 && --program.count == 0) return end_program("completed");
+    }
+    const std::string shown = program.instruction.begin(Line(program.lines[program.step]));
+    if (!shown.empty()) show_lines(shown + "\r\n");
+    program.begun = true;
+    program_next_ = machine_.timeline.after(options_.thinking, [this] { step_program(); });
+  } catch (const Error& error) {
+    show_lines(error.shown() + "\r\n");
+    end_program("stopped at step " + std::to_string(program.step + 1));
+  }
+}
+
+void Monitor::end_program(const std::string& how) {
+  machine_.timeline.cancel(program_next_);
+  machine_.attached = false;
+  const std::string name = program_->name;
+  program_.reset();
+  show_lines("Program " + name + " " + how + "\r\n");
+}
+
+// Text that nobody asked for begins a line of its own; the prompt is shown again if nothing is being carried
+// out.
+void Monitor::show_lines(std::string_view text) {
+  output_("\r\n" + std::string(text) + (state_ == State::idle ? "." : ""), true);
+}
+
+void Monitor::ask_location(const std::string& name) {
+  const auto found = machine_.store.locations.find(name);
+  const bool defined = found != machine_.store.locations.end();
+  asked_about_ = name;
+  state_ = State::asking;
+  output_("  X/JT1    Y/JT2    Z/JT3    O/JT4    A/JT5    T/JT6" +
+              std::string(defined ? "" : "   *Undefined value*") + "\r\n" +
+              columns(defined ? figures_of(found->second) : Figures{}) + "\r\nChange? ",
+          false);
+}
+
+// Empty: all right as it is. Otherwise up to six figures between commas; what is left out stays.
+void Monitor::change_location(const std::string& text) {
+  Line line(text);
+  if (line.done()) return answer("");
+  const std::string name = asked_about_;
+  try {
+    Figures figures{};
+    if (const auto found = machine_.store.locations.find(name); found != machine_.store.locations.end())
+      figures = figures_of(found->second);
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+      if (i > 0 && !line.take(',')) break;
+      if (const std::optional<double> value = line.literal()) figures[i] = *value;
+    }
+    line.end();
+    machine_.store.locations[name] = pose_of(figures);
+  } catch (const Error& error) {
+    output_(error.shown() + "\r\n", false);
+  }
+  ask_location(name);
+}
+
+}  // namespace pal::sim::val

@@ -1,0 +1,244 @@
+// The ALTER driver and the emulated port at the two ends of their line, with the arm in physics.
+#include <catch2/catch.hpp>
+
+#include "runtime/drivers/alter/driver.hpp"
+#include "sim/cell/workcell_arm.hpp"
+#include "tests/unit/sim/support.hpp"
+
+using namespace pal;
+using namespace pal::sim;
+using namespace pal::sim::test;
+namespace alter = pal::runtime::alter;
+
+namespace {
+
+constexpr std::size_t tick_port = 0;
+constexpr std::size_t correction_port = 1;
+constexpr auto request_time = 2170139ns;  // until a request has passed the line
+
+struct Opener final : alter::Opener {
+  explicit Opener(AlterControl& control) : port(control) {}
+  void open(const AlterMode& mode, Done done) override { done(port.open(mode)); }
+  void close(Done done) override { done(port.close()); }
+  AlterControl& port;
+};
+
+struct Cell {
+  // Answers each tick after `delay` with `dz` mm.
+  void answer(runtime::Time delay, double dz) {
+    host.on_delivery = [this, delay, dz](const Host::Delivery& delivery) {
+      if (delivery.port != tick_port) return;
+      timeline.after(delay, [this, dz] { correct(dz); });
+    };
+  }
+  void correct(double dz) { driver.receive(correction_port, std::array<double, 6>{0, 0, dz, 0, 0, 0}); }
+  void begin() {
+    driver.prepare();
+    driver.attach(host);
+    driver.open();
+  }
+  void run_until(runtime::Time end) {
+    while (timeline.next() <= end) {
+      const runtime::Time next = timeline.next();
+      workcell.advance_to(next);
+      host.run_until(next);
+      timeline.advance_to(next);
+    }
+    workcell.advance_to(end);
+    timeline.advance_to(end);
+  }
+  double height() const { return workcell.tool().translation().z() * 1e3; }
+
+  Workcell workcell{scene("touch")};
+  Host host{workcell};
+  runtime::Timeline timeline;
+  WorkcellArm arm{workcell};
+  runtime::Wire wire{timeline, alter::line};
+  AlterEmulator port{timeline, wire.b(), arm};
+  Opener opener{port};
+  runtime::AlterDriver driver{timeline, wire.a(), opener};
+};
+
+}  // namespace
+
+TEST_CASE("alter: ports as the skills declare them") {
+  const Cell cell;
+  const auto& ports = cell.driver.ports();
+  REQUIRE(ports.size() == 4);
+  CHECK(ports[0] == runtime::PortSpec{"tick", false, {}});
+  CHECK(ports[1] ==
+        runtime::PortSpec{
+            "correction",
+            true,
+            {{"dx", "mm"}, {"dy", "mm"}, {"dz", "mm"}, {"rx", "deg"}, {"ry", "deg"}, {"rz", "deg"}}});
+  CHECK(ports[3].message == "position");
+}
+
+TEST_CASE("alter: a tick every 28 ms, when a request has passed the line; the next one is known") {
+  Cell cell;
+  cell.answer(1ms, 0);
+  CHECK_FALSE(cell.driver.ready());
+  cell.begin();
+  cell.run_until(150ms);
+  CHECK(cell.driver.ready());
+  REQUIRE(cell.host.deliveries.size() == 5);
+  for (std::size_t i = 0; i < 5; ++i)
+    CHECK(cell.host.deliveries[i].time == (i + 1) * alter_period + request_time);
+  CHECK(cell.driver.next_tick(150ms) == 6 * alter_period + request_time);
+  CHECK(cell.driver.next_tick(6 * alter_period + request_time) == 6 * alter_period + request_time);
+  CHECK(cell.host.faults.empty());
+}
+
+TEST_CASE("alter: between sessions the controller is answered with no motion, for 10,000 cycles") {
+  Cell cell;
+  cell.driver.prepare();
+  // The line alone: physics has nothing to do.
+  cell.timeline.advance_to(10'000 * alter_period);
+  CHECK(cell.driver.trouble().empty());
+  CHECK(cell.driver.ready());
+  CHECK(cell.port.is_open());
+  CHECK(cell.workcell.idle());
+}
+
+TEST_CASE("alter: a correction is moved in the cycle after the one that it answers") {
+  Cell cell;
+  cell.answer(20ms, 1.0);  // as late as the environment allows
+  const double start = cell.height();
+  cell.begin();
+  cell.run_until(56ms);  // cycles begin at 28 and 56 ms
+  CHECK(cell.height() == Approx(start).margin(0.005));
+  cell.run_until(84ms);
+  CHECK(start - cell.height() == Approx(1.0).margin(0.05));  // servos follow within 50 micrometres
+  cell.run_until(56ms + 10 * 28ms);
+  CHECK(start - cell.height() == Approx(10.0).margin(0.05));
+  CHECK(cell.host.faults.empty());
+}
+
+TEST_CASE("alter: small corrections do not drift by rounding") {
+  Cell cell;
+  cell.answer(1ms, 0.0104);
+  const double start = cell.workcell.set_point().translation().z() * 1e3;
+  cell.begin();
+  cell.run_until(56ms + 250 * 28ms);
+  CHECK(start - cell.workcell.set_point().translation().z() * 1e3 == Approx(250 * 0.0104).margin(0.002));
+}
+
+TEST_CASE("alter: no answer in time stops the arm with a fault") {
+  Cell cell;
+  cell.answer(1ms, 1.0);
+  cell.begin();
+  cell.run_until(100ms);  // the arm is moving
+  cell.host.on_delivery = nullptr;
+  cell.run_until(4 * alter_period + 24ms);
+  CHECK(cell.host.faults.empty());
+  CHECK(cell.workcell.idle());
+  cell.run_until(4 * alter_period + 40ms);  // the controller's message has passed
+  REQUIRE(cell.host.faults.size() == 1);
+  CHECK(cell.host.faults[0] == "got no correction within 24 ms of the beginning of its cycle");
+  CHECK(cell.driver.trouble() == cell.host.faults[0]);
+  const double there = cell.height();
+  cell.run_until(600ms);
+  CHECK(cell.height() == Approx(there).margin(0.1));
+  CHECK(cell.host.faults.size() == 1);
+  // The next session opens it again.
+  cell.driver.close();
+  cell.driver.prepare();
+  cell.run_until(700ms);
+  CHECK(cell.driver.trouble().empty());
+  CHECK(cell.driver.ready());
+}
+
+TEST_CASE("alter: faults for an answer that nobody asked for and a motion that cannot be made") {
+  Cell cell;
+  cell.begin();
+  cell.run_until(31ms);
+  SECTION("twice answered") {
+    cell.correct(0);
+    cell.correct(0);
+    REQUIRE(cell.host.faults.size() == 1);
+    CHECK(cell.host.faults[0] == "got a correction that it had not asked for");
+  }
+  SECTION("too fast") {
+    cell.correct(20);
+    cell.run_until(60ms);
+    REQUIRE(cell.host.faults.size() == 1);
+    CHECK(cell.host.faults[0].find("cannot make the motion: the tool would move at 0.714 m/s") == 0);
+    CHECK(cell.workcell.idle());
+  }
+  SECTION("further than a correction can say") {
+    cell.correct(40);
+    REQUIRE(cell.host.faults.size() == 1);
+    CHECK(cell.host.faults[0] ==
+          "cannot make the motion: dz is 40.000000 mm, a correction has at most 32.767");
+  }
+}
+
+TEST_CASE("alter: garbled, unplugged and silent lines are told apart") {
+  Cell cell;
+  cell.answer(1ms, 0.5);
+  cell.begin();
+  cell.run_until(100ms);
+  SECTION("requests are garbled") {
+    cell.wire.tamper([](auto direction, auto& bytes) {
+      if (direction == runtime::Carrier::Direction::to_a) bytes[4] ^= 0x10U;
+    });
+    cell.run_until(300ms);
+    REQUIRE(cell.host.faults.size() == 1);
+    CHECK(cell.host.faults[0] == "the line is disturbed: a frame's checksum is wrong");
+  }
+  SECTION("answers are garbled") {
+    cell.wire.tamper([](auto direction, auto& bytes) {
+      if (direction == runtime::Carrier::Direction::to_b) bytes[4] ^= 0x10U;
+    });
+    cell.run_until(300ms);
+    REQUIRE(cell.host.faults.size() == 1);
+    CHECK(cell.host.faults[0] ==
+          "got no correction within 24 ms of the beginning of its cycle; what came was garbled");
+  }
+  SECTION("unplugged") {
+    cell.wire.cut("unplugged");
+    REQUIRE(cell.host.faults.size() == 1);
+    CHECK(cell.host.faults[0] == "the link is broken: unplugged");
+  }
+  SECTION("switched off") {
+    cell.wire.tamper([](auto, auto& bytes) { bytes.clear(); });
+    cell.run_until(300ms);
+    REQUIRE(cell.host.faults.size() == 1);
+    CHECK(cell.host.faults[0] ==
+          "has asked for nothing for 60 ms; is the controller switched on, and is its cable plugged in?");
+  }
+  cell.run_until(600ms);
+  CHECK(cell.workcell.idle());
+  CHECK_FALSE(cell.port.is_open());
+}
+
+TEST_CASE("alter: after its session the arm ends the motions that it has accepted and stands still") {
+  Cell cell;
+  cell.answer(1ms, 1.0);
+  const double start = cell.height();
+  cell.begin();
+  cell.run_until(62ms);  // cycles at 28 and 56 ms, both answered
+  cell.driver.close();
+  cell.run_until(56ms + 2 * 28ms);
+  CHECK(cell.workcell.idle());
+  cell.run_until(300ms);
+  CHECK(start - cell.height() == Approx(2.0).margin(0.1));  // encoders and play
+  CHECK(cell.port.is_open());
+  cell.driver.release();
+  CHECK(cell.driver.released());
+  CHECK_FALSE(cell.port.is_open());
+}
+
+TEST_CASE("alter: the position is the tool's, of the last request") {
+  Cell cell;
+  cell.answer(1ms, 0);
+  cell.begin();
+  cell.run_until(40ms);
+  cell.driver.receive(2, {});
+  const auto& got = cell.host.deliveries.back();
+  CHECK(got.port == 3);
+  const Eigen::Vector3d tool = cell.workcell.tool().translation() * 1e3;
+  for (Eigen::Index i = 0; i < 3; ++i)
+    CHECK(got.fields[static_cast<std::size_t>(i)] == Approx(tool[i]).margin(0.01));
+  CHECK(std::abs(got.fields[3]) == Approx(180).margin(0.05));  // the tool points straight down
+}
