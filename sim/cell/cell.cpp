@@ -5,11 +5,11 @@
 #include "runtime/drivers/alter/driver.hpp"
 #include "runtime/drivers/force_torque/driver.hpp"
 #include "runtime/drivers/gripper/driver.hpp"
-
+#include "runtime/drivers/range_finder/driver.hpp"
 #include "sim/cell/corrected_arm.hpp"
+#include "sim/cell/device_views.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/devices/force_torque_emulator.hpp"
-#include "sim/devices/gripper_emulator.hpp"
 #include "sim/random.hpp"
 
 namespace pal::sim {
@@ -47,11 +47,11 @@ runtime::Time phase_of(const CellOptions& options) {
   return options.phase.value_or(random.between(runtime::Time::zero(), alter_period));
 }
 
-GripperState gripper_state(const Workcell& workcell) {
-  return {workcell.gripper_width(), workcell.gripper_force(), workcell.holds_part()};
+RangeFinderEmulatorOptions range_finder_options(const CellOptions& cell) {
+  RangeFinderEmulatorOptions options;
+  options.seed = cell.seed;
+  return options;
 }
-
-constexpr runtime::LineSpeed gripper_line{38400, 10};
 
 /// A line with an emulated device at its far end and a driver at its near one.
 template <class Emulator, class Driver>
@@ -97,6 +97,7 @@ struct Cell::Parts {
     attach(alter, alter_wire);
     attach_force_torque(options);
     if (workcell.tool_kind() == ToolKind::gripper) attach_gripper(options);
+    if (workcell.tool_kind() == ToolKind::range_finder) attach_range_finder(options);
     arm_fault = workcell.on_fault([this](const ArmFault&) { alter_port.arm_has_stopped(); });
   }
 
@@ -125,7 +126,7 @@ struct Cell::Parts {
 
   void attach_gripper(const CellOptions& options) {
     gripper.emplace(
-        station.timeline(), gripper_line, through(options),
+        station.timeline(), runtime::gripper::line, through(options),
         [&](runtime::Link& link) {
           return std::make_unique<GripperEmulator>(
               station.timeline(), link, [this] { return gripper_state(workcell); }, gripper_options(options));
@@ -134,6 +135,19 @@ struct Cell::Parts {
           return std::make_unique<runtime::GripperDriver>(station.timeline(), link);
         });
     attach(*gripper->driver, gripper->wire);
+  }
+
+  void attach_range_finder(const CellOptions& options) {
+    range_finder.emplace(
+        station.timeline(), runtime::range_finder::line, through(options),
+        [&](runtime::Link& link) {
+          return std::make_unique<RangeFinderEmulator>(station.timeline(), link, range_view(workcell),
+                                                       range_finder_options(options));
+        },
+        [&](runtime::Link& link) {
+          return std::make_unique<runtime::RangeFinderDriver>(station.timeline(), link);
+        });
+    attach(*range_finder->driver, range_finder->wire);
   }
 
   Workcell workcell;
@@ -147,6 +161,7 @@ struct Cell::Parts {
   runtime::AlterDriver alter;
   std::optional<Attached<ForceTorqueEmulator, runtime::ForceTorqueDriver>> force_torque;
   std::optional<Attached<GripperEmulator, runtime::GripperDriver>> gripper;
+  std::optional<Attached<RangeFinderEmulator, runtime::RangeFinderDriver>> range_finder;
   std::vector<Line> lines;
   std::shared_ptr<void> arm_fault;
 };
