@@ -8,23 +8,14 @@
 #include "runtime/drivers/range_finder/driver.hpp"
 #include "sim/cell/corrected_arm.hpp"
 #include "sim/cell/device_views.hpp"
+#include "sim/cell/val_opener.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/devices/force_torque_emulator.hpp"
 #include "sim/random.hpp"
+#include "sim/val/controller.hpp"
 
 namespace pal::sim {
 namespace {
-
-/// Opens the emulated port without VAL between them.
-class DirectOpener final : public runtime::alter::Opener {
- public:
-  explicit DirectOpener(AlterControl& control) : control_(control) {}
-  void open(const AlterMode& mode, Done done) override { done(control_.open(mode)); }
-  void close(Done done) override { done(control_.close()); }
-
- private:
-  AlterControl& control_;
-};
 
 ForceTorqueEmulatorOptions sensor_options(const CellOptions& cell) {
   ForceTorqueEmulatorOptions options;
@@ -45,12 +36,6 @@ GripperEmulatorOptions gripper_options(const CellOptions& cell) {
 runtime::Time phase_of(const CellOptions& options) {
   Random random(options.seed, 1);
   return options.phase.value_or(random.between(runtime::Time::zero(), alter_period));
-}
-
-RangeFinderEmulatorOptions range_finder_options(const CellOptions& cell) {
-  RangeFinderEmulatorOptions options;
-  options.seed = cell.seed;
-  return options;
 }
 
 /// A line with an emulated device at its far end and a driver at its near one.
@@ -92,8 +77,17 @@ struct Cell::Parts {
         alter_carrier(through(options)),
         alter_wire(station.timeline(), runtime::alter::line, alter_carrier.get()),
         alter_port(station.timeline(), alter_wire.b(), arm),
-        opener(alter_port),
+        val(
+            station.timeline(), val::terminal_line, through(options),
+            [&](runtime::Link& link) {
+              return std::make_unique<val::Controller>(station.timeline(), link, workcell, &alter_port);
+            },
+            [&](runtime::Link& link) {
+              return std::make_unique<runtime::ValDriver>(station.timeline(), link);
+            }),
+        opener(*val.driver),
         alter(station.timeline(), alter_wire.a(), opener) {
+    attach(*val.driver, val.wire);
     attach(alter, alter_wire);
     attach_force_torque(options);
     if (workcell.tool_kind() == ToolKind::gripper) attach_gripper(options);
@@ -142,7 +136,7 @@ struct Cell::Parts {
         station.timeline(), runtime::range_finder::line, through(options),
         [&](runtime::Link& link) {
           return std::make_unique<RangeFinderEmulator>(station.timeline(), link, range_view(workcell),
-                                                       range_finder_options(options));
+                                                       RangeFinderEmulatorOptions{.seed = options.seed});
         },
         [&](runtime::Link& link) {
           return std::make_unique<runtime::RangeFinderDriver>(station.timeline(), link);
@@ -157,7 +151,8 @@ struct Cell::Parts {
   std::unique_ptr<runtime::Carrier> alter_carrier;
   runtime::Wire alter_wire;
   AlterEmulator alter_port;
-  DirectOpener opener;
+  Attached<val::Controller, runtime::ValDriver> val;
+  ValOpener opener;
   runtime::AlterDriver alter;
   std::optional<Attached<ForceTorqueEmulator, runtime::ForceTorqueDriver>> force_torque;
   std::optional<Attached<GripperEmulator, runtime::GripperDriver>> gripper;
@@ -196,6 +191,14 @@ runtime::Station& Cell::station() {
 
 const std::vector<Cell::Line>& Cell::lines() const {
   return parts_->lines;
+}
+
+val::Store& Cell::val_store() {
+  return parts_->val.emulator->store();
+}
+
+runtime::ValDriver& Cell::val_driver() {
+  return *parts_->val.driver;
 }
 
 }  // namespace pal::sim

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "runtime/drivers/station.hpp"
+#include "runtime/drivers/val/val_driver.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/scene.hpp"
+#include "sim/val/store.hpp"
 #include "sim/workcell.hpp"
 
 namespace pal::sim {
@@ -33,7 +35,7 @@ struct CellOptions {
   std::function<std::unique_ptr<runtime::World>(Workcell&)> watch;
 };
 
-/// Devices: alter, force-torque; gripper or range-finder where the scene's tool is one.
+/// Devices: val, alter, force-torque; gripper or range-finder where the scene's tool is one.
 class Cell {
  public:
   /// Throws SceneError.
@@ -58,6 +60,10 @@ class Cell {
     runtime::Wire* wire = nullptr;
   };
   const std::vector<Line>& lines() const;
+
+  /// Locations that skills can name, and programs: VAL's memory.
+  val::Store& val_store();
+  runtime::ValDriver& val_driver();
 
  private:
   struct Parts;
