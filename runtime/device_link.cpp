@@ -28,6 +28,7 @@ bool DeviceLink::deliver(std::size_t port, std::span<const double> fields) {
   if (spec.to_device || !is_payload(spec.fields, fields)) {
     throw std::logic_error("delivers " + spec.message + " in a form that its port does not have");
   }
+  run_.observe(device_, port, fields);
   const int channel = channels_[port];
   if (channel < 0) return true;  // the skill has no use for this message
   return run_.mail().deliver(channel, fields);

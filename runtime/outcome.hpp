@@ -7,6 +7,7 @@
 
 #include "runtime/cost_policy.hpp"
 #include "runtime/device.hpp"
+#include "runtime/observer.hpp"
 #include "runtime/run_control.hpp"
 #include "runtime/trace/trace.hpp"
 
@@ -19,6 +20,7 @@ struct RunOptions {
   std::size_t trace_capacity =
       1U << 20U;  // events for which there is room before memory is taken during the run
   const RunControl* control = nullptr;  // outlives the run; null: nobody asks anything of it
+  MessageObserver* observer = nullptr;  // outlives the run; null: nobody looks on
 };
 
 struct Outcome {

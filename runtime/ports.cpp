@@ -63,7 +63,7 @@ std::string difference(std::span<const Field> wanted, std::span<const FieldSpec>
       return "its " + name + " is " + unit_in_words(b.unit) + ", not " + unit_in_words(a.unit);
   }
   if (wanted.size() == offered.size()) return {};
-  return "its message has " + fields_in_words(offered.size());
+  return "its message has " + fields_in_words(offered.size()) + ", not " + std::to_string(wanted.size());
 }
 
 }  // namespace pal::runtime

@@ -255,9 +255,14 @@ void Run::open_device(int device) {
   }
 }
 
+void Run::observe(const Device& device, std::size_t port, std::span<const double> fields) {
+  if (options_.observer != nullptr) options_.observer->passed(now_, device, port, fields);
+}
+
 void Run::hand_to_device(int device, std::size_t port, std::span<const double> fields) {
   if (over_) return;
   Device& receiver = devices_[static_cast<std::size_t>(device)].device();
+  observe(receiver, port, fields);
   try {
     receiver.receive(port, fields);
   } catch (...) {

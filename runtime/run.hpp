@@ -69,6 +69,7 @@ class Run {
   bool device_marks_itself(int device) const {
     return devices_[static_cast<std::size_t>(device)].marks_itself();
   }
+  void observe(const Device& device, std::size_t port, std::span<const double> fields);
   void hand_to_device(int device, std::size_t port, std::span<const double> fields);
   bool withdraw_from_device(int device, std::size_t port);
 

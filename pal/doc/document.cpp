@@ -185,7 +185,7 @@ class Writer {
       const bool boolean = p.type == pan::ScalarType::boolean;
       if (p.type == pan::ScalarType::text) {
         table.rows.push_back({text("P" + std::to_string(++count)), code(p.name), text(type_text(p.type, {})),
-                              code(p.default_text),
+                              code("\"" + p.default_text + "\""),
                               text("up to " + std::to_string(pan::longest_text) + " characters"),
                               text(p.description)});
         continue;

@@ -73,6 +73,19 @@ std::optional<Foreign> type_elsewhere(const Around& around) {
   return std::nullopt;
 }
 
+/// x[3] : REAL mm, or REAL mm[3].
+std::optional<Foreign> size_elsewhere(const Around& around) {
+  for (const std::ptrdiff_t step : {0, 1}) {
+    const auto* bracket = around[step];
+    const auto* number = around[step + 1];
+    if (!is(bracket, Parser::LEFT_BRACKET) || !is(number, Parser::NUMBER)) continue;
+    if (!is(around[step - 1], Parser::NAME)) return std::nullopt;
+    return Foreign{bracket, "the size of an array stands directly behind its type",
+                   "write it as in x : REAL[" + number->getText() + "] mm"};
+  }
+  return std::nullopt;
+}
+
 Foreign no_if(const antlr4::Token* at) {
   return {at, "PAL has no IF", "write CASE, an arm ( … ): for each way with its statements, and END CASE"};
 }
@@ -156,6 +169,10 @@ std::optional<Foreign> foreign_form(const Tokens& tokens, const antlr4::Token* a
   }
   const bool payload = rule == Parser::RuleFieldGroup || rule == Parser::RulePayload ||
                        rule == Parser::RuleType || rule == Parser::RuleMessageUnit;
+  // Behind a unit the declaration may be over already: then it is the file that has no use for a bracket.
+  const bool declared = payload || rule == Parser::RulePhysicalUnit || rule == Parser::RuleUnitFactor ||
+                        rule == Parser::RuleFile;
+  if (auto misplaced = declared ? size_elsewhere(around) : std::nullopt) return misplaced;
   return payload ? type_elsewhere(around) : std::nullopt;
 }
 

@@ -56,9 +56,9 @@ class Station::RunWorld final : public World {
 Station::Station(World& physics, Pace* pace, StationOptions options)
     : physics_(physics), pace_(pace), options_(options) {}
 
-void Station::add(Driver& driver, Device* face) {
+void Station::add(Driver& driver) {
   drivers_.push_back(&driver);
-  devices_.push_back(face == nullptr ? &driver : face);
+  devices_.push_back(&driver);
 }
 
 void Station::add(Device& device) {

@@ -50,8 +50,8 @@ class Station {
   Time now() const { return timeline_.now(); }
 
   /// Drivers are prepared before a skill that uses them, and released before one that does not. They outlive
-  /// the station's last use. Skills are given `face` in the driver's place, if there is one.
-  void add(Driver& driver, Device* face = nullptr);
+  /// the station's last use.
+  void add(Driver& driver);
   /// A device that is no driver is there for the length of a skill only.
   void add(Device& device);
 

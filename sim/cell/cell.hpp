@@ -11,6 +11,7 @@
 #include "runtime/drivers/station.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/scene.hpp"
+#include "sim/val/store.hpp"
 #include "sim/workcell.hpp"
 
 namespace pal::sim {
@@ -29,13 +30,13 @@ struct CellOptions {
   runtime::Pace* pace = nullptr;
   /// What carries the bytes of a device's line: empty, or gives null: they stay in the process.
   std::function<std::unique_ptr<runtime::Carrier>()> carrier;
-  /// The physics as it is looked at while it moves; empty: nobody looks.
+  /// What stands between the station and the physics, to look on; empty: nothing. Made once, with the
+  /// workcell.
   std::function<std::unique_ptr<runtime::World>(Workcell&)> watch;
-  /// What the skill is given in place of a device; empty: the device. Outlives the cell.
-  std::function<runtime::Device&(runtime::Device&)> tap;
 };
 
-/// Devices: alter, force-torque; gripper or range-finder where the scene's tool is one.
+/// Devices: alter, force-torque, val; gripper or range-finder where the scene's tool is one. Before a skill
+/// that uses alter and not val, ALTER is opened; a skill that uses both opens and closes it itself, by VAL.
 class Cell {
  public:
   /// Throws SceneError.
@@ -60,6 +61,9 @@ class Cell {
     runtime::Wire* wire = nullptr;
   };
   const std::vector<Line>& lines() const;
+
+  /// What has been taught to the VAL controller.
+  val::Store& taught();
 
  private:
   struct Parts;

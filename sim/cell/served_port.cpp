@@ -1,10 +1,9 @@
 #include "sim/cell/served_port.hpp"
 
+#include "runtime/drivers/range_finder/protocol.hpp"
 #include "sim/cell/corrected_arm.hpp"
+#include "sim/cell/emulated.hpp"
 #include "sim/devices/alter_emulator.hpp"
-#include "sim/devices/force_torque_emulator.hpp"
-#include "sim/val/terminal.hpp"
-#include "sim/val/workcell_arm.hpp"
 
 namespace pal::sim {
 namespace {
@@ -36,23 +35,6 @@ class ServedAlter final : private runtime::Link, private runtime::LinkUser {
   AlterEmulator port_;
 };
 
-struct ServedVal {
-  ServedVal(runtime::Timeline& timeline, runtime::Link& line, Workcell& workcell)
-      : arm(workcell, timeline),
-        hand(workcell, timeline),
-        machine{timeline, arm, workcell.tool_kind() == ToolKind::gripper ? &hand : nullptr,
-                nullptr,  {},  Pose::Identity(),
-                100,      {},  {},
-                {},       {},  {},
-                false},
-        terminal(line, machine) {}
-
-  val::WorkcellArm arm;
-  val::WorkcellHand hand;
-  val::Machine machine;
-  val::Terminal terminal;
-};
-
 }  // namespace
 
 std::vector<ServedPort> served_ports() {
@@ -62,18 +44,22 @@ std::vector<ServedPort> served_ports() {
        [](auto& timeline, auto& link, auto& workcell, auto) {
          return std::make_shared<ServedAlter>(timeline, link, workcell);
        }},
-      {"force-torque", "the ATI force-torque sensor", ForceTorqueEmulatorOptions{}.line,
+      {"force-torque", "the ATI force-torque sensor", force_torque_speed,
        [](auto& timeline, auto& link, auto& workcell, auto seed) {
-         ForceTorqueEmulatorOptions sensor;
-         sensor.seed = seed;
-         return std::make_shared<ForceTorqueEmulator>(
-             timeline, link, [&workcell] { return workcell.wrench(); }, sensor);
+         return emulate_force_torque(timeline, link, workcell, seed);
        }},
-      {"val",
-       "VAL II's terminal; DO ALTER has no line of its own here",
-       {9600, 10},
+      {"gripper", "the gripper's feedback; meant for a scene whose tool it is", gripper_speed,
+       [](auto& timeline, auto& link, auto& workcell, auto seed) {
+         return emulate_gripper(timeline, link, workcell, seed);
+       }},
+      {"range-finder", "the laser range finder; meant for a scene whose tool it is",
+       runtime::range_finder::line,
+       [](auto& timeline, auto& link, auto& workcell, auto seed) {
+         return emulate_range_finder(timeline, link, workcell, seed);
+       }},
+      {"val", "the VAL II controller's terminal, without an ALTER port", val_speed,
        [](auto& timeline, auto& link, auto& workcell, auto) {
-         return std::make_shared<ServedVal>(timeline, link, workcell);
+         return std::make_shared<EmulatedVal>(workcell, timeline, link, nullptr);
        }},
   };
 }

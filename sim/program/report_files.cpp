@@ -90,7 +90,7 @@ std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skil
   std::vector<OutputFile> files{
       {in_folder(folder, "trace.json"), trace.str()},
       {in_folder(folder, "trace.chrome.json"), chrome.str()},
-      {in_folder(folder, "log.csv"), sim::log_table(result.log, *result.messages)},
+      {in_folder(folder, "log.csv"), sim::log_table(result.log, result.messages)},
       {in_folder(folder, "run.json"), json_text(run_json(skill, session, result, promises))}};
   for (const Promise& promise : promises)
     files.push_back({folder + "/atc." + promise.requirement + ".svg", promise.chart});
@@ -111,7 +111,7 @@ sim::DrawnPlots run_plots(const runtime::Skill& skill, const Session& session, c
     force.levels.push_back({std::string(parameter.name), value});
   }
   if (least && greatest) force.bands.push_back({"", *least, *greatest});
-  return sim::draw({sim::force_plot(result.log, *result.messages, force),
+  return sim::draw({sim::force_plot(result.log, result.messages, force),
                     sim::position_plot(result.log, heading, result.outcome.duration),
                     sim::path_plot(result.log, heading)});
 }

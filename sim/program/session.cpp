@@ -38,7 +38,6 @@ std::string title(const runtime::Skill& skill, const Session& session) {
 
 SessionResult run_session(runtime::Skill& skill, const Session& session) {
   SessionResult result;
-  result.messages = std::make_unique<sim::MessageLog>();
   OnlookedWorld* world = nullptr;
   sim::CellOptions cell_options;
   cell_options.raise = session.raise;
@@ -52,15 +51,13 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
     world = made.get();
     return made;
   };
-  cell_options.tap = [&](runtime::Device& device) -> runtime::Device& {
-    return result.messages->watch(device);
-  };
   sim::Cell cell(session.scene, cell_options);
 
   runtime::RunOptions options;
   options.costs = session.times;
   options.seed = session.seed;
   options.control = session.control;
+  options.observer = &result.messages;
   result.outcome = cell.run(skill, session.parameters, options);
   result.phase = cell.phase();
 

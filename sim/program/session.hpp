@@ -41,7 +41,7 @@ struct SessionResult {
   runtime::Outcome outcome;
   runtime::Time phase{};         // as given or drawn
   std::vector<sim::Sample> log;  // from the skill's beginning, time 0, until the arm has come to rest
-  std::unique_ptr<sim::MessageLog> messages;
+  sim::MessageLog messages;
   double peak_force = 0;     // N
   double resting_force = 0;  // N, at the end of the log
   sim::Picture picture;

@@ -1,11 +1,10 @@
 // What went through the ports of the devices: commands to them, readings from them.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "runtime/device.hpp"
+#include "runtime/observer.hpp"
 
 namespace pal::sim {
 
@@ -16,29 +15,25 @@ struct LoggedMessage {
   std::vector<double> fields;
 };
 
-/// Stands between skill and devices and writes down what passes.
-class MessageLog {
+/// Writes down what passes. Give it to a run as its observer.
+class MessageLog final : public runtime::MessageObserver {
  public:
-  MessageLog();
-  ~MessageLog();
-  MessageLog(const MessageLog&) = delete;
-  MessageLog& operator=(const MessageLog&) = delete;
-
-  /// The device to give to the dispatcher in place of `device`; both must outlive the run.
-  runtime::Device& watch(runtime::Device& device);
+  void passed(runtime::Time when, const runtime::Device& device, std::size_t port,
+              std::span<const double> fields) override;
 
   struct DeviceNames {
     std::string name;
     std::vector<runtime::PortSpec> ports;
   };
+  /// Those that messages with fields went to or came from, in the order in which they were first seen.
   const std::vector<DeviceNames>& devices() const { return devices_; }
   /// In the order in which they passed.
   const std::vector<LoggedMessage>& messages() const { return messages_; }
 
  private:
-  class Watched;
+  std::size_t number_of(const runtime::Device& device);
+
   std::vector<DeviceNames> devices_;
-  std::vector<std::unique_ptr<Watched>> watched_;
   std::vector<LoggedMessage> messages_;
 };
 

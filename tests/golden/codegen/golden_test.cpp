@@ -90,6 +90,16 @@ TEST_CASE("plan and code of a module that several blocks execute") {
   compare("at_a_time.expected", all(codegen::emit(*plan)));
 }
 
+TEST_CASE("plan and code of a skill with arrays and texts") {
+  Input input("tests/golden/codegen/survey.pal", "tests/golden/codegen/survey_bench.pal");
+  const auto plan = input.plan();
+  REQUIRE(plan);
+  std::ostringstream text;
+  codegen::dump(*plan, text);
+  compare("survey.plan", text.str());
+  compare("survey.expected", all(codegen::emit(*plan)));
+}
+
 TEST_CASE("plan and code of approach to touch") {
   Input input("skills_pal/touch/touch.pal", "skills_pal/workcell.pal");
   const auto plan = input.plan();

@@ -15,6 +15,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Touch, with a parameter that is a text.
+class NamedTouch final : public pal::test::WrittenTouch {
+ public:
+  NamedTouch() : WrittenTouch(false), description_(WrittenTouch::description()) {
+    parameters_.assign(description_.parameters.begin(), description_.parameters.end());
+    parameters_.push_back(
+        {"location", pal::runtime::ParameterType::text, "", 0, 0, 0, "where it is", "park"});
+    description_.parameters = parameters_;
+  }
+  const pal::runtime::SkillDescription& description() const override { return description_; }
+  void set_text_parameter(std::string_view name, std::string_view text) override {
+    if (name != "location") Skill::set_text_parameter(name, text);
+    pal::runtime::check_parameter(parameters_.back(), text);
+  }
+
+ private:
+  pal::runtime::SkillDescription description_;
+  std::vector<pal::runtime::ParameterSpec> parameters_;
+};
+
 struct Answer {
   ExitStatus status;
   std::string out, error;
@@ -23,6 +43,7 @@ struct Answer {
 Answer workcell(const std::vector<std::string>& arguments) {
   std::ostringstream out, error;
   const std::vector<KnownSkill> skills{
+      {"named-touch", [] { return std::make_unique<NamedTouch>(); }},
       {"touch", [] { return std::make_unique<pal::test::WrittenTouch>(false); }},
       {"touch-read-first", [] { return std::make_unique<pal::test::WrittenTouch>(true); }}};
   const ExitStatus status = main_program(arguments, skills, out, error);
@@ -50,6 +71,26 @@ TEST_CASE("workcell list shows skills, parameters, completions and scenes") {
   CHECK(answer.out.find("--set approach-speed=…   (1 to 60 mm/s, default 20)") != std::string::npos);
   CHECK(answer.out.find("completion 1 (contingency)") != std::string::npos);
   CHECK(answer.out.find("nothing      nothing within 360 mm below the tool") != std::string::npos);
+}
+
+TEST_CASE("workcell sets parameters that are texts") {
+  CHECK(workcell({"list"}).out.find(
+            "--set location=…  where it is (up to 24 characters, default \"park\")") != std::string::npos);
+  const Folder folder;
+  const Answer answer = workcell(
+      {"run", "named-touch", "--set", "location=home = 1", "--no-picture", "--output", folder.path()});
+  CAPTURE(answer.out, answer.error);
+  CHECK(answer.status == ExitStatus::done);
+  std::ostringstream json;
+  json << std::ifstream(folder.path() + "/run.json").rdbuf();
+  CHECK(json.str().find("\"home = 1\"") != std::string::npos);
+
+  const Answer refused = workcell({"run", "named-touch", "--set", "location=above the conveyor, left."});
+  CHECK(refused.status == ExitStatus::wrong_specification);
+  CHECK(refused.error ==
+        "workcell: error: --set location=above the conveyor, left.: parameter location has 25 characters; it "
+        "may "
+        "have up to 24\n  hint: its default is \"park\"\n");
 }
 
 TEST_CASE("workcell run writes what it did") {

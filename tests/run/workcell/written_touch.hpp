@@ -25,7 +25,7 @@ struct Numbers {
   }
 };
 
-class WrittenTouch final : public runtime::Skill {
+class WrittenTouch : public runtime::Skill {
  public:
   /// `read_first`: the order of touch_read_first.pal, else that of touch.pal.
   explicit WrittenTouch(bool read_first);

@@ -42,6 +42,20 @@ TEST_CASE(
   CHECK(text == test::source_file(golden));
 }
 
+TEST_CASE("arrays and texts are told as what they are") {
+  MemoryFileSystem files;
+  files.add("survey.pal", test::source_file("tests/golden/codegen/survey.pal"));
+  const auto checked = test::check_files(files, {"survey.pal"});
+  REQUIRE_FALSE(checked.diagnostics.has_errors());
+  const auto text = doc::markdown(doc::document(checked.specification.skills.at(0), checked.sources));
+  CHECK(text.find("x, z: 255 x real, in mm; rank: 255 x integer; found: boolean; label: text") !=
+        std::string::npos);
+  CHECK(
+      text.find("| `location` | text | `\"park\"` | up to 24 characters | taught \"location\" to go to |") !=
+      std::string::npos);
+  CHECK(text.find("| `suffix` | text | `\"\"` |") != std::string::npos);
+}
+
 TEST_CASE("the order of figure 2.3") {
   const auto document = odd_texts();
   std::vector<std::string> titles;
