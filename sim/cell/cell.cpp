@@ -7,59 +7,60 @@
 #include "runtime/drivers/force_torque/driver.hpp"
 #include "runtime/drivers/gripper/driver.hpp"
 #include "runtime/drivers/range_finder/driver.hpp"
-#include "runtime/drivers/val/val_driver.hpp"
 #include "sim/cell/corrected_arm.hpp"
-#include "sim/cell/emulated.hpp"
+#include "sim/cell/val_opener.hpp"
 #include "sim/devices/alter_emulator.hpp"
+#include "sim/devices/force_torque_emulator.hpp"
+#include "sim/devices/gripper_emulator.hpp"
+#include "sim/devices/range_finder_emulator.hpp"
 #include "sim/random.hpp"
+#include "sim/val/controller.hpp"
 
 namespace pal::sim {
 namespace {
 
-/// Opens and closes ALTER as the real machine does: by VAL's lines.
-class ValOpener final : public runtime::alter::Opener {
- public:
-  explicit ValOpener(runtime::ValDriver& val) : val_(val) {}
-  void open(const AlterMode& mode, Done done) override {
-    const double figure = (mode.cumulative ? 1 : 0) + (mode.world ? 2 : 0);
-    submit(runtime::val::Verb::open_alter, figure, std::move(done));
-  }
-  void close(Done done) override { submit(runtime::val::Verb::close_alter, 0, std::move(done)); }
+ForceTorqueEmulatorOptions sensor_options(const CellOptions& cell) {
+  ForceTorqueEmulatorOptions options;
+  options.seed = cell.seed;
+  if (cell.times == runtime::CostPolicy::worst) options.shortest_conversion = options.longest_conversion;
+  if (cell.times == runtime::CostPolicy::best) options.longest_conversion = options.shortest_conversion;
+  return options;
+}
 
- private:
-  void submit(runtime::val::Verb verb, double figure, Done done) {
-    runtime::val::Command command{.verb = verb, .location = {}, .second = {}};
-    command.figures[0] = figure;
-    val_.submit(std::move(command), [done = std::move(done)](const runtime::val::Answer& answer) {
-      done(answer.ok ? "" : answer.text);
-    });
-  }
-
-  runtime::ValDriver& val_;
-};
+GripperEmulatorOptions gripper_options(const CellOptions& cell) {
+  GripperEmulatorOptions options;
+  options.seed = cell.seed;
+  if (cell.times == runtime::CostPolicy::worst) options.shortest_wait = options.longest_wait;
+  if (cell.times == runtime::CostPolicy::best) options.longest_wait = options.shortest_wait;
+  return options;
+}
 
 runtime::Time phase_of(const CellOptions& options) {
   Random random(options.seed, 1);
   return options.phase.value_or(random.between(runtime::Time::zero(), alter_period));
 }
 
-/// A wire and what carries its bytes.
-struct CarriedLine {
-  CarriedLine(runtime::Timeline& timeline, runtime::LineSpeed speed, const CellOptions& options)
-      : carrier(options.carrier ? options.carrier() : nullptr), wire(timeline, speed, carrier.get()) {}
-  std::unique_ptr<runtime::Carrier> carrier;
-  runtime::Wire wire;
-};
+GripperState gripper_state(const Workcell& workcell) {
+  return {workcell.gripper_width(), workcell.gripper_force(), workcell.holds_part()};
+}
+
+constexpr runtime::LineSpeed gripper_line{38400, 10};
 
 /// A line with an emulated device at its far end and a driver at its near one.
-template <class Driver>
+template <class Emulator, class Driver>
 struct Attached {
-  template <class Make>
-  Attached(runtime::Timeline& timeline, runtime::LineSpeed speed, const CellOptions& options, Make emulate)
-      : line(timeline, speed, options), emulated(emulate(line.wire.b())), driver(timeline, line.wire.a()) {}
-  CarriedLine line;
-  std::shared_ptr<void> emulated;
-  Driver driver;
+  template <class MakeEmulator, class MakeDriver>
+  Attached(runtime::Timeline& timeline, runtime::LineSpeed speed, std::unique_ptr<runtime::Carrier> through,
+           MakeEmulator emulator_at, MakeDriver driver_at)
+      : carrier(std::move(through)),
+        wire(timeline, speed, carrier.get()),
+        emulator(emulator_at(wire.b())),
+        driver(driver_at(wire.a())) {}
+
+  std::unique_ptr<runtime::Carrier> carrier;
+  runtime::Wire wire;
+  std::unique_ptr<Emulator> emulator;
+  std::unique_ptr<Driver> driver;
 };
 
 bool uses(const runtime::Skill& skill, std::string_view device) {
@@ -67,9 +68,13 @@ bool uses(const runtime::Skill& skill, std::string_view device) {
   return std::find(devices.begin(), devices.end(), device) != devices.end();
 }
 
-/// The station's physics: the workcell, or what looks on.
-runtime::World& physics(const std::unique_ptr<runtime::World>& watched, Workcell& workcell) {
-  if (watched) return *watched;
+/// The station's physics as somebody looks at it; null: nobody does.
+std::unique_ptr<runtime::World> watched(const CellOptions& options, Workcell& workcell) {
+  return options.watch ? options.watch(workcell) : nullptr;
+}
+
+runtime::World& physics(std::unique_ptr<runtime::World>& world, Workcell& workcell) {
+  if (world) return *world;
   return workcell;
 }
 
@@ -79,57 +84,96 @@ runtime::World& physics(const std::unique_ptr<runtime::World>& watched, Workcell
 struct Cell::Parts {
   Parts(const Scene& scene, const CellOptions& options)
       : workcell(scene, {.raise = options.raise}),
-        watched(options.watch ? options.watch(workcell) : nullptr),
-        station(physics(watched, workcell), options.pace),
+        world(watched(options, workcell)),
+        station(physics(world, workcell), options.pace),
         arm(workcell),
-        alter_line(station.timeline(), runtime::alter::line, options),
-        alter_port(station.timeline(), alter_line.wire.b(), arm),
-        val_line(station.timeline(), val_speed, options),
-        val_controller(workcell, station.timeline(), val_line.wire.b(), &alter_port),
-        val(station.timeline(), val_line.wire.a()),
-        opener(val),
-        alter(station.timeline(), alter_line.wire.a(), opener),
-        force_torque(station.timeline(), force_torque_speed, options, [&](runtime::Link& link) {
-          return emulate_force_torque(station.timeline(), link, workcell, options.seed, options.times);
-        }) {
-    add(alter, alter_line.wire);
-    add(force_torque.driver, force_torque.line.wire);
-    add(val, val_line.wire);
-    runtime::Timeline& timeline = station.timeline();
-    if (workcell.tool_kind() == ToolKind::gripper) {
-      gripper.emplace(timeline, gripper_speed, options, [&](runtime::Link& link) {
-        return emulate_gripper(timeline, link, workcell, options.seed, options.times);
-      });
-      add(gripper->driver, gripper->line.wire);
-    }
-    if (workcell.tool_kind() == ToolKind::range_finder) {
-      range_finder.emplace(timeline, runtime::range_finder::line, options, [&](runtime::Link& link) {
-        return emulate_range_finder(timeline, link, workcell, options.seed);
-      });
-      add(range_finder->driver, range_finder->line.wire);
-    }
+        alter_carrier(through(options)),
+        alter_wire(station.timeline(), runtime::alter::line, alter_carrier.get()),
+        alter_port(station.timeline(), alter_wire.b(), arm),
+        val(
+            station.timeline(), val::terminal_line, through(options),
+            [&](runtime::Link& link) {
+              return std::make_unique<val::Controller>(station.timeline(), link, workcell, &alter_port);
+            },
+            [&](runtime::Link& link) {
+              return std::make_unique<runtime::ValDriver>(station.timeline(), link);
+            }),
+        opener(*val.driver),
+        alter(station.timeline(), alter_wire.a(), opener) {
+    attach(*val.driver, val.wire);
+    attach(alter, alter_wire);
+    attach_force_torque(options);
+    if (workcell.tool_kind() == ToolKind::gripper) attach_gripper(options);
+    if (workcell.tool_kind() == ToolKind::range_finder) attach_range_finder(options);
     arm_fault = workcell.on_fault([this](const ArmFault&) { alter_port.arm_has_stopped(); });
   }
 
-  void add(runtime::Driver& driver, runtime::Wire& wire) {
+  static std::unique_ptr<runtime::Carrier> through(const CellOptions& options) {
+    return options.carrier ? options.carrier() : nullptr;
+  }
+
+  void attach(runtime::Driver& driver, runtime::Wire& wire) {
     station.add(driver);
     lines.push_back({driver.name(), &wire});
   }
 
+  void attach_force_torque(const CellOptions& options) {
+    const ForceTorqueEmulatorOptions sensor = sensor_options(options);
+    force_torque.emplace(
+        station.timeline(), sensor.line, through(options),
+        [&](runtime::Link& link) {
+          return std::make_unique<ForceTorqueEmulator>(
+              station.timeline(), link, [this] { return workcell.wrench(); }, sensor);
+        },
+        [&](runtime::Link& link) {
+          return std::make_unique<runtime::ForceTorqueDriver>(station.timeline(), link);
+        });
+    attach(*force_torque->driver, force_torque->wire);
+  }
+
+  void attach_gripper(const CellOptions& options) {
+    gripper.emplace(
+        station.timeline(), gripper_line, through(options),
+        [&](runtime::Link& link) {
+          return std::make_unique<GripperEmulator>(
+              station.timeline(), link, [this] { return gripper_state(workcell); }, gripper_options(options));
+        },
+        [&](runtime::Link& link) {
+          return std::make_unique<runtime::GripperDriver>(station.timeline(), link);
+        });
+    attach(*gripper->driver, gripper->wire);
+  }
+
+  void attach_range_finder(const CellOptions& options) {
+    const RangeView view{[this] { return workcell.tool(); },
+                         [this](const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
+                           return workcell.cast(origin, direction);
+                         }};
+    range_finder.emplace(
+        station.timeline(), runtime::range_finder::line, through(options),
+        [&](runtime::Link& link) {
+          return std::make_unique<RangeFinderEmulator>(station.timeline(), link, view,
+                                                       RangeFinderEmulatorOptions{.seed = options.seed});
+        },
+        [&](runtime::Link& link) {
+          return std::make_unique<runtime::RangeFinderDriver>(station.timeline(), link);
+        });
+    attach(*range_finder->driver, range_finder->wire);
+  }
+
   Workcell workcell;
-  std::unique_ptr<runtime::World> watched;
+  std::unique_ptr<runtime::World> world;
   runtime::Station station;
   CorrectedArm arm;
-  CarriedLine alter_line;
+  std::unique_ptr<runtime::Carrier> alter_carrier;
+  runtime::Wire alter_wire;
   AlterEmulator alter_port;
-  CarriedLine val_line;
-  EmulatedVal val_controller;
-  runtime::ValDriver val;
+  Attached<val::Controller, runtime::ValDriver> val;
   ValOpener opener;
   runtime::AlterDriver alter;
-  Attached<runtime::ForceTorqueDriver> force_torque;
-  std::optional<Attached<runtime::GripperDriver>> gripper;
-  std::optional<Attached<runtime::RangeFinderDriver>> range_finder;
+  std::optional<Attached<ForceTorqueEmulator, runtime::ForceTorqueDriver>> force_torque;
+  std::optional<Attached<GripperEmulator, runtime::GripperDriver>> gripper;
+  std::optional<Attached<RangeFinderEmulator, runtime::RangeFinderDriver>> range_finder;
   std::vector<Line> lines;
   std::shared_ptr<void> arm_fault;
 };
@@ -143,7 +187,7 @@ runtime::Outcome Cell::run(runtime::Skill& skill, std::span<const runtime::Param
                            const runtime::RunOptions& options) {
   runtime::SessionOptions session;
   session.run = options;
-  // Who drives by VAL as well says when corrections are taken.
+  // A skill that drives by VAL as well says itself when corrections are taken.
   parts_->alter.leave_opening_to_skill(uses(skill, "val"));
   session.begin = [this](runtime::Time earliest) {
     return parts_->alter.next_tick(earliest + phase_) - phase_;
@@ -168,8 +212,12 @@ const std::vector<Cell::Line>& Cell::lines() const {
   return parts_->lines;
 }
 
-val::Store& Cell::taught() {
-  return parts_->val_controller.machine().store;
+val::Store& Cell::val_store() {
+  return parts_->val.emulator->store();
+}
+
+runtime::ValDriver& Cell::val_driver() {
+  return *parts_->val.driver;
 }
 
 }  // namespace pal::sim

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/drivers/station.hpp"
+#include "runtime/drivers/val/val_driver.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/scene.hpp"
 #include "sim/val/store.hpp"
@@ -30,13 +31,13 @@ struct CellOptions {
   runtime::Pace* pace = nullptr;
   /// What carries the bytes of a device's line: empty, or gives null: they stay in the process.
   std::function<std::unique_ptr<runtime::Carrier>()> carrier;
-  /// What stands between the station and the physics, to look on; empty: nothing. Made once, with the
-  /// workcell.
+  /// The physics as it is looked at while it moves; empty: nobody looks.
   std::function<std::unique_ptr<runtime::World>(Workcell&)> watch;
 };
 
-/// Devices: alter, force-torque, val; gripper or range-finder where the scene's tool is one. Before a skill
-/// that uses alter and not val, ALTER is opened; a skill that uses both opens and closes it itself, by VAL.
+/// Devices: val, alter, force-torque; gripper or range-finder where the scene's tool is one. ALTER is opened
+/// for a skill that uses it, except for one that uses val, too: that opens and closes it itself, by VAL's
+/// commands.
 class Cell {
  public:
   /// Throws SceneError.
@@ -62,8 +63,9 @@ class Cell {
   };
   const std::vector<Line>& lines() const;
 
-  /// What has been taught to the VAL controller.
-  val::Store& taught();
+  /// Locations that skills can name, and programs: VAL's memory.
+  val::Store& val_store();
+  runtime::ValDriver& val_driver();
 
  private:
   struct Parts;

@@ -1,9 +1,11 @@
 #include "sim/cell/served_port.hpp"
 
-#include "runtime/drivers/range_finder/protocol.hpp"
 #include "sim/cell/corrected_arm.hpp"
-#include "sim/cell/emulated.hpp"
 #include "sim/devices/alter_emulator.hpp"
+#include "sim/devices/force_torque_emulator.hpp"
+#include "sim/devices/gripper_emulator.hpp"
+#include "sim/devices/range_finder_emulator.hpp"
+#include "sim/val/controller.hpp"
 
 namespace pal::sim {
 namespace {
@@ -44,22 +46,40 @@ std::vector<ServedPort> served_ports() {
        [](auto& timeline, auto& link, auto& workcell, auto) {
          return std::make_shared<ServedAlter>(timeline, link, workcell);
        }},
-      {"force-torque", "the ATI force-torque sensor", force_torque_speed,
+      {"force-torque", "the ATI force-torque sensor", ForceTorqueEmulatorOptions{}.line,
        [](auto& timeline, auto& link, auto& workcell, auto seed) {
-         return emulate_force_torque(timeline, link, workcell, seed);
+         ForceTorqueEmulatorOptions options;
+         options.seed = seed;
+         return std::make_shared<ForceTorqueEmulator>(
+             timeline, link, [&workcell] { return workcell.wrench(); }, options);
        }},
-      {"gripper", "the gripper's feedback; meant for a scene whose tool it is", gripper_speed,
+      {"gripper",
+       "the gripper's feedback; meant for a scene whose tool it is",
+       {38400, 10},
        [](auto& timeline, auto& link, auto& workcell, auto seed) {
-         return emulate_gripper(timeline, link, workcell, seed);
+         GripperEmulatorOptions options;
+         options.seed = seed;
+         const auto state = [&workcell] {
+           return GripperState{workcell.gripper_width(), workcell.gripper_force(), workcell.holds_part()};
+         };
+         return std::make_shared<GripperEmulator>(timeline, link, state, options);
        }},
       {"range-finder", "the laser range finder; meant for a scene whose tool it is",
        runtime::range_finder::line,
        [](auto& timeline, auto& link, auto& workcell, auto seed) {
-         return emulate_range_finder(timeline, link, workcell, seed);
+         RangeFinderEmulatorOptions options;
+         options.seed = seed;
+         const RangeView view{[&workcell] { return workcell.tool(); },
+                              [&workcell](const auto& origin, const auto& direction) {
+                                return workcell.cast(origin, direction);
+                              }};
+         return std::make_shared<RangeFinderEmulator>(timeline, link, view, options);
        }},
-      {"val", "the VAL II controller's terminal, without an ALTER port", val_speed,
+      {"val", "the VAL II controller's terminal, without an ALTER port", val::terminal_line,
        [](auto& timeline, auto& link, auto& workcell, auto) {
-         return std::make_shared<EmulatedVal>(workcell, timeline, link, nullptr);
+         auto controller = std::make_shared<val::Controller>(timeline, link, workcell);
+         controller->greet();
+         return controller;
        }},
   };
 }

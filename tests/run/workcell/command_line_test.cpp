@@ -7,6 +7,7 @@
 
 #include "runtime/trace/trace.hpp"
 #include "sim/program/statistics.hpp"
+#include "sim/scene.hpp"
 #include "tests/run/workcell/written_touch.hpp"
 
 using namespace pal::workcell;
@@ -138,9 +139,12 @@ TEST_CASE("bad input: place, cause, hint, status, and no files") {
   };
   refused({"run", "tuoch"}, ExitStatus::wrong_specification,
           "workcell: error: skill 'tuoch': there is no skill of this name\n  hint: did you mean 'touch'?\n");
+  std::string scenes;
+  for (const pal::sim::Scene& scene : pal::sim::list_scenes({PAL_SCENE_DIR}))
+    scenes += (scenes.empty() ? "" : ", ") + scene.name;
   refused(
       {"run", "touch", "--scene", "nothin"}, ExitStatus::wrong_specification,
-      "workcell: error: scene 'nothin': there is no scene of this name\n  hint: there are nothing, touch\n");
+      "workcell: error: scene 'nothin': there is no scene of this name\n  hint: there are " + scenes + "\n");
   refused({"run", "touch", "--set", "approach-speed=600"}, ExitStatus::wrong_specification,
           "workcell: error: --set approach-speed=600: parameter approach-speed is 600 mm/s; it may be from 1 "
           "to 60 mm/s\n"
