@@ -1,5 +1,6 @@
 #include "sim/cell/cell.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "runtime/drivers/alter/driver.hpp"
@@ -54,6 +55,11 @@ struct Attached {
   std::unique_ptr<Emulator> emulator;
   std::unique_ptr<Driver> driver;
 };
+
+bool uses(const runtime::Skill& skill, std::string_view device) {
+  const auto devices = skill.wiring().devices;
+  return std::find(devices.begin(), devices.end(), device) != devices.end();
+}
 
 /// The station's physics as somebody looks at it; null: nobody does.
 std::unique_ptr<runtime::World> watched(const CellOptions& options, Workcell& workcell) {
@@ -170,6 +176,8 @@ runtime::Outcome Cell::run(runtime::Skill& skill, std::span<const runtime::Param
                            const runtime::RunOptions& options) {
   runtime::SessionOptions session;
   session.run = options;
+  // A skill that drives by VAL as well says itself when corrections are taken.
+  parts_->alter.leave_opening_to_skill(uses(skill, "val"));
   session.begin = [this](runtime::Time earliest) {
     return parts_->alter.next_tick(earliest + phase_) - phase_;
   };

@@ -35,7 +35,9 @@ struct CellOptions {
   std::function<std::unique_ptr<runtime::World>(Workcell&)> watch;
 };
 
-/// Devices: val, alter, force-torque; gripper or range-finder where the scene's tool is one.
+/// Devices: val, alter, force-torque; gripper or range-finder where the scene's tool is one. ALTER is opened
+/// for a skill that uses it, except for one that uses val, too: that opens and closes it itself, by VAL's
+/// commands.
 class Cell {
  public:
   /// Throws SceneError.

@@ -5,8 +5,9 @@
 #include "sim/cell/device_views.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/devices/force_torque_emulator.hpp"
-#include "sim/val/terminal.hpp"
-#include "sim/val/workcell_arm.hpp"
+#include "sim/devices/gripper_emulator.hpp"
+#include "sim/devices/range_finder_emulator.hpp"
+#include "sim/val/controller.hpp"
 
 namespace pal::sim {
 namespace {
@@ -38,23 +39,6 @@ class ServedAlter final : private runtime::Link, private runtime::LinkUser {
   AlterEmulator port_;
 };
 
-struct ServedVal {
-  ServedVal(runtime::Timeline& timeline, runtime::Link& line, Workcell& workcell)
-      : arm(workcell, timeline),
-        hand(workcell, timeline),
-        machine{timeline, arm, workcell.tool_kind() == ToolKind::gripper ? &hand : nullptr,
-                nullptr,  {},  Pose::Identity(),
-                100,      {},  {},
-                {},       {},  {},
-                false},
-        terminal(line, machine) {}
-
-  val::WorkcellArm arm;
-  val::WorkcellHand hand;
-  val::Machine machine;
-  val::Terminal terminal;
-};
-
 }  // namespace
 
 std::vector<ServedPort> served_ports() {
@@ -66,10 +50,10 @@ std::vector<ServedPort> served_ports() {
        }},
       {"force-torque", "the ATI force-torque sensor", ForceTorqueEmulatorOptions{}.line,
        [](auto& timeline, auto& link, auto& workcell, auto seed) {
-         ForceTorqueEmulatorOptions sensor;
-         sensor.seed = seed;
+         ForceTorqueEmulatorOptions options;
+         options.seed = seed;
          return std::make_shared<ForceTorqueEmulator>(
-             timeline, link, [&workcell] { return workcell.wrench(); }, sensor);
+             timeline, link, [&workcell] { return workcell.wrench(); }, options);
        }},
       {"gripper", "the gripper's feedback", runtime::gripper::line,
        [](auto& timeline, auto& link, auto& workcell, auto seed) {
@@ -84,11 +68,11 @@ std::vector<ServedPort> served_ports() {
          finder.seed = seed;
          return std::make_shared<RangeFinderEmulator>(timeline, link, range_view(workcell), finder);
        }},
-      {"val",
-       "VAL II's terminal; DO ALTER has no line of its own here",
-       {9600, 10},
+      {"val", "the VAL II controller's terminal, without an ALTER port", val::terminal_line,
        [](auto& timeline, auto& link, auto& workcell, auto) {
-         return std::make_shared<ServedVal>(timeline, link, workcell);
+         auto controller = std::make_shared<val::Controller>(timeline, link, workcell);
+         controller->greet();
+         return controller;
        }},
   };
 }
