@@ -6,6 +6,7 @@
 
 #include "runtime/device.hpp"
 #include "sim/controller/planner.hpp"
+#include "sim/devices/alter_control.hpp"
 
 namespace pal::sim::val {
 

@@ -5,7 +5,7 @@
 #include "runtime/drivers/val/alter_opener.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/cell/cell.hpp"
-#include "sim/cell/workcell_arm.hpp"
+#include "sim/cell/corrected_arm.hpp"
 #include "sim/controller/motion_controller.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/val/controller.hpp"
@@ -47,7 +47,7 @@ struct Bench final : pal::runtime::LinkUser {
   Workcell workcell;
   pal::runtime::Timeline timeline;
   pal::runtime::Wire alter_wire{timeline, pal::runtime::alter::line};
-  pal::sim::WorkcellArm altered{workcell};
+  CorrectedArm altered{workcell};
   AlterEmulator alter{timeline, alter_wire.b(), altered};
   pal::runtime::Wire wire{timeline, {.baud = 9600}};
   Controller controller{timeline, wire.b(), workcell, &alter};
@@ -120,7 +120,7 @@ TEST_CASE("VAL in the workcell: ALTER is opened through VAL, and TOOL sets the p
 
 TEST_CASE("VAL in the station: the driver is ready when a skill needs it, and commands the arm") {
   pal::sim::Cell cell(scene("nothing"));
-  cell.val_store().locations["UP"] = Eigen::Translation3d(0, 0, 0.05) * cell.workcell().set_point();
+  cell.taught().locations["UP"] = Eigen::Translation3d(0, 0, 0.05) * cell.workcell().set_point();
   cell.val_driver().prepare();
   for (int i = 0; i < 1000 && !cell.val_driver().ready(); ++i) cell.station().idle(1ms);
   CHECK(cell.val_driver().trouble().empty());
@@ -130,6 +130,6 @@ TEST_CASE("VAL in the station: the driver is ready when a skill needs it, and co
   for (int i = 0; i < 2000 && !answer; ++i) cell.station().idle(1ms);
   REQUIRE(answer);
   CHECK(answer->ok);
-  CHECK((cell.workcell().tool().translation() - cell.val_store().locations["UP"].translation()).norm() <
+  CHECK((cell.workcell().tool().translation() - cell.taught().locations["UP"].translation()).norm() <
         0.15e-3);
 }

@@ -1,11 +1,10 @@
-#include "sim/cell/workcell_arm.hpp"
+#include "sim/cell/corrected_arm.hpp"
 
 #include "sim/controller/motion_controller.hpp"
 
 namespace pal::sim {
 
-std::string WorkcellArm::open(const AlterMode& mode) {
-  if (!fault().empty()) return fault();
+std::string CorrectedArm::open(const AlterMode& mode) {
   if (!workcell_.idle()) return "the arm is moving";
   frame_ = keeps_first_turn_ ? CorrectionFrame::tool_at_open : CorrectionFrame::tool;
   if (mode.world) frame_ = CorrectionFrame::world;
@@ -14,15 +13,14 @@ std::string WorkcellArm::open(const AlterMode& mode) {
   return {};
 }
 
-std::optional<std::string> WorkcellArm::move(const Correction& correction, runtime::Time begin) {
-  return workcell_.move(correction, frame_, begin, cumulative_);
+std::optional<std::string> CorrectedArm::move(const Correction& correction, runtime::Time begin) {
+  if (workcell_.fault()) return workcell_.fault()->text;
+  auto refused = workcell_.motion().correct(correction, frame_, begin, cumulative_);
+  if (refused) workcell_.stop();
+  return refused;
 }
 
-std::string WorkcellArm::fault() const {
-  return workcell_.fault() ? workcell_.fault()->text : std::string();
-}
-
-Pose WorkcellArm::tool() const {
+Pose CorrectedArm::tool() const {
   return tool_pose(workcell_.joints(), workcell_.motion().tool());
 }
 
