@@ -160,9 +160,9 @@ runtime::Time Workcell::now() const {
 }
 
 std::optional<std::string> Workcell::move(const Correction& correction, CorrectionFrame frame,
-                                          runtime::Time begin, bool cumulative) {
+                                          runtime::Time begin) {
   if (parts_->fault) return "the arm has stopped: " + parts_->fault->text;
-  auto refused = parts_->motion.correct(correction, frame, begin, cumulative);
+  auto refused = parts_->motion.correct(correction, frame, begin);
   if (refused) stop();
   return refused;
 }
