@@ -166,9 +166,9 @@ runtime::Time Workcell::now() const {
 }
 
 std::optional<std::string> Workcell::move(const Correction& correction, CorrectionFrame frame,
-                                          runtime::Time begin) {
+                                          runtime::Time begin, bool cumulative) {
   if (parts_->fault) return "the arm has stopped: " + parts_->fault->text;
-  auto refused = parts_->motion.correct(correction, frame, begin);
+  auto refused = parts_->motion.correct(correction, frame, begin, cumulative);
   if (refused) stop();
   return refused;
 }
