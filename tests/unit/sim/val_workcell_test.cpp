@@ -5,7 +5,7 @@
 #include "runtime/drivers/val/alter_opener.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/cell/cell.hpp"
-#include "sim/cell/workcell_arm.hpp"
+#include "sim/cell/corrected_arm.hpp"
 #include "sim/controller/motion_controller.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/val/controller.hpp"
@@ -47,7 +47,7 @@ struct Bench final : pal::runtime::LinkUser {
   Workcell workcell;
   pal::runtime::Timeline timeline;
   pal::runtime::Wire alter_wire{timeline, pal::runtime::alter::line};
-  pal::sim::WorkcellArm altered{workcell};
+  pal::sim::CorrectedArm altered{workcell};
   AlterEmulator alter{timeline, alter_wire.b(), altered};
   pal::runtime::Wire wire{timeline, {.baud = 9600}};
   Controller controller{timeline, wire.b(), workcell, &alter};
