@@ -28,8 +28,8 @@ const char* name(ExecutionState state) {
   return names[static_cast<std::size_t>(state)];
 }
 
-Executor::Executor(Program program, SkillRunner& runner, StepObserver* observer)
-    : program_(std::move(program)), runner_(runner), observer_(observer) {
+Executor::Executor(Program program, SkillRunner& runner, StepObserver* observer, const Skills* skills)
+    : program_(std::move(program)), runner_(runner), observer_(observer), skills_(skills) {
   enter(0);
 }
 
@@ -132,14 +132,24 @@ void Executor::start_from(const std::string& icon) {
 void Executor::set_parameter(const std::string& icon, const std::string& parameter, Value value) {
   if (state_ == ExecutionState::running) throw ExecutionError("a skill is running; pause first");
   const Frame frame = find(icon).back();
-  Icon& found = program_.operations[frame.operation].icons[frame.icon];
+  Program changed = program_;
+  Icon& found = changed.operations[frame.operation].icons[frame.icon];
   if (found.kind != IconKind::skill) throw ExecutionError(fmt::format("'{}' is no skill", icon));
-  for (Parameter& each : found.parameters) {
-    if (each.name != parameter) continue;
-    each.value = std::move(value);
-    return;
+  const auto given = std::find_if(found.parameters.begin(), found.parameters.end(),
+                                  [&](const Parameter& each) { return each.name == parameter; });
+  if (given != found.parameters.end()) {
+    given->value = std::move(value);
+  } else {
+    found.parameters.push_back({parameter, std::move(value), {}, {}});
   }
-  found.parameters.push_back({parameter, std::move(value), {}, {}});
+  if (skills_ != nullptr) {
+    Diagnostics diagnostics;
+    check_skills(changed, *skills_, std::nullopt, diagnostics);
+    for (const Diagnostic& finding : diagnostics.all())
+      if (finding.severity == Severity::error)
+        throw ExecutionError(fmt::format("{}; {}", finding.message, finding.hint));
+  }
+  program_ = std::move(changed);
 }
 
 void Executor::add_breakpoint(Breakpoint breakpoint) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "operations/check.hpp"
 #include "operations/model.hpp"
 #include "pal/support/time.hpp"
 
@@ -77,8 +78,10 @@ const char* name(ExecutionState state);
 /// stop().
 class Executor {
  public:
-  /// The program has no errors. Runner and observer outlive the executor.
-  Executor(Program program, SkillRunner& runner, StepObserver* observer = nullptr);
+  /// The program has no errors. Runner, observer and skills outlive the executor. With `skills` a parameter
+  /// can only be changed to what its skill allows.
+  Executor(Program program, SkillRunner& runner, StepObserver* observer = nullptr,
+           const Skills* skills = nullptr);
 
   /// Until something halts the token. Resumes what is paused or stopped; does nothing after the end.
   ExecutionState run();
@@ -95,7 +98,8 @@ class Executor {
   /// Puts the token before an icon, with last completion code 0: from here on, whatever had run. Throws
   /// ExecutionError.
   void start_from(const std::string& icon);
-  /// Changes a parameter from the icon's next run on. Throws ExecutionError: no such skill icon, or running.
+  /// Changes a parameter from the icon's next run on. Throws ExecutionError: no such skill
+  /// icon, running, or a parameter or value that the skill does not have.
   void set_parameter(const std::string& icon, const std::string& parameter, Value value);
   /// Throws ExecutionError if there is no such icon.
   void add_breakpoint(Breakpoint breakpoint);
@@ -129,6 +133,7 @@ class Executor {
   Program program_;
   SkillRunner& runner_;
   StepObserver* observer_;
+  const Skills* skills_;
   std::vector<Breakpoint> breakpoints_;
   std::vector<Frame> token_;  // the innermost operation last
   ExecutionState state_ = ExecutionState::ready;
