@@ -11,6 +11,7 @@
 
 #include "runtime/drivers/station.hpp"
 #include "runtime/drivers/wire.hpp"
+#include "sim/cell/fault_plan.hpp"
 #include "sim/picture/picture.hpp"
 #include "sim/report/message_log.hpp"
 #include "sim/scene.hpp"
@@ -35,6 +36,7 @@ struct Session {
   runtime::Pace* pace = nullptr;
   std::function<std::unique_ptr<runtime::Carrier>()> carrier{};
   const runtime::RunControl* control = nullptr;
+  std::vector<sim::PlannedFault> faults{};
 };
 
 struct SessionResult {
