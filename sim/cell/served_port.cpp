@@ -1,6 +1,8 @@
 #include "sim/cell/served_port.hpp"
 
+#include "runtime/drivers/gripper/driver.hpp"
 #include "sim/cell/corrected_arm.hpp"
+#include "sim/cell/device_views.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/devices/force_torque_emulator.hpp"
 #include "sim/devices/gripper_emulator.hpp"
@@ -53,27 +55,18 @@ std::vector<ServedPort> served_ports() {
          return std::make_shared<ForceTorqueEmulator>(
              timeline, link, [&workcell] { return workcell.wrench(); }, options);
        }},
-      {"gripper",
-       "the gripper's feedback; meant for a scene whose tool it is",
-       {38400, 10},
+      {"gripper", "the gripper's feedback", runtime::gripper::line,
        [](auto& timeline, auto& link, auto& workcell, auto seed) {
-         GripperEmulatorOptions options;
-         options.seed = seed;
-         const auto state = [&workcell] {
-           return GripperState{workcell.gripper_width(), workcell.gripper_force(), workcell.holds_part()};
-         };
-         return std::make_shared<GripperEmulator>(timeline, link, state, options);
+         GripperEmulatorOptions gripper;
+         gripper.seed = seed;
+         return std::make_shared<GripperEmulator>(
+             timeline, link, [&workcell] { return gripper_state(workcell); }, gripper);
        }},
-      {"range-finder", "the laser range finder; meant for a scene whose tool it is",
-       runtime::range_finder::line,
+      {"range-finder", "the laser range finder, at the tool's tip", runtime::range_finder::line,
        [](auto& timeline, auto& link, auto& workcell, auto seed) {
-         RangeFinderEmulatorOptions options;
-         options.seed = seed;
-         const RangeView view{[&workcell] { return workcell.tool(); },
-                              [&workcell](const auto& origin, const auto& direction) {
-                                return workcell.cast(origin, direction);
-                              }};
-         return std::make_shared<RangeFinderEmulator>(timeline, link, view, options);
+         RangeFinderEmulatorOptions finder;
+         finder.seed = seed;
+         return std::make_shared<RangeFinderEmulator>(timeline, link, range_view(workcell), finder);
        }},
       {"val", "the VAL II controller's terminal, without an ALTER port", val::terminal_line,
        [](auto& timeline, auto& link, auto& workcell, auto) {
