@@ -7,11 +7,10 @@
 #include "runtime/drivers/gripper/driver.hpp"
 #include "runtime/drivers/range_finder/driver.hpp"
 #include "sim/cell/corrected_arm.hpp"
+#include "sim/cell/device_views.hpp"
 #include "sim/cell/val_opener.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/devices/force_torque_emulator.hpp"
-#include "sim/devices/gripper_emulator.hpp"
-#include "sim/devices/range_finder_emulator.hpp"
 #include "sim/random.hpp"
 #include "sim/val/controller.hpp"
 
@@ -38,12 +37,6 @@ runtime::Time phase_of(const CellOptions& options) {
   Random random(options.seed, 1);
   return options.phase.value_or(random.between(runtime::Time::zero(), alter_period));
 }
-
-GripperState gripper_state(const Workcell& workcell) {
-  return {workcell.gripper_width(), workcell.gripper_force(), workcell.holds_part()};
-}
-
-constexpr runtime::LineSpeed gripper_line{38400, 10};
 
 /// A line with an emulated device at its far end and a driver at its near one.
 template <class Emulator, class Driver>
@@ -127,7 +120,7 @@ struct Cell::Parts {
 
   void attach_gripper(const CellOptions& options) {
     gripper.emplace(
-        station.timeline(), gripper_line, through(options),
+        station.timeline(), runtime::gripper::line, through(options),
         [&](runtime::Link& link) {
           return std::make_unique<GripperEmulator>(
               station.timeline(), link, [this] { return gripper_state(workcell); }, gripper_options(options));
@@ -139,14 +132,10 @@ struct Cell::Parts {
   }
 
   void attach_range_finder(const CellOptions& options) {
-    const RangeView view{[this] { return workcell.tool(); },
-                         [this](const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
-                           return workcell.cast(origin, direction);
-                         }};
     range_finder.emplace(
         station.timeline(), runtime::range_finder::line, through(options),
         [&](runtime::Link& link) {
-          return std::make_unique<RangeFinderEmulator>(station.timeline(), link, view,
+          return std::make_unique<RangeFinderEmulator>(station.timeline(), link, range_view(workcell),
                                                        RangeFinderEmulatorOptions{.seed = options.seed});
         },
         [&](runtime::Link& link) {

@@ -1,6 +1,8 @@
 #include "sim/cell/served_port.hpp"
 
+#include "runtime/drivers/gripper/driver.hpp"
 #include "sim/cell/corrected_arm.hpp"
+#include "sim/cell/device_views.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/devices/force_torque_emulator.hpp"
 #include "sim/val/controller.hpp"
@@ -50,6 +52,19 @@ std::vector<ServedPort> served_ports() {
          sensor.seed = seed;
          return std::make_shared<ForceTorqueEmulator>(
              timeline, link, [&workcell] { return workcell.wrench(); }, sensor);
+       }},
+      {"gripper", "the gripper's feedback", runtime::gripper::line,
+       [](auto& timeline, auto& link, auto& workcell, auto seed) {
+         GripperEmulatorOptions gripper;
+         gripper.seed = seed;
+         return std::make_shared<GripperEmulator>(
+             timeline, link, [&workcell] { return gripper_state(workcell); }, gripper);
+       }},
+      {"range-finder", "the laser range finder, at the tool's tip", runtime::range_finder::line,
+       [](auto& timeline, auto& link, auto& workcell, auto seed) {
+         RangeFinderEmulatorOptions finder;
+         finder.seed = seed;
+         return std::make_shared<RangeFinderEmulator>(timeline, link, range_view(workcell), finder);
        }},
       {"val", "VAL II's terminal; DO ALTER has no line of its own here", val::terminal_line,
        [](auto& timeline, auto& link, auto& workcell, auto) {
