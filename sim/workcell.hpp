@@ -68,10 +68,14 @@ class Workcell final : public runtime::World {
 
   /// Gives the controller a relative motion to be made evenly within [begin, begin + 28 ms], after all those
   /// given before. A motion that the arm cannot make is refused: the answer says why, and the arm stops.
-  std::optional<std::string> move(const Correction& correction, CorrectionFrame frame, runtime::Time begin);
+  /// `cumulative` false: it counts from where corrections were opened (MotionController), not from the last
+  /// one.
+  std::optional<std::string> move(const Correction& correction, CorrectionFrame frame, runtime::Time begin,
+                                  bool cumulative = true);
   /// Drops what has not been moved yet: a planned motion slows down, corrections end at once.
   void stop();
-  /// The owner of the set-point, for those who plan motions. What it is told at `now()` is moved from the next step on.
+  /// The owner of the set-point, for those who plan motions. What it is told at `now()` is moved from the
+  /// next step on.
   MotionController& motion();
   /// No motion is left to make.
   bool idle() const;

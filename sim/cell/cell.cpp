@@ -2,37 +2,35 @@
 
 #include <utility>
 
+#include "runtime/drivers/alter/driver.hpp"
+#include "runtime/drivers/force_torque/driver.hpp"
 #include "runtime/drivers/gripper/driver.hpp"
 #include "runtime/drivers/range_finder/driver.hpp"
-#include "runtime/drivers/val/val_driver.hpp"
-#include "sim/cell/workcell_arm.hpp"
+#include "sim/cell/corrected_arm.hpp"
+#include "sim/cell/val_opener.hpp"
 #include "sim/devices/alter_emulator.hpp"
-#include "sim/devices/force_torque_sensor.hpp"
+#include "sim/devices/force_torque_emulator.hpp"
 #include "sim/devices/gripper_emulator.hpp"
 #include "sim/devices/range_finder_emulator.hpp"
 #include "sim/random.hpp"
-#include "sim/val/terminal.hpp"
-#include "sim/val/workcell_arm.hpp"
+#include "sim/val/controller.hpp"
 
 namespace pal::sim {
 namespace {
 
-/// Opens the emulated port without VAL between them.
-class DirectOpener final : public runtime::alter::Opener {
- public:
-  explicit DirectOpener(AlterControl& control) : control_(control) {}
-  void open(const AlterMode& mode, Done done) override { done(control_.open(mode)); }
-  void close(Done done) override { done(control_.close()); }
-
- private:
-  AlterControl& control_;
-};
-
-ForceTorqueOptions sensor_options(const CellOptions& cell) {
-  ForceTorqueOptions options;
+ForceTorqueEmulatorOptions sensor_options(const CellOptions& cell) {
+  ForceTorqueEmulatorOptions options;
   options.seed = cell.seed;
-  if (cell.times == runtime::CostPolicy::worst) options.shortest = options.longest;
-  if (cell.times == runtime::CostPolicy::best) options.longest = options.shortest;
+  if (cell.times == runtime::CostPolicy::worst) options.shortest_conversion = options.longest_conversion;
+  if (cell.times == runtime::CostPolicy::best) options.longest_conversion = options.shortest_conversion;
+  return options;
+}
+
+GripperEmulatorOptions gripper_options(const CellOptions& cell) {
+  GripperEmulatorOptions options;
+  options.seed = cell.seed;
+  if (cell.times == runtime::CostPolicy::worst) options.shortest_wait = options.longest_wait;
+  if (cell.times == runtime::CostPolicy::best) options.longest_wait = options.shortest_wait;
   return options;
 }
 
@@ -41,72 +39,38 @@ runtime::Time phase_of(const CellOptions& options) {
   return options.phase.value_or(random.between(runtime::Time::zero(), alter_period));
 }
 
-/// ALTER's port as VAL opens and closes it.
-class AlterByVal final : public val::AlterControl {
- public:
-  explicit AlterByVal(sim::AlterControl& port) : port_(port) {}
-  std::string open(const val::AlterMode& mode) override { return port_.open({mode.world, mode.cumulative}); }
-  std::string close() override { return port_.close(); }
-  bool is_open() const override { return port_.is_open(); }
+GripperState gripper_state(const Workcell& workcell) {
+  return {workcell.gripper_width(), workcell.gripper_force(), workcell.holds_part()};
+}
 
- private:
-  sim::AlterControl& port_;
-};
+constexpr runtime::LineSpeed gripper_line{38400, 10};
 
-/// The controller's terminal and the driver that types at it.
-struct ValLine {
-  ValLine(Workcell& workcell, runtime::Timeline& timeline, AlterControl& port)
-      : arm(workcell, timeline),
-        hand(workcell, timeline),
-        alter(port),
-        machine{.timeline = timeline,
-                .arm = arm,
-                .hand = workcell.tool_kind() == ToolKind::gripper ? &hand : nullptr,
-                .alter = &alter},
-        wire(timeline, {.baud = 9600}),
-        terminal(wire.b(), machine),
-        driver(timeline, wire.a()) {}
+/// A line with an emulated device at its far end and a driver at its near one.
+template <class Emulator, class Driver>
+struct Attached {
+  template <class MakeEmulator, class MakeDriver>
+  Attached(runtime::Timeline& timeline, runtime::LineSpeed speed, std::unique_ptr<runtime::Carrier> through,
+           MakeEmulator emulator_at, MakeDriver driver_at)
+      : carrier(std::move(through)),
+        wire(timeline, speed, carrier.get()),
+        emulator(emulator_at(wire.b())),
+        driver(driver_at(wire.a())) {}
 
-  val::WorkcellArm arm;
-  val::WorkcellHand hand;
-  AlterByVal alter;
-  val::Machine machine;
+  std::unique_ptr<runtime::Carrier> carrier;
   runtime::Wire wire;
-  val::Terminal terminal;
-  runtime::ValDriver driver;
+  std::unique_ptr<Emulator> emulator;
+  std::unique_ptr<Driver> driver;
 };
 
-struct GripperLine {
-  GripperLine(const Workcell& workcell, runtime::Timeline& timeline, std::uint64_t seed)
-      : wire(timeline, {.baud = 9600}),
-        emulator(
-            timeline, wire.b(),
-            [&workcell] {
-              return GripperState{workcell.gripper_width(), workcell.gripper_force(), workcell.holds_part()};
-            },
-            {.seed = seed}),
-        driver(timeline, wire.a()) {}
+/// The station's physics as somebody looks at it; null: nobody does.
+std::unique_ptr<runtime::World> watched(const CellOptions& options, Workcell& workcell) {
+  return options.watch ? options.watch(workcell) : nullptr;
+}
 
-  runtime::Wire wire;
-  GripperEmulator emulator;
-  runtime::GripperDriver driver;
-};
-
-struct RangeFinderLine {
-  RangeFinderLine(const Workcell& workcell, runtime::Timeline& timeline, std::uint64_t seed)
-      : wire(timeline, runtime::range_finder::line),
-        emulator(timeline, wire.b(),
-                 {[&workcell] { return workcell.tool(); },
-                  [&workcell](const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
-                    return workcell.cast(origin, direction);
-                  }},
-                 {.seed = seed}),
-        driver(timeline, wire.a()) {}
-
-  runtime::Wire wire;
-  RangeFinderEmulator emulator;
-  runtime::RangeFinderDriver driver;
-};
+runtime::World& physics(std::unique_ptr<runtime::World>& world, Workcell& workcell) {
+  if (world) return *world;
+  return workcell;
+}
 
 }  // namespace
 
@@ -114,36 +78,98 @@ struct RangeFinderLine {
 struct Cell::Parts {
   Parts(const Scene& scene, const CellOptions& options)
       : workcell(scene, {.raise = options.raise}),
-        looked_on(options.look_on ? options.look_on(workcell) : nullptr),
-        station(looked_on ? *looked_on : workcell, options.pace),
+        world(watched(options, workcell)),
+        station(physics(world, workcell), options.pace),
         arm(workcell),
-        alter_wire(station.timeline(), runtime::alter::line, options.alter_carrier),
+        alter_carrier(through(options)),
+        alter_wire(station.timeline(), runtime::alter::line, alter_carrier.get()),
         alter_port(station.timeline(), alter_wire.b(), arm),
-        opener(alter_port),
-        alter(station.timeline(), alter_wire.a(), opener),
-        force_torque(workcell, sensor_options(options)),
-        val(workcell, station.timeline(), alter_port) {
-    station.add(alter);
-    station.add(force_torque);
-    station.add(val.driver);
-    if (workcell.tool_kind() == ToolKind::gripper)
-      station.add(gripper.emplace(workcell, station.timeline(), options.seed).driver);
-    if (workcell.tool_kind() == ToolKind::range_finder)
-      station.add(range_finder.emplace(workcell, station.timeline(), options.seed).driver);
+        val(
+            station.timeline(), val::terminal_line, through(options),
+            [&](runtime::Link& link) {
+              return std::make_unique<val::Controller>(station.timeline(), link, workcell, &alter_port);
+            },
+            [&](runtime::Link& link) {
+              return std::make_unique<runtime::ValDriver>(station.timeline(), link);
+            }),
+        opener(*val.driver),
+        alter(station.timeline(), alter_wire.a(), opener) {
+    attach(*val.driver, val.wire);
+    attach(alter, alter_wire);
+    attach_force_torque(options);
+    if (workcell.tool_kind() == ToolKind::gripper) attach_gripper(options);
+    if (workcell.tool_kind() == ToolKind::range_finder) attach_range_finder(options);
+    arm_fault = workcell.on_fault([this](const ArmFault&) { alter_port.arm_has_stopped(); });
+  }
+
+  static std::unique_ptr<runtime::Carrier> through(const CellOptions& options) {
+    return options.carrier ? options.carrier() : nullptr;
+  }
+
+  void attach(runtime::Driver& driver, runtime::Wire& wire) {
+    station.add(driver);
+    lines.push_back({driver.name(), &wire});
+  }
+
+  void attach_force_torque(const CellOptions& options) {
+    const ForceTorqueEmulatorOptions sensor = sensor_options(options);
+    force_torque.emplace(
+        station.timeline(), sensor.line, through(options),
+        [&](runtime::Link& link) {
+          return std::make_unique<ForceTorqueEmulator>(
+              station.timeline(), link, [this] { return workcell.wrench(); }, sensor);
+        },
+        [&](runtime::Link& link) {
+          return std::make_unique<runtime::ForceTorqueDriver>(station.timeline(), link);
+        });
+    attach(*force_torque->driver, force_torque->wire);
+  }
+
+  void attach_gripper(const CellOptions& options) {
+    gripper.emplace(
+        station.timeline(), gripper_line, through(options),
+        [&](runtime::Link& link) {
+          return std::make_unique<GripperEmulator>(
+              station.timeline(), link, [this] { return gripper_state(workcell); }, gripper_options(options));
+        },
+        [&](runtime::Link& link) {
+          return std::make_unique<runtime::GripperDriver>(station.timeline(), link);
+        });
+    attach(*gripper->driver, gripper->wire);
+  }
+
+  void attach_range_finder(const CellOptions& options) {
+    const RangeView view{[this] { return workcell.tool(); },
+                         [this](const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
+                           return workcell.cast(origin, direction);
+                         }};
+    range_finder.emplace(
+        station.timeline(), runtime::range_finder::line, through(options),
+        [&](runtime::Link& link) {
+          return std::make_unique<RangeFinderEmulator>(station.timeline(), link, view,
+                                                       RangeFinderEmulatorOptions{.seed = options.seed});
+        },
+        [&](runtime::Link& link) {
+          return std::make_unique<runtime::RangeFinderDriver>(station.timeline(), link);
+        });
+    attach(*range_finder->driver, range_finder->wire);
   }
 
   Workcell workcell;
-  std::unique_ptr<runtime::World> looked_on;
+  std::unique_ptr<runtime::World> world;
   runtime::Station station;
-  WorkcellArm arm;
+  CorrectedArm arm;
+  std::unique_ptr<runtime::Carrier> alter_carrier;
   runtime::Wire alter_wire;
   AlterEmulator alter_port;
-  DirectOpener opener;
+  Attached<val::Controller, runtime::ValDriver> val;
+  ValOpener opener;
   runtime::AlterDriver alter;
-  ForceTorqueSensor force_torque;
-  ValLine val;
-  std::optional<GripperLine> gripper;
-  std::optional<RangeFinderLine> range_finder;
+  std::optional<Attached<ForceTorqueEmulator, runtime::ForceTorqueDriver>> force_torque;
+  std::optional<Attached<GripperEmulator, runtime::GripperDriver>> gripper;
+  std::optional<Attached<RangeFinderEmulator, runtime::RangeFinderDriver>> range_finder;
+  std::vector<Line> lines;
+  std::shared_ptr<void> arm_fault;
 };
 
 Cell::Cell(const Scene& scene, const CellOptions& options)
@@ -174,16 +200,16 @@ runtime::Station& Cell::station() {
   return parts_->station;
 }
 
-runtime::AlterDriver& Cell::alter() {
-  return parts_->alter;
+const std::vector<Cell::Line>& Cell::lines() const {
+  return parts_->lines;
 }
 
-val::Store& Cell::taught() {
-  return parts_->val.machine.store;
+val::Store& Cell::val_store() {
+  return parts_->val.emulator->store();
 }
 
-runtime::Wire& Cell::alter_line() {
-  return parts_->alter_wire;
+runtime::ValDriver& Cell::val_driver() {
+  return *parts_->val.driver;
 }
 
 }  // namespace pal::sim

@@ -60,7 +60,7 @@ TEST_CASE("edge: where two surfaces meet, within 0.2 mm rms at 200 mm", "[edge]"
   const auto [left, right] =
       GENERATE(table<double, double>({{0, 45}, {-30, 30}, {-10, 10}, {20, -20}, {0, 15}}));
   const Errors errors = errors_of([&](double y) { return crease(y, 200, left, right); }, 200, left);
-  WARN("crease of " << left << " and " << right << " deg: rms " << errors.y << " mm in y, " << errors.z
+  INFO("crease of " << left << " and " << right << " deg: rms " << errors.y << " mm in y, " << errors.z
                     << " mm in z, " << errors.slope << " deg; greatest " << errors.greatest_y << " mm in y");
   CHECK(errors.found == 0);  // all of them
   CHECK(errors.y < 0.2);
@@ -71,7 +71,7 @@ TEST_CASE("edge: where two surfaces meet, within 0.2 mm rms at 200 mm", "[edge]"
 TEST_CASE("edge: where the nearer surface of a step ends, within 0.2 mm rms at 200 mm", "[edge]") {
   const double far = GENERATE(203, 215, 260);
   const Errors errors = errors_of([&](double y) { return step(y, 200, far); }, 200, 0);
-  WARN("step down to " << far << " mm: rms " << errors.y << " mm in y, " << errors.z << " mm in z, "
+  INFO("step down to " << far << " mm: rms " << errors.y << " mm in y, " << errors.z << " mm in z, "
                        << errors.slope << " deg; greatest " << errors.greatest_y << " mm in y");
   CHECK(errors.found == 0);
   CHECK(errors.y < 0.2);
