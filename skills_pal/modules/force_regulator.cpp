@@ -11,11 +11,13 @@ namespace {
 constexpr double depth_gain = 0.7;
 constexpr double rise_gain = 0.25;
 // Part of the missing way that is gone in a cycle.
-constexpr double way = 0.5;
+constexpr double way_sliding = 0.5;
+// The joints stick while the tool stands, and follow small motions late and by jumps.
+constexpr double way_standing = 0.2;
 
 // N: so little too much or too little is left alone while the tool stands: the joints stick, and a motion
 // that is answered late by a jump would be answered by the next.
-constexpr double quiet = 0.12;
+constexpr double quiet = 0.15;
 
 constexpr double contact = 0.3;        // N: less is noise
 constexpr double certain = 1.0;        // N: the tool is in contact without doubt
@@ -57,7 +59,7 @@ double ForceRegulator::next(double force, bool sliding) {
   const double soon = depth_ + given_ + rise_;
   double missing = target_ / stiffness_ - soon;
   if (!sliding && std::abs(missing) * stiffness_ < quiet) missing = 0;
-  const double motion = std::clamp(way * missing - rise_, -most_, most_);
+  const double motion = std::clamp((sliding ? way_sliding : way_standing) * missing - rise_, -most_, most_);
   remember(force, motion);
   return motion;
 }
