@@ -25,7 +25,7 @@ constexpr int cycles_to_move = 2;   // from a request to the end of the motion t
 
 Eigen::Isometry3d moved_by(const Motion& motion) {
   Eigen::Isometry3d step = Eigen::Isometry3d::Identity();
-  step.translation() = {motion.dx, motion.dy, motion.dz};
+  step.translation() = Eigen::Vector3d(motion.dx, motion.dy, motion.dz);
   step.linear() = (Eigen::AngleAxisd(motion.rz * degree, Eigen::Vector3d::UnitZ()) *
                    Eigen::AngleAxisd(motion.ry * degree, Eigen::Vector3d::UnitY()) *
                    Eigen::AngleAxisd(motion.rx * degree, Eigen::Vector3d::UnitX()))

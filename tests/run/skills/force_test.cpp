@@ -101,7 +101,7 @@ TEST_CASE("rub goes the whole distance, completion 0, by both regulators") {
 
 TEST_CASE("rub hits a step and lifts off, completion 1") {
   const auto result = run({.skill = "rub",
-                           .scene = "step",
+                           .scene = "low-step",
                            .parameters = {{"speed", 1}, {"stop-force", 300}, {"distance", 12}},
                            .raise = -13});
   CAPTURE(result.outcome.reason);
@@ -117,7 +117,7 @@ TEST_CASE("rub hits a step and lifts off, completion 1") {
 TEST_CASE("rub meets the error force and stands still, completion 2") {
   const auto result =
       run({.skill = "rub",
-           .scene = "step",
+           .scene = "low-step",
            .parameters = {{"speed", 1}, {"stop-force", 300}, {"error-force", 300}, {"distance", 12}},
            .raise = -13});
   CAPTURE(result.outcome.reason);

@@ -48,6 +48,9 @@ std::vector<Figure> measure_transfers() {
     picks.observe(picked.trace);
     places.observe(placed.trace);
     ended = ended && picked.code == 0 && placed.code == 0;
+    if (!ended)
+      throw std::runtime_error("transfer " + std::to_string(i + 1) + ": " + picked.reason + " " +
+                               placed.reason);
     cycle = std::chrono::duration<double>(picked.duration + placed.duration).count();
     const double y = there ? far_y : near_y;
     const Eigen::Vector2d now = block_at(cell.workcell(), 460, y);
