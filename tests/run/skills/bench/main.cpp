@@ -16,7 +16,9 @@ int main(int count, char** arguments) {
     std::vector<Figure> (*measure)();
   };
   constexpr std::array benches{Bench{"touch", measure_touch}, Bench{"press", measure_press},
-                               Bench{"rub", measure_rub}};
+                               Bench{"rub", measure_rub},     Bench{"standoff", measure_standoff},
+                               Bench{"align", measure_align}, Bench{"follow-edge", measure_follow_edge},
+                               Bench{"moves", measure_moves}, Bench{"transfers", measure_transfers}};
   const std::span wanted(arguments + 1, static_cast<std::size_t>(count - 1));
   try {
     std::vector<Figure> figures;
