@@ -72,6 +72,9 @@ void Run::start_skill() {
   }
   try {
     skill_.start();
+  } catch (const ParameterError& refused) {
+    fail_at(-1, -1, refused.what());
+    return;
   } catch (...) {
     fail_at(-1, -1, "starting the skill: " + what_was_thrown());
     return;

@@ -1,5 +1,8 @@
+#include "skills_pal/modules/alter.hpp"
+#include "skills_pal/modules/retreat.hpp"
+#include "skills_pal/modules/z_force.hpp"
+#include "skills_pal/touch/advance.hpp"
 #include "skills_pal/touch/touch.hpp"
-#include "skills_pal/touch/touch_parts.hpp"
 #include "touch_read_first_skill.hpp"
 
 namespace pal::skills {
@@ -7,12 +10,10 @@ namespace pal::skills {
 std::unique_ptr<runtime::Skill> touch_read_first_skill() {
   namespace order = touch_read_first;
   auto approach = std::make_shared<Approach>();
-  return order::make_touch_read_first(
-      std::make_unique<Advance<order::SM1Activities, order::Parameters, order::Motion, order::Zforce>>(
-          approach),
-      std::make_unique<ZForceSensor<order::LS1Activities, order::Wrench, order::Zforce>>(),
-      std::make_unique<AlterPort<order::MC1Activities, order::Motion, order::Correction>>(),
-      std::make_unique<Retreat<order::CM1Activities, order::Motion>>(approach));
+  return order::make_touch_read_first(std::make_unique<Advance<order::SM1Activities>>(approach),
+                                      std::make_unique<ZForceSensor<order::LS1Activities>>(),
+                                      std::make_unique<AlterController<order::MC1Activities>>(),
+                                      std::make_unique<Retreat<order::CM1Activities>>(approach));
 }
 
 }  // namespace pal::skills

@@ -1,4 +1,4 @@
-#include "skills_pal/touch/approach.hpp"
+#include "skills_pal/modules/approach.hpp"
 
 #include <algorithm>
 
@@ -8,6 +8,7 @@ void Approach::start(double speed, double reach) {
   step_ = speed * alter_period;
   reach_ = reach;
   gone_ = 0;
+  stood_ = 0;
   home_ = false;
 }
 
@@ -15,6 +16,7 @@ void Approach::start(double speed, double reach) {
 
 double Approach::step_forward() {
   const double step = std::min(step_, reach_ - gone_);
+  if (step <= 0) ++stood_;
   gone_ = step < step_ ? reach_ : gone_ + step;
   return step;
 }

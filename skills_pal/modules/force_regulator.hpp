@@ -1,0 +1,47 @@
+// Keeps a force on a surface by relative motions that take effect late.
+#pragma once
+
+namespace pal::skills {
+
+/// Decides once an ALTER cycle how far to go towards the surface.
+///
+/// A motion that is decided at one request is made from the next to the one after it. So the force that is
+/// known at a request shows none of the last motion. The regulator therefore keeps a model: how deep the tool
+/// is in the surface, and by how much the surface rises each cycle while the tool slides. Both are corrected
+/// by each force. It goes half of the way that is still missing after the last motion, and as much as the
+/// surface rises meanwhile.
+///
+/// The surface's stiffness is learned while the tool lands: then the surface cannot rise, and what a motion
+/// changes of the force is due to it. Half of the way keeps the loop stable for stiffnesses up to three times
+/// the one that is assumed.
+class ForceRegulator {
+ public:
+  /// `target` in N; `stiffness` in N/mm as far as it is known; no motion is greater than `most`, mm.
+  void start(double target, double stiffness, double most);
+
+  /// The next motion, mm towards the surface. `force`: the newest, N. `sliding`: the surface may rise.
+  double next(double force, bool sliding);
+  /// A motion that something else decided on at this request, mm, with the force that was known, N.
+  void follow(double force, double motion);
+
+  double stiffness() const { return stiffness_; }  // N/mm, as learned
+  double rise() const { return rise_; }            // mm a cycle
+  double gone() const { return gone_; }            // mm, the sum of all motions
+
+ private:
+  void learn(double force);
+  void observe(double force, bool sliding);
+  void remember(double force, double motion);
+
+  double target_ = 0;
+  double stiffness_ = 0;
+  double most_ = 0;
+  double depth_ = 0;   // mm, at the last request
+  double rise_ = 0;    // mm a cycle
+  double given_ = 0;   // mm: the motion given at the last request, not yet begun at it
+  double before_ = 0;  // mm: the one before, which was made between the last request and this one
+  double force_ = 0;   // N, at the last request
+  double gone_ = 0;
+};
+
+}  // namespace pal::skills

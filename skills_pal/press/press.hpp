@@ -1,0 +1,13 @@
+// Press: search a surface, hold a force on it.
+#pragma once
+
+#include <memory>
+
+#include "runtime/skill.hpp"
+
+namespace pal::skills {
+
+/// press.pal.
+std::unique_ptr<runtime::Skill> press_skill();
+
+}  // namespace pal::skills

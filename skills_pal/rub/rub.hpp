@@ -1,0 +1,13 @@
+// Rub: slide along a surface with a force in a band.
+#pragma once
+
+#include <memory>
+
+#include "runtime/skill.hpp"
+
+namespace pal::skills {
+
+/// rub.pal.
+std::unique_ptr<runtime::Skill> rub_skill();
+
+}  // namespace pal::skills
