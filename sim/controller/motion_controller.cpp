@@ -109,8 +109,7 @@ std::optional<Refusal> MotionController::move_straight(const Pose& goal_pose, co
 
 std::optional<std::string> MotionController::correct(const Correction& correction, CorrectionFrame frame,
                                                      runtime::Time begin, bool cumulative) {
-  if (planned_end(begin) > begin) return "the arm is still making a motion that VAL gave it";
-  finish_until(begin);
+  if (!planned_.empty()) return "the arm is still making a motion that VAL gave it";
   return corrections_.add(correction, frame, begin, cumulative);
 }
 

@@ -73,7 +73,7 @@ void Monitor::abort(Line& line) {
   if (machine_.alter != nullptr && machine_.alter->is_open()) machine_.alter->close();
   std::string shown;
   if (program_) {
-    shown = "Program " + program_->name + " stopped at step " + std::to_string(program_->step + 1) + "\r\n";
+    shown = "Stopped " + program_->name + " at step " + std::to_string(program_->step + 1) + "\r\n";
     machine_.timeline.cancel(program_next_);
     machine_.attached = false;
     program_.reset();
@@ -97,9 +97,9 @@ void Monitor::tool(Line& line) {
 void Monitor::where(Line& line) {
   line.end();
   const Joints q = machine_.arm.joints();
-  shown_ = "    X        Y        Z        O        A        T\r\n" + columns(figures_of(machine_.here(q))) +
-           "\r\n   JT1      JT2      JT3      JT4      JT5      JT6\r\n" + joint_columns(val_joints(q)) +
-           "\r\n";
+  shown_ =
+      "    X        Y        Z        O        A        T\r\n" + columns(shown_figures(machine_.here(q))) +
+      "\r\n   JT1      JT2      JT3      JT4      JT5      JT6\r\n" + joint_columns(val_joints(q)) + "\r\n";
 }
 
 void Monitor::point(Line& line) {
@@ -129,7 +129,7 @@ void Monitor::status(Line& line) {
                 machine_.program_speed.straight.value_or(machine_.program_speed.percent),
                 machine_.program_speed.straight ? " mm/s" : "");
   shown_ = text.data();
-  shown_ += program_ ? "Program " + program_->name + " runs, step " + std::to_string(program_->step + 1)
+  shown_ += program_ ? program_->name + " runs, step " + std::to_string(program_->step + 1)
                      : std::string("No program runs");
   shown_ += "\r\nALTER is ";
   shown_ += machine_.alter == nullptr ? "not there" : machine_.alter->is_open() ? "open" : "closed";
@@ -143,7 +143,7 @@ void Monitor::list_locations(Line& line) {
   for (const auto& [name, place] : machine_.store.locations) {
     std::array<char, 32> padded{};
     std::snprintf(padded.data(), padded.size(), "%-20s", name.c_str());
-    shown_ += padded.data() + columns(figures_of(place)) + "\r\n";
+    shown_ += padded.data() + columns(shown_figures(place)) + "\r\n";
   }
 }
 

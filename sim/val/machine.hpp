@@ -21,14 +21,15 @@ struct Machine {
   Arm& arm;
   Hand* hand = nullptr;           // null: there is none
   AlterControl* alter = nullptr;  // null: there is none
-  Store store;
+  Store store{};
 
   Pose base = Pose::Identity();  // of all locations, in frame 0
   double monitor_speed = 100;    // per cent; on top of what a program wants
-  ProgramSpeed program_speed;
-  std::optional<ProgramSpeed> next_speed;   // of the next motion only
-  std::optional<bool> righty, above, flip;  // wished for by RIGHTY …, of the next joint-interpolated motion
-  bool attached = false;                    // the arm belongs to a program that runs
+  ProgramSpeed program_speed{};
+  std::optional<ProgramSpeed> next_speed = std::nullopt;  // of the next motion only
+  // Wished for by RIGHTY …, of the next joint-interpolated motion.
+  std::optional<bool> righty = std::nullopt, above = std::nullopt, flip = std::nullopt;
+  bool attached = false;  // the arm belongs to a program that runs
 
   /// Where the tip is, or will be after the motions that were accepted, relative to the base.
   Pose here(const Joints& q) const { return base.inverse() * tool_pose(q, arm.tool()); }

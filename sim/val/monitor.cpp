@@ -16,13 +16,14 @@ Monitor::~Monitor() {
 }
 
 void Monitor::greet() {
-  output_("\r\nVAL II as emulated by pal\r\n.", true);
+  output_("\r\nVAL II as emulated by pal\r\n.");
 }
 
 void Monitor::line(std::string_view text) {
-  if (state_ == State::asking) return change_location(std::string(text));
-  if (state_ == State::idle) return take(std::string(text));
-  if (state_ == State::doing && Line(text).word() == "ABORT") return stop("*Aborted*\r\n.");
+  const bool abort = Line(text).word() == "ABORT";
+  if (state_ == State::asking && !abort) return change_location(std::string(text));
+  if (state_ == State::idle || state_ == State::asking) return take(std::string(text));
+  if (state_ == State::doing && abort) return stop("*Aborted*\r\n.");
   waiting_.emplace_back(text);
 }
 
@@ -52,8 +53,8 @@ void Monitor::carry_out(const std::string& text) {
 
 void Monitor::answer(const std::string& lines) {
   state_ = State::idle;
-  output_(lines + ".", false);
-  if (waiting_.empty()) return;
+  output_(lines + ".");
+  if (waiting_.empty()) return show_announcements();
   const std::string next = std::move(waiting_.front());
   waiting_.pop_front();
   take(next);
@@ -108,12 +109,11 @@ void Monitor::step_program() {
       if (program.count > 0 && --program.count == 0) return end_program("completed");
     }
     const std::string shown = program.instruction.begin(Line(program.lines[program.step]));
-    if (!shown.empty()) show_lines(shown + "\r\n");
+    if (!shown.empty()) announce("Program " + program.name + ": " + shown);
     program.begun = true;
     program_next_ = machine_.timeline.after(options_.thinking, [this] { step_program(); });
   } catch (const Error& error) {
-    show_lines(error.shown() + "\r\n");
-    end_program("stopped at step " + std::to_string(program.step + 1));
+    end_program("stopped at step " + std::to_string(program.step + 1) + ": " + error.shown());
   }
 }
 
@@ -122,13 +122,22 @@ void Monitor::end_program(const std::string& how) {
   machine_.attached = false;
   const std::string name = program_->name;
   program_.reset();
-  show_lines("Program " + name + " " + how + "\r\n");
+  announce("Program " + name + " " + how);
 }
 
-// Text that nobody asked for begins a line of its own; the prompt is shown again if nothing is being carried
-// out.
-void Monitor::show_lines(std::string_view text) {
-  output_("\r\n" + std::string(text) + (state_ == State::idle ? "." : ""), true);
+void Monitor::announce(const std::string& text) {
+  announcements_ += "\r\n" + text;
+  show_announcements();
+}
+
+void Monitor::show_announcements() {
+  if (state_ != State::idle || typing_ || announcements_.empty()) return;
+  output_(std::exchange(announcements_, {}) + "\r\n.");
+}
+
+void Monitor::typing(bool begun) {
+  typing_ = begun;
+  show_announcements();
 }
 
 void Monitor::ask_location(const std::string& name) {
@@ -137,9 +146,8 @@ void Monitor::ask_location(const std::string& name) {
   asked_about_ = name;
   state_ = State::asking;
   output_("  X/JT1    Y/JT2    Z/JT3    O/JT4    A/JT5    T/JT6" +
-              std::string(defined ? "" : "   *Undefined value*") + "\r\n" +
-              columns(defined ? figures_of(found->second) : Figures{}) + "\r\nChange? ",
-          false);
+          std::string(defined ? "" : "   *Undefined value*") + "\r\n" +
+          columns(defined ? shown_figures(found->second) : Figures{}) + "\r\nChange? ");
 }
 
 // Empty: all right as it is. Otherwise up to six figures between commas; what is left out stays.
@@ -158,7 +166,7 @@ void Monitor::change_location(const std::string& text) {
     line.end();
     machine_.store.locations[name] = pose_of(figures);
   } catch (const Error& error) {
-    output_(error.shown() + "\r\n", false);
+    output_(error.shown() + "\r\n");
   }
   ask_location(name);
 }

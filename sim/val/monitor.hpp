@@ -23,8 +23,7 @@ struct MonitorOptions {
 /// and the like has a full stop before the prompt.
 class Monitor {
  public:
-  /// Who shows the text. `unasked`: not the answer to a line.
-  using Output = std::function<void(std::string_view text, bool unasked)>;
+  using Output = std::function<void(std::string_view text)>;
 
   /// The machine outlives the monitor.
   Monitor(Machine& machine, Output output, MonitorOptions options = {});
@@ -36,6 +35,9 @@ class Monitor {
   void greet();
   /// A line, without its end. While one is carried out, others wait, except ABORT.
   void line(std::string_view text);
+  /// Whether a line has been begun: what nobody asked for (a program has ended) is shown only behind a
+  /// prompt.
+  void typing(bool begun);
   /// What Control-C does: ends what DO is carrying out, or a question.
   void interrupt();
 
@@ -48,7 +50,8 @@ class Monitor {
   void carry_out(const std::string& text);
   void command(Line line, const std::string& word);
   void answer(const std::string& lines);
-  void show_lines(std::string_view text);
+  void announce(const std::string& text);
+  void show_announcements();
   void look_at_do();
   void look_at_stop();
   void stop(std::string answer);
@@ -81,8 +84,10 @@ class Monitor {
   State state_ = State::idle;
   std::deque<std::string> waiting_;
   Instruction doing_;
-  std::string shown_;        // of the line that is carried out, before the prompt
-  std::string asked_about_;  // the location of a POINT
+  std::string shown_;          // of the line that is carried out, before the prompt
+  std::string asked_about_;    // the location of a POINT
+  std::string announcements_;  // not shown yet
+  bool typing_ = false;
   std::string stop_answer_;  // shown when the arm stands
   runtime::Timeline::Token next_;
   runtime::Timeline::Token program_next_;

@@ -13,12 +13,7 @@ constexpr std::size_t longest_line = 128;
 Terminal::Terminal(runtime::Link& link, Machine& machine, MonitorOptions options)
     : link_(link),
       monitor_(
-          machine,
-          [this](std::string_view text, bool unasked) {
-            write(text);
-            if (unasked) write(line_);  // what is being typed is shown again
-          },
-          options) {
+          machine, [this](std::string_view text) { write(text); }, options) {
   link_.connect(this);
 }
 
@@ -27,7 +22,10 @@ Terminal::~Terminal() {
 }
 
 void Terminal::on_bytes(runtime::Bytes bytes) {
-  for (const char c : runtime::as_text(bytes)) key(c);
+  for (const char c : runtime::as_text(bytes)) {
+    key(c);
+    monitor_.typing(!line_.empty());
+  }
 }
 
 void Terminal::on_break(std::string_view) {

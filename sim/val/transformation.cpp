@@ -32,15 +32,19 @@ Pose pose_of(const Figures& figures) {
   return pose;
 }
 
-Figures figures_of(const Pose& pose) {
+Figures figures_of(const Pose& pose, double upright) {
   const Eigen::Matrix3d r = pose.linear();
   const double cosine = std::hypot(r(0, 2), r(1, 2));
   const double a = std::atan2(-r(2, 2), cosine);
-  const bool upright = cosine < 1e-9;
-  const double o = upright ? std::atan2(r(1, 1), r(0, 1)) : std::atan2(r(0, 2), -r(1, 2));
-  const double t = upright ? 0 : std::atan2(r(2, 1), -r(2, 0));
+  const bool in_line = cosine < upright;
+  const double o = in_line ? std::atan2(r(1, 1), r(0, 1)) : std::atan2(r(0, 2), -r(1, 2));
+  const double t = in_line ? 0 : std::atan2(r(2, 1), -r(2, 0));
   const Eigen::Vector3d p = pose.translation() * 1e3;
   return {p.x(), p.y(), p.z(), degrees(o), degrees(a), degrees(t)};
+}
+
+Figures shown_figures(const Pose& pose) {
+  return figures_of(pose, radians(0.01));
 }
 
 Figures val_joints(const Joints& q) {

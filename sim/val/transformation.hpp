@@ -15,8 +15,13 @@ using Figures = std::array<double, 6>;
 /// the tool points along -y. (90, -90, 0) is the identity.
 Pose pose_of(const Figures& figures);
 
-/// A within -90 and 90; where it is one of them, O and T turn about one line, and T is 0.
-Figures figures_of(const Pose& pose);
+/// A within -90 and 90; where it is one of them, O and T turn about one line, and T is 0. `upright`: so near
+/// (rad) counts.
+Figures figures_of(const Pose& pose, double upright = 1e-9);
+
+/// As VAL shows them: a tool that stands upright within 0.01 degrees has T = 0. Below that, the last counts
+/// of the encoders would decide on O and T.
+Figures shown_figures(const Pose& pose);
 
 /// The joint angles that VAL shows, degrees: those of docs/workcell.md plus (0, 180, 180, 0, 0, 0), within
 /// the ranges of the machine's own manual (joint 2: -225 to 45, joint 3: -45 to 225).

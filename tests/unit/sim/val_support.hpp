@@ -93,7 +93,7 @@ class PlainAlter final : public AlterControl {
 };
 
 /// The controller at one end of a wire, a person at the other.
-struct Bench final : runtime::LinkUser {
+struct Bench : runtime::LinkUser {
   Bench() { wire.a().connect(this); }
   void on_bytes(runtime::Bytes bytes) override { seen += runtime::as_text(bytes); }
   void on_break(std::string_view) override {}
@@ -117,7 +117,7 @@ struct Bench final : runtime::LinkUser {
   PlainArm arm{timeline};
   PlainHand hand{timeline};
   PlainAlter alter;
-  Machine machine{timeline, arm, &hand, &alter, {}, Pose::Identity(), 100, {}, {}, {}, {}, {}, false};
+  Machine machine{.timeline = timeline, .arm = arm, .hand = &hand, .alter = &alter};
   runtime::Wire wire{timeline, {.baud = 9600}};
   Terminal terminal{wire.b(), machine};
   std::string seen;

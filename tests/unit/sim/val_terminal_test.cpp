@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "sim/random.hpp"
 #include "tests/unit/sim/val_support.hpp"
 
 using namespace pal::sim;
@@ -216,7 +217,9 @@ TEST_CASE("VAL: POINT shows a location, asks, and takes changes until an empty l
   bench.type("7\r");
   CHECK(bench.type("\r") == "\r\n.");
   CHECK(x_of(bench, "FRESH") == Approx(7));
-  // Control-C leaves the question, too.
+  // ABORT and Control-C leave the question, too.
+  bench.type("POINT fresh\r");
+  CHECK(bench.type("ABORT\r") == "ABORT\r\n.");
   bench.type("POINT fresh\r");
   CHECK(bench.type("8\x03") == "8^C\r\n.");
   CHECK(x_of(bench, "FRESH") == Approx(7));
@@ -245,7 +248,7 @@ TEST_CASE("VAL: a program runs beside the monitor") {
   bench.ask("DO HERE a");
   bench.machine.store.programs["PROG1"] = {"MOVES SHIFT(a BY 0,50,0)", "MOVES a"};
   CHECK(bench.type("EXECUTE PROG1,2\r", 100ms) == "EXECUTE PROG1,2\r\n.");
-  CHECK(bench.ask("STATUS", 200ms).find("Program PROG1 runs, step 1") != std::string::npos);
+  CHECK(bench.ask("STATUS", 200ms).find("PROG1 runs, step 1") != std::string::npos);
   CHECK(bench.ask("DO MOVES a", 100ms) == "*Arm is a program's*\r\n");
   CHECK(bench.ask("EXECUTE PROG1", 100ms) == "*Program is running* PROG1\r\n");
   CHECK(bench.type("", 20s) == "\r\nProgram PROG1 completed\r\n.");
@@ -254,12 +257,11 @@ TEST_CASE("VAL: a program runs beside the monitor") {
       1e-8);
   CHECK(bench.ask("EXECUTE PROG9") == "*Undefined program* PROG9\r\n");
   CHECK(bench.ask("EXECUTE PROG1,1.5") == "*Illegal value* a whole number is wanted\r\n");
-  // One that goes wrong says where. What is being typed is shown again.
-  bench.machine.store.programs["PROG2"] = {"DELAY 0.1", "MOVE nowhere"};
-  bench.type("EXECUTE PROG2\r", 50ms);
-  CHECK(bench.type("SPE", 1s) ==
-        "SPE\r\n*Undefined value* NOWHERE\r\n.SPE\r\nProgram PROG2 stopped at step 2\r\n.SPE");
-  CHECK(bench.type("ED 10\r") == "ED 10\r\n.");
+  // One that goes wrong says where, when nothing is being typed.
+  bench.machine.store.programs["PROG2"] = {"TYPE 5", "DELAY 0.1", "MOVE nowhere"};
+  CHECK(bench.type("EXECUTE PROG2\r", 60ms) == "EXECUTE PROG2\r\n.\r\nProgram PROG2: 5\r\n.");
+  CHECK(bench.type("SPEED 10", 1s) == "SPEED 10");
+  CHECK(bench.type("\r", 1s) == "\r\n.\r\nProgram PROG2 stopped at step 3: *Undefined value* NOWHERE\r\n.");
 }
 
 TEST_CASE("VAL: ABORT stops the arm, the program and ALTER") {
@@ -267,7 +269,7 @@ TEST_CASE("VAL: ABORT stops the arm, the program and ALTER") {
   bench.ask("DO HERE a");
   bench.machine.store.programs["PROG1"] = {"MOVES SHIFT(a BY 0,50,0)", "MOVES a"};
   bench.type("EXECUTE PROG1,-1\r", 300ms);
-  CHECK(bench.ask("ABORT") == "Program PROG1 stopped at step 1\r\n");
+  CHECK(bench.ask("ABORT") == "Stopped PROG1 at step 1\r\n");
   CHECK(bench.arm.at_rest());
   CHECK_FALSE(bench.machine.attached);
   CHECK(bench.ask("PCABORT") == "");
@@ -332,4 +334,26 @@ TEST_CASE("VAL: lists, forgetting, help") {
   CHECK(bench.ask("LISTP") == " .PROGRAM P\r\n   1  MOVE a\r\n .END\r\n");
   CHECK(bench.ask("HELP").find("CALIBRATE") != std::string::npos);
   CHECK(bench.ask("DO SET averyveryverylongname1 = NULL") == "*Name too long* AVERYVERYVERYLONGNAME1\r\n");
+}
+
+TEST_CASE("VAL: whatever is typed, an answer comes, and ABORT brings back the prompt") {
+  constexpr std::uint64_t seed = 11;
+  INFO("seed " << seed);
+  Random random(seed, 0);
+  const std::vector<std::string> words{
+      "DO",   "MOVE", "MOVES", "APPRO",   "DEPART",  "DRI",   "SET",   "SPEED", "POINT", "HERE",    "WHERE",
+      "TOOL", "BASE", "ALTER", "NOALTER", "EXECUTE", "ABORT", "TRANS", "SHIFT", "BY",    "INVERSE", "NULL",
+      "A",    "B",    "PROG1", "(",       ")",       ",",     ":",     "=",     "1",     "-7.5",    "300",
+      "1e3",  ".",    "*",     "?",       "\x03",    "\x15",  "\x7f",  "\xff",  "MODE1", "LISTL"};
+  Bench bench;
+  bench.machine.store.programs["PROG1"] = {"MOVES A", "TYPE MODE1", "DELAY 1"};
+  for (int i = 0; i < 600; ++i) {
+    std::string line = i % 2 == 0 ? "DO" : "";
+    for (auto n = 1 + static_cast<int>(6 * random.unit()); n > 0; --n)
+      line += " " + words[static_cast<std::size_t>(random.unit() * static_cast<double>(words.size()))];
+    CAPTURE(line);
+    bench.type(line + "\r", 2s);
+    const std::string answer = bench.type("ABORT\r", 3s);
+    REQUIRE(answer.ends_with("."));
+  }
 }

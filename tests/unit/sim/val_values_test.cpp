@@ -42,6 +42,11 @@ TEST_CASE("VAL: O, A and T") {
   CHECK(figures[5] == 0);
   CHECK(difference(pose_of(figures), down) < 1e-12);
 
+  // All but straight down: the joints' last counts do not decide on what is shown.
+  const Pose tilted = down * Eigen::AngleAxisd(1e-4, Eigen::Vector3d(1, 3, 0).normalized());
+  CHECK(shown_figures(tilted)[5] == 0);
+  CHECK(shown_figures(tilted)[3] == Approx(figures[3]).margin(0.01));
+
   constexpr std::uint64_t seed = 3;
   INFO("seed " << seed);
   Random random(seed, 0);
