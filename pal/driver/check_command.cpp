@@ -67,7 +67,7 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
   }
   const ExitStatus found = status_of_findings(session);
   const bool wrong = found != ExitStatus::all_hold;
-  report_unmet(proofs, session);
+  report_unmet(proofs, options.explain || options.format != Format::text, session);
 
   const ExitStatus status = wrong ? found : all_hold(proofs) ? ExitStatus::all_hold : ExitStatus::not_met;
   if (options.format == Format::json) {

@@ -55,7 +55,7 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
     const Interruption interruption;
     const std::vector<Proof> proofs = prove(session, options.limits);
     if (!session.diagnostics.has_errors() && !all_hold(proofs)) {
-      report_unmet(proofs, session);
+      report_unmet(proofs, false, session);
       show_findings(session, console);
       console.err << "pal: nothing was generated, since a requirement does not hold; --allow-failing generates all the same\n";
       return ExitStatus::not_met;

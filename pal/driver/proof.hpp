@@ -58,7 +58,7 @@ void report_standstill(const analyzer::Problem& problem, const analyzer::Standst
 bool look_for_standstill(const analyzer::Problem& problem, Session& session);
 
 /// Adds a finding for every requirement that fails or is undecided: where it stands, which statement uses how
-/// old a value or answers how late, and what the time was spent on.
-void report_unmet(const std::vector<Proof>& proofs, Session& session);
+/// old a value or answers how late, and what the time was spent on: the longest parts, or the `whole_story`.
+void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& session);
 
 }  // namespace pal::driver

@@ -103,7 +103,34 @@ void report_never(const Proof& proof, std::size_t index, Session& session) {
                              "name a statement, an event or a completion that comes about in some run");
 }
 
-void report(const Proof& proof, std::size_t index, Session& session) {
+// As many parts of the time as fit on a screen with what else is said.
+constexpr std::size_t most_parts = 5;
+
+/// All of them, in the order in which they happened.
+void add_story(const std::vector<analyzer::Reason>& reasons, const analyzer::Problem& problem, Diagnostic& finding) {
+  for (const analyzer::Reason& reason : reasons) {
+    const std::string who = reason.actor.empty() ? "" : reason.actor + " ";
+    finding.notes.push_back(
+        {place_of(problem, reason), to_text(Duration(reason.to - reason.from)) + ": " + who + reason.what});
+  }
+}
+
+/// The longest first; of the rest how much it is.
+void add_longest(std::vector<analyzer::Reason> reasons, const analyzer::Problem& problem, Diagnostic& finding) {
+  const auto length = [](const analyzer::Reason& reason) { return reason.to - reason.from; };
+  std::stable_sort(reasons.begin(), reasons.end(), [&](const analyzer::Reason& a, const analyzer::Reason& b) {
+    return length(a) > length(b);
+  });
+  const std::vector<analyzer::Reason> rest(reasons.begin() + most_parts, reasons.end());
+  reasons.resize(most_parts);
+  add_story(reasons, problem, finding);
+  std::int64_t together = 0;
+  for (const analyzer::Reason& reason : rest) together += length(reason);
+  finding.notes.push_back({{}, to_text(Duration(together)) + ": " + std::to_string(rest.size()) +
+                                   " shorter parts; --explain shows all in the order in which they happen"});
+}
+
+void report(const Proof& proof, std::size_t index, bool whole_story, Session& session) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   const bool fails = verdict.state == State::fails;
   const std::string what = fails ? " fails: " : " is undecided: ";
@@ -118,10 +145,11 @@ void report(const Proof& proof, std::size_t index, Session& session) {
   if (!fails && shown && !verdict.reasons.empty())
     finding.notes.push_back(
         {verdict.where, "the worst run that was found has " + figure_text(verdict.measure, *shown)});
-  for (const analyzer::Reason& reason : analyzer::abridged(verdict.reasons)) {
-    const std::string who = reason.actor.empty() ? "" : reason.actor + " ";
-    finding.notes.push_back({place_of(proof.problem, reason),
-                             to_text(Duration(reason.to - reason.from)) + ": " + who + reason.what});
+  const std::vector<analyzer::Reason> reasons = analyzer::abridged(verdict.reasons);
+  if (whole_story || reasons.size() <= most_parts + 1) {
+    add_story(reasons, proof.problem, finding);
+  } else {
+    add_longest(reasons, proof.problem, finding);
   }
 }
 
@@ -150,13 +178,13 @@ bool look_for_standstill(const analyzer::Problem& problem, Session& session) {
   return found.has_value();
 }
 
-void report_unmet(const std::vector<Proof>& proofs, Session& session) {
+void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& session) {
   for (const Proof& proof : proofs) {
     if (proof.analysis.standstill) report_standstill(proof.problem, *proof.analysis.standstill, session);
     for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
       const State state = proof.analysis.verdicts[i].state;
       if (state == State::never) report_never(proof, i, session);
-      if (state == State::fails || state == State::undecided) report(proof, i, session);
+      if (state == State::fails || state == State::undecided) report(proof, i, whole_story, session);
     }
   }
 }

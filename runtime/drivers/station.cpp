@@ -8,6 +8,8 @@
 namespace pal::runtime {
 namespace {
 
+constexpr Time look_outside_each = std::chrono::seconds(1);
+
 /// Sets a flag for as long as it lives.
 class Raised {
  public:
@@ -37,7 +39,9 @@ class Station::RunWorld final : public World {
   explicit RunWorld(Station& station) : station_(station) {}
   void advance_to(Time when) override { station_.pass_to(station_.begun_ + when); }
   Time next_event() override {
-    const Time next = station_.timeline_.next();
+    Time next = station_.timeline_.next();
+    // Something may come in from outside at any time: as long as it may, a run is not at its end.
+    if (station_.pace_ != nullptr) next = std::min(next, station_.timeline_.now() + look_outside_each);
     return next == Timeline::never ? Time::max() : next - station_.begun_;
   }
   Time wait_until(Time when) override {

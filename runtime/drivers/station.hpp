@@ -50,8 +50,9 @@ class Station {
   Time now() const { return timeline_.now(); }
 
   /// Drivers are prepared before a skill that uses them, and released before one that does not. They outlive
-  /// the station's last use. A device that is no driver is there for the length of a skill only.
+  /// the station's last use.
   void add(Driver& driver);
+  /// A device that is no driver is there for the length of a skill only.
   void add(Device& device);
 
   /// Readies the devices, runs the skill from its time 0 to its end, closes the sessions. A device that is in

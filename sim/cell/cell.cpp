@@ -2,10 +2,16 @@
 
 #include <utility>
 
-#include "sim/cell/workcell_arm.hpp"
+#include "runtime/drivers/alter/driver.hpp"
+#include "runtime/drivers/force_torque/driver.hpp"
+#include "runtime/drivers/gripper/driver.hpp"
+#include "runtime/drivers/val/val_driver.hpp"
+#include "sim/cell/corrected_arm.hpp"
 #include "sim/devices/alter_emulator.hpp"
-#include "sim/devices/force_torque_sensor.hpp"
+#include "sim/devices/force_torque_emulator.hpp"
+#include "sim/devices/gripper_emulator.hpp"
 #include "sim/random.hpp"
+#include "sim/val/controller.hpp"
 
 namespace pal::sim {
 namespace {
@@ -21,11 +27,19 @@ class DirectOpener final : public runtime::alter::Opener {
   AlterControl& control_;
 };
 
-ForceTorqueOptions sensor_options(const CellOptions& cell) {
-  ForceTorqueOptions options;
+ForceTorqueEmulatorOptions sensor_options(const CellOptions& cell) {
+  ForceTorqueEmulatorOptions options;
   options.seed = cell.seed;
-  if (cell.times == runtime::CostPolicy::worst) options.shortest = options.longest;
-  if (cell.times == runtime::CostPolicy::best) options.longest = options.shortest;
+  if (cell.times == runtime::CostPolicy::worst) options.shortest_conversion = options.longest_conversion;
+  if (cell.times == runtime::CostPolicy::best) options.longest_conversion = options.shortest_conversion;
+  return options;
+}
+
+GripperEmulatorOptions gripper_options(const CellOptions& cell) {
+  GripperEmulatorOptions options;
+  options.seed = cell.seed;
+  if (cell.times == runtime::CostPolicy::worst) options.shortest_wait = options.longest_wait;
+  if (cell.times == runtime::CostPolicy::best) options.longest_wait = options.shortest_wait;
   return options;
 }
 
@@ -34,33 +48,120 @@ runtime::Time phase_of(const CellOptions& options) {
   return options.phase.value_or(random.between(runtime::Time::zero(), alter_period));
 }
 
+GripperState gripper_state(const Workcell& workcell) {
+  return {workcell.gripper_width(), workcell.gripper_force(), workcell.holds_part()};
+}
+
+constexpr runtime::LineSpeed gripper_line{38400, 10};
+
+/// A line with an emulated device at its far end and a driver at its near one.
+template <class Emulator, class Driver>
+struct Attached {
+  template <class MakeEmulator, class MakeDriver>
+  Attached(runtime::Timeline& timeline, runtime::LineSpeed speed, std::unique_ptr<runtime::Carrier> through,
+           MakeEmulator emulator_at, MakeDriver driver_at)
+      : carrier(std::move(through)),
+        wire(timeline, speed, carrier.get()),
+        emulator(emulator_at(wire.b())),
+        driver(driver_at(wire.a())) {}
+
+  std::unique_ptr<runtime::Carrier> carrier;
+  runtime::Wire wire;
+  std::unique_ptr<Emulator> emulator;
+  std::unique_ptr<Driver> driver;
+};
+
+/// The station's physics as somebody looks at it; null: nobody does.
+std::unique_ptr<runtime::World> watched(const CellOptions& options, Workcell& workcell) {
+  return options.watch ? options.watch(workcell) : nullptr;
+}
+
+runtime::World& physics(std::unique_ptr<runtime::World>& world, Workcell& workcell) {
+  if (world) return *world;
+  return workcell;
+}
+
 }  // namespace
 
 // In this order: what comes later uses what stands before it.
 struct Cell::Parts {
   Parts(const Scene& scene, const CellOptions& options)
       : workcell(scene, {.raise = options.raise}),
-        looked_on(options.look_on ? options.look_on(workcell) : nullptr),
-        station(looked_on ? *looked_on : workcell, options.pace),
+        world(watched(options, workcell)),
+        station(physics(world, workcell), options.pace),
         arm(workcell),
-        alter_wire(station.timeline(), runtime::alter::line, options.alter_carrier),
+        alter_carrier(through(options)),
+        alter_wire(station.timeline(), runtime::alter::line, alter_carrier.get()),
         alter_port(station.timeline(), alter_wire.b(), arm),
         opener(alter_port),
-        alter(station.timeline(), alter_wire.a(), opener),
-        force_torque(workcell, sensor_options(options)) {
-    station.add(alter);
-    station.add(force_torque);
+        alter(station.timeline(), alter_wire.a(), opener) {
+    attach(alter, alter_wire);
+    attach_val(options);
+    attach_force_torque(options);
+    if (workcell.tool_kind() == ToolKind::gripper) attach_gripper(options);
+    arm_fault = workcell.on_fault([this](const ArmFault&) { alter_port.arm_has_stopped(); });
+  }
+
+  static std::unique_ptr<runtime::Carrier> through(const CellOptions& options) {
+    return options.carrier ? options.carrier() : nullptr;
+  }
+
+  void attach(runtime::Driver& driver, runtime::Wire& wire) {
+    station.add(driver);
+    lines.push_back({driver.name(), &wire});
+  }
+
+  void attach_val(const CellOptions& options) {
+    terminal.emplace(
+        station.timeline(), val::terminal_line, through(options),
+        [&](runtime::Link& link) {
+          return std::make_unique<val::Controller>(station.timeline(), link, workcell, &alter_port);
+        },
+        [&](runtime::Link& link) { return std::make_unique<runtime::ValDriver>(station.timeline(), link); });
+    attach(*terminal->driver, terminal->wire);
+  }
+
+  void attach_force_torque(const CellOptions& options) {
+    const ForceTorqueEmulatorOptions sensor = sensor_options(options);
+    force_torque.emplace(
+        station.timeline(), sensor.line, through(options),
+        [&](runtime::Link& link) {
+          return std::make_unique<ForceTorqueEmulator>(
+              station.timeline(), link, [this] { return workcell.wrench(); }, sensor);
+        },
+        [&](runtime::Link& link) {
+          return std::make_unique<runtime::ForceTorqueDriver>(station.timeline(), link);
+        });
+    attach(*force_torque->driver, force_torque->wire);
+  }
+
+  void attach_gripper(const CellOptions& options) {
+    gripper.emplace(
+        station.timeline(), gripper_line, through(options),
+        [&](runtime::Link& link) {
+          return std::make_unique<GripperEmulator>(
+              station.timeline(), link, [this] { return gripper_state(workcell); }, gripper_options(options));
+        },
+        [&](runtime::Link& link) {
+          return std::make_unique<runtime::GripperDriver>(station.timeline(), link);
+        });
+    attach(*gripper->driver, gripper->wire);
   }
 
   Workcell workcell;
-  std::unique_ptr<runtime::World> looked_on;
+  std::unique_ptr<runtime::World> world;
   runtime::Station station;
-  WorkcellArm arm;
+  CorrectedArm arm;
+  std::unique_ptr<runtime::Carrier> alter_carrier;
   runtime::Wire alter_wire;
   AlterEmulator alter_port;
   DirectOpener opener;
   runtime::AlterDriver alter;
-  ForceTorqueSensor force_torque;
+  std::optional<Attached<val::Controller, runtime::ValDriver>> terminal;
+  std::optional<Attached<ForceTorqueEmulator, runtime::ForceTorqueDriver>> force_torque;
+  std::optional<Attached<GripperEmulator, runtime::GripperDriver>> gripper;
+  std::vector<Line> lines;
+  std::shared_ptr<void> arm_fault;
 };
 
 Cell::Cell(const Scene& scene, const CellOptions& options)
@@ -91,12 +192,16 @@ runtime::Station& Cell::station() {
   return parts_->station;
 }
 
-runtime::AlterDriver& Cell::alter() {
-  return parts_->alter;
+runtime::ValDriver& Cell::val_driver() {
+  return *parts_->terminal->driver;
 }
 
-runtime::Wire& Cell::alter_line() {
-  return parts_->alter_wire;
+val::Store& Cell::taught() {
+  return parts_->terminal->emulator->store();
+}
+
+const std::vector<Cell::Line>& Cell::lines() const {
+  return parts_->lines;
 }
 
 }  // namespace pal::sim

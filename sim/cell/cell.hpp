@@ -5,12 +5,18 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "runtime/drivers/alter/driver.hpp"
 #include "runtime/drivers/station.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/scene.hpp"
+#include "sim/val/store.hpp"
 #include "sim/workcell.hpp"
+
+namespace pal::runtime {
+class ValDriver;
+}
 
 namespace pal::sim {
 
@@ -26,13 +32,13 @@ struct CellOptions {
   std::optional<runtime::Time> phase;
   /// How station time goes by; null: it is virtual. Outlives the cell.
   runtime::Pace* pace = nullptr;
-  /// What stands between the station and the physics, to look on; empty: nothing. Made once, with the workcell.
-  std::function<std::unique_ptr<runtime::World>(Workcell&)> look_on;
-  /// What carries the bytes of ALTER's line; null: they stay in the process. Outlives the cell.
-  runtime::Carrier* alter_carrier = nullptr;
+  /// What carries the bytes of a device's line: empty, or gives null: they stay in the process.
+  std::function<std::unique_ptr<runtime::Carrier>()> carrier;
+  /// The physics as it is looked at while it moves; empty: nobody looks.
+  std::function<std::unique_ptr<runtime::World>(Workcell&)> watch;
 };
 
-/// Devices: alter, force-torque.
+/// Devices: alter, force-torque, val; gripper or range-finder where the scene's tool is one.
 class Cell {
  public:
   /// Throws SceneError.
@@ -50,8 +56,17 @@ class Cell {
   runtime::Time phase() const { return phase_; }
   Workcell& workcell();
   runtime::Station& station();
-  runtime::AlterDriver& alter();
-  runtime::Wire& alter_line();
+
+  /// What VAL has been taught: locations that skills name, numbers, programs.
+  val::Store& taught();
+  runtime::ValDriver& val_driver();
+
+  /// The lines by the names of their devices: for faults on demand.
+  struct Line {
+    std::string device;
+    runtime::Wire* wire = nullptr;
+  };
+  const std::vector<Line>& lines() const;
 
  private:
   struct Parts;

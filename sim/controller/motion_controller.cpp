@@ -139,9 +139,10 @@ void MotionController::hold(const Joints& q) {
 }
 
 bool MotionController::set_tool(const Pose& tool, runtime::Time when) {
-  if (!idle(when)) return false;
+  finish_until(when);
+  if (!planned_.empty() || !corrections_.stands(when)) return false;
   tool_ = tool;
-  corrections_.open(goal(when), tool);
+  corrections_.open(corrections_.goal_joints(), tool);
   return true;
 }
 

@@ -53,7 +53,7 @@ class MotionController {
   Joints goal(runtime::Time when);
 
   const Pose& tool() const { return tool_; }
-  /// Another tool: a pose in the flange's frame. False while anything moves.
+  /// Another tool: a pose in the flange's frame; corrections count from here then. False while the arm moves.
   bool set_tool(const Pose& tool, runtime::Time when);
 
  private:

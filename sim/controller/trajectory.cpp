@@ -84,4 +84,10 @@ bool Trajectory::idle(runtime::Time when) const {
   return count_ == 0 || when >= segments_[count_ - 1].begin + period_;
 }
 
+bool Trajectory::stands(runtime::Time when) const {
+  return std::all_of(
+      segments_.begin(), segments_.begin() + static_cast<std::ptrdiff_t>(count_),
+      [&](const Segment& segment) { return when >= segment.begin + period_ || segment.from == segment.to; });
+}
+
 }  // namespace pal::sim

@@ -36,7 +36,8 @@ double range_error(double z) {
   };
   static constexpr std::array<Known, 4> known{{{150, 0.1}, {250, 0.2}, {850, 2}, {1000, 20}}};
   if (z <= known.front().z) return known.front().error;
-  const auto above = std::find_if(known.begin() + 1, known.end() - 1, [z](const Known& k) { return k.z >= z; });
+  const auto above =
+      std::find_if(known.begin() + 1, known.end() - 1, [z](const Known& k) { return k.z >= z; });
   const Known& a = *(above - 1);
   const double part = (z - a.z) / (above->z - a.z);
   return a.error * std::pow(above->error / a.error, part);
@@ -125,7 +126,8 @@ void RangeFinderEmulator::take_requests() {
 void RangeFinderEmulator::scan_step() {
   const Time passed = timeline_.now() - scan_began_;
   text_.clear();
-  while (next_point_ < protocol::points && protocol::point_time(next_point_) <= passed) cast_point();
+  const Pose pose = view_.pose();
+  while (next_point_ < protocol::points && protocol::point_time(next_point_) <= passed) cast_point(pose);
   if (next_point_ < protocol::points) {
     send(text_);
     next_step_ = timeline_.at(scan_began_ + std::min(passed + step, last_step()), [this] { scan_step(); });
@@ -146,11 +148,11 @@ Time RangeFinderEmulator::last_step() const {
   return protocol::collecting - protocol::line.duration(left * point_length + end_length);
 }
 
-void RangeFinderEmulator::cast_point() {
+void RangeFinderEmulator::cast_point(const Pose& pose) {
   const std::size_t i = next_point_++;
   const Time since = scan_began_ + protocol::point_time(i) - swinging_since_;
   const double swing = 1 - missing_swing * std::exp(-seconds(since) / swing_time);
-  const std::optional<Point> met = meet(angle(i) * swing);
+  const std::optional<Point> met = meet(pose, angle(i) * swing);
   const bool valid = met && met->z >= options_.nearest && met->z <= options_.farthest &&
                      !(before_ && too_steep(*before_, *met));
   before_ = met;
@@ -165,8 +167,7 @@ double RangeFinderEmulator::angle(std::size_t point) const {
   return (part - 0.5) * options_.field_of_view * degree;
 }
 
-std::optional<RangeFinderEmulator::Point> RangeFinderEmulator::meet(double angle) const {
-  const Pose pose = view_.pose();
+std::optional<RangeFinderEmulator::Point> RangeFinderEmulator::meet(const Pose& pose, double angle) const {
   const Eigen::Vector3d ray(0, std::sin(angle), std::cos(angle));
   const std::optional<double> distance = view_.cast(pose.translation(), pose.linear() * ray);
   if (!distance) return std::nullopt;
@@ -188,7 +189,7 @@ std::string RangeFinderEmulator::measured(const Point& point) {
   const double error = std::clamp(limit / 2 * noise_.normal(), -limit, limit);
   const double z = point.z + error;
   const double y = point.y * z / point.z;
-  std::array<char, 24> text{};
+  std::array<char, 48> text{};
   std::snprintf(text.data(), text.size(), "%05ld %05ld", std::lround(y * 10) + protocol::x_offset,
                 std::lround(z * 10));
   return text.data();

@@ -19,31 +19,34 @@ namespace pal::sim {
 struct RangeView {
   /// Where its origin is now, in frame 0, m: the fan lies in its y-z plane, z points at what is measured.
   std::function<Pose()> pose;
-  /// How far a ray goes (frame 0, m; the direction has length 1) until it meets something; nothing: it meets nothing.
+  /// How far a ray goes (frame 0, m; the direction has length 1) until it meets something; nothing: it meets
+  /// nothing.
   std::function<std::optional<double>(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction)> cast;
 };
 
 struct RangeFinderEmulatorOptions {
   std::uint64_t seed = 1;
-  /// From INIT until the mirror swings and the first scan begins; in addition the phase, drawn by the seed if not given.
+  /// From INIT until the mirror swings and the first scan begins; in addition the phase, drawn by the seed if
+  /// not given.
   runtime::Time start = std::chrono::milliseconds(250);
-  std::optional<runtime::Time> phase;  // in [0, 78 ms)
-  double field_of_view = 40;           // deg, from the first point to the last
+  std::optional<runtime::Time> phase = std::nullopt;  // in [0, 78 ms)
+  double field_of_view = 40;                          // deg, from the first point to the last
   // Where z is valid, mm.
   double nearest = 100;
   double farthest = 1000;
-  /// A surface that is met more steeply sends nothing back (from its normal, in the plane of the fan; deg; ours).
+  /// A surface that is met more steeply sends nothing back (from its normal, in the plane of the fan; deg;
+  /// ours).
   double steepest = 75;
   /// The stated error is taken as twice the standard deviation, and as the limit. 0: no errors.
   double error_scale = 1;
 };
 
-/// The stated error at a distance, mm (thesis, section 5.4.1.2: 0.1 below 150 mm, 0.2 at 250, 2 at 850, 20 at 1000; the
-/// logarithm of the error is linear in between). `z` in mm.
+/// The stated error at a distance, mm (thesis, section 5.4.1.2: 0.1 below 150 mm, 0.2 at 250, 2 at 850, 20 at
+/// 1000; the logarithm of the error is linear in between). `z` in mm.
 double range_error(double z);
 
-/// Speaks the protocol of docs/workcell/range-finder.md: INIT, PROFILE. Rays are cast as the scan goes on, three or
-/// four a millisecond from where the arm is then, and only if somebody asked for the profile.
+/// Speaks the protocol of docs/workcell/range-finder.md: INIT, PROFILE. Rays are cast as the scan goes on,
+/// three or four a millisecond from where the arm is then, and only if somebody asked for the profile.
 class RangeFinderEmulator final : public runtime::LinkUser {
  public:
   /// All that is given outlives the emulator.
@@ -69,8 +72,8 @@ class RangeFinderEmulator final : public runtime::LinkUser {
   void begin_scan();
   void take_requests();
   void scan_step();
-  void cast_point();
-  std::optional<Point> meet(double angle) const;
+  void cast_point(const Pose& pose);
+  std::optional<Point> meet(const Pose& pose, double angle) const;
   bool too_steep(const Point& before, const Point& here) const;
   std::string measured(const Point& point);
   double angle(std::size_t point) const;
@@ -89,7 +92,7 @@ class RangeFinderEmulator final : public runtime::LinkUser {
   bool swinging_ = false;
   runtime::Timeline::Token next_scan_;
   runtime::Timeline::Token next_step_;
-  runtime::Time started_{};   // INIT
+  runtime::Time started_{};  // INIT
   runtime::Time swinging_since_{};
   runtime::Time scan_began_{};
   int asked_ = 0;  // requests since the last scan began

@@ -8,6 +8,8 @@
 #include <ostream>
 #include <sstream>
 
+#include "sim/cell/served_port.hpp"
+#include "sim/program/interrupt.hpp"
 #include "sim/report/video.hpp"
 #include "sim/scene.hpp"
 
@@ -83,6 +85,36 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
   app.add_option("--against", command.against,
                  "with --sweep: a second skill, over the same phases, for comparison")
       ->needs(sweep);
+  app.add_option("--paced", command.paced,
+                 "as fast as the clock on the wall, or so many times as fast; Ctrl-C stops the skill")
+      ->expected(0, 1)
+      ->default_str("1")
+      ->check(CLI::Range(0.001, 1000.0))
+      ->excludes(sweep);
+  app.add_option("--links", command.links,
+                 "what the bytes of devices' lines go through; the run is the same with each")
+      ->check(CLI::IsMember({"process", "pty", "tcp"}))
+      ->capture_default_str()
+      ->excludes(sweep);
+}
+
+void describe_serve_port(CLI::App& app, ServePortCommand& command, std::vector<std::string>& folders) {
+  std::string names;
+  for (const sim::ServedPort& port : sim::served_ports()) names += "\n" + port.name + ": " + port.description;
+  app.add_option("device", command.device, "the device to serve:" + names)->required();
+  app.add_option("--scene", command.scene, "a scene's name, or the path of a scene file")
+      ->capture_default_str();
+  app.add_option("--scenes", folders, "a further folder of scenes, looked into first");
+  app.add_option("--seed", command.seed, "decides all that the device draws")->capture_default_str();
+  auto* where = app.add_option_group("where");
+  where->require_option(0, 1);
+  where->add_flag("--pty", command.pty,
+                  "at a pseudo-terminal of its own, whose path is printed (the default)");
+  where->add_option("--tcp", command.tcp, "at this TCP port of this machine only; 0: any that is free")
+      ->check(CLI::Range(0, 65535));
+  where->add_option("--serial", command.serial, "at a serial port, /dev/ttyUSB0 for example");
+  app.add_option("--link", command.link,
+                 "makes this a symbolic link to the pseudo-terminal while it is there");
 }
 
 }  // namespace
@@ -102,6 +134,10 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
   RunCommand run_command;
   CLI::App* run_app = app.add_subcommand("run", "runs a skill in a scene");
   describe_run(*run_app, run_command, folders);
+  ServePortCommand serve_command;
+  CLI::App* serve_app = app.add_subcommand(
+      "serve-port", "offers one emulated device to any program, in real time, until Ctrl-C");
+  describe_serve_port(*serve_app, serve_command, folders);
 
   // CLI11 takes the arguments from the back.
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
@@ -111,9 +147,15 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
     return app.exit(problem, out, error) == 0 ? ExitStatus::done : ExitStatus::usage;
   }
   try {
-    list_command.scene_folders = run_command.scene_folders = folders_of(folders, PAL_SCENE_FOLDERS);
+    list_command.scene_folders = run_command.scene_folders = serve_command.scene_folders =
+        folders_of(folders, PAL_SCENE_FOLDERS);
     run_command.terminal = terminal;
     run_command.skill_folders = folders_of({}, PAL_SKILL_FOLDERS);
+    if (serve_app->parsed()) {
+      runtime::RunControl control;
+      const Interrupt interrupt(control);
+      return serve_port(serve_command, control, out);
+    }
     return list_app->parsed() ? list(list_command, skills, out) : run(run_command, skills, out);
   } catch (const Failure& failure) {
     failure.print(error);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/run_control.hpp"
 #include "sim/program/failure.hpp"
 #include "sim/program/skills.hpp"
 
@@ -33,6 +34,19 @@ struct RunCommand {
   std::vector<std::string> skill_folders;  // of the skills' PAL
   int sweep = 0;                           // runs; 0: one run
   std::string against;                     // second skill of a sweep
+  double paced = 0;                        // station seconds a second of real time; 0: as fast as can be
+  std::string links = "process";           // what carries the bytes of lines
+};
+
+struct ServePortCommand {
+  std::string device;
+  std::string scene = "touch";
+  std::vector<std::string> scene_folders;
+  std::uint64_t seed = 1;
+  bool pty = false;    // at a pseudo-terminal, as also without any of the three
+  int tcp = -1;        // port; negative: not by TCP
+  std::string serial;  // path of a serial port; empty: at none
+  std::string link;    // a symbolic link to the pseudo-terminal
 };
 
 /// "workcell list": skills with their parameters and completions, scenes.
@@ -40,6 +54,10 @@ ExitStatus list(const ListCommand& command, const std::vector<KnownSkill>& skill
 
 /// "workcell run". Throws Failure.
 ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out);
+
+/// "workcell serve-port": an emulated device for any program, in real time, until `control` stops it. Throws
+/// Failure.
+ExitStatus serve_port(const ServePortCommand& command, const runtime::RunControl& control, std::ostream& out);
 
 /// The whole program: reads the command line, runs the command, prints what failed. `terminal`: `out` is one,
 /// so that a line on it can be rewritten.

@@ -7,8 +7,11 @@
 #include "pal/support/duration_text.hpp"
 #include "pal/support/nearest.hpp"
 #include "pal/support/output.hpp"
+#include "runtime/drivers/streams/carrier.hpp"
+#include "runtime/drivers/streams/outside.hpp"
 #include "sim/program/command_line.hpp"
 #include "sim/program/comparison.hpp"
+#include "sim/program/interrupt.hpp"
 #include "sim/program/report_files.hpp"
 
 namespace pal::workcell {
@@ -113,6 +116,27 @@ bool print(const std::vector<Promise>& promises, std::ostream& out) {
   return kept;
 }
 
+std::unique_ptr<runtime::Carrier> make_carrier(const std::string& links) {
+  try {
+    if (links == "pty") return runtime::pseudo_terminal_carrier();
+    if (links == "tcp") return runtime::tcp_carrier();
+  } catch (const std::exception& problem) {
+    throw Failure(ExitStatus::usage, "--links " + links, problem.what(), "use --links process");
+  }
+  return nullptr;
+}
+
+/// Runs the session in the time and over the links that the command asks for; Ctrl-C stops it.
+SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Session session) {
+  std::optional<runtime::Outside> outside;
+  if (command.paced > 0) session.pace = &outside.emplace(command.paced);
+  session.carrier = [&command] { return make_carrier(command.links); };
+  runtime::RunControl control;
+  const Interrupt interrupt(control);
+  session.control = &control;
+  return run_session(skill, session);
+}
+
 void write_run(const RunCommand& command, const runtime::Skill& skill, const Session& session,
                const SessionResult& result, const std::vector<Promise>& proved, std::ostream& out) {
   std::vector<OutputFile> files = run_files(command.output, skill, session, result, proved);
@@ -133,7 +157,7 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
                     Session session, std::ostream& out) {
   if (command.live) session.progress = &out;
   session.terminal = command.terminal;
-  const SessionResult result = run_session(skill, session);
+  const SessionResult result = run_as_asked(command, skill, session);
   const runtime::Outcome& outcome = result.outcome;
   out << fmt::format("{} in scene {}: {} {}\n", skill.description().name, session.scene.name,
                      outcome.fault ? "fault, completion" : "completion", outcome.code);

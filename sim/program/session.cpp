@@ -20,6 +20,16 @@ std::vector<sim::Sample> log_since(const std::vector<sim::Sample>& log, runtime:
   return result;
 }
 
+/// The workcell, and what looks at it, which goes before it.
+struct OnlookedWorld final : runtime::World {
+  OnlookedWorld(sim::Workcell& workcell, const runtime::Skill& skill, const Session& session)
+      : onlookers(workcell, skill, session), watched(workcell, onlookers.watchers()) {}
+  void advance_to(runtime::Time when) override { watched.advance_to(when); }
+
+  Onlookers onlookers;
+  WatchedWorld watched;
+};
+
 }  // namespace
 
 std::string title(const runtime::Skill& skill, const Session& session) {
@@ -27,19 +37,22 @@ std::string title(const runtime::Skill& skill, const Session& session) {
 }
 
 SessionResult run_session(runtime::Skill& skill, const Session& session) {
-  std::optional<Onlookers> onlookers;
-  const auto look_on = [&](sim::Workcell& workcell) -> std::unique_ptr<runtime::World> {
-    onlookers.emplace(workcell, skill, session);
-    return std::make_unique<WatchedWorld>(workcell, onlookers->watchers());
-  };
-  sim::Cell cell(session.scene, {.raise = session.raise,
-                                 .seed = session.seed,
-                                 .times = session.times,
-                                 .phase = session.phase,
-                                 .pace = session.pace,
-                                 .look_on = look_on,
-                                 .alter_carrier = session.alter_carrier});
   SessionResult result;
+  OnlookedWorld* world = nullptr;
+  sim::CellOptions cell_options;
+  cell_options.raise = session.raise;
+  cell_options.seed = session.seed;
+  cell_options.times = session.times;
+  cell_options.phase = session.phase;
+  cell_options.pace = session.pace;
+  cell_options.carrier = session.carrier;
+  cell_options.watch = [&](sim::Workcell& workcell) {
+    auto made = std::make_unique<OnlookedWorld>(workcell, skill, session);
+    world = made.get();
+    return made;
+  };
+  sim::Cell cell(session.scene, cell_options);
+
   runtime::RunOptions options;
   options.costs = session.times;
   options.seed = session.seed;
@@ -50,7 +63,7 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
 
   cell.rest(rest);
   // Before the picture: OpenGL is drawn with by one thread at a time.
-  result.video_problem = onlookers->end();
+  result.video_problem = world->onlookers.end();
   result.log = log_since(cell.workcell().log(), cell.station().begun());
   for (const sim::Sample& sample : result.log)
     result.peak_force = std::max(result.peak_force, sample.contact_force);

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,9 +31,9 @@ struct Session {
   std::string video{};               // the file; empty: none
   std::ostream* progress = nullptr;  // where progress is shown; nullptr: nowhere
   bool terminal = false;             // progress is a line that is rewritten
-  /// Outlive the run; null: time is virtual, bytes stay in the process, nobody stops the skill.
+  /// Outlive the run; empty: time is virtual, bytes stay in the process, nobody stops the skill.
   runtime::Pace* pace = nullptr;
-  runtime::Carrier* alter_carrier = nullptr;
+  std::function<std::unique_ptr<runtime::Carrier>()> carrier{};
   const runtime::RunControl* control = nullptr;
 };
 
@@ -39,8 +42,8 @@ struct SessionResult {
   runtime::Time phase{};         // as given or drawn
   std::vector<sim::Sample> log;  // from the skill's beginning, time 0, until the arm has come to rest
   sim::MessageLog messages;
-  double peak_force = 0;         // N
-  double resting_force = 0;      // N, at the end of the log
+  double peak_force = 0;     // N
+  double resting_force = 0;  // N, at the end of the log
   sim::Picture picture;
   std::string video_problem;  // why there is no video after all; empty with it, or if none was asked for
 };

@@ -1,4 +1,4 @@
-// What VAL commands: the arm, the hand and the ALTER port, as it sees them.
+// What VAL commands: the arm and the hand, as it sees them.
 #pragma once
 
 #include <optional>
@@ -6,6 +6,7 @@
 
 #include "runtime/device.hpp"
 #include "sim/controller/planner.hpp"
+#include "sim/devices/alter_control.hpp"
 
 namespace pal::sim::val {
 
@@ -49,26 +50,6 @@ class Hand {
   virtual void close() = 0;
   /// The fingers have come to rest, at their end or on a part.
   virtual bool at_rest() const = 0;
-};
-
-/// How corrections are meant: relative to the tool or to the world; adding up, or each from where ALTER was
-/// opened.
-struct AlterMode {
-  bool world = false;
-  bool cumulative = true;
-
-  friend bool operator==(const AlterMode&, const AlterMode&) = default;
-};
-
-/// The ALTER port, which VAL opens and closes.
-class AlterControl {
- public:
-  virtual ~AlterControl() = default;
-  /// From now on the port asks for a correction every 28 ms. Empty: it does; otherwise why not.
-  virtual std::string open(const AlterMode& mode) = 0;
-  /// Takes no more corrections. Empty: all went well; otherwise what had ended it before.
-  virtual std::string close() = 0;
-  virtual bool is_open() const = 0;
 };
 
 }  // namespace pal::sim::val

@@ -90,7 +90,6 @@ void Monitor::base(Line& line) {
 }
 
 void Monitor::tool(Line& line) {
-  if (machine_.alter != nullptr && machine_.alter->is_open()) throw Error("ALTER is open");
   set_tool(machine_, line);
 }
 

@@ -72,7 +72,6 @@ std::string Instruction::begin(Line line) {
   } else if (*word == "BASE") {
     set_base(machine_, line);
   } else if (*word == "TOOL") {
-    need_arm();
     set_tool(machine_, line);
   } else if (!set_configuration(machine_, *word)) {
     constexpr std::size_t shortest = 3;  // DRI

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "runtime/timeline.hpp"
+#include "sim/devices/alter_control.hpp"
 #include "sim/val/arm.hpp"
 #include "sim/val/expression.hpp"
 #include "sim/val/store.hpp"

@@ -47,7 +47,7 @@ Outcome check(const std::string& file) {
   pal::driver::read({{file}, {}, {}, {}}, console, session);
   if (!session.diagnostics.has_errors()) {
     const auto limits = limits_in(session.sources.text(pal::FileId(0)));
-    pal::driver::report_unmet(pal::driver::prove(session, limits), session);
+    pal::driver::report_unmet(pal::driver::prove(session, limits), false, session);
   }
   pal::render_text(session.diagnostics.sorted(), session.sources, out);
   return {out.str(), session.diagnostics.has_errors()};

@@ -39,7 +39,7 @@ LAYERS = {
                     "pal/check", "pal/syntax", "analyzer", *STAGES, "analyzer/chart", "pal/driver"],
 }
 # Third-party headers that must stay inside .cpp files.
-PRIVATE = re.compile(r"^(antlr4-runtime|graphviz|mujoco|EGL|GL|cairo|nlohmann|CLI)/|^(cgraph|gvc|png)\.h")
+PRIVATE = re.compile(r"^(antlr4-runtime|graphviz|mujoco|EGL|GL|cairo|nlohmann|CLI|boost)/|^(cgraph|gvc|png)\.h")
 INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]', re.M)
 
 

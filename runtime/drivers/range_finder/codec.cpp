@@ -44,7 +44,7 @@ Codec::Event Codec::take_line() {
       return take_ready();
     case State::between:
       return take_header();
-    case State::points:
+    case State::point:
       return take_point();
     case State::end:
       return take_end();
@@ -71,7 +71,7 @@ Codec::Event Codec::take_header() {
   sum_ = {};
   sum_.add(line_);
   count_ = 0;
-  state_ = State::points;
+  state_ = State::point;
   return Event::began;
 }
 
@@ -80,8 +80,8 @@ Codec::Event Codec::take_point() {
   int z = 0;
   int length = 0;
   const bool invalid = line_ == invalid_point;
-  if (!invalid && (std::sscanf(line_.c_str(), "%5d %5d%n", &x, &z, &length) != 2 || length != 11 ||
-                   line_.size() != 11)) {
+  if (!invalid &&
+      (std::sscanf(line_.c_str(), "%5d %5d%n", &x, &z, &length) != 2 || length != 11 || line_.size() != 11)) {
     return garble("sends \"" + line_ + "\" as point " + std::to_string(count_) + " of a profile");
   }
   profile_.x[count_] = (x - x_offset) / 10.0;
@@ -105,7 +105,7 @@ Codec::Event Codec::take_end() {
 
 std::string Codec::missing() const {
   if (state_ == State::end) return "a profile without its end came";
-  if (state_ != State::points) return {};
+  if (state_ != State::point) return {};
   return "only " + std::to_string(count_) + " of the 255 points of a profile came";
 }
 

@@ -40,7 +40,7 @@ class Codec {
   std::string missing() const;
 
  private:
-  enum class State { starting, between, points, end };
+  enum class State { starting, between, point, end };
 
   Event take_line();
   Event take_ready();

@@ -16,11 +16,12 @@ struct RangeFinderDriverOptions {
   Time profile_within = std::chrono::milliseconds(200);
 };
 
-/// Ports: `request profile` to the device; `profile` from it (x and z in mm, REAL[255]; valid, BOOLEAN[255]; taken, the
-/// instant at which the scan began, in ms of the run). A point that is not valid has x and z 0.
+/// Ports: `request profile` to the device; `profile` from it (x and z in mm, REAL[255]; valid, BOOLEAN[255];
+/// taken, the instant at which the scan began, in ms of the run). A point that is not valid has x and z 0.
 ///
-/// The mirror swings by itself, a scan every 78 ms: who asked before one begins gets it, 76 ms later. prepare() starts
-/// the range finder and throws its first profile away. A profile that does not come, or is not one, is a fault.
+/// The mirror swings by itself, a scan every 78 ms: who asked before one begins gets it, 76 ms later.
+/// prepare() starts the range finder and throws its first profile away. A profile that does not come, or is
+/// not one, is a fault.
 class RangeFinderDriver final : public LinkedDriver {
  public:
   RangeFinderDriver(Timeline& timeline, Link& link, RangeFinderDriverOptions options = {});

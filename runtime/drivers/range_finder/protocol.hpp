@@ -15,7 +15,8 @@ inline constexpr std::size_t points = 255;
 inline constexpr int x_offset = 10000;
 inline constexpr LineSpeed line{3'000'000, 10};
 
-/// A scan begins every 78 ms, and its profile is complete 76 ms later. Point i is taken at first_point + i · 76 ms / 255.
+/// A scan begins every 78 ms, and its profile is complete 76 ms later. Point i is taken at first_point + i ·
+/// 76 ms / 255.
 inline constexpr Time period = std::chrono::milliseconds(78);
 inline constexpr Time collecting = std::chrono::milliseconds(76);
 inline constexpr Time first_point = std::chrono::microseconds(50);

@@ -68,6 +68,7 @@ ValDriver::ValDriver(Timeline& timeline, Link& link, ValOptions options)
 
 ValDriver::~ValDriver() {
   timeline_.cancel(timer_);
+  timeline_.cancel(delivery_);
   link_.connect(nullptr);
 }
 
@@ -106,6 +107,8 @@ bool ValDriver::withdraw(std::size_t port) {
 
 void ValDriver::close() {
   host_ = nullptr;
+  timeline_.cancel(delivery_);
+  delivering_ = false;
   const bool left_running = std::exchange(left_running_, false);
   const bool under_way = carries_out() && queue_.front().of_skill;
   std::erase_if(queue_, [](const Waiting& waiting) { return waiting.of_skill; });
@@ -131,12 +134,15 @@ void ValDriver::wait(Time time, void (ValDriver::*then)()) {
 }
 
 void ValDriver::next() {
-  if (queue_.empty()) return;
+  if (queue_.empty() || (delivering_ && queue_.front().of_skill)) return;
   if (broken_) return finish(Answer::failed(Error::no_answer, trouble_));
   if (state_ == State::unknown) return clear_line(false);
   if (state_ != State::idle) return;
   const Waiting& first = queue_.front();
-  if (first.of_skill && host_ != nullptr) host_->mark_busy(true);
+  if (first.of_skill && host_ != nullptr) {
+    taken_ = timeline_.now();
+    host_->mark_busy(true);
+  }
   if (!first.command) return finish(Answer::failed(Error::refused, "no command was sent"));
   if (first.command->verb == Verb::clear) return finish(std::exchange(executed_, {}));
   val::LineOf line = val::line_of(*first.command);
@@ -237,6 +243,16 @@ void ValDriver::reply(const Waiting& to, const Answer& answer) {
   if (verb == Verb::abort || verb == Verb::close_alter) left_running_ = false;
   if (to.done) to.done(answer);
   if (!to.of_skill || host_ == nullptr) return;
+  if (timeline_.now() >= taken_ + options_.at_least) return deliver(answer);
+  delivering_ = true;
+  delivery_ = timeline_.at(taken_ + options_.at_least, [this, answer] {
+    delivering_ = false;
+    deliver(answer);
+    next();
+  });
+}
+
+void ValDriver::deliver(const Answer& answer) {
   std::array<double, answer_size> fields{};
   fields[0] = answer.ok ? 1 : 0;
   fields[1] = static_cast<double>(answer.error);

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "runtime/drivers/alter/driver.hpp"
-#include "sim/cell/workcell_arm.hpp"
+#include "sim/cell/corrected_arm.hpp"
 #include "tests/unit/sim/support.hpp"
 
 using namespace pal;
@@ -52,7 +52,7 @@ struct Cell {
   Workcell workcell{scene("touch")};
   Host host{workcell};
   runtime::Timeline timeline;
-  WorkcellArm arm{workcell};
+  CorrectedArm arm{workcell};
   runtime::Wire wire{timeline, alter::line};
   AlterEmulator port{timeline, wire.b(), arm};
   Opener opener{port};
@@ -138,7 +138,7 @@ TEST_CASE("alter: no answer in time stops the arm with a fault") {
   CHECK(cell.driver.trouble() == cell.host.faults[0]);
   const double there = cell.height();
   cell.run_until(600ms);
-  CHECK(cell.height() == Approx(there).margin(0.1));
+  CHECK(cell.height() == Approx(there).margin(0.1));  // the play of the gears
   CHECK(cell.host.faults.size() == 1);
   // The next session opens it again.
   cell.driver.close();
@@ -222,7 +222,7 @@ TEST_CASE("alter: after its session the arm ends the motions that it has accepte
   cell.run_until(56ms + 2 * 28ms);
   CHECK(cell.workcell.idle());
   cell.run_until(300ms);
-  CHECK(start - cell.height() == Approx(2.0).margin(0.1));  // encoders and play
+  CHECK(start - cell.height() == Approx(2.0).margin(0.1));  // the play of the gears
   CHECK(cell.port.is_open());
   cell.driver.release();
   CHECK(cell.driver.released());

@@ -1,9 +1,14 @@
 // VAL and the physics: what a person at the terminal would see.
 #include <catch2/catch.hpp>
 
+#include "runtime/drivers/alter/driver.hpp"
+#include "runtime/drivers/val/alter_opener.hpp"
 #include "runtime/drivers/wire.hpp"
-#include "sim/val/terminal.hpp"
-#include "sim/val/workcell_arm.hpp"
+#include "sim/cell/cell.hpp"
+#include "sim/cell/corrected_arm.hpp"
+#include "sim/controller/motion_controller.hpp"
+#include "sim/devices/alter_emulator.hpp"
+#include "sim/val/controller.hpp"
 #include "tests/unit/sim/support.hpp"
 
 using namespace pal::sim;
@@ -13,8 +18,8 @@ using pal::runtime::Time;
 
 namespace {
 
-struct Cell final : pal::runtime::LinkUser {
-  explicit Cell(const std::string& name) : workcell(scene(name)) { wire.a().connect(this); }
+struct Bench final : pal::runtime::LinkUser {
+  explicit Bench(const std::string& name) : workcell(scene(name)) { wire.a().connect(this); }
   void on_bytes(pal::runtime::Bytes bytes) override { seen += pal::runtime::as_text(bytes); }
   void on_break(std::string_view) override {}
 
@@ -41,18 +46,18 @@ struct Cell final : pal::runtime::LinkUser {
 
   Workcell workcell;
   pal::runtime::Timeline timeline;
-  WorkcellArm arm{workcell, timeline};
-  WorkcellHand hand{workcell, timeline};
-  Machine machine{.timeline = timeline, .arm = arm, .hand = &hand};
+  pal::runtime::Wire alter_wire{timeline, pal::runtime::alter::line};
+  CorrectedArm altered{workcell};
+  AlterEmulator alter{timeline, alter_wire.b(), altered};
   pal::runtime::Wire wire{timeline, {.baud = 9600}};
-  Terminal terminal{wire.b(), machine};
+  Controller controller{timeline, wire.b(), workcell, &alter};
   std::string seen;
 };
 
 }  // namespace
 
 TEST_CASE("VAL in the workcell: a straight line and back, and where the tip is then") {
-  Cell cell("nothing");
+  Bench cell("nothing");
   const Pose start = cell.workcell.tool();
   CHECK(cell.ask("DO HERE a") == "");
   CHECK(cell.ask("SPEED 50") == "");  // 0.25 m/s
@@ -67,7 +72,7 @@ TEST_CASE("VAL in the workcell: a straight line and back, and where the tip is t
 }
 
 TEST_CASE("VAL in the workcell: what the arm hits ends the motion, and CALIBRATE lets it move again") {
-  Cell cell("touch");
+  Bench cell("touch");
   CHECK(cell.ask("DO HERE a") == "");
   CHECK(cell.ask("DO MOVES SHIFT(a BY 0,0,-250)").starts_with("*Arm fault* "));
   REQUIRE(cell.workcell.fault());
@@ -76,15 +81,55 @@ TEST_CASE("VAL in the workcell: what the arm hits ends the motion, and CALIBRATE
   CHECK_FALSE(cell.workcell.fault());
   CHECK(cell.ask("DO MOVES a") == "");
   cell.pass(150ms);
-  CHECK(cell.off(cell.machine.base * cell.machine.store.locations["A"]) < 0.15e-3);
+  CHECK(cell.off(cell.controller.store().locations["A"]) < 0.15e-3);
 }
 
 TEST_CASE("VAL in the workcell: OPENI and CLOSEI wait for the fingers") {
-  Cell cell("empty-place");
+  Bench cell("empty-place");
   CHECK(cell.ask("DO OPENI") == "");
   CHECK(cell.workcell.gripper_width() == Approx(80).margin(1));
   const Time begin = cell.timeline.now();
   CHECK(cell.ask("DO CLOSEI") == "");
   CHECK(cell.timeline.now() - begin > 700ms);  // 80 mm at 100 mm/s
   CHECK(cell.workcell.gripper_width() == Approx(0).margin(1));
+}
+
+TEST_CASE("VAL in the workcell: ALTER is opened through VAL, and TOOL sets the point that turns") {
+  Bench cell("nothing");
+  pal::runtime::ValDriver val(cell.timeline, cell.wire.a());
+  pal::runtime::ValAlterOpener opener(val);
+  std::string problem = "no answer yet";
+  const auto done = [&](const std::string& text) { problem = text; };
+  opener.open({.world = false, .cumulative = true}, done);
+  cell.pass(500ms);
+  CHECK(problem.empty());
+  CHECK(cell.alter.is_open() == false);  // nobody has answered it: it has ended itself
+  opener.close(done);
+  cell.pass(500ms);
+  CHECK(problem.find("ALTER") == 0);
+  std::optional<pal::runtime::val::Answer> answer;
+  val.submit({pal::runtime::val::Verb::set_figures, "SEAM", {}, {49, 0, 397, 90, -90, 0}}, nullptr);
+  val.submit({pal::runtime::val::Verb::tool, "SEAM", {}, {}}, [&](const auto& given) { answer = given; });
+  cell.pass(500ms);
+  REQUIRE(answer);
+  CHECK(answer->ok);
+  CHECK((cell.altered.tool().translation() -
+         tool_pose(cell.workcell.joints(), Pose(Eigen::Translation3d(0.049, 0, 0.397))).translation())
+            .norm() < 1e-9);
+}
+
+TEST_CASE("VAL in the station: the driver is ready when a skill needs it, and commands the arm") {
+  pal::sim::Cell cell(scene("nothing"));
+  cell.taught().locations["UP"] = Eigen::Translation3d(0, 0, 0.05) * cell.workcell().set_point();
+  cell.val_driver().prepare();
+  for (int i = 0; i < 1000 && !cell.val_driver().ready(); ++i) cell.station().idle(1ms);
+  CHECK(cell.val_driver().trouble().empty());
+  std::optional<pal::runtime::val::Answer> answer;
+  cell.val_driver().submit({pal::runtime::val::Verb::move_straight, "UP", {}, {}},
+                           [&](const auto& given) { answer = given; });
+  for (int i = 0; i < 2000 && !answer; ++i) cell.station().idle(1ms);
+  REQUIRE(answer);
+  CHECK(answer->ok);
+  CHECK((cell.workcell().tool().translation() - cell.taught().locations["UP"].translation()).norm() <
+        0.15e-3);
 }

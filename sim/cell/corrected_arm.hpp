@@ -1,4 +1,4 @@
-// The workcell's arm, as the ports of its controller move it.
+// The workcell's arm, as its controller's ALTER port moves it.
 #pragma once
 
 #include "sim/devices/alter_emulator.hpp"
@@ -6,24 +6,26 @@
 
 namespace pal::sim {
 
-class WorkcellArm final : public AlterArm {
+class CorrectedArm final : public AlterArm {
  public:
   /// `keeps_first_turn`: corrections in the tool's frame are meant in that frame as it was at opening, as on
   /// the real controller; otherwise in the frame as corrections have turned it. The workcell outlives the
   /// arm.
-  explicit WorkcellArm(Workcell& workcell, bool keeps_first_turn = false)
+  explicit CorrectedArm(Workcell& workcell, bool keeps_first_turn = false)
       : workcell_(workcell), keeps_first_turn_(keeps_first_turn) {}
 
   std::string open(const AlterMode& mode) override;
   std::optional<std::string> move(const Correction& correction, runtime::Time begin) override;
   void stop() override { workcell_.stop(); }
-  std::string fault() const override { return {}; }
+  std::string fault() const override { return workcell_.fault() ? workcell_.fault()->text : std::string(); }
   bool moving() const override { return !workcell_.idle(); }
-  Pose tool() const override { return workcell_.tool(); }
+  /// The tip of the tool that VAL was told of.
+  Pose tool() const override;
 
  private:
   Workcell& workcell_;
   bool keeps_first_turn_;
+  bool cumulative_ = true;
   CorrectionFrame frame_ = CorrectionFrame::tool;
 };
 

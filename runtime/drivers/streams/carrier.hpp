@@ -1,0 +1,18 @@
+// Bytes of a wire that leave the process and come back, in virtual time.
+#pragma once
+
+#include <memory>
+
+#include "runtime/drivers/wire.hpp"
+
+namespace pal::runtime {
+
+/// Each parcel of a wire goes in at one side of a pseudo-terminal and must come out at the other side before
+/// the wire goes on: real descriptors, and still the same run each time. Both throw std::system_error when
+/// the system does not give what is needed; carry() throws std::runtime_error if bytes do not come out within
+/// a second.
+std::unique_ptr<Carrier> pseudo_terminal_carrier();
+/// The same over a TCP connection on this machine.
+std::unique_ptr<Carrier> tcp_carrier();
+
+}  // namespace pal::runtime

@@ -1,0 +1,63 @@
+#include "sim/cell/served_port.hpp"
+
+#include "sim/cell/corrected_arm.hpp"
+#include "sim/devices/alter_emulator.hpp"
+#include "sim/devices/force_torque_emulator.hpp"
+#include "sim/val/controller.hpp"
+
+namespace pal::sim {
+namespace {
+
+/// ALTER without VAL: whatever comes in while it is closed opens it, in the tool's frame.
+class ServedAlter final : private runtime::Link, private runtime::LinkUser {
+ public:
+  ServedAlter(runtime::Timeline& timeline, runtime::Link& line, Workcell& workcell)
+      : line_(line), arm_(workcell), port_(timeline, *this, arm_) {
+    line_.connect(this);
+  }
+  ServedAlter(const ServedAlter&) = delete;
+  ServedAlter& operator=(const ServedAlter&) = delete;
+  ~ServedAlter() override { line_.connect(nullptr); }
+
+ private:
+  void connect(LinkUser* user) override { user_ = user; }
+  void write(runtime::Bytes bytes) override { line_.write(bytes); }
+  void on_bytes(runtime::Bytes bytes) override {
+    if (port_.is_open()) return user_->on_bytes(bytes);
+    port_.close();
+    port_.open({});
+  }
+  void on_break(std::string_view reason) override { user_->on_break(reason); }
+
+  runtime::Link& line_;
+  LinkUser* user_ = nullptr;
+  CorrectedArm arm_;
+  AlterEmulator port_;
+};
+
+}  // namespace
+
+std::vector<ServedPort> served_ports() {
+  return {
+      {"alter", "the controller's ALTER port; any byte opens it, an answer each 28 ms keeps it open",
+       runtime::alter::line,
+       [](auto& timeline, auto& link, auto& workcell, auto) {
+         return std::make_shared<ServedAlter>(timeline, link, workcell);
+       }},
+      {"force-torque", "the ATI force-torque sensor", ForceTorqueEmulatorOptions{}.line,
+       [](auto& timeline, auto& link, auto& workcell, auto seed) {
+         ForceTorqueEmulatorOptions sensor;
+         sensor.seed = seed;
+         return std::make_shared<ForceTorqueEmulator>(
+             timeline, link, [&workcell] { return workcell.wrench(); }, sensor);
+       }},
+      {"val", "VAL II's terminal; DO ALTER has no line of its own here", val::terminal_line,
+       [](auto& timeline, auto& link, auto& workcell, auto) {
+         auto controller = std::make_shared<val::Controller>(timeline, link, workcell);
+         controller->greet();
+         return controller;
+       }},
+  };
+}
+
+}  // namespace pal::sim

@@ -1,0 +1,29 @@
+// Emulated devices, each by itself at the far end of a line: what `workcell serve-port` offers.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/drivers/link.hpp"
+#include "runtime/drivers/wire.hpp"
+#include "runtime/timeline.hpp"
+#include "sim/workcell.hpp"
+
+namespace pal::sim {
+
+struct ServedPort {
+  std::string name;
+  std::string description;
+  runtime::LineSpeed line;
+  /// The device, alive as long as the answer is. What it is given outlives it.
+  std::function<std::shared_ptr<void>(runtime::Timeline&, runtime::Link&, Workcell&, std::uint64_t seed)>
+      make;
+};
+
+/// A device of another library is added by a line here.
+std::vector<ServedPort> served_ports();
+
+}  // namespace pal::sim

@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <ostream>
+
+#include "pal/support/nearest.hpp"
+#include "runtime/drivers/streams/bridge.hpp"
+#include "runtime/drivers/streams/outside.hpp"
+#include "sim/cell/served_port.hpp"
+#include "sim/program/command_line.hpp"
+#include "sim/program/interrupt.hpp"
+#include "sim/scene.hpp"
+
+namespace pal::workcell {
+namespace {
+
+constexpr runtime::Time stretch = std::chrono::milliseconds(100);
+
+sim::ServedPort find_port(const std::string& wanted) {
+  std::vector<std::string> names;
+  for (const sim::ServedPort& port : sim::served_ports()) {
+    if (port.name == wanted) return port;
+    names.push_back(port.name);
+  }
+  throw Failure(ExitStatus::usage, "serve-port " + wanted, "there is no device of this name",
+                fmt::format("the devices are: {}", fmt::join(names, ", ")));
+}
+
+std::unique_ptr<runtime::OutsideLink> open_link(const ServePortCommand& command, unsigned baud,
+                                                runtime::Outside& outside, runtime::Timeline& timeline) {
+  try {
+    if (command.tcp >= 0) return outside.listen_tcp(timeline, static_cast<std::uint16_t>(command.tcp));
+    if (!command.serial.empty()) return outside.open_serial(timeline, command.serial, baud);
+    return outside.open_pseudo_terminal(timeline);
+  } catch (const std::exception& problem) {
+    throw Failure(ExitStatus::usage, "serve-port " + command.device, problem.what(),
+                  "choose another port, or --pty");
+  }
+}
+
+/// A name for the far end of a pseudo-terminal, for as long as it lives.
+class Name {
+ public:
+  Name(std::string path, const std::string& target) : path_(std::move(path)) {
+    if (path_.empty()) return;
+    std::error_code problem;
+    if (std::filesystem::is_symlink(path_)) std::filesystem::remove(path_, problem);
+    std::filesystem::create_symlink(target, path_, problem);
+    if (problem)
+      throw Failure(ExitStatus::usage, "--link " + path_, problem.message(),
+                    "name a file that does not exist, in a folder that does");
+  }
+  Name(const Name&) = delete;
+  Name& operator=(const Name&) = delete;
+  ~Name() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove(path_, ignored);
+  }
+
+ private:
+  std::string path_;
+};
+
+}  // namespace
+
+ExitStatus serve_port(const ServePortCommand& command, const runtime::RunControl& control,
+                      std::ostream& out) {
+  const sim::ServedPort port = find_port(command.device);
+  const sim::Scene scene =
+      sim::find_scene(command.scene, {command.scene_folders.begin(), command.scene_folders.end()});
+  sim::Workcell workcell(scene);
+  runtime::Outside outside;
+  runtime::Station station(workcell, &outside);
+  runtime::Wire wire(station.timeline(), port.line);
+  const auto device = port.make(station.timeline(), wire.b(), workcell, command.seed);
+  const auto link = open_link(command, static_cast<unsigned>(port.line.baud), outside, station.timeline());
+  const runtime::Bridge bridge(wire.a(), *link);
+  const Name name(command.link, link->address());
+  out << fmt::format("{} in scene {} at {}{}; Ctrl-C ends it\n", port.name, scene.name, link->address(),
+                     command.link.empty() ? "" : " (" + command.link + ")")
+      << std::flush;
+  while (!control.stopping()) station.idle(stretch);
+  out << fmt::format("served for {:.1f} s\n", std::chrono::duration<double>(station.now()).count());
+  return ExitStatus::done;
+}
+
+}  // namespace pal::workcell

@@ -1,0 +1,78 @@
+// The range finder on the arm, above the step pyramid of Figure 5.19.
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "runtime/drivers/range_finder/driver.hpp"
+#include "runtime/drivers/wire.hpp"
+#include "sim/devices/range_finder_emulator.hpp"
+#include "sim/workcell.hpp"
+#include "tests/unit/drivers/session.hpp"
+
+namespace pal::sim {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct Cell {
+  explicit Cell(const std::string& scene, double error_scale = 0)
+      : workcell(find_scene(scene, {PAL_SCENE_DIR})),
+        finder(
+            timeline, wire.b(),
+            {[this] { return workcell.tool(); },
+             [this](const auto& origin, const auto& direction) { return workcell.cast(origin, direction); }},
+            {.phase = 0ms, .error_scale = error_scale}) {
+    driver.prepare();
+    while (!driver.ready()) run(1ms);
+    REQUIRE(driver.trouble().empty());
+    driver.attach(session);
+    driver.open();
+  }
+  void run(runtime::Time time) {
+    const runtime::Time end = timeline.now() + time;
+    while (timeline.next() <= end) {
+      workcell.advance_to(timeline.next());
+      timeline.advance_to(timeline.next());
+    }
+    workcell.advance_to(end);
+    timeline.advance_to(end);
+  }
+  std::vector<double> read() {
+    session.deliveries.clear();
+    driver.receive(0, {});
+    run(160ms);
+    REQUIRE(session.deliveries.size() == 1);
+    return session.deliveries[0].fields;
+  }
+
+  runtime::Timeline timeline;
+  runtime::Wire wire{timeline, runtime::range_finder::line};
+  Workcell workcell;
+  RangeFinderEmulator finder;
+  runtime::RangeFinderDriver driver{timeline, wire.a()};
+  runtime::test::Session session{timeline, driver};
+};
+
+TEST_CASE("range finder on the arm: sees the steps of a pyramid, and not the arm", "[range-finder]") {
+  Cell cell("pyramid");
+  const std::vector<double> fields = cell.read();
+  // The table, and four steps of 15 mm on it, whose edges are 60, 45, 30 and 15 mm from the middle.
+  const double table = fields[255];
+  std::array<int, 5> seen{};
+  for (std::size_t i = 0; i < 255; ++i) {
+    if (fields[510 + i] == 0) continue;
+    const double x = std::abs(fields[i]);
+    const auto level = static_cast<int>(std::lround((table - fields[255 + i]) / 15));
+    INFO("point " << i << " at " << fields[i] << ", " << fields[255 + i]);
+    REQUIRE(level >= 0);
+    REQUIRE(level <= 4);
+    CHECK(fields[255 + i] == Approx(table - 15 * level).margin(0.11));
+    CHECK(x < 75 - 15 * level + (level == 0 ? 1000 : 0.2));
+    CHECK(x > 60 - 15 * level - 0.2);
+    ++seen[static_cast<std::size_t>(level)];
+  }
+  for (const int points : seen) CHECK(points > 15);
+}
+
+}  // namespace
+}  // namespace pal::sim
