@@ -17,7 +17,7 @@ constexpr double contact = 0.3;        // N: less is noise
 constexpr double certain = 1.0;        // N: the tool is in contact without doubt
 constexpr double least_motion = 0.05;  // mm: smaller motions tell nothing of the stiffness
 constexpr double learning = 0.3;
-constexpr double softest = 0.5, stiffest = 50;  // N/mm
+constexpr double trust = 3;            // in the stiffness that was given, as a factor
 constexpr double steepest = 0.6;                // mm a cycle
 
 }  // namespace
@@ -25,14 +25,14 @@ constexpr double steepest = 0.6;                // mm a cycle
 void ForceRegulator::start(double target, double stiffness, double most) {
   *this = {};
   target_ = target;
-  stiffness_ = stiffness;
+  stiffness_ = given_stiffness_ = stiffness;
   most_ = most;
 }
 
 void ForceRegulator::learn(double force) {
   if (force_ < certain || force < certain || std::abs(before_) < least_motion) return;
   stiffness_ += learning * ((force - force_) - stiffness_ * before_) / before_;
-  stiffness_ = std::clamp(stiffness_, softest, stiffest);
+  stiffness_ = std::clamp(stiffness_, given_stiffness_ / trust, given_stiffness_ * trust);
 }
 
 void ForceRegulator::observe(double force, bool sliding) {

@@ -12,8 +12,9 @@ namespace pal::skills {
 /// surface rises meanwhile.
 ///
 /// The surface's stiffness is learned while the tool lands: then the surface cannot rise, and what a motion
-/// changes of the force is due to it. Half of the way keeps the loop stable for stiffnesses up to three times
-/// the one that is assumed.
+/// changes of the force is due to it. What is learned stays within three times and a third of what
+/// was given: half of the way keeps the loop stable as long as the surface is less than three times as stiff as
+/// assumed, and a sponge is stiffer for fast motions than for slow ones.
 class ForceRegulator {
  public:
   /// `target` in N; `stiffness` in N/mm as far as it is known; no motion is greater than `most`, mm.
@@ -35,6 +36,7 @@ class ForceRegulator {
 
   double target_ = 0;
   double stiffness_ = 0;
+  double given_stiffness_ = 0;
   double most_ = 0;
   double depth_ = 0;   // mm, at the last request
   double rise_ = 0;    // mm a cycle

@@ -22,8 +22,10 @@ using namespace press;
 constexpr double contact_at_rest = 1.0;   // N
 constexpr double contact_a_speed = 0.03;  // N s/mm
 constexpr double greatest_step = 0.8;     // mm in a cycle, while the force is regulated
-constexpr double settling =
-    10;  // s in which the force must come into its band, and stay there, beyond the time asked for
+// The time asked for begins when the force has been in its band for so long.
+constexpr int settled = 15;  // cycles
+// s in which it must come into its band and stay there, beyond the time asked for
+constexpr double patience = 10;
 
 class Method final : public SM1Activities {
  public:
@@ -51,7 +53,7 @@ class Method final : public SM1Activities {
   Motion regulate(const Zforce& force) override {
     ++cycles_;
     in_band_ = std::abs(force.value - parameters_.force) <= parameters_.band ? in_band_ + 1 : 0;
-    if (cycles_ * alter_period > settling + parameters_.time)
+    if (cycles_ * alter_period > patience + parameters_.time)
       throw std::runtime_error(
           "the force does not stay in its band: the band may be too narrow for this surface");
     Motion motion;
@@ -68,7 +70,7 @@ class Method final : public SM1Activities {
   bool decide_pc_stop(const Zforce& force) override {
     return stopped_ = stopped_ || force.greatest >= parameters_.stop_force;
   }
-  bool decide_pc_held() override { return in_band_ * alter_period >= parameters_.time; }
+  bool decide_pc_held() override { return (in_band_ - settled) * alter_period >= parameters_.time; }
   bool decide_pc_reach() override { return approach_->felt_reach(); }
 
  private:

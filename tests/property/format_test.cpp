@@ -150,11 +150,11 @@ TEST_CASE(
 }
 
 TEST_CASE("every comment in every kind of unit survives") {
-  for (const auto* path :
-       {"skills_pal/workcell.pal", "skills_pal/touch/touch.pal", "skills_pal/touch/touch_modules.pal",
-        "examples/pull_test/pull_test.pal", "tests/golden/check/environment.pal",
-        "tests/golden/check/wait_forms.pal", "tests/golden/check/words_as_names.pal",
-        "tests/golden/check/keywords_any_case.pal", "tests/golden/check/figure_3_6.pal"}) {
+  for (const auto* path : {"skills_pal/workcell.pal", "skills_pal/touch/touch.pal",
+                           "skills_pal/modules/z_force.pal", "skills_pal/modules/alter.pal",
+                           "examples/pull_test/pull_test.pal", "tests/golden/check/environment.pal",
+                           "tests/golden/check/wait_forms.pal", "tests/golden/check/words_as_names.pal",
+                           "tests/golden/check/keywords_any_case.pal", "tests/golden/check/figure_3_6.pal"}) {
     CAPTURE(path);
     for (unsigned comments_in_ten = 0; comments_in_ten < 10; ++comments_in_ten) {
       check_format(Untidy(comments_in_ten, comments_in_ten)(test::source_file(path)),
@@ -168,8 +168,9 @@ TEST_CASE("lines that are too long keep every word and comment, and none is long
                                     "force-torque", "fresh-force",  "motion",      "pc-force",  "pc-reach",
                                     "port",         "reached",      "stand-still", "tick",      "wrench"};
   const std::string longer = "-that-is-known-by-a-very-long-name-because-some-people-prefer-such-names";
-  for (const auto* path : {"skills_pal/workcell.pal", "skills_pal/touch/touch.pal",
-                           "skills_pal/touch/touch_modules.pal", "tests/golden/check/wait_forms.pal"}) {
+  for (const auto* path :
+       {"skills_pal/workcell.pal", "skills_pal/touch/touch.pal", "skills_pal/modules/z_force.pal",
+        "skills_pal/modules/alter.pal", "tests/golden/check/wait_forms.pal"}) {
     CAPTURE(path);
     std::string text;
     for (const auto& word : parts_of(test::source_file(path)).words) {

@@ -11,6 +11,7 @@
 #include "pal/pan/dump.hpp"
 #include "pal/syntax/print.hpp"
 #include "tests/support/random_program.hpp"
+#include "tests/support/touch_files.hpp"
 #include "tests/unit/frontend/specification.hpp"
 
 using namespace pal;
@@ -86,7 +87,7 @@ TEST_CASE("PAL to PAN to PAL gives the program back") {
 }
 
 TEST_CASE("the modules of the touch skill come back from their networks") {
-  auto text = test::source_file("skills_pal/touch/touch_modules.pal");
+  auto text = test::touch_modules_text();
   const auto checked = test::check_text(text);
   const auto& specification = checked.specification;
   REQUIRE(specification.sketches.size() == 1);
@@ -167,7 +168,7 @@ TEST_CASE("DOT texts cut off, doubled and shuffled are survived") {
   constexpr std::uint64_t seed = 20260713;
   CAPTURE(seed);
   std::mt19937_64 random(seed);
-  const auto checked = test::check_text(test::source_file("skills_pal/touch/touch_modules.pal"));
+  const auto checked = test::check_text(test::touch_modules_text());
   const auto& network = checked.specification.sketches.front();
   std::size_t read = 0;
   for (int round = 0; round < 1000; ++round) {

@@ -20,6 +20,7 @@
 #include "tests/support/random_skill.hpp"
 #include "tests/support/setting.hpp"
 #include "tests/support/timed_skill.hpp"
+#include "tests/support/touch_files.hpp"
 #include "tests/support/woven_skill.hpp"
 
 using namespace pal;
@@ -41,13 +42,18 @@ std::vector<std::vector<std::string>> files_of(const std::string& folder) {
   return files;
 }
 
+std::vector<std::string> with_touch_modules(const std::string& skill) {
+  std::vector<std::string> files(test::touch_modules.begin(), test::touch_modules.end());
+  files.insert(files.end(), {skill, "skills_pal/workcell.pal"});
+  return files;
+}
+
 /// What mutants are made of: skills and chains by chance, those of the repository and those that were
 /// published.
 std::string base(std::uint64_t seed) {
   static const std::vector<std::vector<std::string>> written = {
-      {"skills_pal/touch/touch_modules.pal", "skills_pal/touch/touch.pal", "skills_pal/workcell.pal"},
-      {"skills_pal/touch/touch_modules.pal", "skills_pal/touch/touch_read_first.pal",
-       "skills_pal/workcell.pal"},
+      with_touch_modules("skills_pal/touch/touch.pal"),
+      with_touch_modules("skills_pal/touch/touch_read_first.pal"),
       {"examples/insertion/insertion.pal", "examples/insertion/cell.pal"},
       {"examples/pull_test/pull_test.pal", "examples/pull_test/cell.pal"},
       {"examples/standoff/standoff.pal", "examples/standoff/cell.pal"},

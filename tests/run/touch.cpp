@@ -183,7 +183,7 @@ TEST_CASE("parameters that may not be are refused before anything moves") {
   CHECK(outcome.reason == "parameter approach-speed is 61 mm/s; it may be from 1 to 60 mm/s");
   CHECK(cell.alter.opened < 0ns);
   CHECK(cell.run("touch", {{"aproach", 1}}).reason ==
-        "skill touch has no parameter aproach; it has approach-speed, reach, threshold");
+        "skill touch has no parameter aproach; it has approach-speed, reach, threshold, stiffness");
 }
 
 TEST_CASE("a device that stops answering ends the skill with its error completion") {

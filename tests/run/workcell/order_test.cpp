@@ -106,10 +106,10 @@ TEST_CASE("the order that reads first presses harder, by what the ages predict")
   CHECK(comparison.agrees());
   // design: overshoot up to 62 ms times speed times stiffness, here with the tool's and the arm's inertia (a
   // fifth).
-  // Nothing measured exceeds what is proved of these programs in workcell.pal: 7.25 and 34.95 ms.
-  for (const SweepRun& run : second) CHECK(run.greatest_age.value() <= 34950us);
+  // Nothing measured exceeds what is proved of these programs in workcell.pal: 7.3 and 35.35 ms.
+  for (const SweepRun& run : second) CHECK(run.greatest_age.value() <= 35350us);
   for (const SweepRun& run : first) {
-    CHECK(run.greatest_age.value() <= 7250us);
+    CHECK(run.greatest_age.value() <= 7300us);
     CHECK(run.overshoot > 0);
     CHECK(run.overshoot < 1.2 * 0.062 * 20 * comparison.stiffness);
   }

@@ -1,6 +1,7 @@
 #include "tests/run/workcell/written_touch.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pal::test {
 
@@ -71,14 +72,14 @@ enum Statement {
   d_send  // SD1
 };
 
-const std::vector<runtime::Field> force_fields{{"value", "N"}};
+const std::vector<runtime::Field> force_fields{{"value", "N"}, {"greatest", "N"}};
 const std::vector<runtime::Field> motion_fields{{"dx", "mm"},  {"dy", "mm"},  {"dz", "mm"},
                                                 {"rx", "deg"}, {"ry", "deg"}, {"rz", "deg"}};
 const std::vector<runtime::Field> wrench_fields{{"fx", "N"},   {"fy", "N"},   {"fz", "N"},
                                                 {"tx", "N*m"}, {"ty", "N*m"}, {"tz", "N*m"}};
 const std::vector<runtime::ProcessorSpec> processors{{"P0"}, {"P1"}, {"P2"}, {"P3"}};
 const std::vector<runtime::ThreadSpec> threads{
-    {"SM1", 0, 1}, {"SM1.1", 1, 1, 0, false}, {"SM1.2", 0, 1, 0, true}, {"LS1", 1, 2}, {"MC1", 2, 1},
+    {"SM1", 0, 1}, {"SM1.1", 0, 1, 0, false}, {"SM1.2", 0, 1, 0, true}, {"LS1", 3, 2}, {"MC1", 2, 1},
     {"SD1", 3, 1}};
 const std::vector<std::string_view> conditions{"pc-force", "pc-reach", "pc-home"};
 const std::vector<std::string_view> devices{"force-torque", "alter"};
@@ -168,6 +169,7 @@ void WrittenTouch::set_parameter(std::string_view name, double value) {
 
 void WrittenTouch::start() {
   moved_ = 0;
+  stood_ = 0;
 }
 
 Task WrittenTouch::body(std::size_t index, Thread& thread) {
@@ -194,8 +196,8 @@ Task WrittenTouch::sm1(Thread& thread) {
   co_await thread.set(s_set, pc_force, [this] { return known_.values[0] >= threshold; });
   co_await thread.set(s_unset, pc_reach, [] { return false; });
   co_await thread.concurrent(s_concurrent, thread_sense, thread_move);
-  co_await thread.test(s_case, pc_reach);
-  if (!thread.tested(pc_reach)) {
+  co_await thread.test(s_case, pc_force, pc_reach);
+  if (thread.tested(pc_force) || !thread.tested(pc_reach)) {
     co_await thread.wait(s_taken, runtime::from(ask_motion));
     co_await thread.complete(s_done, 0);
   } else {
@@ -226,9 +228,10 @@ Task WrittenTouch::sm1_move(Thread& thread) {
         motion_ = {};
         motion_.values[2] = std::min(speed * cycle, reach - moved_);
         moved_ += motion_.values[2];
+        stood_ += motion_.values[2] <= 0;
       });
       co_await thread.send(m_send, motion, motion_);
-      co_await thread.set(m_reach, pc_reach, [this] { return moved_ >= reach; });
+      co_await thread.set(m_reach, pc_reach, [this] { return stood_ >= 3; });
     }
     co_await thread.test(m_until, pc_force, pc_reach);
     if (thread.tested(pc_force) || thread.tested(pc_reach)) co_return;
@@ -245,9 +248,10 @@ Task WrittenTouch::sm1_move_read_first(Thread& thread) {
         motion_ = {};
         motion_.values[2] = std::min(speed * cycle, reach - moved_);
         moved_ += motion_.values[2];
+        stood_ += motion_.values[2] <= 0;
       });
       co_await thread.send(m_send, motion, motion_);
-      co_await thread.set(m_reach, pc_reach, [this] { return moved_ >= reach; });
+      co_await thread.set(m_reach, pc_reach, [this] { return stood_ >= 3; });
     }
     co_await thread.test(m_until, pc_force, pc_reach);
     if (thread.tested(pc_force) || thread.tested(pc_reach)) co_return;
@@ -274,7 +278,10 @@ Task WrittenTouch::ls1(Thread& thread) {
     co_await thread.wait(l_wait, runtime::from(start_force));
     co_await thread.send(l_ask, ask_wrench);
     co_await thread.wait(l_take, runtime::from(wrench, seen_));
-    co_await thread.perform(l_extract, [this] { force_.values[0] = -seen_.values[2]; });
+    co_await thread.perform(l_extract, [this] {
+      force_.values = {-seen_.values[2], std::max({std::abs(seen_.values[0]), std::abs(seen_.values[1]),
+                                                   std::abs(seen_.values[2])})};
+    });
     co_await thread.send(l_send, zforce, force_);
   }
 }

@@ -61,8 +61,9 @@ class WrittenTouch : public runtime::Skill {
   runtime::SkillDescription description_;
 
   Numbers<6> motion_, obeyed_, correction_, wrench_, seen_;
-  Numbers<1> force_, known_;
+  Numbers<2> force_, known_;
   double moved_ = 0;
+  int stood_ = 0;  // motions of 0 at the reach
 };
 
 }  // namespace pal::test

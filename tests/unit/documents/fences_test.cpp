@@ -10,7 +10,8 @@
 //   ```pal headings
 //   … error=PAL0123           gives this error (and maybe others)
 //   … untidy                  is not in canonical layout, and so shows what else may be written
-// The files in skills_pal, and in skills_pal/touch, can be named in USES too.
+// The files in skills_pal, and in skills_pal/touch, can be named in USES too, by their names; modules as
+// ../modules/NAME.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -76,11 +77,11 @@ std::string wrapped(const Fence& fence) {
   return fence.text;
 }
 
-void add_folder(const std::string& folder, MemoryFileSystem& files) {
+void add_folder(const std::string& folder, MemoryFileSystem& files, const std::string& under = "") {
   for (const auto& entry : fs::directory_iterator(fs::path(PAL_SOURCE_DIR) / folder)) {
     if (entry.path().extension() != ".pal") continue;
     const auto name = entry.path().filename().string();
-    files.add(name, test::source_file(folder + "/" + name));
+    files.add(under + name, test::source_file(folder + "/" + name));
   }
 }
 
@@ -126,6 +127,7 @@ TEST_CASE("every piece of PAL in the documents is what it says") {
     MemoryFileSystem files;
     add_folder("skills_pal", files);
     add_folder("skills_pal/touch", files);
+    add_folder("skills_pal/modules", files, "../modules/");
     for (const auto& fence : fences_of(test::source_file(path))) check_fence(fence, files);
   }
 }

@@ -19,10 +19,10 @@ TEST_CASE("a skill that meets its requirements") {
 TEST_CASE("a skill that does not: which statement uses how old a value, and why") {
   const auto answer = pal::test::pal({"check", read_first, "-e", cell});
   CHECK(answer.status == ExitStatus::not_met);
-  CHECK(answer.err.find("'fresh-force' fails: age of pc-force at TXM( motion to MC1 ) in SM1 is 35 ms") !=
+  CHECK(answer.err.find("'fresh-force' fails: age of pc-force at TXM( motion to MC1 ) in SM1 is 35.35 ms") !=
         std::string::npos);
-  CHECK(answer.err.find("6.4 ms: SM1.2 waits at WTM( request motion from MC1 )") != std::string::npos);
-  CHECK(answer.err.find("27.4 ms: MC1 waits at WTM( tick from alter )") != std::string::npos);
+  CHECK(answer.err.find("6.6 ms: SM1.2 waits at WTM( request motion from MC1 )") != std::string::npos);
+  CHECK(answer.err.find("27.15 ms: MC1 waits at WTM( tick from alter )") != std::string::npos);
   CHECK(answer.err.find("hint: read the condition after WTM( request motion from MC1 )") !=
         std::string::npos);
 }

@@ -56,7 +56,8 @@ TEST_CASE("resources names what the environment lacks, by group") {
   CHECK(document.at(0).at("environments").at(0).at("missing").empty());
 
   MemoryFileSystem files;
-  for (const char* name : {"touch/touch.pal", "touch/touch_modules.pal"})
+  for (const char* name : {"touch/touch.pal", "touch/touch_modules.pal", "modules/force_torque.pal",
+                           "modules/z_force.pal", "modules/alter.pal", "modules/retreat.pal"})
     files.add(name, read(test::skill(name)));
   files.add(
       "bare.pal",

@@ -48,7 +48,7 @@ TEST_CASE("check --witness writes a run for each requirement, and replay confirm
   CHECK(file.read().at("witnesses").size() == 4);
   const Answer answer = replayed(file, read_first);
   CHECK(answer.status == ExitStatus::all_hold);
-  CHECK(answer.out.find("confirmed  fresh-force of touch-read-first in workcell: age 35 ms") !=
+  CHECK(answer.out.find("confirmed  fresh-force of touch-read-first in workcell: age 35.35 ms") !=
         std::string::npos);
   CHECK(answer.out.find("refused") == std::string::npos);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pal/support/diagnostic_code.hpp"
+#include "tests/support/touch_files.hpp"
 #include "tests/unit/frontend/specification.hpp"
 
 using namespace pal;
@@ -42,11 +43,11 @@ std::vector<std::pair<std::size_t, std::size_t>> words(const std::string& text) 
 }
 
 std::string touch_skill() {
-  // Both files in one, so that words of both are changed.
+  // All files in one, so that words of all are changed.
   auto text = test::source_file("skills_pal/touch/touch.pal");
   const std::string uses = "USES \"touch_modules.pal\"\n";
   text.erase(text.find(uses), uses.size());
-  return text + test::source_file("skills_pal/touch/touch_modules.pal");
+  return text + test::touch_modules_text();
 }
 
 std::size_t syntax_errors(const test::Checked& checked) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "pal/support/render.hpp"
+#include "tests/support/touch_files.hpp"
 #include "tests/unit/frontend/specification.hpp"
 
 using namespace pal;
@@ -63,6 +64,7 @@ struct Subject {
 std::vector<Subject> subjects() {
   return {{"skills_pal/touch", "touch.pal", "touch.pal"},
           {"skills_pal/touch", "touch.pal", "touch_modules.pal"},
+          {"skills_pal/touch", "touch.pal", "../modules/alter.pal"},
           {"skills_pal", "workcell.pal", "workcell.pal"},
           {"tests/package/outside/blink", "blink.pal", "blink.pal"},
           {"tests/golden/check", "wait_forms.pal", "wait_forms.pal"},
@@ -75,6 +77,10 @@ MemoryFileSystem files_of(const Subject& subject) {
     if (entry.path().extension() == ".pal")
       files.add(entry.path().filename(),
                 test::source_file(subject.folder + "/" + entry.path().filename().string()));
+  }
+  for (const auto& path : test::touch_modules) {
+    if (path.starts_with("skills_pal/modules/"))
+      files.add("../modules/" + fs::path(path).filename().string(), test::source_file(path));
   }
   if (subject.folder == "tests/golden/check") {
     files.add("parts/base.pal", test::source_file("tests/golden/check/parts/base.pal"));

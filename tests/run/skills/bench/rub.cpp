@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/run/skills/bench/table.hpp"
+#include "tests/run/skills/support/physical_run.hpp"
+#include "tests/run/skills/support/proved_bounds.hpp"
+
+namespace pal::test {
+
+namespace {
+
+constexpr double softest = 1.5, hardest = 8.5, middle = 5;  // N
+
+struct Slide {
+  const char* scene;
+  double speed;  // mm in 28 ms
+  double vertical;
+  bool band_rule;
+  double rms_to_reach;   // 0: reported
+  double distance = 10;  // cm
+};
+
+Figure measure(const Slide& slide) {
+  ProvedBounds bounds("rub");
+  double squares = 0, count = 0, inside = 0, least = 1e9, greatest = -1e9;
+  bool ended = true;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const auto result = run({.skill = "rub",
+                             .scene = slide.scene,
+                             .parameters = {{"speed", slide.speed},
+                                            {"vertical", slide.vertical},
+                                            {"distance", slide.distance},
+                                            {"band-rule", slide.band_rule ? 1.0 : 0.0}},
+                             .seed = seed,
+                             .raise = -14});  // 1 mm above the surface
+    bounds.observe(result.outcome.trace);
+    ended = ended && result.outcome.code == 0 && result.outcome.overruns == 0;
+    const auto forces = pressing(result);
+    const double start = result.log.front().tool.x();
+    bool landed = false;
+    for (std::size_t i = 0; i < forces.size() && result.log[i].time <= result.outcome.duration; ++i) {
+      landed = landed || forces[i] >= softest;
+      if (!landed || std::abs(result.log[i].tool.x() - start) < 1e-4) continue;
+      ++count;
+      squares += (forces[i] - middle) * (forces[i] - middle);
+      inside += forces[i] >= softest && forces[i] <= hardest ? 1 : 0;
+      least = std::min(least, forces[i]);
+      greatest = std::max(greatest, forces[i]);
+    }
+  }
+  const double rms = std::sqrt(squares / count), part = 100 * inside / count;
+  Figure figure{
+      "rub",
+      fmt::format("{}, {:.1f} mm/s, scene {}, seeds 1 to 3",
+                  slide.band_rule ? "the thesis's rule" : "regulator", slide.speed / 0.028, slide.scene),
+      "reported",
+      fmt::format("{:.1f} % in band, rms {:.2f} N, {:.1f} to {:.1f} N{}", part, rms, least, greatest,
+                  ended ? "" : "; did not end with 0"),
+      true,
+      bounds.greatest_part()};
+  if (slide.rms_to_reach > 0) {
+    figure.to_reach = fmt::format("100 % in band, rms <= {} N", slide.rms_to_reach);
+    figure.reached = ended && inside == count && rms <= slide.rms_to_reach;
+  }
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> measure_rub() {
+  std::vector<Figure> figures;
+  constexpr double fast = 0.784;  // mm in 28 ms: 28 mm/s, on 10 degrees 5 mm/s of slope
+  for (const bool band_rule : {false, true}) {
+    const double reach = band_rule ? 0 : 0.5;
+    // The rule goes whole steps: it is stable while a step, felt 60 ms later, is less than half the band.
+    const double vertical = band_rule ? 0.15 : 0.8;
+    for (const char* surface : {"touch", "slope-up", "slope-down", "waves-100"})
+      figures.push_back(measure({surface, fast, vertical, band_rule, reach}));
+    figures.push_back(measure({"sponge", fast, vertical, band_rule, reach, 6}));
+    figures.push_back(measure({"slope-up", 0.2, vertical, band_rule, reach}));
+  }
+  return figures;
+}
+
+}  // namespace pal::test

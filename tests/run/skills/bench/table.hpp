@@ -1,0 +1,27 @@
+// The table of figures that the skills are to reach.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace pal::test {
+
+struct Figure {
+  std::string skill;
+  std::string what;      // "5 N on 20 N/mm, seeds 1 to 3"
+  std::string to_reach;  // "rms <= 0.1 N"; "reported": only shown
+  std::string measured;  // "rms 0.04 N"
+  bool reached = true;
+  double of_bound = 0;  // worst observed over proved, of any requirement
+};
+
+/// Markdown. True if all were reached and nothing was measured beyond what was proved.
+bool write(const std::vector<Figure>& figures, std::ostream& out);
+
+// One function a skill; each runs its scenes and prints nothing.
+std::vector<Figure> measure_touch();
+std::vector<Figure> measure_press();
+std::vector<Figure> measure_rub();
+
+}  // namespace pal::test

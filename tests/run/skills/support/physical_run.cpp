@@ -1,0 +1,32 @@
+#include "tests/run/skills/support/physical_run.hpp"
+
+#include <stdexcept>
+
+#include "skills_pal/registry.hpp"
+
+namespace pal::test {
+
+sim::Scene scene(const std::string& name) {
+  return sim::find_scene(name, {PAL_SOURCE_DIR "/sim/scenes", PAL_SOURCE_DIR "/tests/run/skills/scenes"});
+}
+
+workcell::SessionResult run(const PhysicalRun& wanted) {
+  const auto skill = skills::make_skill(wanted.skill);
+  if (!skill) throw std::runtime_error("there is no skill " + wanted.skill);
+  workcell::Session session;
+  session.scene = scene(wanted.scene);
+  session.parameters = wanted.parameters;
+  session.seed = wanted.seed;
+  session.phase = wanted.phase;
+  session.raise = wanted.raise;
+  return workcell::run_session(*skill, session);
+}
+
+std::vector<double> pressing(const workcell::SessionResult& result) {
+  std::vector<double> forces;
+  for (const sim::Sample& sample : result.log)
+    forces.push_back(result.log.front().wrench.force.z() - sample.wrench.force.z());
+  return forces;
+}
+
+}  // namespace pal::test

@@ -1,0 +1,31 @@
+// A skill of skills_pal in a scene of the workcell, from its start until the arm has come to rest.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/program/session.hpp"
+
+namespace pal::test {
+
+struct PhysicalRun {
+  std::string skill;
+  std::string scene;  // in sim/scenes or tests/run/skills/scenes
+  std::vector<runtime::ParameterValue> parameters{};
+  std::uint64_t seed = 1;
+  std::optional<runtime::Time> phase{};  // of ALTER; by the seed if not given
+  double raise = 0;                      // of the start, mm
+};
+
+/// Throws sim::SceneError; std::runtime_error if there is no such skill.
+workcell::SessionResult run(const PhysicalRun& wanted);
+
+/// The scene of this name.
+sim::Scene scene(const std::string& name);
+
+/// How hard the tool presses along its own axis, N, without the sensor's noise and delay: the sensor's true
+/// load less what it was at the start. Of each sample of the log.
+std::vector<double> pressing(const workcell::SessionResult& result);
+
+}  // namespace pal::test

@@ -1,0 +1,36 @@
+// What is proved of a skill, and the worst that its runs came to.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "pal/driver/proof.hpp"
+#include "runtime/trace/trace.hpp"
+
+namespace pal::test {
+
+class ProvedBounds {
+ public:
+  /// Proves the skill in its workcell. Throws std::runtime_error if its PAL is wrong.
+  explicit ProvedBounds(const std::string& skill);
+
+  /// Measures the skill's requirements in a run of it.
+  void observe(const trace::Trace& run);
+
+  struct Worst {
+    Duration bound{};
+    Duration observed{};
+    double part() const { return static_cast<double>(observed.count()) / static_cast<double>(bound.count()); }
+  };
+  /// Ages and responses, by requirement.
+  const std::map<std::string, Worst>& worst() const { return worst_; }
+  /// The greatest part of its bound that a requirement came to; 0 if none was measured.
+  double greatest_part() const;
+  bool all_hold() const;
+
+ private:
+  driver::Proof proof_;
+  std::map<std::string, Worst> worst_;
+};
+
+}  // namespace pal::test
