@@ -44,10 +44,10 @@ struct Workcell::Parts {
     log.reserve(static_cast<std::size_t>(options.log_room / physics_step));
     physics.place(motion.at(runtime::Time::zero()).position);
     if (const auto touching = any_contact_of_arm(physics))
-      throw SceneError(scene.file.string(),
-                       "at its start " + words_for(physics.model(), touching->first) + " touches " +
-                           words_for(physics.model(), touching->second),
-                       "move the start away from it, or choose another configuration");
+      throw SceneError(
+          scene.file.string(),
+          "at its start " + contact_words(physics.model(), touching->first, "touches", touching->second),
+          "move the start away from it, or choose another configuration");
     for (runtime::Time t{}; t < options.settle; t += physics_step) step(runtime::Time::zero());
   }
 
@@ -105,7 +105,7 @@ struct Workcell::Parts {
       };
       return ArmFault{of_arm(hit->first) && of_arm(hit->second) ? ArmFault::Kind::self_collision
                                                                 : ArmFault::Kind::collision,
-                      collision_words(physics.model(), physics.index(), hit->first, hit->second), now};
+                      contact_words(physics.model(), hit->first, "hit", hit->second), now};
     }
     const double error = (sample.tool - sample.set_point).norm();
     if (error * 1e3 <= greatest_following_error) return std::nullopt;

@@ -161,7 +161,8 @@ class Checker {
   void check_network(const pan::Network& network, bool sound) {
     const auto errors_before = diagnostics_.errors();
     frontend::check_layers(network, diagnostics_);
-    // Whom a module may not talk with does not answer it either: that would be said of the same mistake again.
+    // Whom a module may not talk with does not answer it either: that would be said of the same mistake
+    // again.
     if (!sound || diagnostics_.errors() != errors_before) return;
     const pan::Flow flow(network);
     frontend::check_channels(network, diagnostics_);

@@ -82,7 +82,8 @@ Scope scope_of(const std::vector<syntax::Tree>& trees, std::size_t root, Diagnos
     if (const auto* first = declarations.add(unit)) {
       // Of two files the one that uses the other is to be changed.
       const bool same_file = first->name.where.file == unit.name.where.file;
-      if constexpr (std::is_same_v<std::decay_t<decltype(unit)>, syntax::ModuleUnit>) scope.module_twice = true;
+      if constexpr (std::is_same_v<std::decay_t<decltype(unit)>, syntax::ModuleUnit>)
+        scope.module_twice = true;
       if constexpr (std::is_same_v<std::decay_t<decltype(unit)>, syntax::MessageUnit>) {
         return report_two_messages(same_file ? unit : *first, same_file ? *first : unit, diagnostics);
       }

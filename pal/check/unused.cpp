@@ -67,7 +67,8 @@ class UnusedCheck {
  private:
   void declared(const char* what, const syntax::Name& name, const std::set<std::string>& used) {
     if (name.text.empty() || used.contains(name.text)) return;
-    diagnostics_.report(Code::PAL0217, name.where, std::string(what) + " " + quoted(name.text) + " is never used",
+    diagnostics_.report(Code::PAL0217, name.where,
+                        std::string(what) + " " + quoted(name.text) + " is never used",
                         "use it, or remove it");
   }
 

@@ -22,10 +22,11 @@ void write_suite(const std::string& name, const std::vector<Case>& cases, std::o
   const auto count = [&](std::string_view kind) {
     return std::count_if(cases.begin(), cases.end(), [&](const Case& each) { return each.kind == kind; });
   };
-  out << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n", xml_escaped(name),
-                     cases.size(), count("failure"), count("error"));
+  out << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
+                     xml_escaped(name), cases.size(), count("failure"), count("error"));
   for (const Case& each : cases) {
-    out << fmt::format("    <testcase classname=\"{}\" name=\"{}\"", xml_escaped(name), xml_escaped(each.name));
+    out << fmt::format("    <testcase classname=\"{}\" name=\"{}\"", xml_escaped(name),
+                       xml_escaped(each.name));
     if (each.kind.empty()) {
       out << "/>\n";
       continue;
@@ -46,7 +47,8 @@ Case case_of(const std::string& file, FileId id, const Session& session) {
   std::vector<Diagnostic> errors;
   for (const Diagnostic& finding : session.diagnostics.sorted()) {
     const bool here = finding.where.valid() ? finding.where.file == id : id.index() == 0;
-    if (here && finding.severity == Severity::error && !is_of_a_requirement(finding.code)) errors.push_back(finding);
+    if (here && finding.severity == Severity::error && !is_of_a_requirement(finding.code))
+      errors.push_back(finding);
   }
   if (errors.empty()) return result;
   std::ostringstream text;
@@ -63,9 +65,9 @@ Case case_of(const Proof& proof, std::size_t index) {
   if (verdict.state == analyzer::VerdictState::holds) return result;
   const bool fails = verdict.state == analyzer::VerdictState::fails;
   result.kind = fails ? "failure" : "error";
-  result.message = fmt::format("{} {}: at most {} is required, the bound is {}", measure_text(proof.problem, index),
-                               analyzer::name(verdict.state), whole_text(verdict.measure, verdict.limit),
-                               bound_text(verdict));
+  result.message = fmt::format("{} {}: at most {} is required, the bound is {}",
+                               measure_text(proof.problem, index), analyzer::name(verdict.state),
+                               whole_text(verdict.measure, verdict.limit), bound_text(verdict));
   result.text = result.message;
   return result;
 }

@@ -107,7 +107,8 @@ void report_never(const Proof& proof, std::size_t index, Session& session) {
 constexpr std::size_t most_parts = 5;
 
 /// All of them, in the order in which they happened.
-void add_story(const std::vector<analyzer::Reason>& reasons, const analyzer::Problem& problem, Diagnostic& finding) {
+void add_story(const std::vector<analyzer::Reason>& reasons, const analyzer::Problem& problem,
+               Diagnostic& finding) {
   for (const analyzer::Reason& reason : reasons) {
     const std::string who = reason.actor.empty() ? "" : reason.actor + " ";
     finding.notes.push_back(
@@ -116,7 +117,8 @@ void add_story(const std::vector<analyzer::Reason>& reasons, const analyzer::Pro
 }
 
 /// The longest first; of the rest how much it is.
-void add_longest(std::vector<analyzer::Reason> reasons, const analyzer::Problem& problem, Diagnostic& finding) {
+void add_longest(std::vector<analyzer::Reason> reasons, const analyzer::Problem& problem,
+                 Diagnostic& finding) {
   const auto length = [](const analyzer::Reason& reason) { return reason.to - reason.from; };
   std::stable_sort(reasons.begin(), reasons.end(), [&](const analyzer::Reason& a, const analyzer::Reason& b) {
     return length(a) > length(b);
@@ -126,8 +128,9 @@ void add_longest(std::vector<analyzer::Reason> reasons, const analyzer::Problem&
   add_story(reasons, problem, finding);
   std::int64_t together = 0;
   for (const analyzer::Reason& reason : rest) together += length(reason);
-  finding.notes.push_back({{}, to_text(Duration(together)) + ": " + std::to_string(rest.size()) +
-                                   " shorter parts; --explain shows all in the order in which they happen"});
+  finding.notes.push_back({{},
+                           to_text(Duration(together)) + ": " + std::to_string(rest.size()) +
+                               " shorter parts; --explain shows all in the order in which they happen"});
 }
 
 void report(const Proof& proof, std::size_t index, bool whole_story, Session& session) {

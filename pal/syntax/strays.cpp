@@ -46,10 +46,10 @@ bool report_conflict(std::string_view text, FileId file, Diagnostics& diagnostic
     const std::string_view line = text.substr(begin, end - begin);
     if (finding == nullptr) {
       if (is_marker(line, '<'))
-        finding = &diagnostics.report(Code::PAL0119, span_of(file, begin, end),
-                                      "a conflict of a merge is left in this file",
-                                      "keep the lines that you want, and remove those that begin with <<<<<<<, "
-                                      "======= and >>>>>>>");
+        finding = &diagnostics.report(
+            Code::PAL0119, span_of(file, begin, end), "a conflict of a merge is left in this file",
+            "keep the lines that you want, and remove those that begin with <<<<<<<, "
+            "======= and >>>>>>>");
     } else if (finding->notes.size() < 2 && (is_marker(line, '=') || is_marker(line, '>'))) {
       finding->notes.push_back({span_of(file, begin, end), "it goes on here"});
     }
@@ -62,8 +62,10 @@ bool report_markup(std::string_view text, FileId file, Diagnostics& diagnostics)
   const std::size_t begin = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (begin == std::string_view::npos) return false;
   const std::string_view start = text.substr(begin, 15);
-  if (!starts_with_any(start, {"<html", "<HTML", "<!DOCTYPE", "<!doctype", "<?xml", "<body", "<pre"})) return false;
-  diagnostics.report(Code::PAL0119, span_of(file, begin, end_of_line(text, begin)), "this file is a page of the web, not PAL",
+  if (!starts_with_any(start, {"<html", "<HTML", "<!DOCTYPE", "<!doctype", "<?xml", "<body", "<pre"}))
+    return false;
+  diagnostics.report(Code::PAL0119, span_of(file, begin, end_of_line(text, begin)),
+                     "this file is a page of the web, not PAL",
                      "copy the text that the page shows, not its source");
   return true;
 }
@@ -71,9 +73,10 @@ bool report_markup(std::string_view text, FileId file, Diagnostics& diagnostics)
 /// Latin letters without their marks; what else there is becomes '_'.
 std::string plain(std::string_view name) {
   static const std::map<std::string_view, std::string_view> letters{
-      {"à", "a"}, {"á", "a"}, {"â", "a"}, {"ã", "a"}, {"ä", "a"}, {"å", "a"}, {"ç", "c"}, {"è", "e"}, {"é", "e"},
-      {"ê", "e"}, {"ë", "e"}, {"ì", "i"}, {"í", "i"}, {"î", "i"}, {"ï", "i"}, {"ñ", "n"}, {"ò", "o"}, {"ó", "o"},
-      {"ô", "o"}, {"õ", "o"}, {"ö", "o"}, {"ø", "o"}, {"ù", "u"}, {"ú", "u"}, {"û", "u"}, {"ü", "u"}, {"ß", "ss"}};
+      {"à", "a"}, {"á", "a"}, {"â", "a"}, {"ã", "a"}, {"ä", "a"}, {"å", "a"}, {"ç", "c"},
+      {"è", "e"}, {"é", "e"}, {"ê", "e"}, {"ë", "e"}, {"ì", "i"}, {"í", "i"}, {"î", "i"},
+      {"ï", "i"}, {"ñ", "n"}, {"ò", "o"}, {"ó", "o"}, {"ô", "o"}, {"õ", "o"}, {"ö", "o"},
+      {"ø", "o"}, {"ù", "u"}, {"ú", "u"}, {"û", "u"}, {"ü", "u"}, {"ß", "ss"}};
   std::string result;
   for (std::size_t at = 0; at < name.size();) {
     const std::size_t bytes = utf8::decode(name.substr(at)).bytes;
@@ -124,9 +127,11 @@ class Reader {
   /// Null where so much was reported that the rest is passed over.
   Diagnostic* report(Code code, SourceSpan where, std::string message, std::string hint) {
     result_.has_errors = true;
-    if (++reported_ < most_reports) return &diagnostics_.report(code, where, std::move(message), std::move(hint));
+    if (++reported_ < most_reports)
+      return &diagnostics_.report(code, where, std::move(message), std::move(hint));
     diagnostics_.report(Code::PAL0104, where,
-                        "too many unexpected characters; the rest of this file is not reported", "is this file PAL?");
+                        "too many unexpected characters; the rest of this file is not reported",
+                        "is this file PAL?");
     result_.parseable = false;
     return nullptr;
   }
@@ -144,7 +149,8 @@ class Reader {
   std::size_t foreign_comment(std::size_t at) {
     if (!is(at + 1, Lexer::STAR) || !touch(at)) return at;
     std::size_t last = at + 1;
-    while (last + 2 < all_.size() && !(is(last, Lexer::STAR) && is(last + 1, Lexer::SLASH) && touch(last))) ++last;
+    while (last + 2 < all_.size() && !(is(last, Lexer::STAR) && is(last + 1, Lexer::SLASH) && touch(last)))
+      ++last;
     const bool closed = is(last, Lexer::STAR) && is(last + 1, Lexer::SLASH);
     last = closed ? last + 1 : at + 1;
     report(Code::PAL0102, tokens_.span(all_[at], all_[at + 1]), "PAL has no comments in /* and */",
@@ -159,7 +165,8 @@ class Reader {
     static const std::set<std::string_view> closing{"“", "”", "»", "‘", "’", "\""};
     const SourceSpan open = tokens_.span(all_[at]);
     if (!opening.contains(source(open))) return std::nullopt;
-    for (std::size_t last = at + 1; last + 1 < all_.size() && all_[last]->getLine() == all_[at]->getLine(); ++last) {
+    for (std::size_t last = at + 1; last + 1 < all_.size() && all_[last]->getLine() == all_[at]->getLine();
+         ++last) {
       SourceSpan close = tokens_.span(all_[last]);
       if (!closing.contains(source(close).substr(0, 3)) && source(close)[0] != '"') continue;
       if (source(close)[0] == '"') close.end = close.begin + 1;
@@ -202,17 +209,19 @@ class Reader {
   /// The name is another one wherever it stands.
   std::vector<Edit> everywhere(const std::string& written, SourceSpan first, const std::string& meant) const {
     std::vector<Edit> edits;
-    for (std::size_t at = first.begin; at != std::string_view::npos; at = text_.find(written, at + written.size()))
+    for (std::size_t at = first.begin; at != std::string_view::npos;
+         at = text_.find(written, at + written.size()))
       edits.push_back({span_of(first.file, at, at + written.size()), meant});
     return edits;
   }
 
-  /// ACTIVITY message: a word that may not name an activity. Where it is one, it is read as a name from here on.
+  /// ACTIVITY message: a word that may not name an activity. Where it is one, it is read as a name from here
+  /// on.
   std::size_t activity(std::size_t at) {
     if (at + 1 >= all_.size() || !may_not_name_activity(all_[at + 1]->getType())) return at;
     const auto* word = all_[at + 1];
-    report(Code::PAL0101, tokens_.span(word), "'" + word->getText() + "' is a word of PAL, and cannot name an activity",
-           "choose another name");
+    report(Code::PAL0101, tokens_.span(word),
+           "'" + word->getText() + "' is a word of PAL, and cannot name an activity", "choose another name");
     result_.rereadings.push_back({at + 1, at + 1, Lexer::NAME, word->getText()});
     renamed_.insert(word->getType());
     return at + 1;
@@ -221,7 +230,8 @@ class Reader {
   /// Where such a word stands for an activity: alone on its line, behind AT or behind TIME.
   std::size_t renamed(std::size_t at) {
     if (!renamed_.contains(all_[at]->getType())) return at;
-    const bool alone = tokens_.first_on_line(all_[at]) && at + 1 < all_.size() && tokens_.first_on_line(all_[at + 1]);
+    const bool alone =
+        tokens_.first_on_line(all_[at]) && at + 1 < all_.size() && tokens_.first_on_line(all_[at + 1]);
     if (alone || (at > 0 && (is(at - 1, Lexer::AT) || is(at - 1, Lexer::TIME))))
       result_.rereadings.push_back({at, at, Lexer::NAME, all_[at]->getText()});
     return at;
@@ -237,8 +247,9 @@ class Reader {
     std::size_t last = at;
     while (touch(last) && is(last + 1, Lexer::STRAY)) ++last;
     const SourceSpan where = tokens_.span(all_[at], all_[last]);
-    if (auto* finding = report(Code::PAL0102, where, last == at ? "unexpected character" : "unexpected characters",
-                               "remove it; a comment begins with #"))
+    if (auto* finding =
+            report(Code::PAL0102, where, last == at ? "unexpected character" : "unexpected characters",
+                   "remove it; a comment begins with #"))
       finding->fix = {{where, ""}};
     result_.rereadings.push_back({at, last, 0, {}});
     return last;
@@ -250,7 +261,9 @@ class Reader {
     return at + 1 < all_.size() && all_[at]->getStopIndex() + 1 == all_[at + 1]->getStartIndex() &&
            all_[at + 1]->getType() != antlr4::Token::EOF;
   }
-  std::string_view source(SourceSpan where) const { return text_.substr(where.begin, where.end - where.begin); }
+  std::string_view source(SourceSpan where) const {
+    return text_.substr(where.begin, where.end - where.begin);
+  }
   /// A letter of another alphabet, as far as two bytes of UTF-8 tell: not a quote, a dash or a sign.
   bool is_letter(std::size_t at) const {
     if (!is(at, Lexer::STRAY)) return false;

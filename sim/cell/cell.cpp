@@ -5,27 +5,18 @@
 #include "runtime/drivers/alter/driver.hpp"
 #include "runtime/drivers/force_torque/driver.hpp"
 #include "runtime/drivers/gripper/driver.hpp"
-#include "runtime/drivers/val/val_driver.hpp"
+#include "runtime/drivers/range_finder/driver.hpp"
 #include "sim/cell/corrected_arm.hpp"
+#include "sim/cell/val_opener.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/devices/force_torque_emulator.hpp"
 #include "sim/devices/gripper_emulator.hpp"
+#include "sim/devices/range_finder_emulator.hpp"
 #include "sim/random.hpp"
 #include "sim/val/controller.hpp"
 
 namespace pal::sim {
 namespace {
-
-/// Opens the emulated port without VAL between them.
-class DirectOpener final : public runtime::alter::Opener {
- public:
-  explicit DirectOpener(AlterControl& control) : control_(control) {}
-  void open(const AlterMode& mode, Done done) override { done(control_.open(mode)); }
-  void close(Done done) override { done(control_.close()); }
-
- private:
-  AlterControl& control_;
-};
 
 ForceTorqueEmulatorOptions sensor_options(const CellOptions& cell) {
   ForceTorqueEmulatorOptions options;
@@ -93,12 +84,21 @@ struct Cell::Parts {
         alter_carrier(through(options)),
         alter_wire(station.timeline(), runtime::alter::line, alter_carrier.get()),
         alter_port(station.timeline(), alter_wire.b(), arm),
-        opener(alter_port),
+        val(
+            station.timeline(), val::terminal_line, through(options),
+            [&](runtime::Link& link) {
+              return std::make_unique<val::Controller>(station.timeline(), link, workcell, &alter_port);
+            },
+            [&](runtime::Link& link) {
+              return std::make_unique<runtime::ValDriver>(station.timeline(), link);
+            }),
+        opener(*val.driver),
         alter(station.timeline(), alter_wire.a(), opener) {
+    attach(*val.driver, val.wire);
     attach(alter, alter_wire);
-    attach_val(options);
     attach_force_torque(options);
     if (workcell.tool_kind() == ToolKind::gripper) attach_gripper(options);
+    if (workcell.tool_kind() == ToolKind::range_finder) attach_range_finder(options);
     arm_fault = workcell.on_fault([this](const ArmFault&) { alter_port.arm_has_stopped(); });
   }
 
@@ -109,16 +109,6 @@ struct Cell::Parts {
   void attach(runtime::Driver& driver, runtime::Wire& wire) {
     station.add(driver);
     lines.push_back({driver.name(), &wire});
-  }
-
-  void attach_val(const CellOptions& options) {
-    terminal.emplace(
-        station.timeline(), val::terminal_line, through(options),
-        [&](runtime::Link& link) {
-          return std::make_unique<val::Controller>(station.timeline(), link, workcell, &alter_port);
-        },
-        [&](runtime::Link& link) { return std::make_unique<runtime::ValDriver>(station.timeline(), link); });
-    attach(*terminal->driver, terminal->wire);
   }
 
   void attach_force_torque(const CellOptions& options) {
@@ -148,6 +138,23 @@ struct Cell::Parts {
     attach(*gripper->driver, gripper->wire);
   }
 
+  void attach_range_finder(const CellOptions& options) {
+    const RangeView view{[this] { return workcell.tool(); },
+                         [this](const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
+                           return workcell.cast(origin, direction);
+                         }};
+    range_finder.emplace(
+        station.timeline(), runtime::range_finder::line, through(options),
+        [&](runtime::Link& link) {
+          return std::make_unique<RangeFinderEmulator>(station.timeline(), link, view,
+                                                       RangeFinderEmulatorOptions{.seed = options.seed});
+        },
+        [&](runtime::Link& link) {
+          return std::make_unique<runtime::RangeFinderDriver>(station.timeline(), link);
+        });
+    attach(*range_finder->driver, range_finder->wire);
+  }
+
   Workcell workcell;
   std::unique_ptr<runtime::World> world;
   runtime::Station station;
@@ -155,11 +162,12 @@ struct Cell::Parts {
   std::unique_ptr<runtime::Carrier> alter_carrier;
   runtime::Wire alter_wire;
   AlterEmulator alter_port;
-  DirectOpener opener;
+  Attached<val::Controller, runtime::ValDriver> val;
+  ValOpener opener;
   runtime::AlterDriver alter;
-  std::optional<Attached<val::Controller, runtime::ValDriver>> terminal;
   std::optional<Attached<ForceTorqueEmulator, runtime::ForceTorqueDriver>> force_torque;
   std::optional<Attached<GripperEmulator, runtime::GripperDriver>> gripper;
+  std::optional<Attached<RangeFinderEmulator, runtime::RangeFinderDriver>> range_finder;
   std::vector<Line> lines;
   std::shared_ptr<void> arm_fault;
 };
@@ -192,16 +200,16 @@ runtime::Station& Cell::station() {
   return parts_->station;
 }
 
-runtime::ValDriver& Cell::val_driver() {
-  return *parts_->terminal->driver;
-}
-
-val::Store& Cell::taught() {
-  return parts_->terminal->emulator->store();
-}
-
 const std::vector<Cell::Line>& Cell::lines() const {
   return parts_->lines;
+}
+
+val::Store& Cell::val_store() {
+  return parts_->val.emulator->store();
+}
+
+runtime::ValDriver& Cell::val_driver() {
+  return *parts_->val.driver;
 }
 
 }  // namespace pal::sim

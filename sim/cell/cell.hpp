@@ -9,14 +9,11 @@
 #include <vector>
 
 #include "runtime/drivers/station.hpp"
+#include "runtime/drivers/val/val_driver.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/scene.hpp"
 #include "sim/val/store.hpp"
 #include "sim/workcell.hpp"
-
-namespace pal::runtime {
-class ValDriver;
-}
 
 namespace pal::sim {
 
@@ -38,7 +35,7 @@ struct CellOptions {
   std::function<std::unique_ptr<runtime::World>(Workcell&)> watch;
 };
 
-/// Devices: alter, force-torque, val; gripper or range-finder where the scene's tool is one.
+/// Devices: val, alter, force-torque; gripper or range-finder where the scene's tool is one.
 class Cell {
  public:
   /// Throws SceneError.
@@ -57,16 +54,16 @@ class Cell {
   Workcell& workcell();
   runtime::Station& station();
 
-  /// What VAL has been taught: locations that skills name, numbers, programs.
-  val::Store& taught();
-  runtime::ValDriver& val_driver();
-
   /// The lines by the names of their devices: for faults on demand.
   struct Line {
     std::string device;
     runtime::Wire* wire = nullptr;
   };
   const std::vector<Line>& lines() const;
+
+  /// Locations that skills can name, and programs: VAL's memory.
+  val::Store& val_store();
+  runtime::ValDriver& val_driver();
 
  private:
   struct Parts;

@@ -105,7 +105,12 @@ void let_arm_meet_itself(mjModel& model, const ModelIndex& index) {
 }
 
 std::string words_for(const mjModel& model, int geom) {
-  if (const PartWords* part = arm_part(model, geom)) return std::string(part->words);
+  if (const PartWords* part = arm_part(model, geom)) {
+    if (part->body != "tool") return std::string(part->words);
+    if (mj_name2id(&model, mjOBJ_BODY, "finger left") >= 0) return "the gripper";
+    if (mj_name2id(&model, mjOBJ_BODY, "range finder") >= 0) return "the range finder's bracket";
+    return std::string(part->words);
+  }
   std::string name = name_of(model, mjOBJ_GEOM, geom);
   // A scene's things are bodies with a name; their shapes have none.
   for (int body = model.geom_bodyid[geom]; name.empty() && body > 0; body = model.body_parentid[body])
@@ -115,11 +120,12 @@ std::string words_for(const mjModel& model, int geom) {
   return numbered ? name : "the " + name;
 }
 
-std::string collision_words(const mjModel& model, const ModelIndex& index, int geom, int other) {
-  const auto role = [&](int id) { return index.roles[static_cast<std::size_t>(id)]; };
-  if (role(geom) == Role::cell || (role(geom) == Role::touch && role(other) == Role::arm))
-    std::swap(geom, other);
-  return words_for(model, geom) + " hit " + words_for(model, other);
+std::string contact_words(const mjModel& model, int geom, std::string_view verb, int other) {
+  // What is farther out on the arm is said to have hit the rest; arm_parts is in that order.
+  const PartWords* const one = arm_part(model, geom);
+  const PartWords* const two = arm_part(model, other);
+  if (one == nullptr || (two != nullptr && two > one)) std::swap(geom, other);
+  return words_for(model, geom) + " " + std::string(verb) + " " + words_for(model, other);
 }
 
 }  // namespace pal::sim

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/model/private/grasp.hpp"
 #include "sim/model/private/names.hpp"
 
 namespace pal::sim {
@@ -31,7 +32,7 @@ constexpr std::array<Warning, 7> warnings{
 
 }  // namespace
 
-Physics::Physics(const Scene& scene) : loaded_(load_scene(scene)) {
+Physics::Physics(const Scene& scene) : loaded_(load_scene(scene)), grasp_(std::make_unique<GraspFriction>()) {
   index_ = find_names(*loaded_.model, loaded_.tool, scene);
   let_arm_meet_itself(*loaded_.model, index_);
   data_.reset(mj_makeData(loaded_.model.get()));
@@ -42,6 +43,8 @@ Physics::Physics(const Scene& scene) : loaded_(load_scene(scene)) {
   inertial_.resize(wanted_.size());
   mj_forward(loaded_.model.get(), data_.get());
 }
+
+Physics::~Physics() = default;
 
 Joints Physics::joints() const {
   Joints q;
@@ -82,7 +85,9 @@ void Physics::step(const Joints& torques, const std::array<double, 2>& fingers) 
     data_->ctrl[index_.drive[i]] = torques[static_cast<Eigen::Index>(i)];
   if (loaded_.tool == ToolKind::gripper)
     for (std::size_t i = 0; i < fingers.size(); ++i) data_->ctrl[index_.fingers[i].drive] = fingers[i];
-  mj_step(loaded_.model.get(), data_.get());
+  mj_step1(loaded_.model.get(), data_.get());
+  if (loaded_.tool == ToolKind::gripper) grasp_->correct(*loaded_.model, *data_, index_);
+  mj_step2(loaded_.model.get(), data_.get());
   check_warnings();
 }
 

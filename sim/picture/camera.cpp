@@ -9,10 +9,12 @@ namespace pal::sim {
 namespace {
 
 constexpr double arm_reach = 1.2;  // m from the base, horizontally: what stands farther away is no workpiece
-constexpr double greatest_shape = 1.5;   // m: what is larger is a floor or a wall
-constexpr double margin = 0.07;          // of the picture's half
-constexpr double opening = 30;           // degrees
-constexpr double contact_height = 0.13;  // m: what the close-up shows
+constexpr double greatest_shape = 1.5;     // m: what is larger is a floor or a wall
+constexpr double margin = 0.07;            // of the picture's half
+constexpr double opening = 30;             // degrees
+constexpr double contact_height = 0.13;    // m: what the close-up shows at least
+constexpr double farthest_surface = 0.30;  // m before the tip: what is farther away is not its business yet
+constexpr double narrow = 20;              // degrees: the opening of the close-up
 
 std::array<Eigen::Vector3d, 8> corners(const Stage& stage, int geom) {
   const mjModel& model = stage.model();
@@ -90,6 +92,20 @@ View choose(const Stage& stage, const std::vector<double>& azimuths, const std::
   return best;
 }
 
+double distance_for(double height) {
+  return height / 2 / std::tan(narrow / 2 * mjPI / 180);
+}
+
+/// From the tip to the surface that the tool points at; 0 if there is none near.
+double gap_before(const Stage& stage) {
+  const std::array<mjtByte, mjNGROUP> surroundings{1, 0, 0, 0, 0, 0};  // the arm is in another group
+  const Eigen::Vector3d tip = stage.tip(), ray = stage.pointing();
+  int hit = -1;
+  const mjtNum gap =
+      mj_ray(&stage.model(), &stage.data(), tip.data(), ray.data(), surroundings.data(), 1, -1, &hit);
+  return hit < 0 || gap > farthest_surface ? 0 : gap;
+}
+
 // From the front, half to the side, first that of the shoulder, on which a righty's upper arm is.
 const std::vector<double> azimuths{135, 120, 150, 105, 90, -135, -120, -150, -105, -90};
 
@@ -121,17 +137,18 @@ View WorkcellCamera::view(const Stage& stage, double calm) {
   return shown_;
 }
 
-ContactCamera::ContactCamera(const Stage& stage) {
-  constexpr double narrow = 20;
-  const double distance = contact_height / 2 / std::tan(narrow / 2 * mjPI / 180);
-  direction_ = choose(stage, azimuths, {-10, -22, -35, -50}, distance);
+ContactCamera::ContactCamera(const Stage& stage)
+    : direction_(choose(stage, azimuths, {-10, -22, -35, -50}, distance_for(contact_height))) {
   direction_.opening = narrow;
 }
 
-View ContactCamera::view(const Stage& stage) const {
+View ContactCamera::view(const Stage& stage, double calm) {
+  const double gap = gap_before(stage);
+  shown_gap_ = shown_gap_ < 0 ? gap : calm * shown_gap_ + (1 - calm) * gap;
   View view = direction_;
-  // The contact stands a third above the picture's lower edge.
-  view.target = stage.tip() + Eigen::Vector3d(0, 0, contact_height / 6);
+  view.distance = distance_for(contact_height + 1.3 * shown_gap_);
+  // There is twice as much above the tip as there is below the surface.
+  view.target = stage.tip() + shown_gap_ / 2 * stage.pointing() + Eigen::Vector3d(0, 0, contact_height / 6);
   return view;
 }
 

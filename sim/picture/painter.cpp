@@ -82,9 +82,14 @@ void Painter::open(Stage& stage, const PainterOptions& options, Renderer way) {
   mjModel& model = stage.model();
   model.vis.global.offwidth = options.width;
   model.vis.global.offheight = options.height;
-  model.vis.quality.offsamples = options.samples;
-  model.vis.quality.shadowsize = options.shadows ? shadow_map : 0;
+  const bool fine = options.quality == Quality::fine;
+  model.vis.quality.offsamples = fine ? 8 : 4;
+  model.vis.quality.shadowsize = fine ? shadow_map : 0;
+  // Without a graphics card corners cost as much as pixels do.
+  model.vis.quality.numslices = fine ? 64 : 20;
+  model.vis.quality.numstacks = fine ? 32 : 10;
   drawing_ = std::make_unique<Drawing>(model);
+  drawing_->scene.flags[mjRND_REFLECTION] = fine;
   mjr_setBuffer(mjFB_OFFSCREEN, &drawing_->context);
   if (drawing_->context.currentBuffer != mjFB_OFFSCREEN) throw NoOffscreen("OpenGL has no off-screen buffer");
 }

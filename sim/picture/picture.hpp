@@ -22,12 +22,16 @@ enum class Renderer {
   osmesa,
 };
 
+enum class Quality {
+  fine,   // shadows, reflections, smooth edges: half a second
+  quick,  // none of them: some 30 ms, for videos
+};
+
 struct PictureOptions {
   int width = 1600;
   int height = 900;
   Renderer renderer = Renderer::automatic;
-  bool shadows = true;
-  int samples = 8;  // a pixel, against jagged edges
+  Quality quality = Quality::fine;
   /// A camera of the scene. Where the scene has none of this name, the camera stands where arm, tool and
   /// workpiece are in the picture and nothing hides the tool.
   std::string camera = "report";

@@ -72,8 +72,7 @@ Sheet::Sheet(const mjModel& model, const PictureOptions& options)
       painter_(stage_, {.renderer = options.renderer,
                         .width = std::max(main_width_, side_),
                         .height = options.height,
-                        .shadows = options.shadows,
-                        .samples = options.samples}) {}
+                        .quality = options.quality}) {}
 
 Image Sheet::draw(const Snapshot& snapshot, double calm) {
   for (const ForcePoint& point : snapshot.force) force_.add(point);
@@ -85,7 +84,7 @@ Image Sheet::draw(const Snapshot& snapshot, double calm) {
   Canvas canvas(options_.width, options_.height);
   canvas.place(painter_.paint(stage_, camera_->view(stage_, calm), whole, main_width_, options_.height), 0,
                0);
-  const View near = contact_camera_->view(stage_);
+  const View near = contact_camera_->view(stage_, calm);
   canvas.place(painter_.paint(stage_, near, {stage_.tip(), 0.25}, side_, side_), main_width_, 0);
   const Box inset{static_cast<double>(main_width_), 0, static_cast<double>(side_),
                   static_cast<double>(side_)};
@@ -100,13 +99,14 @@ Image Sheet::draw(const Snapshot& snapshot, double calm) {
 }
 
 void Sheet::scale_bar(Canvas& canvas, const Box& box, const View& view) const {
-  constexpr double length = 0.020;
-  const double metre = box.height / (2 * view.distance * std::tan(view.opening * mjPI / 360));
+  const double across = 2 * view.distance * std::tan(view.opening * mjPI / 360);
+  const double metre = box.height / across, length = round_up(0.13 * across);
   const double size = options_.height / 45.0, x = box.x + size, y = box.y + box.height - size;
   canvas.fill({x - 0.5 * size, y - 1.9 * size, length * metre + size, 2.4 * size}, {1, 1, 1, 0.72});
   canvas.line({{x, y - 0.4 * size}, {x, y}, {x + length * metre, y}, {x + length * metre, y - 0.4 * size}},
               ink, std::max(1.0, size / 8));
-  canvas.text(x + length * metre / 2, y - 0.6 * size, "20 mm", size, ink, false, Canvas::Align::centre);
+  canvas.text(x + length * metre / 2, y - 0.6 * size, fmt::format("{:g} mm", length * 1e3), size, ink, false,
+              Canvas::Align::centre);
 }
 
 void Sheet::describe(Canvas& canvas, const Box& box, const Sample& sample) const {

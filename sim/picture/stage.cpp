@@ -35,6 +35,11 @@ Eigen::Vector3d Stage::tip() const {
   return Eigen::Map<const Eigen::Vector3d>(data_->site_xpos + 3 * tip_);
 }
 
+Eigen::Vector3d Stage::pointing() const {
+  const mjtNum* turn = data_->site_xmat + 9 * tip_;
+  return {turn[2], turn[5], turn[8]};
+}
+
 Eigen::Vector3d Stage::base() const {
   return Eigen::Map<const Eigen::Vector3d>(data_->xpos + 3 * base_);
 }

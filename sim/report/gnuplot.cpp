@@ -67,7 +67,7 @@ std::string plot_beginning(const std::string& name, int width, int height) {
       "set border 3 linecolor \"#555555\"\n"
       "set tics nomirror out textcolor \"#333333\"\n"
       "set grid linecolor \"#dddddd\" linetype 1 linewidth 0.6\n"
-      "set key outside top left horizontal noenhanced\n",
+      "set key below center horizontal height 0.6 noenhanced\n",
       name, width, height);
 }
 
@@ -79,6 +79,10 @@ std::string quoted(const std::string& text) {
     if (c == '\'') result += c;
   }
   return result + "'";
+}
+
+std::string heading(const std::string& text) {
+  return "title " + quoted(text) + " font \"DejaVu Sans Bold,15\" noenhanced\n";
 }
 
 PlotRange roomy(double low, double high, double least) {

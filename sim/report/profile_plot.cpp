@@ -115,8 +115,8 @@ Plot profile_plot(const RangeProfile& profile, const std::string& name) {
   const Extent all = extent(profile);
   const PlotRange across = roomy(all.across.low, all.across.high, 4);
   const PlotRange away = roomy(all.away.low, all.away.high, 0.5 * (across.high - across.low));
-  plot.script = plot_beginning(name, 960, 620) + "set title " + quoted(profile.title) + " noenhanced\n" +
-                axes + ranges(across, away);
+  plot.script =
+      plot_beginning(name, 960, 620) + "set " + heading(profile.title) + axes + ranges(across, away);
   plot.script += show(plot, profile, name, away.high, true);
   return plot;
 }
@@ -134,13 +134,11 @@ Plot profiles_plot(const std::vector<RangeProfile>& profiles, const std::string&
   const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
   const std::size_t rows = (count + columns - 1) / columns;
   // As many pixels a millimetre in both directions, axes and titles apart.
-  const double shape = std::clamp(high / wide, 0.25, 1.5);
+  const double shape = std::clamp(high / wide, 0.45, 1.5);
   const auto each = static_cast<int>(960 / columns);
   plot.script =
       plot_beginning(name, 960, static_cast<int>(rows) * (static_cast<int>((each - 90) * shape) + 100) + 50) +
-      axes +
-      fmt::format("unset key\nset multiplot layout {},{} title {} noenhanced\n", rows, columns,
-                  quoted(title));
+      axes + fmt::format("unset key\nset multiplot layout {},{} {}", rows, columns, heading(title));
   high = std::max(high, wide * shape);
   for (std::size_t i = 0; i < profiles.size(); ++i) {
     const Extent one = extent(profiles[i]);

@@ -23,7 +23,8 @@ double last_second(const std::vector<Sample>& log) {
 std::string end_of_skill(const std::optional<runtime::Time>& end, bool labelled) {
   if (!end) return {};
   std::string text = fmt::format(
-      "set arrow from {0:.4f}, graph 0 to {0:.4f}, graph 1 nohead dashtype 3 linecolor \"#555555\"\n",
+      "set arrow from {0:.4f}, graph 0 to {0:.4f}, graph 1 nohead dashtype 3 linewidth 1.5 linecolor "
+      "\"#666666\"\n",
       seconds(*end));
   if (labelled)
     text += fmt::format(
@@ -97,10 +98,10 @@ Plot force_plot(const std::vector<Sample>& log, const MessageLog& messages, cons
     low = std::min(low, device.least);
     high = std::max(high, device.greatest);
     readings += fmt::format(
-        ", \\\n  {} skip 1 using 1:2 with points pointtype 7 pointsize 0.3 linecolor \"{}\" title {}",
+        ", \\\n  {} skip 1 using 1:2 with points pointtype 6 pointsize 0.5 linecolor \"{}\" title {}",
         quoted(file), PlotColours::reading, quoted("as read by the skill: " + device.name));
   }
-  plot.script = plot_beginning(plot.name, 960, 480) + "set title " + quoted(options.title) + " noenhanced\n" +
+  plot.script = plot_beginning(plot.name, 960, 480) + "set " + heading(options.title) +
                 "set xlabel \"time, s\"\nset ylabel \"force, N\"\n" + set_range("x", {0, last_second(log)}) +
                 set_range("y", {low < 0 ? low * 1.1 : 0, high * 1.12}) + end_of_skill(options.end, true);
   for (const ForceBand& band : options.bands)
@@ -111,7 +112,8 @@ Plot force_plot(const std::vector<Sample>& log, const MessageLog& messages, cons
         band.low, band.high, PlotColours::band, quoted(band.label), (band.low + band.high) / 2);
   for (const ForceLevel& level : options.levels)
     plot.script += fmt::format(
-        "set arrow from graph 0, first {0:g} to graph 1, first {0:g} nohead dashtype 2 linecolor \"{1}\"\n"
+        "set arrow from graph 0, first {0:g} to graph 1, first {0:g} nohead dashtype 2 linewidth 1.3 "
+        "linecolor \"{1}\"\n"
         "set label {2} at graph 0.01, first {0:g} offset 0,0.6 textcolor \"{1}\"\n",
         level.newtons, PlotColours::limit, quoted(fmt::format("{} {:g} N", level.label, level.newtons)));
   plot.script += fmt::format(
@@ -122,10 +124,10 @@ Plot force_plot(const std::vector<Sample>& log, const MessageLog& messages, cons
 
 Plot position_plot(const std::vector<Sample>& log, const std::string& title,
                    std::optional<runtime::Time> end) {
-  std::vector<double> apart;
+  std::vector<double> error;
   std::array<double, 3> low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
   for (const Sample& sample : log) {
-    apart.push_back((sample.tool - sample.set_point).norm() * 1e3);
+    error.push_back((sample.tool - sample.set_point).norm() * 1e3);
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (const Eigen::Vector3d* place : {&sample.tool, &sample.set_point}) {
         low[axis] = std::min(low[axis], (*place)[static_cast<Eigen::Index>(axis)] * 1e3);
@@ -133,17 +135,18 @@ Plot position_plot(const std::vector<Sample>& log, const std::string& title,
       }
   }
   std::string csv =
-      "time_s,set_point_x_mm,set_point_y_mm,set_point_z_mm,tool_x_mm,tool_y_mm,tool_z_mm,apart_mm\n";
-  for (const std::size_t row : telling_rows(apart, most_rows)) {
+      "time_s,set_point_x_mm,set_point_y_mm,set_point_z_mm,tool_x_mm,tool_y_mm,tool_z_mm,following_error_"
+      "mm\n";
+  for (const std::size_t row : telling_rows(error, most_rows)) {
     const Eigen::Vector3d wanted = log[row].set_point * 1e3, actual = log[row].tool * 1e3;
     csv += fmt::format("{:.3f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}\n", seconds(log[row].time),
-                       wanted.x(), wanted.y(), wanted.z(), actual.x(), actual.y(), actual.z(), apart[row]);
+                       wanted.x(), wanted.y(), wanted.z(), actual.x(), actual.y(), actual.z(), error[row]);
   }
   Plot plot{"position", {}, {{"position.csv", csv}}};
   plot.script = plot_beginning(plot.name, 960, 900) +
-                "set multiplot layout 4,1 margins 0.10,0.97,0.06,0.93 spacing 0.0,0.045 title " +
-                quoted(title) + " noenhanced\n" + set_range("x", {0, last_second(log)}) +
-                end_of_skill(end, false) + "set format y \"%g\"\n";
+                "set multiplot layout 4,1 margins 0.13,0.97,0.075,0.93 spacing 0.0,0.03 " + heading(title) +
+                set_range("x", {0, last_second(log)}) + end_of_skill(end, false) +
+                "set format y \"%8g\"\nset format x \"\"\n";
   constexpr std::array<const char*, 3> names{"x", "y", "z"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const PlotRange range = log.empty() ? PlotRange{-1, 1} : roomy(low[axis], high[axis], 0.4);
@@ -155,7 +158,7 @@ Plot position_plot(const std::vector<Sample>& log, const std::string& title,
         axis == 0 ? "set key inside top right\n" : "unset key\n");
   }
   plot.script += fmt::format(
-      "set ylabel \"set-point to tool, mm\"\nset xlabel \"time, s\"\n"
+      "set ylabel \"following error, mm\"\nset xlabel \"time, s\"\nset format x \"%g\"\n"
       "set yrange [0:*]\nplot 'position.csv' skip 1 using 1:8 with lines linecolor \"{}\" notitle\nunset "
       "multiplot\n",
       PlotColours::limit);
@@ -190,8 +193,7 @@ Plot path_plot(const std::vector<Sample>& log, const std::string& title) {
   const PlotRange horizontal = roomy(low[across], high[across], 0.6 * widest);
   const PlotRange vertical = roomy(low[upwards], high[upwards], 0.6 * widest);
   plot.script =
-      plot_beginning(plot.name, 760, 700) + "set title " + quoted(title) +
-      " noenhanced\nset size ratio -1\n" +
+      plot_beginning(plot.name, 760, 700) + "set " + heading(title) + "set size ratio -1\n" +
       fmt::format("set xlabel \"{}, mm\"\nset ylabel \"{}, mm\"\n", first, second) +
       set_range("x", horizontal) + set_range("y", vertical) +
       fmt::format(

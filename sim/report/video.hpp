@@ -16,7 +16,7 @@ inline constexpr runtime::Time video_period = std::chrono::milliseconds(40);
 struct VideoOptions {
   std::string file;  // MP4
   /// Width and height must be even.
-  PictureOptions picture{.width = 960, .height = 540, .shadows = false, .samples = 4};
+  PictureOptions picture{.width = 960, .height = 540, .quality = Quality::quick};
   std::string encoder = "ffmpeg";  // a name that is looked up in PATH, or a path
 };
 

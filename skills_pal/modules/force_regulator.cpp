@@ -13,12 +13,16 @@ constexpr double rise_gain = 0.25;
 // Part of the missing way that is gone in a cycle.
 constexpr double way = 0.5;
 
+// N: so little too much or too little is left alone while the tool stands: the joints stick, and a motion
+// that is answered late by a jump would be answered by the next.
+constexpr double quiet = 0.12;
+
 constexpr double contact = 0.3;        // N: less is noise
 constexpr double certain = 1.0;        // N: the tool is in contact without doubt
 constexpr double least_motion = 0.05;  // mm: smaller motions tell nothing of the stiffness
 constexpr double learning = 0.3;
-constexpr double trust = 3;            // in the stiffness that was given, as a factor
-constexpr double steepest = 0.6;                // mm a cycle
+constexpr double trust = 3;       // in the stiffness that was given, as a factor
+constexpr double steepest = 0.6;  // mm a cycle
 
 }  // namespace
 
@@ -51,7 +55,9 @@ double ForceRegulator::next(double force, bool sliding) {
   if (!sliding) learn(force);
   observe(force, sliding);
   const double soon = depth_ + given_ + rise_;
-  const double motion = std::clamp(way * (target_ / stiffness_ - soon) - rise_, -most_, most_);
+  double missing = target_ / stiffness_ - soon;
+  if (!sliding && std::abs(missing) * stiffness_ < quiet) missing = 0;
+  const double motion = std::clamp(way * missing - rise_, -most_, most_);
   remember(force, motion);
   return motion;
 }

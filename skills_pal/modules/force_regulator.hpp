@@ -13,8 +13,8 @@ namespace pal::skills {
 ///
 /// The surface's stiffness is learned while the tool lands: then the surface cannot rise, and what a motion
 /// changes of the force is due to it. What is learned stays within three times and a third of what
-/// was given: half of the way keeps the loop stable as long as the surface is less than three times as stiff as
-/// assumed, and a sponge is stiffer for fast motions than for slow ones.
+/// was given: half of the way keeps the loop stable as long as the surface is less than three times as stiff
+/// as assumed, and a sponge is stiffer for fast motions than for slow ones.
 class ForceRegulator {
  public:
   /// `target` in N; `stiffness` in N/mm as far as it is known; no motion is greater than `most`, mm.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "sim/model/private/physics.hpp"
 
@@ -16,7 +17,7 @@ void let_arm_meet_itself(mjModel& model, const ModelIndex& index);
 /// "the forearm", "post 2", "the table".
 std::string words_for(const mjModel& model, int geom);
 
-/// "the forearm hit post 2"; the arm's part first.
-std::string collision_words(const mjModel& model, const ModelIndex& index, int geom, int other);
+/// "the forearm hit post 2"; the arm's part first, of two parts of the arm the one farther out.
+std::string contact_words(const mjModel& model, int geom, std::string_view verb, int other);
 
 }  // namespace pal::sim

@@ -47,11 +47,14 @@ struct ModelIndex {
   std::vector<Role> roles;                  // of each geom
 };
 
+class GraspFriction;
+
 /// Loads, places and steps the model. After construction `model` and `data` are never null.
 class Physics {
  public:
   /// Loads a scene. Throws SceneError.
   explicit Physics(const Scene& scene);
+  ~Physics();
 
   const mjModel& model() const { return *loaded_.model; }
   mjModel& model() { return *loaded_.model; }
@@ -82,6 +85,7 @@ class Physics {
   LoadedScene loaded_;
   std::unique_ptr<mjData, DeleteData> data_;
   ModelIndex index_;
+  std::unique_ptr<GraspFriction> grasp_;
   std::vector<mjtNum> wanted_, inertial_;  // room for load(), one figure a degree of freedom
 };
 

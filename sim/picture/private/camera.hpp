@@ -26,15 +26,18 @@ class WorkcellCamera {
   View shown_;
 };
 
-/// Looks at the tool's tip from near by. The direction is chosen once.
+/// Looks at the tool's tip, and at what is before it, from near by. The direction is chosen once.
 class ContactCamera {
  public:
   explicit ContactCamera(const Stage& stage);
 
-  View view(const Stage& stage) const;
+  /// `calm`: as of the WorkcellCamera.
+  View view(const Stage& stage, double calm);
 
  private:
   View direction_;
+  double shown_gap_ =
+      -1;  // m between tip and surface that the picture has room for; negative: nothing shown yet
 };
 
 }  // namespace pal::sim

@@ -14,8 +14,7 @@ namespace pal::sim {
 struct PainterOptions {
   Renderer renderer = Renderer::automatic;
   int width = 640, height = 480;  // of the largest picture
-  bool shadows = true;
-  int samples = 8;  // a pixel, against jagged edges
+  Quality quality = Quality::fine;
 };
 
 /// Where shadows have to be sharp.

@@ -24,6 +24,8 @@ class Stage {
   const mjData& data() const { return *data_; }
   /// In the world's frame.
   Eigen::Vector3d tip() const;
+  /// Out of the tool; length 1.
+  Eigen::Vector3d pointing() const;
   Eigen::Vector3d base() const;  // the shoulder: frame 0
   /// The body is the arm's: its base or anything that hangs on it.
   bool of_arm(int body) const;

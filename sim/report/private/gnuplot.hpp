@@ -9,7 +9,7 @@ struct PlotColours {
   static constexpr const char* actual = "#1a56a3";
   static constexpr const char* wanted = "#9aa0a6";
   static constexpr const char* limit = "#c4401a";
-  static constexpr const char* reading = "#e0952a";
+  static constexpr const char* reading = "#d9730d";
   static constexpr const char* band = "#cfe8cf";
 };
 
@@ -18,6 +18,9 @@ std::string plot_beginning(const std::string& name, int width, int height);
 
 /// As a string of gnuplot's, whatever is in it.
 std::string quoted(const std::string& text);
+
+/// "title 'text' …\n", as "set" and "set multiplot" take it.
+std::string heading(const std::string& text);
 
 struct PlotRange {
   double low = 0, high = 0;

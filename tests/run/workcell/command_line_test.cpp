@@ -6,7 +6,9 @@
 #include <sstream>
 
 #include "runtime/trace/trace.hpp"
+#include "sim/program/progress.hpp"
 #include "sim/program/statistics.hpp"
+#include "sim/scene.hpp"
 #include "tests/run/workcell/written_touch.hpp"
 
 using namespace pal::workcell;
@@ -48,6 +50,13 @@ Answer workcell(const std::vector<std::string>& arguments) {
       {"touch-read-first", [] { return std::make_unique<pal::test::WrittenTouch>(true); }}};
   const ExitStatus status = main_program(arguments, skills, out, error);
   return {status, out.str(), error.str()};
+}
+
+std::string content(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
 }
 
 class Folder {
@@ -104,7 +113,10 @@ TEST_CASE("workcell run writes what it did") {
   CHECK(pal::trace::read_json(in).origin == "measured");
   for (const char* file : {"log.csv", "run.json", "trace.chrome.json"})
     CHECK(fs::exists(fs::path(folder.path()) / file));
+  for (const char* file : {"force.csv", "force.gnuplot", "position.csv", "path.csv"})
+    CHECK(fs::exists(fs::path(folder.path()) / "plots" / file));
   CHECK_FALSE(fs::exists(fs::path(folder.path()) / "arm.png"));
+  CHECK_FALSE(fs::exists(fs::path(folder.path()) / "run.mp4"));
   // Nothing half-written is left.
   for (const auto& entry : fs::directory_iterator(folder.path())) CHECK(entry.path().extension() != ".part");
 }
@@ -138,9 +150,12 @@ TEST_CASE("bad input: place, cause, hint, status, and no files") {
   };
   refused({"run", "tuoch"}, ExitStatus::wrong_specification,
           "workcell: error: skill 'tuoch': there is no skill of this name\n  hint: did you mean 'touch'?\n");
+  std::string scenes;
+  for (const pal::sim::Scene& scene : pal::sim::list_scenes({PAL_SCENE_DIR}))
+    scenes += (scenes.empty() ? "" : ", ") + scene.name;
   refused(
       {"run", "touch", "--scene", "nothin"}, ExitStatus::wrong_specification,
-      "workcell: error: scene 'nothin': there is no scene of this name\n  hint: there are nothing, touch\n");
+      "workcell: error: scene 'nothin': there is no scene of this name\n  hint: there are " + scenes + "\n");
   refused({"run", "touch", "--set", "approach-speed=600"}, ExitStatus::wrong_specification,
           "workcell: error: --set approach-speed=600: parameter approach-speed is 600 mm/s; it may be from 1 "
           "to 60 mm/s\n"
@@ -151,6 +166,8 @@ TEST_CASE("bad input: place, cause, hint, status, and no files") {
   refused({"run", "touch", "--set", "reach=20mm"}, ExitStatus::wrong_specification,
           "workcell: error: --set reach=20mm: '20mm' is not a number\n  hint: write the value without its "
           "unit\n");
+  refused({"run", "touch", "--set", "reach=5", "--set", "threshold=4", "--set", "reach=6"}, ExitStatus::usage,
+          "workcell: error: --set reach=6: reach has been set before, to 5\n  hint: set it once\n");
   refused({"run", "touch", "--set", "reach"}, ExitStatus::usage,
           "workcell: error: --set reach: a parameter is set by name=value\n  hint: write --set "
           "approach-speed=20\n");
@@ -163,9 +180,75 @@ TEST_CASE("a command line that is wrong is a matter of usage") {
   CHECK(workcell({"run", "touch", "--time", "never"}).status == ExitStatus::usage);
   CHECK(workcell({"run", "touch", "--against", "touch-read-first"}).status == ExitStatus::usage);
   CHECK(workcell({"run", "touch", "--no-picture", "--output", "/proc/none"}).status == ExitStatus::usage);
+  for (const char* seed : {"-1", "1.5", "18446744073709551616", "one", ""}) {
+    const Answer answer = workcell({"run", "touch", "--seed", seed});
+    CAPTURE(seed, answer.error);
+    CHECK(answer.status == ExitStatus::usage);
+    CHECK(answer.error.find("--seed") != std::string::npos);
+  }
+  CHECK(workcell({"run", "touch", "--phase", "nan"}).status == ExitStatus::usage);
+  CHECK(workcell({"run", "touch", "--seed", "1", "--seed", "1"}).status == ExitStatus::usage);
+  const Answer both = workcell({"run", "touch", "--sweep", "2", "--phase", "3"});
+  CHECK(both.status == ExitStatus::usage);
+  CHECK(both.error.find("--phase excludes --sweep") != std::string::npos);
+  CHECK(workcell({"run", "touch", "--sweep", "2", "--live"}).status == ExitStatus::usage);
+  CHECK(workcell({"run", "touch", "--sweep", "2", "--video", "--output", "/tmp/none"}).status ==
+        ExitStatus::usage);
+  const Answer nowhere = workcell({"run", "touch", "--video"});
+  CHECK(nowhere.status == ExitStatus::usage);
+  CHECK(nowhere.error.find("--video requires --output") != std::string::npos);
   const Answer help = workcell({"run", "--help"});
   CHECK(help.status == ExitStatus::done);
   CHECK(help.out.find("--sweep") != std::string::npos);
+}
+
+TEST_CASE("a run is the same byte for byte, whoever looks on") {
+  const Folder folder;
+  const auto run = [&](const std::string& name, std::vector<std::string> looking) {
+    std::vector<std::string> arguments{"run", "touch", "--seed", "5", "--output", folder.path() + "/" + name};
+    arguments.insert(arguments.end(), looking.begin(), looking.end());
+    return workcell(arguments);
+  };
+  REQUIRE(run("alone", {"--no-picture", "--no-plots"}).status == ExitStatus::done);
+  const Answer watched = run("watched", {"--video", "--live"});
+  CAPTURE(watched.out, watched.error);
+  if (watched.error.find("--video") != std::string::npos) {
+    WARN("no video here: " << watched.error);
+    REQUIRE(run("watched", {"--live"}).status == ExitStatus::done);
+  } else {
+    CHECK(fs::file_size(folder.path() + "/watched/run.mp4") > 10'000);
+  }
+  for (const char* file : {"trace.json", "trace.chrome.json", "log.csv", "run.json"}) {
+    CAPTURE(file);
+    CHECK(content(folder.path() + "/alone/" + file) == content(folder.path() + "/watched/" + file));
+  }
+}
+
+TEST_CASE("progress: a line a simulated second, or one that is rewritten") {
+  const Answer plain = workcell({"run", "touch", "--live", "--set", "approach-speed=10"});
+  std::istringstream lines(plain.out);
+  std::string line;
+  std::getline(lines, line);
+  CHECK(line.find("   1.000 s") == 0);
+  CHECK(line.find(" x  moving      force   0.0 N  tool ") != std::string::npos);
+  std::getline(lines, line);
+  CHECK(line.find("   2.0") == 0);
+  CHECK(line.find("pressing") != std::string::npos);
+  CHECK(plain.out.find('\r') == std::string::npos);
+
+  pal::sim::Workcell cell(pal::sim::find_scene("touch", {PAL_SCENE_DIR}));
+  std::ostringstream out;
+  std::chrono::steady_clock::time_point now{};
+  Progress progress(cell, out, true, [&] { return now; });
+  now += std::chrono::milliseconds(50);
+  progress.show();
+  CHECK(out.str().empty());
+  cell.advance_to(std::chrono::milliseconds(300));
+  now += std::chrono::milliseconds(50);
+  progress.show();
+  CHECK(out.str().find("\r   0.300 s    3.0 x  standing") == 0);
+  progress.end();
+  CHECK(out.str().back() == '\n');
 }
 
 TEST_CASE("figures of a distribution") {

@@ -85,3 +85,42 @@ TEST_CASE("pressing on the plate is steady, and as stiff as pad and contact toge
   }
   CHECK(most - least < 0.05);
 }
+
+TEST_CASE("the same seed of the machine gives the same run, bit for bit; another seed another one") {
+  const auto run = [](const char* name, const MachineOptions& machine) {
+    Workcell workcell(scene(name), {.machine = machine});
+    for (int i = 0; i < 12; ++i) {
+      workcell.move({0.2, 0, 0.5, 0, 0, 0.1}, CorrectionFrame::tool, workcell.now());
+      workcell.advance_to(workcell.now() + alter_period);
+    }
+    return workcell.log();
+  };
+  for (const char* name : {"touch", "parts", "waves"}) {
+    const auto one = run(name, {}), again = run(name, {}), other = run(name, {.seed = 2});
+    REQUIRE(one.size() == again.size());
+    bool same = true;
+    for (std::size_t i = 0; i < one.size(); ++i)
+      same = same && one[i].joints == again[i].joints && one[i].contact_force == again[i].contact_force &&
+             one[i].wrench.force == again[i].wrench.force;
+    CAPTURE(name);
+    CHECK(same);
+    CHECK(one.back().joints != other.back().joints);
+    CHECK((one.back().tool - other.back().tool).norm() < 3e-4);
+  }
+}
+
+TEST_CASE("the encoders show the joints in whole counts, and the log has what a plot needs") {
+  Workcell workcell(scene("touch"));
+  workcell.advance_to(50ms);
+  const Joints shown = workcell.encoder_joints();
+  CHECK((shown - workcell.joints()).cwiseAbs().maxCoeff() > 0);
+  CHECK((shown - workcell.joints()).cwiseAbs().maxCoeff() < 2e-4);  // a count and half of the play
+  const Sample& sample = workcell.log().back();
+  CHECK(sample.joints == workcell.joints());
+  CHECK((sample.tool - workcell.tool().translation()).norm() == 0);
+  CHECK((sample.set_point - workcell.set_point().translation()).norm() == 0);
+  CHECK(sample.tool_turn.toRotationMatrix().isApprox(workcell.tool().linear(), 1e-12));
+  CHECK(sample.wrench.force == workcell.wrench().force);
+  // Looking does not move anything.
+  CHECK(workcell.encoder_joints() == shown);
+}

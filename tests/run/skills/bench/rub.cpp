@@ -76,8 +76,10 @@ std::vector<Figure> measure_rub() {
     const double reach = band_rule ? 0 : 0.5;
     // The rule goes whole steps: it is stable while a step, felt 60 ms later, is less than half the band.
     const double vertical = band_rule ? 0.15 : 0.8;
-    for (const char* surface : {"touch", "slope-up", "slope-down", "waves-100"})
+    for (const char* surface : {"touch", "slope-up", "slope-down"})
       figures.push_back(measure({surface, fast, vertical, band_rule, reach}));
+    // Not through a trough: within 7 mm of it the simulator drops the contact with a height field.
+    figures.push_back(measure({"waves-100", fast, vertical, band_rule, reach, 8.5}));
     figures.push_back(measure({"sponge", fast, vertical, band_rule, reach, 6}));
     figures.push_back(measure({"slope-up", 0.2, vertical, band_rule, reach}));
   }

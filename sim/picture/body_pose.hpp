@@ -1,0 +1,45 @@
+// The workcell for a view that draws it itself: what there is, once, and where it is, a list of poses a
+// frame.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace pal::sim {
+
+class Workcell;
+
+enum class ShapeKind { plane, sphere, capsule, ellipsoid, cylinder, box, mesh };
+
+/// A shape on a body. Sizes in metres, as MuJoCo counts them: half lengths of a box; radius and half length
+/// (along z) of a cylinder or capsule; radius of a sphere; half lengths of a plane, 0 without an end; of a
+/// mesh the half lengths of its box.
+struct BodyShape {
+  ShapeKind kind = ShapeKind::box;
+  std::size_t body = 0;  // into SceneGeometry::bodies
+  std::array<float, 3> size{};
+  std::array<float, 3> position{};        // in the body's frame, m
+  std::array<float, 4> turn{1, 0, 0, 0};  // w x y z
+  std::array<float, 4> colour{};          // red, green, blue, opacity, 0 to 1
+};
+
+/// What a scene consists of: some 5 kB. It does not change during a run.
+struct SceneGeometry {
+  std::vector<std::string> bodies;  // the first is the world, which does not move; empty: nameless
+  std::vector<BodyShape> shapes;    // only those that pictures show
+};
+
+/// Where a body is, in the world's frame (on the floor, below frame 0): 28 bytes.
+struct BodyPose {
+  std::array<float, 3> position{};        // m
+  std::array<float, 4> turn{1, 0, 0, 0};  // w x y z
+};
+
+SceneGeometry scene_geometry(Workcell& workcell);
+
+/// As of the last step, in the order of SceneGeometry::bodies without the world. 336 bytes of the arm, sensor
+/// and tool, and 28 for each thing more.
+std::vector<BodyPose> body_poses(Workcell& workcell);
+
+}  // namespace pal::sim

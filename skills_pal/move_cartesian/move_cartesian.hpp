@@ -1,0 +1,13 @@
+// Move Cartesian: in a straight line to a pose.
+#pragma once
+
+#include <memory>
+
+#include "runtime/skill.hpp"
+
+namespace pal::skills {
+
+/// move_cartesian.pal.
+std::unique_ptr<runtime::Skill> move_cartesian_skill();
+
+}  // namespace pal::skills

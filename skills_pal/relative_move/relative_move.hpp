@@ -1,0 +1,13 @@
+// Relative Move: by so much in the frame of the tool.
+#pragma once
+
+#include <memory>
+
+#include "runtime/skill.hpp"
+
+namespace pal::skills {
+
+/// relative_move.pal.
+std::unique_ptr<runtime::Skill> relative_move_skill();
+
+}  // namespace pal::skills

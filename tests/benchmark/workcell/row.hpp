@@ -1,0 +1,21 @@
+// The rows of the workcell's table of figures. One more: a file with a function, its declaration here, its
+// name in main.cpp's list.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pal::bench {
+
+struct Row {
+  std::string what;
+  std::string measured;
+  std::string required;  // empty: for information
+  bool met = true;
+};
+
+std::vector<Row> speed_rows();    // steps a second, bare and with everything
+std::vector<Row> memory_rows();   // of a whole run
+std::vector<Row> picture_rows();  // CPU of pictures and of frames of a video
+
+}  // namespace pal::bench

@@ -1,0 +1,140 @@
+// What stops the arm by itself, and what the words for it are.
+#include <catch2/catch.hpp>
+
+#include "tests/unit/sim/scene_text.hpp"
+#include "tests/unit/sim/support.hpp"
+
+using namespace pal::sim;
+using namespace pal::sim::test;
+
+namespace {
+
+// Moves on evenly until the arm refuses; the answer is the refusal.
+std::string move_until_refused(Workcell& workcell, const Correction& correction, CorrectionFrame frame,
+                               int most) {
+  for (int i = 0; i < most; ++i) {
+    if (const auto refused = workcell.move(correction, frame, workcell.now())) return *refused;
+    workcell.advance_to(workcell.now() + alter_period);
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("faults: a bar under the forearm stops the arm, which names both") {
+  Workcell workcell(scene("bar-under-forearm"));
+  std::vector<std::string> told;
+  const auto listening = workcell.on_fault([&](const ArmFault& fault) {
+    told.push_back(fault.text);
+    CHECK(fault.time == workcell.now());
+  });
+  const std::string refused = move_until_refused(workcell, {0, 0, 0.56, 0, 0, 0}, CorrectionFrame::tool, 200);
+  REQUIRE(workcell.fault());
+  CHECK(workcell.fault()->kind == ArmFault::Kind::collision);
+  CHECK(workcell.fault()->text == "the forearm hit the bar");
+  CHECK(refused == "the arm has stopped: the forearm hit the bar");
+  CHECK(told == std::vector<std::string>{"the forearm hit the bar"});
+  CHECK(workcell.log().back().contact_force == 0);  // the tool has not come to the plate
+
+  // It stands where it was, and says nothing new.
+  const Eigen::Vector3d there = workcell.tool().translation();
+  workcell.advance_to(workcell.now() + 500ms);
+  CHECK((workcell.tool().translation() - there).norm() < 1e-3);
+  CHECK(told.size() == 1);
+
+  // Reset, it may be moved away from what it hit, and a second meeting is a fault again.
+  workcell.reset_fault();
+  CHECK(move_until_refused(workcell, {0, 0, -0.56, 0, 0, 0}, CorrectionFrame::tool, 20).empty());
+  CHECK_FALSE(workcell.fault());
+  CHECK_FALSE(move_until_refused(workcell, {0, 0, 0.56, 0, 0, 0}, CorrectionFrame::tool, 60).empty());
+  CHECK(told.size() == 2);
+}
+
+TEST_CASE("faults: a listener that is gone is not called") {
+  Workcell workcell(scene("bar-under-forearm"));
+  int called = 0;
+  workcell.on_fault([&](const ArmFault&) { ++called; }).reset();
+  move_until_refused(workcell, {0, 0, 0.56, 0, 0, 0}, CorrectionFrame::tool, 200);
+  CHECK(workcell.fault());
+  CHECK(called == 0);
+}
+
+TEST_CASE("faults: the side of a tool is not its tip") {
+  const SceneText text("tool pad\nstart 460 -200 -120\nmachine exact\nblock at 580 -200 size 40 100 200\n");
+  Workcell workcell(text.scene());
+  move_until_refused(workcell, {1, 0, 0, 0, 0, 0}, CorrectionFrame::world, 60);
+  REQUIRE(workcell.fault());
+  CHECK(workcell.fault()->text == "the force-torque sensor hit the block");
+}
+
+TEST_CASE("faults: pressed flat, the pad's holder hits what the pad was pressed on") {
+  Workcell workcell(scene("touch"));
+  move_until_refused(workcell, {0, 0, 1, 0, 0, 0}, CorrectionFrame::tool, 120);
+  REQUIRE(workcell.fault());
+  CHECK(workcell.fault()->text == "the tool hit the plate");
+}
+
+TEST_CASE("faults: a tool that cannot follow is more than 5 mm from where it was told to be") {
+  // Steel fingers on a steel plate: the drives give all they have, and the arm stands.
+  const SceneText hand("tool gripper\nstart 480 -200 -140\nplate at 480 -200\n");
+  Workcell workcell(hand.scene());
+  move_until_refused(workcell, {0, 0, 1, 0, 0, 0}, CorrectionFrame::tool, 120);
+  REQUIRE(workcell.fault());
+  CAPTURE(workcell.fault()->text);
+  CHECK(workcell.fault()->kind == ArmFault::Kind::following_error);
+  CHECK(workcell.fault()->text.find("the tool is 5.") == 0);
+  CHECK(workcell.fault()->text.find("from where it was told to be; the joint farthest off is joint ") !=
+        std::string::npos);
+}
+
+TEST_CASE("faults: the range finder may touch nothing, the gripper's fingers may") {
+  const SceneText finder("tool range-finder\nstart 480 -200 -60\nplate at 480 -200\n");
+  Workcell workcell(finder.scene());
+  move_until_refused(workcell, {0, 0, 2, 0, 0, 0}, CorrectionFrame::tool, 120);
+  REQUIRE(workcell.fault());
+  CHECK(workcell.fault()->text == "the range finder hit the plate");
+
+  const SceneText hand("tool gripper\nstart 480 -200 -140\nplate at 480 -200\n");
+  Workcell gripper(hand.scene());
+  move_until_refused(gripper, {0, 0, 0.5, 0, 0, 0}, CorrectionFrame::tool, 34);
+  CHECK_FALSE(gripper.fault());
+  CHECK(gripper.log().back().contact_force > 1);
+}
+
+TEST_CASE("faults: the arm meets itself") {
+  // The arm folds until what it carries comes to the upper arm.
+  const SceneText text("no table\ntool range-finder\nstart 250 0 100\nconfiguration lefty above noflip\n");
+  Workcell workcell(text.scene());
+  const std::string refused = move_until_refused(workcell, {-2, 0, 0, 0, 0, 0}, CorrectionFrame::world, 400);
+  CAPTURE(refused);
+  REQUIRE(workcell.fault());
+  CHECK(workcell.fault()->kind == ArmFault::Kind::self_collision);
+  CHECK(workcell.fault()->text == "the range finder hit the upper arm");
+}
+
+TEST_CASE("faults: a start at which any part of the arm touches something is refused") {
+  const auto refused = [](const std::string& things) {
+    const SceneText text("start 560 -200 -100\n" + things);
+    try {
+      Workcell workcell(text.scene());
+    } catch (const SceneError& error) {
+      return error.cause();
+    }
+    return std::string("loaded");
+  };
+  CHECK(refused("plate at 560 -200\n") == "loaded");
+  CHECK(refused("bar at 440 -200 85 length 300 turn 90\n") == "at its start the forearm touches the bar");
+  CHECK(refused("block at 560 -200 size 60 60 100\n") == "at its start the tool's tip touches the block");
+}
+
+TEST_CASE("faults: a run whose contacts do not fit ends with an error") {
+  // Each shape of a heap of boxes within one another wants more contacts than there is room for.
+  std::string heap = R"(<mujoco><include file="puma560.xml"/><size nconmax="8"/><custom>)"
+                     R"(<numeric name="start" data="0.46 -0.2 0.1 0"/></custom><worldbody>)";
+  for (int i = 0; i < 6; ++i)
+    heap += "<body pos=\"0.8 0.4 " + std::to_string(0.1 + 0.08 * i) +
+            "\"><freejoint/><geom class=\"cell\" type=\"box\" size=\".05 .05 .05\" mass=\"1\"/></body>";
+  const SceneText text(heap + "</worldbody></mujoco>", ".xml");
+  CHECK_THROWS_WITH(Workcell(text.scene()),
+                    "there are more contacts than the scene has room for, and some were left out");
+}

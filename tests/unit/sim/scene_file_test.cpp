@@ -1,0 +1,197 @@
+// The .scene format: what it says, what it refuses, and that every scene of the project loads.
+#include <catch2/catch.hpp>
+
+#include "sim/model/private/scene_description.hpp"
+#include "tests/unit/sim/scene_text.hpp"
+#include "tests/unit/sim/support.hpp"
+
+using namespace pal::sim;
+using namespace pal::sim::test;
+
+namespace {
+
+SceneError refused(const std::string& text) {
+  try {
+    parse_description(text, "my.scene");
+  } catch (const SceneError& error) {
+    return error;
+  }
+  FAIL("accepted: " << text);
+  return {"", "", ""};
+}
+
+// Place and cause of a scene whose second line is wrong.
+std::string second_line(const std::string& line) {
+  const SceneError error = refused("start 1 2 3\n" + line + "\n");
+  CHECK_FALSE(error.hint().empty());
+  return error.place() + ": " + error.cause();
+}
+
+}  // namespace
+
+TEST_CASE("scene files: what they say") {
+  const SceneDescription scene = parse_description(
+      "about  two posts, \"near\"  # not a remark, but a part of the text\n"
+      "\n"
+      "# a remark\n"
+      "tool gripper\r\n"
+      "start 460 -200.5 +60 90   # and another\n"
+      "configuration noflip lefty below\n"
+      "machine seed 7\n"
+      "no table\n"
+      "post at 1 2\n"
+      "post at 3 4 5 diameter 12\n"
+      "part \"blue one\" at 0 0 mass 150 turn 45\n",
+      "my.scene");
+  CHECK(scene.about == "two posts, \"near\"  # not a remark, but a part of the text");
+  CHECK(scene.tool == ToolKind::gripper);
+  CHECK(*scene.start == std::array<double, 4>{460, -200.5, 60, 90});
+  CHECK(scene.configuration == Configuration{.righty = false, .above = false, .flip = false});
+  CHECK(scene.machine.seed == 7);
+  CHECK(scene.machine.encoders);
+  CHECK_FALSE(scene.table);
+  REQUIRE(scene.things.size() == 3);
+  CHECK(scene.things[0].name == "post 1");
+  CHECK(scene.things[0].all("at") == std::vector<double>{1, 2, table_top});  // it stands on the table
+  CHECK(scene.things[1].name == "post 2");
+  CHECK(scene.things[1].all("at") == std::vector<double>{3, 4, 5});
+  CHECK(scene.things[1].one("diameter") == 12);
+  CHECK(scene.things[1].one("height") == 300);
+  CHECK(scene.things[2].name == "blue one");
+  CHECK(scene.things[2].line == 11);
+}
+
+TEST_CASE("scene files: what is wrong has its line, its cause and a way out") {
+  const SceneError unknown = refused("start 1 2 3\nplait at 1 2\n");
+  CHECK(unknown.place() == "my.scene:2");
+  CHECK(unknown.cause() == "'plait' is not something that a scene has");
+  CHECK(unknown.hint().find("a line begins with about, tool, start") == 0);
+  CHECK(unknown.hint().find("plate, sponge") != std::string::npos);
+
+  CHECK(second_line("plate at 1") == "my.scene:2: 'at' has 1 figures instead of 2");
+  CHECK(second_line("plate at one two") == "my.scene:2: 'one' is not a number");
+  CHECK(second_line("plate size 1 2 3") == "my.scene:2: this plate does not say 'at'");
+  CHECK(second_line("plate at 1 2 colour 3") == "my.scene:2: a plate has no 'colour'");
+  CHECK(second_line("plate at 1 2 3 4") == "my.scene:2: a plate has no '4'");
+  CHECK(second_line("plate at 1 2 at 3 4") == "my.scene:2: 'at' is said twice");
+  CHECK(second_line("plate at 1 2 stiffness -1") ==
+        "my.scene:2: 'stiffness' is -1, which is out of its range");
+  CHECK(second_line("plate at 1 2 tilt 80 0") == "my.scene:2: 'tilt' is 80, which is out of its range");
+  CHECK(second_line("plate at nan 2") == "my.scene:2: 'nan' is not a number");
+  CHECK(second_line("plate \"left at 1 2") == "my.scene:2: a quotation mark is not closed");
+  CHECK(second_line("plate \"a<b\" at 1 2") ==
+        "my.scene:2: the name 'a<b' has a character that names cannot have");
+  CHECK(second_line("tool hammer") == "my.scene:2: 'hammer' is not a tool");
+  CHECK(second_line("tool pad pad") == "my.scene:2: 'pad' is one word too many");
+  CHECK(second_line("start 4 5 6") == "my.scene:2: 'start' is said twice");
+  CHECK(second_line("configuration sideways") == "my.scene:2: 'sideways' is not a configuration of the arm");
+  CHECK(second_line("machine seed -1") ==
+        "my.scene:2: '-1' is not a seed, which is a whole number from 0 on");
+  CHECK(second_line("no chairs") == "my.scene:2: only the table can be left out");
+  CHECK(second_line("about") == "my.scene:2: 'about' says nothing");
+  CHECK(second_line("post \"tool\" at 1 2") == "my.scene:2: there is more than one thing named 'tool'");
+
+  CHECK(refused("start 1 2\n").cause() == "the start has too few figures");
+  CHECK(refused("plate at 1 2\n").cause() == "the scene does not say where the tool starts");
+  CHECK(refused("").place() == "my.scene:1");
+
+  const SceneText deep("start 480 -200 100\ntool range-finder\nsurface at 480 -200 size 200 200 20\n");
+  try {
+    Workcell workcell(deep.scene());
+    FAIL("loaded");
+  } catch (const SceneError& error) {
+    CHECK(error.place() == deep.file() + ":3");
+    CHECK(error.cause().find("the surface is ") == 0);
+  }
+}
+
+TEST_CASE("scene files: a scene in MJCF may not change what every run rests on") {
+  const auto cause = [](const std::string& option) {
+    const SceneText text(R"(<mujoco><include file="puma560.xml"/><custom><numeric name="start" )"
+                         R"(data="0.46 -0.2 -0.1 0"/></custom><option )" +
+                             option + "/></mujoco>",
+                         ".xml");
+    try {
+      Workcell workcell(text.scene());
+    } catch (const SceneError& error) {
+      return error.cause();
+    }
+    return std::string("loaded");
+  };
+  CHECK(cause("") == "loaded");
+  CHECK(cause("timestep=\".002\"") == "the scene changes the time step, which is 1 ms");
+  CHECK(cause("integrator=\"Euler\"") == "the scene changes the integrator, which is the implicit one");
+  CHECK(cause("gravity=\"0 0 -1.6\"") == "the scene changes gravity, which is 9.81 m/s^2 downwards");
+}
+
+TEST_CASE("scene files: a loose body of a scene in MJCF lies on its table") {
+  const SceneText text(
+      R"(<mujoco><include file="puma560.xml"/><include file="cell.xml"/><custom><numeric name="start" )"
+      R"(data="0.46 -0.2 0 0"/></custom><worldbody><body name="box" pos="0.5 -0.2 0.53"><freejoint/>)"
+      R"(<geom class="cell" type="box" size=".02 .02 .02" mass=".1"/></body></worldbody></mujoco>)",
+      ".xml");
+  Workcell workcell(text.scene());
+  workcell.advance_to(1s);
+  // 490 mm above the floor, 181.8 mm below the shoulder; the box is 40 mm high.
+  const auto below = workcell.cast({0.5, -0.2, -0.05}, {0, 0, -1});
+  REQUIRE(below);
+  CHECK(*below == Approx(0.0918).margin(1e-3));
+}
+
+TEST_CASE("scene files: every scene of the project loads, and says what it is") {
+  for (const Scene& each : list_scenes({PAL_SCENE_DIR})) {
+    CAPTURE(each.name);
+    CHECK_FALSE(describe_scene(each).empty());
+    Workcell workcell(each, {.settle = 20ms});
+    workcell.advance_to(20ms);
+    CHECK_FALSE(workcell.fault());
+    const auto below = workcell.cast(workcell.tool().translation(), workcell.tool().linear().col(2));
+    REQUIRE(below);  // the table, at least
+    CHECK(*below < 0.4);
+  }
+}
+
+TEST_CASE("scene files: plates give way as they say, in series with the pad") {
+  for (const auto& [name, stiffness] : std::vector<std::pair<std::string, double>>{
+           {"plate-1", 1}, {"plate-5", 5}, {"plate-20", 20}, {"sponge", 1}}) {
+    Workcell workcell(scene(name));
+    const auto press = [&](double distance) {
+      for (int i = 0; i < 10; ++i) {
+        REQUIRE_FALSE(workcell.move({0, 0, distance / 10, 0, 0, 0}, CorrectionFrame::tool, workcell.now()));
+        workcell.advance_to(workcell.now() + alter_period);
+      }
+      workcell.advance_to(workcell.now() + 600ms);
+      return workcell.log().back().contact_force;
+    };
+    press(14);
+    const double first = press(4), second = press(2);
+    // The pad, 20 N/mm, and the contact, whose softness is as great, stand in series with the plate.
+    const double series = 1 / (1 / stiffness + 1 / 10.0);
+    CAPTURE(name, first, second);
+    CHECK(first > 0);
+    CHECK((second - first) / 2 == Approx(series).epsilon(0.2));
+  }
+}
+
+TEST_CASE("rays see the scene and not the arm") {
+  const SceneText text(
+      "tool range-finder\nstart 480 -200 100\npyramid at 480 -200 size 120 120 60 steps 4\n");
+  Workcell workcell(text.scene());
+  const Pose tip = workcell.tool();
+  const Eigen::Vector3d down = tip.linear().col(2);
+  const auto height_at = [&](double x, double y) {
+    const auto distance = workcell.cast({x * 1e-3, y * 1e-3, 0.1}, {0, 0, -2});
+    REQUIRE(distance);
+    return 100 - *distance * 1e3 - table_top;
+  };
+  CHECK(*workcell.cast(tip.translation(), down) * 1e3 == Approx(100 - (table_top + 60)).margin(0.2));
+  CHECK(height_at(480, -200) == Approx(60).margin(1e-9));
+  CHECK(height_at(480, -200 + 20) == Approx(45).margin(1e-9));
+  CHECK(height_at(480 + 40, -200) == Approx(30).margin(1e-9));
+  CHECK(height_at(480 + 55, -200 + 55) == Approx(15).margin(1e-9));
+  CHECK(height_at(480 + 70, -200) == Approx(0).margin(1e-9));
+  // From behind the flange the arm stands in the way, and is looked through.
+  CHECK(*workcell.cast(tip * Eigen::Vector3d(0, 0, -0.15), down) * 1e3 ==
+        Approx(250 - (table_top + 60)).margin(0.2));
+  CHECK_FALSE(workcell.cast(tip.translation(), {0, 0, 1}));
+}
