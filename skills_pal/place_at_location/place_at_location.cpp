@@ -17,11 +17,15 @@ class Method final : public SM1Activities {
 
   void start(const Parameters& parameters) override { parameters_ = parameters; }
 
+  void list_carry() override {
+    list_->begin();
+    list_->set_speed(parameters_.speed).add(Verb::approach, parameters_.location, parameters_.approach);
+  }
+
+  // Apart from the way there: what the tool meets here stands at the place.
   void list_lower() override {
     list_->begin();
-    list_->add(Verb::speed, parameters_.speed)
-        .add(Verb::approach, parameters_.location, parameters_.approach)
-        .add(Verb::move_straight, parameters_.location);
+    list_->add(Verb::move_straight, parameters_.location);
   }
 
   void list_release() override {
@@ -38,19 +42,19 @@ class Method final : public SM1Activities {
   Parameters parameters_;
 };
 
-class Return final : public CM3Activities {
+class Return final : public CM4Activities {
  public:
   explicit Return(std::shared_ptr<List> list) : list_(std::move(list)) {}
 
-  void start(const Parameters& parameters) override { approach_ = parameters.approach; }
+  void start(const Parameters& parameters) override { parameters_ = parameters; }
   void list_return() override {
     list_->begin();
-    list_->add(Verb::calibrate).add(Verb::depart_straight, approach_);
+    list_->add(Verb::calibrate).add(Verb::approach_straight, parameters_.location, parameters_.approach);
   }
 
  private:
   std::shared_ptr<List> list_;
-  double approach_ = 0;
+  Parameters parameters_;
 };
 
 }  // namespace
@@ -59,7 +63,8 @@ std::unique_ptr<runtime::Skill> place_at_location_skill() {
   auto list = std::make_shared<List>();
   return make_place_at_location(
       std::make_unique<Method>(list), std::make_unique<Commands<SM2Activities>>(list),
-      std::make_unique<GripSensor<LS3Activities>>(), std::make_unique<Return>(list));
+      std::make_unique<Report<SM3Activities>>(), std::make_unique<GripSensor<LS3Activities>>(),
+      std::make_unique<Return>(list));
 }
 
 }  // namespace pal::skills
