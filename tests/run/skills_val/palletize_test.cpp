@@ -15,7 +15,9 @@ TEST_CASE("palletize: 0, parts at the places that come next, row by row") {
   int number = 0;
   for (const auto& [placed, offset] : places) {
     const std::string serial = std::to_string(++number);
-    REQUIRE(shop.run("pick-at-location", {text("location", "PART" + serial)}).code == 0);
+    REQUIRE(
+        shop.run("pick-at-location", {text("location", "PART" + serial), {.name = "approach", .value = 100}})
+            .code == 0);
     const auto outcome = shop.run("palletize", {{.name = "placed", .value = placed}});
     CHECK(outcome.code == 0);
     CHECK_FALSE(outcome.fault);
@@ -25,7 +27,7 @@ TEST_CASE("palletize: 0, parts at the places that come next, row by row") {
     INFO("after " << placed);
     CHECK((shop.middle("part " + std::to_string(++number)) - shop.location("CORNER") - offset).norm() < 0.3);
   }
-  CHECK((shop.tip() - shop.location("CORNER") - Vector3d(180, 180, 50)).norm() < 0.2);
+  CHECK((shop.tip() - shop.location("CORNER") - Vector3d(180, 180, 100)).norm() < 0.2);
 }
 
 TEST_CASE("palletize: 1, the pallet is full, and nothing moves") {

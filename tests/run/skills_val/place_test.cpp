@@ -45,6 +45,28 @@ TEST_CASE("place-at-location: 1, the place is taken: the part is held above it a
   CHECK((shop.middle("part 2") - taken).norm() < 1);  // what stands there stays there
 }
 
+TEST_CASE(
+    "place-at-location: 1, a post at the place, met without feeling: the arm is freed and back above it") {
+  const ChangedScene changed("parts", "post at 460 -50 height 40\nlocation TAKEN 460 -50 -156.8");
+  Workshop shop(changed.scene());
+  REQUIRE(shop.run("pick-at-location", {{.name = "approach", .value = 100}}).code == 0);
+  const auto outcome =
+      shop.run("place-at-location",
+               {text("location", "TAKEN"), {.name = "approach", .value = 100}, {.name = "feel", .value = 0}});
+  CHECK(outcome.code == 1);
+  CHECK_FALSE(shop.cell().workcell().fault().has_value());
+  CHECK((shop.tip() - shop.location("TAKEN") - Vector3d(0, 0, 100)).norm() < 0.2);
+}
+
+TEST_CASE("place-at-location: 2, a post on the way there; the arm stands still") {
+  const ChangedScene changed("parts", "post at 460 -50 height 120");
+  Workshop shop(changed.scene());
+  REQUIRE(shop.run("pick-at-location").code == 0);
+  CHECK(shop.run("place-at-location").code == 2);
+  CHECK(shop.cell().workcell().fault().has_value());
+  CHECK(shop.tip().y() < 0);
+}
+
 TEST_CASE("place-at-location: 2, a location that nobody taught; the part stays in the fingers") {
   Workshop shop(scene("parts"));
   REQUIRE(shop.run("pick-at-location").code == 0);
