@@ -72,7 +72,8 @@ class Workcell final : public runtime::World {
   std::optional<std::string> move(const Correction& correction, CorrectionFrame frame, runtime::Time begin);
   /// Drops what has not been moved yet: a planned motion slows down, corrections end at once.
   void stop();
-  /// The owner of the set-point, for those who plan motions. What it is told at `now()` is moved from the next step on.
+  /// The owner of the set-point, for those who plan motions. What it is told at `now()` is moved from the
+  /// next step on.
   MotionController& motion();
   /// No motion is left to make.
   bool idle() const;

@@ -269,10 +269,11 @@ class Reader {
       const int serial = ++used[thing.kind];
       if (thing.name.empty())
         thing.name = thing.kind + (count[thing.kind] > 1 ? " " + std::to_string(serial) : "");
-      if (std::any_of(thing.name.begin(), thing.name.end(),
-                      [](char c) { return c == '<' || c == '>' || c == '&' || c == '/'; }))
-        fail("the name '" + thing.name + "' has a character that names cannot have", "leave out < > & and /",
-             thing.line);
+      if (std::any_of(thing.name.begin(), thing.name.end(), [](unsigned char c) {
+            return c < ' ' || c == '<' || c == '>' || c == '&' || c == '/';
+          }))
+        fail("the name '" + thing.name + "' has a character that names cannot have",
+             "leave out < > & / and control characters", thing.line);
       if (std::find(names.begin(), names.end(), thing.name) != names.end())
         fail("there is more than one thing named '" + thing.name + "'", "give it another name", thing.line);
       names.push_back(thing.name);

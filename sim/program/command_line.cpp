@@ -94,6 +94,8 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
       ->default_str("1")
       ->check(CLI::Range(0.001, 1000.0))
       ->excludes(sweep);
+  app.add_option("--fault", command.faults, "a file that says what is to go wrong with devices, and when")
+      ->excludes(sweep);
   app.add_option("--links", command.links,
                  "what the bytes of devices' lines go through; the run is the same with each")
       ->check(CLI::IsMember({"process", "pty", "tcp"}))

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <fstream>
 #include <ostream>
+#include <sstream>
+#include <stdexcept>
 
 #include "pal/support/duration_text.hpp"
 #include "pal/support/nearest.hpp"
@@ -128,6 +131,19 @@ std::unique_ptr<runtime::Carrier> make_carrier(const std::string& links) {
   return nullptr;
 }
 
+std::vector<sim::PlannedFault> faults_in(const std::string& file) {
+  if (file.empty()) return {};
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in) throw Failure(ExitStatus::usage, file, "the file cannot be read", "name a file of faults");
+  auto read = sim::read_faults(text.str());
+  if (const auto* wrong = std::get_if<sim::FaultTextError>(&read))
+    throw Failure(ExitStatus::wrong_specification, fmt::format("{}:{}", file, wrong->line), wrong->cause,
+                  "for example: at 500 ms force-torque dropout");
+  return std::get<0>(std::move(read));
+}
+
 /// Runs the session in the time and over the links that the command asks for; Ctrl-C stops it.
 SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Session session) {
   std::optional<runtime::Outside> outside;
@@ -136,7 +152,12 @@ SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Ses
   runtime::RunControl control;
   const Interrupt interrupt(control);
   session.control = &control;
-  return run_session(skill, session);
+  session.faults = faults_in(command.faults);
+  try {
+    return run_session(skill, session);
+  } catch (const std::invalid_argument& problem) {
+    throw Failure(ExitStatus::wrong_specification, command.faults, problem.what(), "");
+  }
 }
 
 void write_run(const RunCommand& command, const runtime::Skill& skill, const Session& session,

@@ -61,6 +61,7 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   cell_options.phase = session.phase;
   cell_options.pace = session.pace;
   cell_options.carrier = session.carrier;
+  cell_options.faults = session.faults;
   cell_options.watch = [&](sim::Workcell& workcell) {
     auto made = std::make_unique<OnlookedWorld>(workcell, skill, session);
     world = made.get();

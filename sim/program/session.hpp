@@ -11,6 +11,7 @@
 
 #include "runtime/drivers/station.hpp"
 #include "runtime/drivers/wire.hpp"
+#include "sim/cell/fault_plan.hpp"
 #include "sim/picture/picture.hpp"
 #include "sim/program/skills.hpp"
 #include "sim/report/message_log.hpp"
@@ -39,6 +40,7 @@ struct Session {
   runtime::Pace* pace = nullptr;
   std::function<std::unique_ptr<runtime::Carrier>()> carrier{};
   const runtime::RunControl* control = nullptr;
+  std::vector<sim::PlannedFault> faults{};
 };
 
 struct SessionResult {

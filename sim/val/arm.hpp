@@ -1,4 +1,4 @@
-// What VAL commands: the arm and the hand, as it sees them.
+// What VAL commands: the arm, the hand and the ALTER port, as it sees them.
 #pragma once
 
 #include <optional>
@@ -51,5 +51,8 @@ class Hand {
   /// The fingers have come to rest, at their end or on a part.
   virtual bool at_rest() const = 0;
 };
+
+using sim::AlterControl;
+using sim::AlterMode;
 
 }  // namespace pal::sim::val

@@ -109,11 +109,12 @@ void ValDriver::close() {
   host_ = nullptr;
   timeline_.cancel(delivery_);
   delivering_ = false;
+  taken_.reset();
   const bool left_running = std::exchange(left_running_, false);
   const bool under_way = carries_out() && queue_.front().of_skill;
   std::erase_if(queue_, [](const Waiting& waiting) { return waiting.of_skill; });
   command_.reset();
-  if (!under_way && !(left_running && state_ == State::idle)) return;
+  if (!under_way && !left_running) return;
   execute_owed_ = false;
   clear_line(true);
 }
@@ -135,14 +136,11 @@ void ValDriver::wait(Time time, void (ValDriver::*then)()) {
 
 void ValDriver::next() {
   if (queue_.empty() || (delivering_ && queue_.front().of_skill)) return;
-  if (broken_) return finish(Answer::failed(Error::no_answer, trouble_));
-  if (state_ == State::unknown) return clear_line(false);
-  if (state_ != State::idle) return;
+  if (state_ == State::unknown && !broken_) return clear_line(false);
+  if (state_ != State::idle && !broken_) return;
   const Waiting& first = queue_.front();
-  if (first.of_skill && host_ != nullptr) {
-    taken_ = timeline_.now();
-    host_->mark_busy(true);
-  }
+  if (first.of_skill) take();
+  if (broken_) return finish(Answer::failed(Error::no_answer, trouble_));
   if (!first.command) return finish(Answer::failed(Error::refused, "no command was sent"));
   if (first.command->verb == Verb::clear) return finish(std::exchange(executed_, {}));
   val::LineOf line = val::line_of(*first.command);
@@ -150,6 +148,13 @@ void ValDriver::next() {
   line_ = std::move(line.line);
   tries_ = 0;
   send_line();
+}
+
+// The skill's oldest request is being served from now on.
+void ValDriver::take() {
+  if (host_ == nullptr || taken_) return;
+  taken_ = timeline_.now();
+  host_->mark_busy(true);
 }
 
 void ValDriver::send_line() {
@@ -243,9 +248,11 @@ void ValDriver::reply(const Waiting& to, const Answer& answer) {
   if (verb == Verb::abort || verb == Verb::close_alter) left_running_ = false;
   if (to.done) to.done(answer);
   if (!to.of_skill || host_ == nullptr) return;
-  if (timeline_.now() >= taken_ + options_.at_least) return deliver(answer);
+  take();
+  const Time earliest = *taken_ + options_.at_least;
+  if (timeline_.now() >= earliest) return deliver(answer);
   delivering_ = true;
-  delivery_ = timeline_.at(taken_ + options_.at_least, [this, answer] {
+  delivery_ = timeline_.at(earliest, [this, answer] {
     delivering_ = false;
     deliver(answer);
     next();
@@ -258,6 +265,7 @@ void ValDriver::deliver(const Answer& answer) {
   fields[1] = static_cast<double>(answer.error);
   put(short_text(answer), fields, error_at);
   std::copy(answer.values.begin(), answer.values.end(), fields.begin() + values_at);
+  taken_.reset();
   host_->mark_busy(false);
   host_->deliver(answer_port, fields);
 }

@@ -84,6 +84,7 @@ class ValDriver final : public Driver, public LinkUser {
   void send(std::string_view text);
   void wait(Time time, void (ValDriver::*then)());
   void next();
+  void take();
   void send_line();
   void echo_missing();
   void look_for_echo();
@@ -115,8 +116,8 @@ class ValDriver final : public Driver, public LinkUser {
   std::string last_error_;
   std::string trouble_;
   Timeline::Token timer_;
-  Time taken_{};             // when the skill's command was
-  bool delivering_ = false;  // its answer is ready, too early
+  std::optional<Time> taken_;  // when the skill's request was that is being served
+  bool delivering_ = false;    // its answer is ready, too early
   Timeline::Token delivery_;
 };
 

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "tests/run/skills/support/physical_run.hpp"
-#include "tests/run/skills_val/support/workshop.hpp"
+#include "tests/run/skills/support/workshop.hpp"
 
 using namespace pal;
 using namespace pal::test;

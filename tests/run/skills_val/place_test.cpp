@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/run/skills/support/physical_run.hpp"
-#include "tests/run/skills_val/support/workshop.hpp"
+#include "tests/run/skills/support/workshop.hpp"
 
 using namespace pal;
 using namespace pal::test;

@@ -4,7 +4,7 @@
 
 #include "tests/run/skills/bench/table.hpp"
 #include "tests/run/skills/support/physical_run.hpp"
-#include "tests/run/skills_val/support/workshop.hpp"
+#include "tests/run/skills/support/workshop.hpp"
 
 namespace pal::test {
 
@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double speed = 250;                      // mm/s
-constexpr double line = 0.15, end = 0.05;          // mm, to reach
-constexpr double play = 0.07;                      // mm at the tip, of all joints (docs/workcell/model.md)
+constexpr double speed = 250;              // mm/s
+constexpr double line = 0.15, end = 0.05;  // mm, to reach
+constexpr double play = 0.07;              // mm at the tip, of all joints (docs/workcell/model.md)
 constexpr runtime::Time settled = std::chrono::milliseconds(150);
 
 struct Errors {

@@ -5,7 +5,7 @@
 
 #include "tests/run/skills/bench/table.hpp"
 #include "tests/run/skills/support/physical_run.hpp"
-#include "tests/run/skills_val/support/workshop.hpp"
+#include "tests/run/skills/support/workshop.hpp"
 
 namespace pal::test {
 
@@ -38,8 +38,7 @@ void six_times(const std::string& machine, std::vector<Figure>& figures) {
     before = after;
   }
   const double drift = (before - first).norm();
-  figures.push_back({"pick, place",
-                     fmt::format("305 mm there and back, three times, machine {}", machine),
+  figures.push_back({"pick, place", fmt::format("305 mm there and back, three times, machine {}", machine),
                      fmt::format("{} mm a transfer, {} mm after six", one_transfer, six_transfers),
                      fmt::format("{:.3f} mm a transfer, {:.3f} mm after six", worst, drift),
                      ended && worst <= one_transfer && drift <= six_transfers,
@@ -63,7 +62,8 @@ Figure cycle(bool feel) {
   const auto picked = shop.run("pick-at-location", with("PART"), pick);
   const auto placed = shop.run("place-at-location", placing, place);
   return {"pick, place",
-          fmt::format("cycle 25-305-25 mm at 100 %, no pause, {}", feel ? "feeling on the way down" : "in one go"),
+          fmt::format("cycle 25-305-25 mm at 100 %, no pause, {}",
+                      feel ? "feeling on the way down" : "in one go"),
           "reported",
           fmt::format("{:.2f} s: pick {:.2f} s, place {:.2f} s",
                       seconds(picked.duration) + seconds(placed.duration), seconds(picked.duration),

@@ -1,4 +1,4 @@
-#include "tests/run/skills_val/support/workshop.hpp"
+#include "tests/run/skills/support/workshop.hpp"
 
 #include <stdlib.h>
 
