@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -94,6 +95,10 @@ class Workcell final : public runtime::World {
   /// As of the last step.
   Wrench wrench() const;
   const std::vector<Sample>& log() const;
+
+  /// What the scene says that VAL has been taught: poses of the tip. HOME is where the scene starts, unless
+  /// it says otherwise.
+  const std::map<std::string, Pose>& locations() const;
 
   ToolKind tool_kind() const;
   /// From the flange to the tip.

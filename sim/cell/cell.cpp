@@ -94,6 +94,7 @@ struct Cell::Parts {
             }),
         opener(*val.driver),
         alter(station.timeline(), alter_wire.a(), opener) {
+    val.emulator->store().locations = workcell.locations();
     attach(*val.driver, val.wire);
     attach(alter, alter_wire);
     attach_force_torque(options);

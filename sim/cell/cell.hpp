@@ -66,7 +66,7 @@ class Cell {
   };
   const std::vector<Line>& lines() const;
 
-  /// Locations that skills can name, and programs: VAL's memory.
+  /// Locations that skills can name, and programs: VAL's memory. At first it has the scene's locations.
   val::Store& val_store();
   runtime::ValDriver& val_driver();
 

@@ -79,8 +79,10 @@ runtime::CostPolicy parse_times(const std::string& text) {
   return text == "best" ? runtime::CostPolicy::best : runtime::CostPolicy::random;
 }
 
-Session make_session(const RunCommand& command, const runtime::Skill& skill) {
+Session make_session(const RunCommand& command, const runtime::Skill& skill,
+                     const std::vector<KnownSkill>& known) {
   Session session;
+  if (!command.after.empty()) session.before = find_skill(command.after, known);
   session.scene =
       sim::find_scene(command.scene, {command.scene_folders.begin(), command.scene_folders.end()});
   for (const std::string& setting : command.settings) {
@@ -227,7 +229,7 @@ ExitStatus run_sweep(const RunCommand& command, runtime::Skill& skill, const Ses
   std::vector<std::vector<SweepRun>> sweeps{sweep(skill, session, command.sweep)};
   if (!command.against.empty()) {
     const auto second = find_skill(command.against, known).make();
-    make_session(command, *second);  // its parameters must take the same settings
+    make_session(command, *second, known);  // its parameters must take the same settings
     names.push_back(command.against);
     sweeps.push_back(sweep(*second, session, command.sweep));
   }
@@ -252,7 +254,7 @@ ExitStatus run_sweep(const RunCommand& command, runtime::Skill& skill, const Ses
 ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out) {
   const KnownSkill& known = find_skill(command.skill, skills);
   const auto skill = known.make();
-  const Session session = make_session(command, *skill);
+  const Session session = make_session(command, *skill, skills);
   return command.sweep > 0 ? run_sweep(command, *skill, session, skills, out)
                            : run_once(command, known, *skill, session, out);
 }

@@ -13,6 +13,7 @@
 #include "runtime/drivers/wire.hpp"
 #include "sim/cell/fault_plan.hpp"
 #include "sim/picture/picture.hpp"
+#include "sim/program/skills.hpp"
 #include "sim/report/message_log.hpp"
 #include "sim/scene.hpp"
 #include "sim/workcell.hpp"
@@ -28,6 +29,9 @@ struct Session {
   std::optional<runtime::Time> phase;
   /// How much higher than in the scene the tool starts, mm.
   double raise = 0;
+  /// A skill that is run before, with its defaults. What it did is not in the
+  /// result.
+  std::optional<KnownSkill> before{};
   bool picture = false;
   std::string video{};               // the file; empty: none
   std::ostream* progress = nullptr;  // where progress is shown; nullptr: nowhere
@@ -51,7 +55,8 @@ struct SessionResult {
 };
 
 /// Runs the skill, then lets the arm end its motion and come to rest. Pictures, video and progress change
-/// nothing of the run. Throws sim::SceneError; sim::VideoError, before the run; std::runtime_error when the
+/// nothing of the run. Throws sim::SceneError, also when the skill before does not end with completion 0;
+/// sim::VideoError, before the run; std::runtime_error when the
 /// physics diverged after the skill's end (before it, that is a fault of the skill).
 SessionResult run_session(runtime::Skill& skill, const Session& session);
 
