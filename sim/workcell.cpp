@@ -225,6 +225,10 @@ const std::vector<Sample>& Workcell::log() const {
   return parts_->log;
 }
 
+const std::map<std::string, Pose>& Workcell::locations() const {
+  return parts_->physics.loaded().locations;
+}
+
 ToolKind Workcell::tool_kind() const {
   return parts_->physics.loaded().tool;
 }

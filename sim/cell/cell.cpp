@@ -1,6 +1,7 @@
 #include "sim/cell/cell.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "runtime/drivers/alter/driver.hpp"
@@ -93,11 +94,13 @@ struct Cell::Parts {
             }),
         opener(*val.driver),
         alter(station.timeline(), alter_wire.a(), opener) {
+    val.emulator->store().locations = workcell.locations();
     attach(*val.driver, val.wire);
     attach(alter, alter_wire);
     attach_force_torque(options);
     if (workcell.tool_kind() == ToolKind::gripper) attach_gripper(options);
     if (workcell.tool_kind() == ToolKind::range_finder) attach_range_finder(options);
+    for (const PlannedFault& fault : faults = options.faults) line_of(fault);
     arm_fault = workcell.on_fault([this](const ArmFault&) { alter_port.arm_has_stopped(); });
   }
 
@@ -150,6 +153,20 @@ struct Cell::Parts {
     attach(*range_finder->driver, range_finder->wire);
   }
 
+  runtime::Wire& line_of(const PlannedFault& fault) {
+    std::string names;
+    for (const Line& line : lines) {
+      if (line.device == fault.device) return *line.wire;
+      names += (names.empty() ? "" : ", ") + line.device;
+    }
+    throw std::invalid_argument("there is no device '" + fault.device + "' to go wrong; there are " + names);
+  }
+
+  void plan_faults(runtime::Time begin) {
+    for (const PlannedFault& fault : std::exchange(faults, {}))
+      station.timeline().at(begin + fault.at, [this, fault] { bring_about(fault, line_of(fault)); });
+  }
+
   Workcell workcell;
   std::unique_ptr<runtime::World> world;
   runtime::Station station;
@@ -164,6 +181,7 @@ struct Cell::Parts {
   std::optional<Attached<GripperEmulator, runtime::GripperDriver>> gripper;
   std::optional<Attached<RangeFinderEmulator, runtime::RangeFinderDriver>> range_finder;
   std::vector<Line> lines;
+  std::vector<PlannedFault> faults;
   std::shared_ptr<void> arm_fault;
 };
 
@@ -179,7 +197,9 @@ runtime::Outcome Cell::run(runtime::Skill& skill, std::span<const runtime::Param
   // A skill that drives by VAL as well says itself when corrections are taken.
   parts_->alter.leave_opening_to_skill(uses(skill, "val"));
   session.begin = [this](runtime::Time earliest) {
-    return parts_->alter.next_tick(earliest + phase_) - phase_;
+    const runtime::Time begin = parts_->alter.next_tick(earliest + phase_) - phase_;
+    parts_->plan_faults(begin);
+    return begin;
   };
   return parts_->station.run(skill, parameters, session);
 }

@@ -11,11 +11,14 @@ namespace {
 constexpr double depth_gain = 0.7;
 constexpr double rise_gain = 0.25;
 // Part of the missing way that is gone in a cycle.
-constexpr double way = 0.5;
-
-// N: so little too much or too little is left alone while the tool stands: the joints stick, and a motion
-// that is answered late by a jump would be answered by the next.
-constexpr double quiet = 0.12;
+constexpr double way_sliding = 0.5;
+// The joints stick while the tool stands: a small motion is answered late, by a jump of up to 0.05 mm, and
+// the harder the faster it was. So what is left of an error is taken away slowly, and very little is left
+// alone.
+constexpr double way_standing = 0.2;
+constexpr double quiet = 0.12;   // N
+constexpr double near = 0.8;     // N: errors below this are taken away by no more than
+constexpr double creep = 0.045;  // N a cycle
 
 constexpr double contact = 0.3;        // N: less is noise
 constexpr double certain = 1.0;        // N: the tool is in contact without doubt
@@ -51,13 +54,20 @@ void ForceRegulator::observe(double force, bool sliding) {
   if (sliding) rise_ = std::clamp(rise_ + rise_gain * surprise, -steepest, steepest);
 }
 
+double ForceRegulator::standing(double missing) const {
+  const double error = std::abs(missing) * stiffness_;
+  if (error < quiet) return 0;
+  if (error > near) return way_standing * missing;
+  return std::clamp(way_standing * missing, -creep / stiffness_, creep / stiffness_);
+}
+
 double ForceRegulator::next(double force, bool sliding) {
   if (!sliding) learn(force);
   observe(force, sliding);
   const double soon = depth_ + given_ + rise_;
-  double missing = target_ / stiffness_ - soon;
-  if (!sliding && std::abs(missing) * stiffness_ < quiet) missing = 0;
-  const double motion = std::clamp(way * missing - rise_, -most_, most_);
+  const double missing = target_ / stiffness_ - soon;
+  const double motion =
+      std::clamp(sliding ? way_sliding * missing - rise_ : standing(missing), -most_, most_);
   remember(force, motion);
   return motion;
 }

@@ -31,6 +31,7 @@ class ForceRegulator {
 
  private:
   void learn(double force);
+  double standing(double missing) const;
   void observe(double force, bool sliding);
   void remember(double force, double motion);
 

@@ -45,6 +45,13 @@ trace::Trace run(const skills::RegisteredSkill& skill, runtime::Time phase, runt
 
 TEST_CASE("no run measures more than was proved") {
   for (const skills::RegisteredSkill& skill : skills::registered_skills()) {
+    // Those that need no more than this cell has; the others run in the workcell (tests/run/skills).
+    const auto made = skill.make();
+    const auto& needed = made->wiring().devices;
+    if (!std::all_of(needed.begin(), needed.end(), [](std::string_view device) {
+          return device == "force-torque" || device == "alter";
+        }))
+      continue;
     CAPTURE(skill.name);
     const driver::Proof proof = prove(skill);
     std::map<std::string, Duration> greatest;

@@ -100,7 +100,7 @@ void AlterDriver::on_bytes(Bytes bytes) {
   while (const auto found = decoder_.next()) {
     if (state_ == State::closing) continue;  // on its way when it was closed
     if (const auto* garbled = std::get_if<alter::Garbled>(&*found)) {
-      fail("the line is disturbed: " + garbled->why);
+      if (state_ != State::closed) fail("the line is disturbed: " + garbled->why);
     } else {
       take(std::get<alter::Frame>(*found));
     }

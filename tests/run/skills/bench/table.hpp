@@ -23,5 +23,11 @@ bool write(const std::vector<Figure>& figures, std::ostream& out);
 std::vector<Figure> measure_touch();
 std::vector<Figure> measure_press();
 std::vector<Figure> measure_rub();
+std::vector<Figure> measure_standoff();
+std::vector<Figure> measure_align();
+std::vector<Figure> measure_follow_edge();
+std::vector<Figure> measure_moves();
+std::vector<Figure> measure_transfers();
+std::vector<Figure> measure_palletize();
 
 }  // namespace pal::test

@@ -1,0 +1,13 @@
+// Align: square to a flat surface.
+#pragma once
+
+#include <memory>
+
+#include "runtime/skill.hpp"
+
+namespace pal::skills {
+
+/// align.pal.
+std::unique_ptr<runtime::Skill> align_skill();
+
+}  // namespace pal::skills

@@ -1,0 +1,66 @@
+#include "skills_pal/standoff/standoff.hpp"
+
+#include <cmath>
+
+#include "skills_pal/modules/alter.hpp"
+#include "skills_pal/modules/looking.hpp"
+#include "skills_pal/modules/nearest_point.hpp"
+#include "standoff_skill.hpp"
+
+namespace pal::skills {
+
+namespace {
+
+using namespace standoff;
+
+constexpr int looks = 4;  // that are averaged: half of one profile's error
+
+class Method final : public SM1Activities {
+ public:
+  void start(const Parameters& parameters) override {
+    parameters_ = parameters;
+    looking_.start(parameters.speed, 0);
+    sum_ = 0;
+    count_ = 0;
+    within_ = false;
+  }
+
+  Motion step(const Distance& distance) override {
+    if (looking_.fresh_look(distance.taken)) look(distance.value);
+    Motion motion;
+    motion.dz = looking_.step().dz;
+    return motion;
+  }
+
+  Motion stand_still() override { return {}; }
+  bool decide_pc_seen(const Distance& distance) override { return distance.seen; }
+  bool decide_pc_there() override { return within_; }
+
+ private:
+  void look(double distance) {
+    sum_ += distance;
+    if (++count_ < looks) return;
+    const double error = sum_ / count_ - parameters_.distance;
+    sum_ = 0;
+    count_ = 0;
+    within_ = std::abs(error) <= parameters_.tolerance;
+    Way way;
+    way.dz = error;
+    if (!within_) looking_.go(way);
+  }
+
+  Parameters parameters_;
+  Looking looking_;
+  double sum_ = 0;  // mm
+  int count_ = 0;
+  bool within_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<runtime::Skill> standoff_skill() {
+  return make_standoff(std::make_unique<Method>(), std::make_unique<NearestPointSensor<LS2Activities>>(),
+                       std::make_unique<AlterController<MC1Activities>>());
+}
+
+}  // namespace pal::skills

@@ -1,0 +1,138 @@
+// Touch, press and rub: each way in which they end, with the arm afterwards where their templates say.
+#include <catch2/catch.hpp>
+
+#include "tests/run/skills/support/physical_run.hpp"
+
+using namespace pal;
+using namespace pal::test;
+
+namespace {
+
+double way_along_z(const workcell::SessionResult& result) {
+  return (result.log.front().tool - result.log.back().tool).z() * 1e3;
+}
+
+}  // namespace
+
+TEST_CASE("touch says that nothing was met only when the tool does not press") {
+  // The plate is 15 mm below. At these reaches the last motion ends below, on and in it.
+  for (const double reach : {14.5, 15.0, 15.2, 15.4, 15.6, 16.0, 17.0}) {
+    const auto result =
+        run({.skill = "touch", .scene = "touch", .parameters = {{"reach", reach}, {"approach-speed", 20}}});
+    CAPTURE(reach, result.peak_force, result.resting_force, result.outcome.reason);
+    REQUIRE_FALSE(result.outcome.fault);
+    if (result.outcome.code == 0) {
+      CHECK(result.resting_force > 4);  // the noise of the sensor and of its sampling
+    } else {
+      CHECK(result.peak_force < 6);
+      CHECK(std::abs(way_along_z(result)) < 0.1);
+    }
+  }
+}
+
+TEST_CASE("touch: a speed that overloads the sensor is refused before anything moves") {
+  const auto result =
+      run({.skill = "touch", .scene = "touch", .parameters = {{"approach-speed", 60}, {"threshold", 40}}});
+  CHECK(result.outcome.fault);
+  CHECK(result.outcome.code == 2);
+  CHECK(result.outcome.duration == runtime::Time::zero());
+  CHECK(result.outcome.reason.find("at 60 mm/s a contact of 11 N/mm is felt too late") == 0);
+  CHECK(result.outcome.reason.find("it may go at 27.1 mm/s") != std::string::npos);
+  CHECK(std::abs(way_along_z(result)) < 0.05);
+  // At the speed that it names the sensor is not overloaded.
+  const auto slower =
+      run({.skill = "touch", .scene = "touch", .parameters = {{"approach-speed", 27.1}, {"threshold", 40}}});
+  CHECK(slower.outcome.code == 0);
+  CHECK(slower.peak_force < 65);
+}
+
+TEST_CASE("press holds the force, completion 0") {
+  const auto result =
+      run({.skill = "press", .scene = "plate-5", .parameters = {{"force", 8}, {"time", 0.5}}});
+  CAPTURE(result.outcome.reason);
+  CHECK(result.outcome.code == 0);
+  CHECK(result.outcome.overruns == 0);
+  CHECK(pressing(result).back() == Approx(8).margin(0.5));
+}
+
+TEST_CASE("press meets nothing and goes back, completion 1") {
+  const auto result = run({.skill = "press",
+                           .scene = "nothing",
+                           .parameters = {{"search-distance", 10}, {"approach-speed", 20}}});
+  CHECK(result.outcome.code == 1);
+  CHECK(result.peak_force == 0);
+  CHECK(std::abs(way_along_z(result)) < 0.1);
+}
+
+TEST_CASE("press meets the stop force and lifts off, completion 2") {
+  const auto result = run({.skill = "press",
+                           .scene = "touch",
+                           .parameters = {{"force", 5}, {"stop-force", 7}, {"approach-speed", 25}}});
+  CAPTURE(result.outcome.reason);
+  CHECK(result.outcome.code == 2);
+  CHECK(result.peak_force >= 7);
+  CHECK(result.resting_force == 0);
+  CHECK(way_along_z(result) < 13);  // 5 mm up from where it pressed, 15 to 18 mm below the start
+  CHECK(way_along_z(result) > 9);
+}
+
+TEST_CASE("press refuses a force that would be the stop force, completion 3") {
+  const auto result = run({.skill = "press", .scene = "touch", .parameters = {{"force", 40}}});
+  CHECK(result.outcome.fault);
+  CHECK(result.outcome.code == 3);
+  CHECK(result.outcome.reason == "force must be less than stop-force");
+  CHECK(result.outcome.duration == runtime::Time::zero());
+}
+
+TEST_CASE("rub goes the whole distance, completion 0, by both regulators") {
+  const double band_rule = GENERATE(0.0, 1.0);
+  const auto result = run(
+      {.skill = "rub",
+       .scene = "touch",
+       .parameters =
+           {{"distance", 2}, {"direction", 90}, {"speed", 0.5}, {"vertical", 0.15}, {"band-rule", band_rule}},
+       .raise = -14});
+  CAPTURE(result.outcome.reason);
+  CHECK(result.outcome.code == 0);
+  CHECK((result.log.back().tool - result.log.front().tool).head<2>().norm() * 1e3 == Approx(20).margin(0.2));
+  CHECK(result.resting_force > 1);
+  CHECK(result.resting_force < 9);
+}
+
+TEST_CASE("rub hits a step and lifts off, completion 1") {
+  const auto result = run({.skill = "rub",
+                           .scene = "low-step",
+                           .parameters = {{"speed", 1}, {"stop-force", 300}, {"distance", 12}},
+                           .raise = -13});
+  CAPTURE(result.outcome.reason);
+  CHECK(result.outcome.code == 1);
+  const double along = (result.log.back().tool - result.log.front().tool).x() * 1e3;
+  CHECK(along > 45);
+  CHECK(along < 75);
+  double lowest = 1e9;
+  for (const sim::Sample& sample : result.log) lowest = std::min(lowest, sample.tool.z());
+  CHECK((result.log.back().tool.z() - lowest) * 1e3 > 4);
+}
+
+TEST_CASE("rub meets the error force and stands still, completion 2") {
+  const auto result =
+      run({.skill = "rub",
+           .scene = "low-step",
+           .parameters = {{"speed", 1}, {"stop-force", 300}, {"error-force", 300}, {"distance", 12}},
+           .raise = -13});
+  CAPTURE(result.outcome.reason);
+  CHECK_FALSE(result.outcome.fault);
+  CHECK(result.outcome.code == 2);
+  CHECK(result.peak_force > 10);
+}
+
+TEST_CASE("rub refuses limits that contradict each other") {
+  const auto reason = [](std::vector<runtime::ParameterValue> parameters) {
+    return run({.skill = "rub", .scene = "touch", .parameters = std::move(parameters)}).outcome.reason;
+  };
+  CHECK(reason({{"greatest-force", -30}, {"least-force", -170}}) ==
+        "greatest-force must be below least-force: both are negative when the tool presses");
+  CHECK(reason({{"stop-force", 100}}) == "stop-force must be greater than the band's greatest force");
+  CHECK(reason({{"error-force", 600}}) == "error-force must not be less than stop-force");
+  CHECK(reason({{"speed", 0}}) == "speed must be greater than 0: the distance would never be gone");
+}
