@@ -128,9 +128,9 @@ class Teller {
   void tell_branches(const Icon& icon, Scene& scene) const {
     for (const auto& [code, normal] : completions_of(program_, operation_, icon, skills_, exits_)) {
       const auto way = route(operation_, icon, code, normal);
-      scene.branches.push_back(fmt::format("Code {}{}: {}.", code, meaning(icon, code),
-                                           way ? destination(*way, code)
-                                               : "nobody handles it, and the operation ends here"));
+      scene.branches.push_back(
+          fmt::format("Code {}{}: {}.", code, meaning(icon, code),
+                      way ? destination(*way, code) : "nobody handles it, and the operation ends here"));
     }
   }
 
@@ -155,7 +155,8 @@ class Teller {
         return fmt::format("the operation ends with code {}", icon.code.value_or(code));
       if (icon.kind == IconKind::restart) return "all begins again from START";
       const auto scene = std::find(order_.begin(), order_.end(), *at);
-      if (scene != order_.end()) return fmt::format("on to scene {}, {}", scene - order_.begin() + 1, icon.id);
+      if (scene != order_.end())
+        return fmt::format("on to scene {}, {}", scene - order_.begin() + 1, icon.id);
       const auto way = icon.kind == IconKind::branch ? way_of(icon, code) : std::optional(icon.next);
       if (!way) return fmt::format("CASE {} has no way for it, and the operation ends here", icon.id);
       at = find_icon(operation_, way->icon);
