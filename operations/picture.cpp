@@ -20,7 +20,7 @@ std::string label(const Icon& icon) {
     case IconKind::start:
       return "START";
     case IconKind::exit:
-      return icon.code ? fmt::format("EXIT {}", *icon.code) : "EXIT";
+      return (icon.code ? fmt::format("EXIT {}\n", *icon.code) : "EXIT\n") + icon.id;
     case IconKind::restart:
       return "RESTART";
     case IconKind::branch:

@@ -63,7 +63,11 @@ class Teller {
 
   std::string beginning() const {
     for (const Icon& icon : operation_.icons)
-      if (icon.kind == IconKind::start) return fmt::format("It begins: {}.", destination(icon.next, 0));
+      if (icon.kind == IconKind::start) {
+        const std::string first = destination(icon.next, 0);
+        return first.starts_with("on to ") ? fmt::format("It begins with {}.", first.substr(6))
+                                           : fmt::format("It begins, and {}.", first);
+      }
     return {};
   }
 
@@ -100,7 +104,8 @@ class Teller {
     scene.sentences.push_back(fmt::format("The skill {} runs{}. {}", icon.skill, settings(icon, skill),
                                           fmt::join(skill.descriptions, " ")));
     if (!skill.postconditions.empty())
-      scene.sentences.push_back(fmt::format("After: {}", fmt::join(skill.postconditions, " ")));
+      scene.sentences.push_back(
+          fmt::format("Afterwards, if the code is normal: {}", fmt::join(skill.postconditions, " ")));
     tell_branches(icon, scene);
   }
 

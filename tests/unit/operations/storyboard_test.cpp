@@ -18,8 +18,8 @@ TEST_CASE("a storyboard tells scenes, and branches by code") {
   skills["go"].completions = {done, none};
   const auto program = test::program_of(test::operation(test::looping));
   CHECK(storyboard_markdown(program, skills) ==
-        "# o\n\nIt begins: on to scene 1, a.\n\n### Scene 1: a\n\nBefore: The way is free.\n\n"
-        "The skill go runs, with far 3. Goes there.\n\nAfter: It stands still.\n\n"
+        "# o\n\nIt begins with scene 1, a.\n\n### Scene 1: a\n\nBefore: The way is free.\n\n"
+        "The skill go runs, with far 3. Goes there.\n\nAfterwards, if the code is normal: It stands still.\n\n"
         "- Code 0 (It is there): on to scene 2, b.\n"
         "- Code 1 (The way \\<was\\> shut): on to scene 1, a.\n\n"
         "### Scene 2: b\n\nThe skill back runs. Nothing is known of it.\n\n"

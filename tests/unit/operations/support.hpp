@@ -22,7 +22,6 @@ inline operations::Program program_of(const std::string& text) {
   const auto program = operations::load(files, sources, "o.op.json", diagnostics);
   REQUIRE(program);
   operations::check_shape(*program, diagnostics);
-  for (const Diagnostic& finding : diagnostics.all()) INFO(finding.message);
   REQUIRE_FALSE(diagnostics.has_errors());
   return *program;
 }
