@@ -4,9 +4,13 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
+#include "operations/load.hpp"
+#include "sim/program/cell_runner.hpp"
 #include "sim/program/command_line.hpp"
 
 using namespace pal::workcell;
@@ -84,4 +88,52 @@ TEST_CASE("what cannot be run is refused before anything moves") {
   CHECK(run("nothing", {}).status == ExitStatus::usage);
   CHECK(run("rub_in_square", {"--from", "nowhere"}).status == ExitStatus::wrong_specification);
   CHECK(run("rub_in_square", {"--break", "find=x"}).status == ExitStatus::usage);
+}
+
+namespace {
+
+/// The physics, and something that happens at an instant.
+struct AlarmedWorld final : pal::runtime::World {
+  AlarmedWorld(pal::sim::Workcell& workcell, pal::runtime::Time when, std::function<void()> alarm)
+      : workcell_(workcell), when_(when), alarm_(std::move(alarm)) {}
+  void advance_to(pal::runtime::Time when) override {
+    workcell_.advance_to(when);
+    if (alarm_ && when >= when_) std::exchange(alarm_, nullptr)();
+  }
+
+ private:
+  pal::sim::Workcell& workcell_;
+  pal::runtime::Time when_;
+  std::function<void()> alarm_;
+};
+
+}  // namespace
+
+TEST_CASE("a skill that is stopped leaves the arm at rest, and runs again") {
+  using namespace pal;
+  SourceManager sources;
+  Diagnostics diagnostics;
+  const auto program = operations::load(
+      DiskFileSystem(), sources, PAL_SOURCE_DIR "/examples/operations/rub_in_square.op.json", diagnostics);
+  REQUIRE(program);
+  operations::Executor* executor = nullptr;
+  sim::CellOptions options;
+  options.watch = [&](sim::Workcell& workcell) {
+    return std::make_unique<AlarmedWorld>(workcell, std::chrono::milliseconds(2'800),
+                                          [&] { executor->stop(); });
+  };
+  sim::Cell cell(sim::find_scene("touch", {PAL_SOURCE_DIR "/sim/scenes"}), options);
+  const std::vector<KnownSkill> skills = linked_skills();
+  CellRunner runner(cell, skills, runtime::CostPolicy::worst, 1);
+  operations::Executor made(*program, runner);
+  executor = &made;
+
+  CHECK(made.run() == operations::ExecutionState::stopped);
+  CHECK(made.token() == "rub-in-square/side-1");
+  const auto stopped_at = cell.workcell().log().back().tool;
+  cell.station().idle(std::chrono::milliseconds(500));
+  CHECK((cell.workcell().log().back().tool - stopped_at).norm() < 2e-4);  // m: it settles on the plate
+
+  CHECK(made.run() == operations::ExecutionState::ended);
+  CHECK(made.last_code() == 0);
 }
