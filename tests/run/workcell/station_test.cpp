@@ -40,8 +40,9 @@ TEST_CASE("a run is the same whatever carries the bytes") {
   }
 }
 
+// A phase of a whole period is one of 0: a tick comes at the beginning.
 TEST_CASE("the phase is from the skill's beginning to the first tick") {
-  for (const runtime::Time phase : {runtime::Time(0ms), runtime::Time(7ms), runtime::Time(28ms)}) {
+  for (const runtime::Time phase : {runtime::Time(0ms), runtime::Time(7ms), runtime::Time(27999us)}) {
     Session one = session();
     one.phase = phase;
     const SessionResult result = run(one);
