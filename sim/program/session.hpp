@@ -29,8 +29,7 @@ struct Session {
   std::optional<runtime::Time> phase;
   /// How much higher than in the scene the tool starts, mm.
   double raise = 0;
-  /// A skill that is run before, with its defaults. What it did is not in the
-  /// result.
+  /// A skill that is run before, with its defaults. What it did is not in the result.
   std::optional<KnownSkill> before{};
   bool picture = false;
   std::string video{};               // the file; empty: none
@@ -56,8 +55,8 @@ struct SessionResult {
 
 /// Runs the skill, then lets the arm end its motion and come to rest. Pictures, video and progress change
 /// nothing of the run. Throws sim::SceneError, also when the skill before does not end with completion 0;
-/// sim::VideoError, before the run; std::runtime_error when the
-/// physics diverged after the skill's end (before it, that is a fault of the skill).
+/// sim::VideoError, before the run; std::runtime_error when the physics diverged after the skill's end (before
+/// it, that is a fault of the skill).
 SessionResult run_session(runtime::Skill& skill, const Session& session);
 
 /// "touch in scene touch"
