@@ -13,7 +13,7 @@ namespace {
 
 using namespace standoff;
 
-constexpr int looks = 4;  // that are averaged: half of one profile's error
+constexpr int looks = 8;  // that are averaged
 
 class Method final : public SM1Activities {
  public:

@@ -12,7 +12,7 @@ namespace pal::test {
 namespace {
 
 constexpr double middle = -156.8;  // mm: of a block of 50 mm on the table
-constexpr double near_y = -352, far_y = -47;
+constexpr double near_y = -290, far_y = 15;
 
 /// The middle of the block that stands about there, found by rays from its four sides; mm.
 Eigen::Vector2d block_at(const sim::Workcell& workcell, double x, double y) {
