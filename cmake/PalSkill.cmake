@@ -25,7 +25,7 @@ function(pal_add_skill name)
   file(RELATIVE_PATH pal_name "${CMAKE_SOURCE_DIR}" "${pal_file}")
   file(RELATIVE_PATH environment_name "${CMAKE_SOURCE_DIR}" "${environment_file}")
 
-  set(directory "${CMAKE_CURRENT_BINARY_DIR}/${prefix}_generated")
+  set(directory "${CMAKE_CURRENT_BINARY_DIR}/${name}_generated")  # one skill may be there for several environments
   file(MAKE_DIRECTORY "${directory}")
   set(generated)
   foreach(suffix messages.hpp parameters.hpp parameters.cpp activities.hpp wiring.hpp wiring.cpp modules.hpp modules.cpp

@@ -12,7 +12,7 @@ std::string from_number(const PlannedField& field, std::size_t index) {
     case pan::ScalarType::real:
       return number;
     case pan::ScalarType::integer:
-      return "static_cast<std::int64_t>(" + number + ")";
+      return "runtime::whole(" + number + ")";
     case pan::ScalarType::boolean:
       return number + " != 0";
     case pan::ScalarType::text:
@@ -26,7 +26,7 @@ std::string to_number(const PlannedField& field) {
     case pan::ScalarType::real:
       return field.name;
     case pan::ScalarType::integer:
-      return "static_cast<double>(" + field.name + ")";
+      return "runtime::from_whole(" + field.name + ")";
     case pan::ScalarType::boolean:
       return field.name + " ? 1.0 : 0.0";
     case pan::ScalarType::text:
@@ -111,7 +111,12 @@ GeneratedFile emit_messages(const Plan& plan) {
   write_heading(out, plan, "The messages of skill " + plan.skill.name + ".");
   out.line("#pragma once").line();
   out.line("#include <array>").line("#include <cstddef>").line("#include <cstdint>").line("#include <span>");
-  if (!std::all_of(plan.messages.begin(), plan.messages.end(), is_plain))
+  const auto has_integer = [](const PlannedMessage& message) {
+    return std::any_of(message.fields.begin(), message.fields.end(),
+                       [](const PlannedField& field) { return field.type == pan::ScalarType::integer; });
+  };
+  if (!std::all_of(plan.messages.begin(), plan.messages.end(), is_plain) ||
+      std::any_of(plan.messages.begin(), plan.messages.end(), has_integer))
     out.line().line("#include \"runtime/payload.hpp\"");
   open_namespace(out, plan);
   for (const PlannedMessage& message : plan.messages) {

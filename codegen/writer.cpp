@@ -4,6 +4,8 @@
 #include <charconv>
 #include <utility>
 
+#include "codegen/names.hpp"
+
 namespace pal::codegen {
 
 Writer& Writer::line(std::string_view text) {
@@ -75,12 +77,23 @@ void write_heading(Writer& out, const Plan& plan, std::string_view what) {
            ": do not edit.");
 }
 
+namespace {
+
+/// The same skill for another environment is another one, for the linker, too.
+std::string environment_namespace(const Plan& plan) {
+  return "in_" + snake_words(plan.environment.name);
+}
+
+}  // namespace
+
 void open_namespace(Writer& out, const Plan& plan) {
-  out.line().line("namespace pal::skills::" + plan.name + " {").line();
+  out.line().line("namespace pal::skills::" + plan.name + " {");
+  out.line("inline namespace " + environment_namespace(plan) + " {").line();
 }
 
 void close_namespace(Writer& out, const Plan& plan) {
-  out.line().line("}  // namespace pal::skills::" + plan.name);
+  out.line().line("}  // namespace " + environment_namespace(plan));
+  out.line("}  // namespace pal::skills::" + plan.name);
 }
 
 std::string cpp_type(pan::ScalarType type, int size) {

@@ -11,6 +11,11 @@ using trace::Kind;
 
 namespace {
 constexpr std::size_t usual_asked = 16;  // so that nothing is allocated while the skill runs
+
+/// A trace has 31 bits for a serial number: those on their way at one time are told apart all the same.
+std::int32_t in_trace(std::int64_t serial) {
+  return static_cast<std::int32_t>(serial & 0x7fffffff);
+}
 }
 
 Mail::Mail(Run& run, const Wiring& wiring) : run_(run) {
@@ -114,7 +119,7 @@ void Mail::finish(WaitOperation& wait) {
     return;
   }
   if (target.store != nullptr) target.store(target.message, slot.fields);
-  run_.record(Kind::take, thread, target.channel, slot.serial);
+  run_.record(Kind::take, thread, target.channel, in_trace(slot.serial));
   empty(slot);
   run_.record(Kind::done, thread);
   run_.proceed(thread);
@@ -169,7 +174,7 @@ void Mail::discard(SendOperation& send) {
   Thread& thread = send.thread();
   thread.control.sending = nullptr;
   answered_in_vain(at(send.channel()));
-  run_.record(Kind::drop, thread, send.channel(), ++serials_);
+  run_.record(Kind::drop, thread, send.channel(), in_trace(++serials_));
   run_.record(Kind::done, thread);
   run_.proceed(thread);
 }
@@ -179,7 +184,7 @@ void Mail::put_done(SendOperation& send) {
   Slot& slot = at(send.channel());
   thread.control.sending = nullptr;
   fill(slot, send.payload());
-  run_.record(Kind::put, thread, send.channel(), slot.serial);
+  run_.record(Kind::put, thread, send.channel(), in_trace(slot.serial));
   run_.record(Kind::done, thread);
   run_.proceed(thread);
   set_out(slot, thread);
@@ -254,7 +259,7 @@ void Mail::empty(Slot& slot) {
 // Withdrawing.
 
 void Mail::drop(Slot& slot) {
-  run_.record_drop(index(slot), slot.serial);
+  run_.record_drop(index(slot), in_trace(slot.serial));
   empty(slot);
 }
 
@@ -271,7 +276,7 @@ void Mail::abandon(Thread& thread) {
 // Devices.
 
 void Mail::taken_by_device(Slot& slot) {
-  run_.record_device(Kind::take, slot.device, index(slot), slot.serial);
+  run_.record_device(Kind::take, slot.device, index(slot), in_trace(slot.serial));
   empty(slot);
 }
 
@@ -294,7 +299,7 @@ bool Mail::deliver(int channel, std::span<const double> fields) {
   Slot& slot = at(channel);
   if (discards(slot)) {
     answered_in_vain(slot);
-    run_.record_device(Kind::drop, slot.device, channel, ++serials_);
+    run_.record_device(Kind::drop, slot.device, channel, in_trace(++serials_));
     return true;
   }
   // A device that does not mark itself busy takes a request when it answers it.
@@ -311,7 +316,7 @@ bool Mail::deliver(int channel, std::span<const double> fields) {
   if (slot.spec->request) ask(slot, nullptr);
   slot.sender_processor = -1;
   slot.available_within = slot.available_between = run_.now();
-  run_.record_device(Kind::put, slot.device, channel, slot.serial);
+  run_.record_device(Kind::put, slot.device, channel, in_trace(slot.serial));
   message_available(channel);
   return true;
 }

@@ -24,7 +24,7 @@ struct Slot {
   bool full = false;
   bool handed = false;  // to a device that has not taken it yet
   std::vector<double> fields;
-  std::int32_t serial = 0;
+  std::int64_t serial = 0;
   int sender_processor = -1;        // -1: a device
   Time available_within{};          // to threads of the sender's processor
   Time available_between{};         // to all others
@@ -90,7 +90,7 @@ class Mail {
 
   Run& run_;
   std::vector<Slot> slots_;
-  std::int32_t serials_ = 0;
+  std::int64_t serials_ = 0;
 };
 
 }  // namespace pal::runtime

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "runtime/text.hpp"
+#include "runtime/whole.hpp"
 
 namespace pal::runtime {
 
@@ -23,7 +24,7 @@ inline void put(double value, std::span<double> numbers, std::size_t at) {
   numbers[at] = value;
 }
 inline void put(std::int64_t value, std::span<double> numbers, std::size_t at) {
-  numbers[at] = static_cast<double>(value);
+  numbers[at] = from_whole(value);
 }
 inline void put(bool value, std::span<double> numbers, std::size_t at) {
   numbers[at] = value ? 1.0 : 0.0;
@@ -36,7 +37,7 @@ inline void get(double& value, std::span<const double> numbers, std::size_t at) 
   value = numbers[at];
 }
 inline void get(std::int64_t& value, std::span<const double> numbers, std::size_t at) {
-  value = static_cast<std::int64_t>(numbers[at]);
+  value = whole(numbers[at]);
 }
 inline void get(bool& value, std::span<const double> numbers, std::size_t at) {
   value = numbers[at] != 0;

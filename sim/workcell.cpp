@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <stdexcept>
 
 #include "sim/arm/joint_sensing.hpp"
 #include "sim/controller/gripper_servo.hpp"
@@ -48,7 +49,12 @@ struct Workcell::Parts {
           scene.file.string(),
           "at its start " + contact_words(physics.model(), touching->first, "touches", touching->second),
           "move the start away from it, or choose another configuration");
-    for (runtime::Time t{}; t < options.settle; t += physics_step) step(runtime::Time::zero());
+    try {
+      for (runtime::Time t{}; t < options.settle; t += physics_step) step(runtime::Time::zero());
+    } catch (const std::runtime_error& problem) {
+      throw SceneError(scene.file.string(), problem.what(),
+                       "let fewer things touch one another at the start");
+    }
   }
 
   void step(runtime::Time when) {
@@ -160,9 +166,9 @@ runtime::Time Workcell::now() const {
 }
 
 std::optional<std::string> Workcell::move(const Correction& correction, CorrectionFrame frame,
-                                          runtime::Time begin, bool cumulative) {
+                                          runtime::Time begin) {
   if (parts_->fault) return "the arm has stopped: " + parts_->fault->text;
-  auto refused = parts_->motion.correct(correction, frame, begin, cumulative);
+  auto refused = parts_->motion.correct(correction, frame, begin);
   if (refused) stop();
   return refused;
 }
@@ -217,6 +223,10 @@ MotionController& Workcell::motion() {
 
 const std::vector<Sample>& Workcell::log() const {
   return parts_->log;
+}
+
+const std::map<std::string, Pose>& Workcell::locations() const {
+  return parts_->physics.loaded().locations;
 }
 
 ToolKind Workcell::tool_kind() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -68,10 +69,7 @@ class Workcell final : public runtime::World {
 
   /// Gives the controller a relative motion to be made evenly within [begin, begin + 28 ms], after all those
   /// given before. A motion that the arm cannot make is refused: the answer says why, and the arm stops.
-  /// `cumulative` false: it counts from where corrections were opened (MotionController), not from the last
-  /// one.
-  std::optional<std::string> move(const Correction& correction, CorrectionFrame frame, runtime::Time begin,
-                                  bool cumulative = true);
+  std::optional<std::string> move(const Correction& correction, CorrectionFrame frame, runtime::Time begin);
   /// Drops what has not been moved yet: a planned motion slows down, corrections end at once.
   void stop();
   /// The owner of the set-point, for those who plan motions. What it is told at `now()` is moved from the
@@ -97,6 +95,10 @@ class Workcell final : public runtime::World {
   /// As of the last step.
   Wrench wrench() const;
   const std::vector<Sample>& log() const;
+
+  /// What the scene says that VAL has been taught: poses of the tip. HOME is where the scene starts, unless
+  /// it says otherwise.
+  const std::map<std::string, Pose>& locations() const;
 
   ToolKind tool_kind() const;
   /// From the flange to the tip.

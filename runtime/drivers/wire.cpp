@@ -27,7 +27,12 @@ void Wire::send(End& from, Bytes bytes) {
   if (broken_ || bytes.empty()) return;
   from.free_at_ = std::max(timeline_.now(), from.free_at_) + speed_.duration(bytes.size());
   from.under_way_.push_back({{bytes.begin(), bytes.end()}, {}});
-  from.under_way_.back().arrival = timeline_.at(from.free_at_, [this, &from] { arrive(from); });
+  from.last_arrival_ = std::max(from.free_at_ + from.later_by_, from.last_arrival_);
+  from.under_way_.back().arrival = timeline_.at(from.last_arrival_, [this, &from] { arrive(from); });
+}
+
+void Wire::delay(Carrier::Direction direction, Time by) {
+  (direction == Carrier::Direction::to_b ? a_ : b_).later_by_ = by;
 }
 
 void Wire::arrive(End& from) {

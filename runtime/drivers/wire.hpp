@@ -48,6 +48,8 @@ class Wire {
   const LineSpeed& speed() const { return speed_; }
 
   void tamper(Tamper tamper) { tamper_ = std::move(tamper); }
+  /// What is written from now on in this direction arrives so much later; the order stays.
+  void delay(Carrier::Direction direction, Time by);
   /// Both ends learn it at this instant; what is on its way is lost.
   void cut(std::string_view reason);
   /// Plugged in again.
@@ -71,6 +73,8 @@ class Wire {
     Carrier::Direction direction_;
     LinkUser* user_ = nullptr;
     Time free_at_{};
+    Time later_by_{};
+    Time last_arrival_{};
     std::deque<Parcel> under_way_;  // written here, not arrived
   };
 

@@ -1,5 +1,7 @@
 #include "sim/cell/cell.hpp"
 
+#include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "runtime/drivers/alter/driver.hpp"
@@ -7,11 +9,10 @@
 #include "runtime/drivers/gripper/driver.hpp"
 #include "runtime/drivers/range_finder/driver.hpp"
 #include "sim/cell/corrected_arm.hpp"
+#include "sim/cell/device_views.hpp"
 #include "sim/cell/val_opener.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/devices/force_torque_emulator.hpp"
-#include "sim/devices/gripper_emulator.hpp"
-#include "sim/devices/range_finder_emulator.hpp"
 #include "sim/random.hpp"
 #include "sim/val/controller.hpp"
 
@@ -39,12 +40,6 @@ runtime::Time phase_of(const CellOptions& options) {
   return options.phase.value_or(random.between(runtime::Time::zero(), alter_period));
 }
 
-GripperState gripper_state(const Workcell& workcell) {
-  return {workcell.gripper_width(), workcell.gripper_force(), workcell.holds_part()};
-}
-
-constexpr runtime::LineSpeed gripper_line{38400, 10};
-
 /// A line with an emulated device at its far end and a driver at its near one.
 template <class Emulator, class Driver>
 struct Attached {
@@ -61,6 +56,11 @@ struct Attached {
   std::unique_ptr<Emulator> emulator;
   std::unique_ptr<Driver> driver;
 };
+
+bool uses(const runtime::Skill& skill, std::string_view device) {
+  const auto devices = skill.wiring().devices;
+  return std::find(devices.begin(), devices.end(), device) != devices.end();
+}
 
 /// The station's physics as somebody looks at it; null: nobody does.
 std::unique_ptr<runtime::World> watched(const CellOptions& options, Workcell& workcell) {
@@ -94,11 +94,13 @@ struct Cell::Parts {
             }),
         opener(*val.driver),
         alter(station.timeline(), alter_wire.a(), opener) {
+    val.emulator->store().locations = workcell.locations();
     attach(*val.driver, val.wire);
     attach(alter, alter_wire);
     attach_force_torque(options);
     if (workcell.tool_kind() == ToolKind::gripper) attach_gripper(options);
     if (workcell.tool_kind() == ToolKind::range_finder) attach_range_finder(options);
+    for (const PlannedFault& fault : faults = options.faults) line_of(fault);
     arm_fault = workcell.on_fault([this](const ArmFault&) { alter_port.arm_has_stopped(); });
   }
 
@@ -127,7 +129,7 @@ struct Cell::Parts {
 
   void attach_gripper(const CellOptions& options) {
     gripper.emplace(
-        station.timeline(), gripper_line, through(options),
+        station.timeline(), runtime::gripper::line, through(options),
         [&](runtime::Link& link) {
           return std::make_unique<GripperEmulator>(
               station.timeline(), link, [this] { return gripper_state(workcell); }, gripper_options(options));
@@ -139,20 +141,30 @@ struct Cell::Parts {
   }
 
   void attach_range_finder(const CellOptions& options) {
-    const RangeView view{[this] { return workcell.tool(); },
-                         [this](const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
-                           return workcell.cast(origin, direction);
-                         }};
     range_finder.emplace(
         station.timeline(), runtime::range_finder::line, through(options),
         [&](runtime::Link& link) {
-          return std::make_unique<RangeFinderEmulator>(station.timeline(), link, view,
+          return std::make_unique<RangeFinderEmulator>(station.timeline(), link, range_view(workcell),
                                                        RangeFinderEmulatorOptions{.seed = options.seed});
         },
         [&](runtime::Link& link) {
           return std::make_unique<runtime::RangeFinderDriver>(station.timeline(), link);
         });
     attach(*range_finder->driver, range_finder->wire);
+  }
+
+  runtime::Wire& line_of(const PlannedFault& fault) {
+    std::string names;
+    for (const Line& line : lines) {
+      if (line.device == fault.device) return *line.wire;
+      names += (names.empty() ? "" : ", ") + line.device;
+    }
+    throw std::invalid_argument("there is no device '" + fault.device + "' to go wrong; there are " + names);
+  }
+
+  void plan_faults(runtime::Time begin) {
+    for (const PlannedFault& fault : std::exchange(faults, {}))
+      station.timeline().at(begin + fault.at, [this, fault] { bring_about(fault, line_of(fault)); });
   }
 
   Workcell workcell;
@@ -169,6 +181,7 @@ struct Cell::Parts {
   std::optional<Attached<GripperEmulator, runtime::GripperDriver>> gripper;
   std::optional<Attached<RangeFinderEmulator, runtime::RangeFinderDriver>> range_finder;
   std::vector<Line> lines;
+  std::vector<PlannedFault> faults;
   std::shared_ptr<void> arm_fault;
 };
 
@@ -181,8 +194,12 @@ runtime::Outcome Cell::run(runtime::Skill& skill, std::span<const runtime::Param
                            const runtime::RunOptions& options) {
   runtime::SessionOptions session;
   session.run = options;
+  // A skill that drives by VAL as well says itself when corrections are taken.
+  parts_->alter.leave_opening_to_skill(uses(skill, "val"));
   session.begin = [this](runtime::Time earliest) {
-    return parts_->alter.next_tick(earliest + phase_) - phase_;
+    const runtime::Time begin = parts_->alter.next_tick(earliest + phase_) - phase_;
+    parts_->plan_faults(begin);
+    return begin;
   };
   return parts_->station.run(skill, parameters, session);
 }

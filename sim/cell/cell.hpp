@@ -11,6 +11,7 @@
 #include "runtime/drivers/station.hpp"
 #include "runtime/drivers/val/val_driver.hpp"
 #include "runtime/drivers/wire.hpp"
+#include "sim/cell/fault_plan.hpp"
 #include "sim/scene.hpp"
 #include "sim/val/store.hpp"
 #include "sim/workcell.hpp"
@@ -33,12 +34,16 @@ struct CellOptions {
   std::function<std::unique_ptr<runtime::Carrier>()> carrier;
   /// The physics as it is looked at while it moves; empty: nobody looks.
   std::function<std::unique_ptr<runtime::World>(Workcell&)> watch;
+  /// What goes wrong with the lines of devices; it happens once, in the first skill.
+  std::vector<PlannedFault> faults;
 };
 
-/// Devices: val, alter, force-torque; gripper or range-finder where the scene's tool is one.
+/// Devices: val, alter, force-torque; gripper or range-finder where the scene's tool is one. ALTER is opened
+/// for a skill that uses it, except for one that uses val, too: that opens and closes it itself, by VAL's
+/// commands.
 class Cell {
  public:
-  /// Throws SceneError.
+  /// Throws SceneError; std::invalid_argument for a fault of a device that the cell does not have.
   explicit Cell(const Scene& scene, const CellOptions& options = {});
   ~Cell();
   Cell(const Cell&) = delete;
@@ -61,7 +66,7 @@ class Cell {
   };
   const std::vector<Line>& lines() const;
 
-  /// Locations that skills can name, and programs: VAL's memory.
+  /// Locations that skills can name, and programs: VAL's memory. At first it has the scene's locations.
   val::Store& val_store();
   runtime::ValDriver& val_driver();
 

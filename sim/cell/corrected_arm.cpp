@@ -20,4 +20,8 @@ std::optional<std::string> CorrectedArm::move(const Correction& correction, runt
   return refused;
 }
 
+Pose CorrectedArm::tool() const {
+  return tool_pose(workcell_.joints(), workcell_.motion().tool());
+}
+
 }  // namespace pal::sim

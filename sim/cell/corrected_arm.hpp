@@ -19,7 +19,8 @@ class CorrectedArm final : public AlterArm {
   void stop() override { workcell_.stop(); }
   std::string fault() const override { return workcell_.fault() ? workcell_.fault()->text : std::string(); }
   bool moving() const override { return !workcell_.idle(); }
-  Pose tool() const override { return workcell_.tool(); }
+  /// The tip of the tool that VAL was told of.
+  Pose tool() const override;
 
  private:
   Workcell& workcell_;

@@ -1,10 +1,13 @@
 #include "sim/cell/served_port.hpp"
 
+#include "runtime/drivers/gripper/driver.hpp"
 #include "sim/cell/corrected_arm.hpp"
+#include "sim/cell/device_views.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/devices/force_torque_emulator.hpp"
-#include "sim/val/terminal.hpp"
-#include "sim/val/workcell_arm.hpp"
+#include "sim/devices/gripper_emulator.hpp"
+#include "sim/devices/range_finder_emulator.hpp"
+#include "sim/val/controller.hpp"
 
 namespace pal::sim {
 namespace {
@@ -36,23 +39,6 @@ class ServedAlter final : private runtime::Link, private runtime::LinkUser {
   AlterEmulator port_;
 };
 
-struct ServedVal {
-  ServedVal(runtime::Timeline& timeline, runtime::Link& line, Workcell& workcell)
-      : arm(workcell, timeline),
-        hand(workcell, timeline),
-        machine{timeline, arm, workcell.tool_kind() == ToolKind::gripper ? &hand : nullptr,
-                nullptr,  {},  Pose::Identity(),
-                100,      {},  {},
-                {},       {},  {},
-                false},
-        terminal(line, machine) {}
-
-  val::WorkcellArm arm;
-  val::WorkcellHand hand;
-  val::Machine machine;
-  val::Terminal terminal;
-};
-
 }  // namespace
 
 std::vector<ServedPort> served_ports() {
@@ -64,16 +50,29 @@ std::vector<ServedPort> served_ports() {
        }},
       {"force-torque", "the ATI force-torque sensor", ForceTorqueEmulatorOptions{}.line,
        [](auto& timeline, auto& link, auto& workcell, auto seed) {
-         ForceTorqueEmulatorOptions sensor;
-         sensor.seed = seed;
+         ForceTorqueEmulatorOptions options;
+         options.seed = seed;
          return std::make_shared<ForceTorqueEmulator>(
-             timeline, link, [&workcell] { return workcell.wrench(); }, sensor);
+             timeline, link, [&workcell] { return workcell.wrench(); }, options);
        }},
-      {"val",
-       "VAL II's terminal; DO ALTER has no line of its own here",
-       {9600, 10},
+      {"gripper", "the gripper's feedback", runtime::gripper::line,
+       [](auto& timeline, auto& link, auto& workcell, auto seed) {
+         GripperEmulatorOptions gripper;
+         gripper.seed = seed;
+         return std::make_shared<GripperEmulator>(
+             timeline, link, [&workcell] { return gripper_state(workcell); }, gripper);
+       }},
+      {"range-finder", "the laser range finder, at the tool's tip", runtime::range_finder::line,
+       [](auto& timeline, auto& link, auto& workcell, auto seed) {
+         RangeFinderEmulatorOptions finder;
+         finder.seed = seed;
+         return std::make_shared<RangeFinderEmulator>(timeline, link, range_view(workcell), finder);
+       }},
+      {"val", "the VAL II controller's terminal, without an ALTER port", val::terminal_line,
        [](auto& timeline, auto& link, auto& workcell, auto) {
-         return std::make_shared<ServedVal>(timeline, link, workcell);
+         auto controller = std::make_shared<val::Controller>(timeline, link, workcell);
+         controller->greet();
+         return controller;
        }},
   };
 }

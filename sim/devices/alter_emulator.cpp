@@ -47,10 +47,17 @@ std::string AlterEmulator::open(const AlterMode& mode) {
 }
 
 std::string AlterEmulator::close() {
+  if (open_) {
+    silence();
+    link_.write(alter::encode(alter::Ended{Reason::closed, "closed"}));
+  }
+  return std::exchange(ended_because_, {});
+}
+
+void AlterEmulator::silence() {
   timeline_.cancel(next_cycle_);
   timeline_.cancel(deadline_);
   open_ = unanswered_ = false;
-  return std::exchange(ended_because_, {});
 }
 
 void AlterEmulator::cycle() {
@@ -104,7 +111,7 @@ void AlterEmulator::arm_has_stopped() {
 }
 
 void AlterEmulator::end(Reason reason, std::string text) {
-  close();
+  silence();
   arm_.stop();
   link_.write(alter::encode(alter::Ended{reason, text}));
   ended_because_ = std::move(text);

@@ -58,6 +58,7 @@ class AlterEmulator final : public AlterControl, private runtime::LinkUser {
   void cycle();
   void take(const runtime::alter::Answer& answer);
   void answer_is_late();
+  void silence();
   void end(runtime::alter::Ended::Reason reason, std::string text);
 
   runtime::Timeline& timeline_;

@@ -49,13 +49,15 @@ SceneError load_error(const Scene& scene, const std::string& text) {
           "write, see docs/workcell/scenes.md"};
 }
 
-Start start_at(const std::array<double, 4>& figures, Configuration configuration) {
-  Start start;
-  start.tool = Eigen::Translation3d(figures[0], figures[1], figures[2]) *
-               Eigen::AngleAxisd(radians(figures[3]), Eigen::Vector3d::UnitZ()) *
-               Eigen::AngleAxisd(radians(180), Eigen::Vector3d::UnitX());
-  start.configuration = configuration;
-  return start;
+// A tool that points straight down; m and degrees.
+Pose pointing_down(const std::array<double, 4>& figures) {
+  return Eigen::Translation3d(figures[0], figures[1], figures[2]) *
+         Eigen::AngleAxisd(radians(figures[3]), Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(radians(180), Eigen::Vector3d::UnitX());
+}
+
+std::array<double, 4> in_metres(const std::array<double, 4>& tip) {
+  return {tip[0] / 1e3, tip[1] / 1e3, tip[2] / 1e3, tip[3]};
 }
 
 Start read_start(const mjModel& model, const Scene& scene) {
@@ -74,7 +76,7 @@ Start read_start(const mjModel& model, const Scene& scene) {
   if (!configuration)
     throw SceneError(scene.file.string(), "'" + words + "' is not a configuration of the arm",
                      "write righty or lefty, above or below, flip or noflip");
-  return start_at({figures[0], figures[1], figures[2], figures[3]}, *configuration);
+  return {pointing_down({figures[0], figures[1], figures[2], figures[3]}), *configuration};
 }
 
 // Everything that is measured or proved of a run rests on these.
@@ -163,9 +165,9 @@ LoadedScene load_scene(const Scene& scene) {
   if (scene.file.extension() == ".scene") {
     const SceneDescription description = read_description(scene);
     loaded.model = build(description, scene.file.string());
-    const std::array<double, 4>& start = *description.start;
-    loaded.start =
-        start_at({start[0] / 1e3, start[1] / 1e3, start[2] / 1e3, start[3]}, description.configuration);
+    loaded.start = {pointing_down(in_metres(*description.start)), description.configuration};
+    for (const DescribedLocation& location : description.locations)
+      loaded.locations[location.name] = pointing_down(in_metres(location.tip));
     loaded.tool = description.tool;
     loaded.machine = description.machine;
   } else {
@@ -176,6 +178,7 @@ LoadedScene load_scene(const Scene& scene) {
     check_options(*loaded.model, scene);
     loaded.start = read_start(*loaded.model, scene);
   }
+  loaded.locations.emplace("HOME", loaded.start.tool);
   let_loose_bodies_touch(*loaded.model);
   return loaded;
 }

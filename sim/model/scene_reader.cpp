@@ -84,13 +84,15 @@ class Reader {
     if (first == "tool") return read_tool();
     if (first == "start") return read_start_line();
     if (first == "configuration") return read_configuration();
+    if (first == "location") return read_location();
     if (first == "machine") return read_machine();
     if (first == "no") return read_no();
     const auto& kinds = thing_kinds();
     const auto kind =
         std::find_if(kinds.begin(), kinds.end(), [&](const ThingKind& known) { return known.name == first; });
     if (kind != kinds.end()) return read_thing(*kind);
-    std::vector<std::string> names{"about", "tool", "start", "configuration", "machine", "no table"};
+    std::vector<std::string> names{"about",    "tool",    "start",   "configuration",
+                                   "location", "machine", "no table"};
     for (const ThingKind& known : kinds) names.emplace_back(known.name);
     fail("'" + first + "' is not something that a scene has", "a line begins with " + join(names));
   }
@@ -113,21 +115,40 @@ class Reader {
 
   void read_start_line() {
     only_once("start");
-    std::array<double, 4> start{};
-    for (std::size_t i = 0; i < start.size(); ++i) {
+    scene_.start = read_tip("start", "write start X Y Z TURN: where the tool's tip begins");
+  }
+
+  // X Y Z TURN, to the end of the line; the turn may be left out.
+  std::array<double, 4> read_tip(const std::string& what, const std::string& usage) {
+    std::array<double, 4> tip{};
+    for (std::size_t i = 0; i < tip.size(); ++i) {
       if (i == 3 && at_ == words_.size()) break;
       const auto value = at_ < words_.size() ? number(words_[at_].text) : std::nullopt;
       if (!value)
-        fail(
-            at_ < words_.size() ? "'" + words_[at_].text + "' is not a number"
-                                : "the start has too few figures",
-            "write start X Y Z TURN: where the tool's tip begins, in mm from the shoulder, and how far it is "
-            "turned about the vertical, in degrees");
-      start[i] = *value;
+        fail(at_ < words_.size() ? "'" + words_[at_].text + "' is not a number"
+                                 : "the " + what + " has too few figures",
+             usage + ", in mm from the shoulder, and how far it is turned about the vertical, in degrees");
+      tip[i] = *value;
       ++at_;
     }
-    scene_.start = start;
     nothing_left();
+    return tip;
+  }
+
+  void read_location() {
+    const std::string usage = "write location NAME X Y Z TURN: where VAL has been taught that the tip is";
+    const std::string name = at_ < words_.size() ? words_[at_++].text : "";
+    constexpr std::size_t longest = 20;
+    const auto capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+    const auto fits = [&](char c) { return capital(c) || (c >= '0' && c <= '9') || c == '_'; };
+    if (name.empty() || name.size() > longest || !capital(name[0]) ||
+        !std::all_of(name.begin(), name.end(), fits))
+      fail("'" + name + "' is not a name of VAL",
+           usage + "; a name has up to 20 capitals, digits and underscores and begins with a capital");
+    const auto taught = [&](const DescribedLocation& known) { return known.name == name; };
+    if (std::any_of(scene_.locations.begin(), scene_.locations.end(), taught))
+      fail("location " + name + " is said twice", "take one of them out");
+    scene_.locations.push_back({name, read_tip("location", usage)});
   }
 
   void read_configuration() {
@@ -248,10 +269,11 @@ class Reader {
       const int serial = ++used[thing.kind];
       if (thing.name.empty())
         thing.name = thing.kind + (count[thing.kind] > 1 ? " " + std::to_string(serial) : "");
-      if (std::any_of(thing.name.begin(), thing.name.end(),
-                      [](char c) { return c == '<' || c == '>' || c == '&' || c == '/'; }))
-        fail("the name '" + thing.name + "' has a character that names cannot have", "leave out < > & and /",
-             thing.line);
+      if (std::any_of(thing.name.begin(), thing.name.end(), [](unsigned char c) {
+            return c < ' ' || c == '<' || c == '>' || c == '&' || c == '/';
+          }))
+        fail("the name '" + thing.name + "' has a character that names cannot have",
+             "leave out < > & / and control characters", thing.line);
       if (std::find(names.begin(), names.end(), thing.name) != names.end())
         fail("there is more than one thing named '" + thing.name + "'", "give it another name", thing.line);
       names.push_back(thing.name);

@@ -129,8 +129,9 @@ class ShapeMaker {
         position(0, 0, diameter / 2), diameter / 2e3, length / 2e3);
     const double height = at(2) + diameter / 2 + shoulder;  // its stands go down to the floor
     for (const double side : {-1.0, 1.0})
-      inside += box(side * (length - diameter) / 2, 0, diameter / 2 - height / 2, diameter, diameter, height,
-                    "graphite");
+      if (height > 1)
+        inside += box(side * (length - diameter) / 2, 0, diameter / 2 - height / 2, diameter, diameter,
+                      height, "graphite");
     body(0, inside);
   }
 

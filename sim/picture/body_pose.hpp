@@ -38,8 +38,8 @@ struct BodyPose {
 
 SceneGeometry scene_geometry(Workcell& workcell);
 
-/// As of the last step, in the order of SceneGeometry::bodies without the world. 336 bytes of the arm, sensor
-/// and tool, and 28 for each thing more.
+/// As of the last step, in the order of SceneGeometry::bodies without the world. 28 bytes each: 364 in the scene
+/// touch.
 std::vector<BodyPose> body_poses(Workcell& workcell);
 
 }  // namespace pal::sim

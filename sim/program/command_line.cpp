@@ -82,6 +82,9 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
                     ->check(CLI::Range(1, 100000));
   // A sweep goes over the phases itself, and its runs are too many to look at.
   for (CLI::Option* single : {phase, video, live}) sweep->excludes(single);
+  app.add_option("--after", command.after,
+                 "run this skill before, with its defaults: a part is picked that is placed")
+      ->type_name("SKILL");
   app.add_option("--against", command.against,
                  "with --sweep: a second skill, over the same phases, for comparison")
       ->needs(sweep);
@@ -90,6 +93,8 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
       ->expected(0, 1)
       ->default_str("1")
       ->check(CLI::Range(0.001, 1000.0))
+      ->excludes(sweep);
+  app.add_option("--fault", command.faults, "a file that says what is to go wrong with devices, and when")
       ->excludes(sweep);
   app.add_option("--links", command.links,
                  "what the bytes of devices' lines go through; the run is the same with each")

@@ -34,7 +34,9 @@ struct RunCommand {
   std::vector<std::string> skill_folders;  // of the skills' PAL
   int sweep = 0;                           // runs; 0: one run
   std::string against;                     // second skill of a sweep
+  std::string after;                       // a skill that is run before; empty: none
   double paced = 0;                        // station seconds a second of real time; 0: as fast as can be
+  std::string faults;                      // a file of faults on demand; empty: nothing goes wrong
   std::string links = "process";           // what carries the bytes of lines
 };
 

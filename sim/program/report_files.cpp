@@ -51,6 +51,7 @@ Json run_json(const runtime::Skill& skill, const Session& session, const Session
   json["skill"] = skill.description().name;
   json["environment"] = skill.description().environment;
   json["scene"] = session.scene.name;
+  if (session.before) json["after"] = session.before->name;
   json["parameters"] = parameters;
   json["seed"] = session.seed;
   json["times"] = name(session.times);

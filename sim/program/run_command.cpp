@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <fstream>
 #include <ostream>
+#include <sstream>
+#include <stdexcept>
 
 #include "pal/support/duration_text.hpp"
 #include "pal/support/nearest.hpp"
@@ -76,8 +79,10 @@ runtime::CostPolicy parse_times(const std::string& text) {
   return text == "best" ? runtime::CostPolicy::best : runtime::CostPolicy::random;
 }
 
-Session make_session(const RunCommand& command, const runtime::Skill& skill) {
+Session make_session(const RunCommand& command, const runtime::Skill& skill,
+                     const std::vector<KnownSkill>& known) {
   Session session;
+  if (!command.after.empty()) session.before = find_skill(command.after, known);
   session.scene =
       sim::find_scene(command.scene, {command.scene_folders.begin(), command.scene_folders.end()});
   for (const std::string& setting : command.settings) {
@@ -126,6 +131,19 @@ std::unique_ptr<runtime::Carrier> make_carrier(const std::string& links) {
   return nullptr;
 }
 
+std::vector<sim::PlannedFault> faults_in(const std::string& file) {
+  if (file.empty()) return {};
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in) throw Failure(ExitStatus::usage, file, "the file cannot be read", "name a file of faults");
+  auto read = sim::read_faults(text.str());
+  if (const auto* wrong = std::get_if<sim::FaultTextError>(&read))
+    throw Failure(ExitStatus::wrong_specification, fmt::format("{}:{}", file, wrong->line), wrong->cause,
+                  "for example: at 500 ms force-torque dropout");
+  return std::get<0>(std::move(read));
+}
+
 /// Runs the session in the time and over the links that the command asks for; Ctrl-C stops it.
 SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Session session) {
   std::optional<runtime::Outside> outside;
@@ -134,7 +152,12 @@ SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Ses
   runtime::RunControl control;
   const Interrupt interrupt(control);
   session.control = &control;
-  return run_session(skill, session);
+  session.faults = faults_in(command.faults);
+  try {
+    return run_session(skill, session);
+  } catch (const std::invalid_argument& problem) {
+    throw Failure(ExitStatus::wrong_specification, command.faults, problem.what(), "");
+  }
 }
 
 void write_run(const RunCommand& command, const runtime::Skill& skill, const Session& session,
@@ -206,7 +229,7 @@ ExitStatus run_sweep(const RunCommand& command, runtime::Skill& skill, const Ses
   std::vector<std::vector<SweepRun>> sweeps{sweep(skill, session, command.sweep)};
   if (!command.against.empty()) {
     const auto second = find_skill(command.against, known).make();
-    make_session(command, *second);  // its parameters must take the same settings
+    make_session(command, *second, known);  // its parameters must take the same settings
     names.push_back(command.against);
     sweeps.push_back(sweep(*second, session, command.sweep));
   }
@@ -231,7 +254,7 @@ ExitStatus run_sweep(const RunCommand& command, runtime::Skill& skill, const Ses
 ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out) {
   const KnownSkill& known = find_skill(command.skill, skills);
   const auto skill = known.make();
-  const Session session = make_session(command, *skill);
+  const Session session = make_session(command, *skill, skills);
   return command.sweep > 0 ? run_sweep(command, *skill, session, skills, out)
                            : run_once(command, known, *skill, session, out);
 }

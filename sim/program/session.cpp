@@ -20,6 +20,21 @@ std::vector<sim::Sample> log_since(const std::vector<sim::Sample>& log, runtime:
   return result;
 }
 
+void run_before(sim::Cell& cell, const Session& session) {
+  if (!session.before) return;
+  const auto skill = session.before->make();
+  runtime::RunOptions options;
+  options.costs = session.times;
+  options.seed = session.seed;
+  options.control = session.control;
+  const runtime::Outcome outcome = cell.run(*skill, {}, options);
+  if (outcome.code != 0)
+    throw sim::SceneError(
+        std::string(skill->description().name) + " in scene " + session.scene.name,
+        "the skill before ended with completion " + std::to_string(outcome.code) + ": " + outcome.reason,
+        "choose a scene in which it ends with completion 0");
+}
+
 /// The workcell, and what looks at it, which goes before it.
 struct OnlookedWorld final : runtime::World {
   OnlookedWorld(sim::Workcell& workcell, const runtime::Skill& skill, const Session& session)
@@ -46,12 +61,14 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   cell_options.phase = session.phase;
   cell_options.pace = session.pace;
   cell_options.carrier = session.carrier;
+  cell_options.faults = session.faults;
   cell_options.watch = [&](sim::Workcell& workcell) {
     auto made = std::make_unique<OnlookedWorld>(workcell, skill, session);
     world = made.get();
     return made;
   };
   sim::Cell cell(session.scene, cell_options);
+  run_before(cell, session);
 
   runtime::RunOptions options;
   options.costs = session.times;

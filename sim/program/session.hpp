@@ -11,7 +11,9 @@
 
 #include "runtime/drivers/station.hpp"
 #include "runtime/drivers/wire.hpp"
+#include "sim/cell/fault_plan.hpp"
 #include "sim/picture/picture.hpp"
+#include "sim/program/skills.hpp"
 #include "sim/report/message_log.hpp"
 #include "sim/scene.hpp"
 #include "sim/workcell.hpp"
@@ -27,6 +29,9 @@ struct Session {
   std::optional<runtime::Time> phase;
   /// How much higher than in the scene the tool starts, mm.
   double raise = 0;
+  /// A skill that is run before, with its defaults. What it did is not in the
+  /// result.
+  std::optional<KnownSkill> before{};
   bool picture = false;
   std::string video{};               // the file; empty: none
   std::ostream* progress = nullptr;  // where progress is shown; nullptr: nowhere
@@ -35,6 +40,7 @@ struct Session {
   runtime::Pace* pace = nullptr;
   std::function<std::unique_ptr<runtime::Carrier>()> carrier{};
   const runtime::RunControl* control = nullptr;
+  std::vector<sim::PlannedFault> faults{};
 };
 
 struct SessionResult {
@@ -49,7 +55,8 @@ struct SessionResult {
 };
 
 /// Runs the skill, then lets the arm end its motion and come to rest. Pictures, video and progress change
-/// nothing of the run. Throws sim::SceneError; sim::VideoError, before the run; std::runtime_error when the
+/// nothing of the run. Throws sim::SceneError, also when the skill before does not end with completion 0;
+/// sim::VideoError, before the run; std::runtime_error when the
 /// physics diverged after the skill's end (before it, that is a fault of the skill).
 SessionResult run_session(runtime::Skill& skill, const Session& session);
 

@@ -1,8 +1,10 @@
-// SM2 of commands.pal, and the list that it gives.
+// SM2 and SM3 of commands.pal, and the list that SM2 gives.
 #pragma once
 
 #include <initializer_list>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -40,6 +42,8 @@ class CommandList {
     commands_.back().location = location;
     return *this;
   }
+  /// Of the motions that follow, per cent of the arm's. Takes back a speed in mm/s that was set before.
+  CommandList& set_speed(double percent) { return add(Verb::speed, percent).add(Verb::joint_speed, 100); }
   /// The one that was added last, to fill in what is left.
   Command& last() { return commands_.back(); }
 
@@ -74,6 +78,17 @@ class Commands final : public Interface {
   }
 
   std::shared_ptr<CommandList<Command>> list_;
+};
+
+/// SM3. Its exception is what ends the skill, with the error completion of its template.
+template <class Interface>
+class Report final : public Interface {
+  using Answer = ArgumentOf<&Interface::report>;
+
+ public:
+  void report(const Answer& answer) override {
+    throw std::runtime_error("VAL: " + std::string(answer.error.view()));
+  }
 };
 
 }  // namespace pal::skills

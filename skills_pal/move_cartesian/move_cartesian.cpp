@@ -33,7 +33,8 @@ class Method final : public SM1Activities {
 
 std::unique_ptr<runtime::Skill> move_cartesian_skill() {
   auto list = std::make_shared<CommandList<Command>>();
-  return make_move_cartesian(std::make_unique<Method>(list), std::make_unique<Commands<SM2Activities>>(list));
+  return make_move_cartesian(std::make_unique<Method>(list), std::make_unique<Commands<SM2Activities>>(list),
+                             std::make_unique<Report<SM3Activities>>());
 }
 
 }  // namespace pal::skills

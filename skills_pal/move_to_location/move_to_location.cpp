@@ -17,8 +17,7 @@ class Method final : public SM1Activities {
 
   void list_motion() override {
     list_->begin();
-    list_->add(Verb::speed, parameters_.speed);
-    if (parameters_.straight) list_->add(Verb::joint_speed, 100);
+    list_->set_speed(parameters_.speed);
     list_->add(parameters_.straight ? Verb::move_straight : Verb::move, parameters_.location);
   }
 
@@ -32,7 +31,8 @@ class Method final : public SM1Activities {
 std::unique_ptr<runtime::Skill> move_to_location_skill() {
   auto list = std::make_shared<CommandList<Command>>();
   return make_move_to_location(std::make_unique<Method>(list),
-                               std::make_unique<Commands<SM2Activities>>(list));
+                               std::make_unique<Commands<SM2Activities>>(list),
+                               std::make_unique<Report<SM3Activities>>());
 }
 
 }  // namespace pal::skills

@@ -19,7 +19,7 @@ class Method final : public SM1Activities {
 
   void list_grasp() override {
     list_->begin();
-    list_->add(Verb::speed, parameters_.speed)
+    list_->set_speed(parameters_.speed)
         .add(Verb::open_hand)
         .add(Verb::approach, parameters_.location, parameters_.approach)
         .add(Verb::move_straight, parameters_.location)
@@ -39,7 +39,7 @@ class Method final : public SM1Activities {
   Parameters parameters_;
 };
 
-class Return final : public CM3Activities {
+class Return final : public CM4Activities {
  public:
   explicit Return(std::shared_ptr<List> list) : list_(std::move(list)) {}
 
@@ -60,6 +60,7 @@ std::unique_ptr<runtime::Skill> pick_at_location_skill() {
   auto list = std::make_shared<List>();
   return make_pick_at_location(std::make_unique<Method>(list),
                                std::make_unique<Commands<SM2Activities>>(list),
+                               std::make_unique<Report<SM3Activities>>(),
                                std::make_unique<GripSensor<LS3Activities>>(), std::make_unique<Return>(list));
 }
 

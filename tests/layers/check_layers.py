@@ -32,9 +32,10 @@ LAYERS = {
     "pal/driver": ["pal/support", "pal/explain", "pal/doc", "pal/pan", "pal/syntax", "pal/check", "analyzer", "analyzer/chart",
                    "analyzer/replay", "analyzer/whatif", *STAGES, "codegen", "runtime/trace"],
     "runtime": ["runtime/trace"],
-    "runtime/drivers": ["runtime", "runtime/trace"],
-    "skills_pal": ["runtime", "runtime/trace"],
-    "sim": ["runtime", "runtime/trace", "runtime/drivers"],
+    "runtime/drivers/val/command.hpp": ["runtime", "runtime/trace"],
+    "runtime/drivers": ["runtime", "runtime/trace", "runtime/drivers/val/command.hpp"],
+    "skills_pal": ["runtime", "runtime/trace", "runtime/drivers/val/command.hpp"],  # VAL's verbs and errors
+    "sim": ["runtime", "runtime/trace", "runtime/drivers", "runtime/drivers/val/command.hpp"],
     "sim/program": ["sim", "runtime", "runtime/trace", "runtime/drivers", "skills_pal", "pal/support", "pal/pan",
                     "pal/check", "pal/syntax", "analyzer", *STAGES, "analyzer/chart", "pal/driver"],
 }

@@ -45,9 +45,14 @@ AlterDriver::~AlterDriver() {
 
 // Opening and closing.
 
+bool AlterDriver::ready() const {
+  return !trouble_.empty() || state_ == (opened_by_skill_ ? State::closed : State::open);
+}
+
 void AlterDriver::prepare() {
-  if (state_ == State::open) return;
   trouble_.clear();
+  if (opened_by_skill_) return release();
+  if (state_ == State::open) return;
   decoder_.forget();
   asked_ = false;
   state_ = State::opening;
@@ -93,9 +98,9 @@ void AlterDriver::fail(std::string reason) {
 void AlterDriver::on_bytes(Bytes bytes) {
   decoder_.feed(bytes);
   while (const auto found = decoder_.next()) {
-    if (state_ != State::open && state_ != State::opening) continue;  // left over from before it was closed
+    if (state_ == State::closing) continue;  // on its way when it was closed
     if (const auto* garbled = std::get_if<alter::Garbled>(&*found)) {
-      fail("the line is disturbed: " + garbled->why);
+      if (state_ != State::closed) fail("the line is disturbed: " + garbled->why);
     } else {
       take(std::get<alter::Frame>(*found));
     }
@@ -110,7 +115,7 @@ void AlterDriver::take(const alter::Frame& frame) {
   if (const auto* request = std::get_if<alter::Request>(&frame)) {
     requested(*request);
   } else if (const auto* ended = std::get_if<alter::Ended>(&frame)) {
-    fail(ended->text);
+    ended->reason == alter::Ended::Reason::closed ? closed() : fail(ended->text);
   } else {
     fail("the controller sent an answer instead of a request; is the line looped back?");
   }
@@ -127,6 +132,12 @@ void AlterDriver::requested(const alter::Request& request) {
   } else {
     answer(false);
   }
+}
+
+void AlterDriver::closed() {
+  timeline_.cancel(silence_);
+  asked_ = false;
+  if (state_ == State::open) state_ = State::closed;
 }
 
 void AlterDriver::answer(bool motion, const alter::Figures& correction) {

@@ -45,10 +45,14 @@ class AlterDriver final : public Driver, private LinkUser {
   void close() override;
 
   void prepare() override;
-  bool ready() const override { return state_ == State::open || !trouble_.empty(); }
+  bool ready() const override;
   void release() override;
   bool released() const override { return state_ == State::closed; }
   std::string trouble() const override { return trouble_; }
+
+  /// The skill itself opens and closes ALTER, by other means: prepare() closes it, and a request that comes
+  /// later opens the session.
+  void leave_opening_to_skill(bool leave) { opened_by_skill_ = leave; }
 
   /// The first instant at or after `from` at which a request is expected; `from` itself if ALTER is not open.
   Time next_tick(Time from) const;
@@ -60,6 +64,7 @@ class AlterDriver final : public Driver, private LinkUser {
   void on_break(std::string_view reason) override;
   void take(const alter::Frame& frame);
   void requested(const alter::Request& request);
+  void closed();
   void correct(std::span<const double> fields);
   void answer(bool motion, const alter::Figures& correction = {});
   void expect_request(Time within, std::string otherwise);
@@ -73,6 +78,7 @@ class AlterDriver final : public Driver, private LinkUser {
   alter::Decoder decoder_;
   DeviceHost* host_ = nullptr;
   bool in_session_ = false;
+  bool opened_by_skill_ = false;
   State state_ = State::closed;
   std::string trouble_;
   bool asked_ = false;  // the controller waits for an answer

@@ -5,8 +5,13 @@
 #include <vector>
 
 #include "runtime/drivers/linked_driver.hpp"
+#include "runtime/drivers/wire.hpp"
 
 namespace pal::runtime {
+
+namespace gripper {
+inline constexpr LineSpeed line{38400, 10};
+}  // namespace gripper
 
 struct GripperDriverOptions {
   std::string name = "gripper";

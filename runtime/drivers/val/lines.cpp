@@ -199,8 +199,9 @@ LineOf line_of(const Command& command) {
 Time answer_time(const Command& command, Time plain, Time motion) {
   if (moves(command.verb)) return motion;
   if (command.verb != Verb::delay) return plain;
-  return plain +
-         std::chrono::duration_cast<Time>(std::chrono::duration<double>(std::max(0.0, command.figures[0])));
+  using Seconds = std::chrono::duration<double>;
+  const double most = Seconds(motion - plain).count();
+  return plain + std::chrono::duration_cast<Time>(Seconds(std::clamp(command.figures[0], 0.0, most)));
 }
 
 Answer read_answer(const Command& command, std::string_view shown) {

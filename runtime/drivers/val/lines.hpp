@@ -17,7 +17,8 @@ struct LineOf {
 };
 LineOf line_of(const Command& command);
 
-/// How long its answer may take; motions take `motion`.
+/// How long its answer may take: a motion `motion`, a delay its own time and `plain`, but no longer than a
+/// motion.
 Time answer_time(const Command& command, Time plain, Time motion);
 
 /// The answer in what VAL showed between the line's end and the prompt (or the question of POINT).

@@ -68,6 +68,7 @@ ValDriver::ValDriver(Timeline& timeline, Link& link, ValOptions options)
 
 ValDriver::~ValDriver() {
   timeline_.cancel(timer_);
+  timeline_.cancel(delivery_);
   link_.connect(nullptr);
 }
 
@@ -106,11 +107,14 @@ bool ValDriver::withdraw(std::size_t port) {
 
 void ValDriver::close() {
   host_ = nullptr;
+  timeline_.cancel(delivery_);
+  delivering_ = false;
+  taken_.reset();
   const bool left_running = std::exchange(left_running_, false);
   const bool under_way = carries_out() && queue_.front().of_skill;
   std::erase_if(queue_, [](const Waiting& waiting) { return waiting.of_skill; });
   command_.reset();
-  if (!under_way && !(left_running && state_ == State::idle)) return;
+  if (!under_way && !left_running) return;
   execute_owed_ = false;
   clear_line(true);
 }
@@ -131,12 +135,12 @@ void ValDriver::wait(Time time, void (ValDriver::*then)()) {
 }
 
 void ValDriver::next() {
-  if (queue_.empty()) return;
-  if (broken_) return finish(Answer::failed(Error::no_answer, trouble_));
-  if (state_ == State::unknown) return clear_line(false);
-  if (state_ != State::idle) return;
+  if (queue_.empty() || (delivering_ && queue_.front().of_skill)) return;
+  if (state_ == State::unknown && !broken_) return clear_line(false);
+  if (state_ != State::idle && !broken_) return;
   const Waiting& first = queue_.front();
-  if (first.of_skill && host_ != nullptr) host_->mark_busy(true);
+  if (first.of_skill) take();
+  if (broken_) return finish(Answer::failed(Error::no_answer, trouble_));
   if (!first.command) return finish(Answer::failed(Error::refused, "no command was sent"));
   if (first.command->verb == Verb::clear) return finish(std::exchange(executed_, {}));
   val::LineOf line = val::line_of(*first.command);
@@ -144,6 +148,13 @@ void ValDriver::next() {
   line_ = std::move(line.line);
   tries_ = 0;
   send_line();
+}
+
+// The skill's oldest request is being served from now on.
+void ValDriver::take() {
+  if (host_ == nullptr || taken_) return;
+  taken_ = timeline_.now();
+  host_->mark_busy(true);
 }
 
 void ValDriver::send_line() {
@@ -237,11 +248,24 @@ void ValDriver::reply(const Waiting& to, const Answer& answer) {
   if (verb == Verb::abort || verb == Verb::close_alter) left_running_ = false;
   if (to.done) to.done(answer);
   if (!to.of_skill || host_ == nullptr) return;
+  take();
+  const Time earliest = *taken_ + options_.at_least;
+  if (timeline_.now() >= earliest) return deliver(answer);
+  delivering_ = true;
+  delivery_ = timeline_.at(earliest, [this, answer] {
+    delivering_ = false;
+    deliver(answer);
+    next();
+  });
+}
+
+void ValDriver::deliver(const Answer& answer) {
   std::array<double, answer_size> fields{};
   fields[0] = answer.ok ? 1 : 0;
   fields[1] = static_cast<double>(answer.error);
   put(short_text(answer), fields, error_at);
   std::copy(answer.values.begin(), answer.values.end(), fields.begin() + values_at);
+  taken_.reset();
   host_->mark_busy(false);
   host_->deliver(answer_port, fields);
 }

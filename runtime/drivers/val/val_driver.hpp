@@ -19,7 +19,10 @@ struct ValOptions {
   /// Longest times: until an echo has come, until an answer begins to be missed, until a motion is over.
   Time echo_within = std::chrono::milliseconds(600);
   Time answer_within = std::chrono::seconds(3);
-  Time motion_within = std::chrono::minutes(2);
+  Time motion_within = std::chrono::seconds(110);
+  /// A skill's answer does not come sooner after its request, so that `DEVICE val ON REQUEST 20 ms TO 2 min`
+  /// holds of commands as well that need no line.
+  Time at_least = std::chrono::milliseconds(20);
 };
 
 /// Ports: `command` to the device (verb: val::Verb; location, second: texts; a to f); `request answer` to it,
@@ -81,6 +84,7 @@ class ValDriver final : public Driver, public LinkUser {
   void send(std::string_view text);
   void wait(Time time, void (ValDriver::*then)());
   void next();
+  void take();
   void send_line();
   void echo_missing();
   void look_for_echo();
@@ -88,6 +92,7 @@ class ValDriver final : public Driver, public LinkUser {
   void answer_missing();
   void finish(const val::Answer& answer);
   void reply(const Waiting& to, const val::Answer& answer);
+  void deliver(const val::Answer& answer);
   void clear_line(bool abort);
   void quiet();
   void give_up(const std::string& why);
@@ -111,6 +116,9 @@ class ValDriver final : public Driver, public LinkUser {
   std::string last_error_;
   std::string trouble_;
   Timeline::Token timer_;
+  std::optional<Time> taken_;  // when the skill's request was that is being served
+  bool delivering_ = false;    // its answer is ready, too early
+  Timeline::Token delivery_;
 };
 
 }  // namespace pal::runtime

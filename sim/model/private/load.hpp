@@ -3,6 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -26,6 +27,7 @@ struct Start {
 /// What a scene's file comes to.
 struct LoadedScene {
   ModelPointer model;  // never null
+  std::map<std::string, Pose> locations;
   Start start;
   ToolKind tool = ToolKind::pad;
   MachineOptions machine;

@@ -51,6 +51,12 @@ struct Thing {
   std::vector<std::string> said;  // the settings that the file gives
 };
 
+/// A location that VAL has been taught.
+struct DescribedLocation {
+  std::string name;
+  std::array<double, 4> tip{};  // as a start
+};
+
 struct SceneDescription {
   std::string about;
   ToolKind tool = ToolKind::pad;
@@ -59,6 +65,7 @@ struct SceneDescription {
   bool table = true;
   MachineOptions machine;
   std::vector<Thing> things;
+  std::vector<DescribedLocation> locations;
 };
 
 /// The top of the table in frame 0, mm.

@@ -5,8 +5,8 @@
 
 #include "runtime/drivers/range_finder/driver.hpp"
 #include "runtime/drivers/wire.hpp"
-#include "sim/devices/range_finder_emulator.hpp"
-#include "sim/workcell.hpp"
+#include "sim/cell/device_views.hpp"
+#include "tests/unit/drivers/physics.hpp"
 #include "tests/unit/drivers/session.hpp"
 
 namespace pal::sim {
@@ -17,26 +17,14 @@ using namespace std::chrono_literals;
 struct Cell {
   explicit Cell(const std::string& scene, double error_scale = 0)
       : workcell(find_scene(scene, {PAL_SCENE_DIR})),
-        finder(
-            timeline, wire.b(),
-            {[this] { return workcell.tool(); },
-             [this](const auto& origin, const auto& direction) { return workcell.cast(origin, direction); }},
-            {.phase = 0ms, .error_scale = error_scale}) {
+        finder(timeline, wire.b(), range_view(workcell), {.phase = 0ms, .error_scale = error_scale}) {
     driver.prepare();
     while (!driver.ready()) run(1ms);
     REQUIRE(driver.trouble().empty());
     driver.attach(session);
     driver.open();
   }
-  void run(runtime::Time time) {
-    const runtime::Time end = timeline.now() + time;
-    while (timeline.next() <= end) {
-      workcell.advance_to(timeline.next());
-      timeline.advance_to(timeline.next());
-    }
-    workcell.advance_to(end);
-    timeline.advance_to(end);
-  }
+  void run(runtime::Time time) { test::run(timeline, workcell, time); }
   std::vector<double> read() {
     session.deliveries.clear();
     driver.receive(0, {});

@@ -89,4 +89,6 @@ TEST_CASE("VAL's answers") {
         Error::no_answer);
   CHECK(answer_time({Verb::delay, {}, {}, {5}}, std::chrono::seconds(3), std::chrono::seconds(60)) ==
         std::chrono::seconds(8));
+  CHECK(answer_time({Verb::delay, {}, {}, {500}}, std::chrono::seconds(3), std::chrono::seconds(60)) ==
+        std::chrono::seconds(60));
 }

@@ -127,7 +127,7 @@ TEST_CASE("faults: a start at which any part of the arm touches something is ref
   CHECK(refused("block at 560 -200 size 60 60 100\n") == "at its start the tool's tip touches the block");
 }
 
-TEST_CASE("faults: a run whose contacts do not fit ends with an error") {
+TEST_CASE("faults: a scene whose contacts do not fit is refused") {
   // Each shape of a heap of boxes within one another wants more contacts than there is room for.
   std::string heap = R"(<mujoco><include file="puma560.xml"/><size nconmax="8"/><custom>)"
                      R"(<numeric name="start" data="0.46 -0.2 0.1 0"/></custom><worldbody>)";
@@ -135,6 +135,24 @@ TEST_CASE("faults: a run whose contacts do not fit ends with an error") {
     heap += "<body pos=\"0.8 0.4 " + std::to_string(0.1 + 0.08 * i) +
             "\"><freejoint/><geom class=\"cell\" type=\"box\" size=\".05 .05 .05\" mass=\"1\"/></body>";
   const SceneText text(heap + "</worldbody></mujoco>", ".xml");
-  CHECK_THROWS_WITH(Workcell(text.scene()),
+  try {
+    Workcell workcell(text.scene());
+    FAIL("loaded");
+  } catch (const SceneError& error) {
+    CHECK(error.place() == text.file());
+    CHECK(error.cause() == "there are more contacts than the scene has room for, and some were left out");
+  }
+}
+
+TEST_CASE("faults: a run in which contacts no longer fit ends with an error") {
+  // The heap falls on the floor after the start.
+  std::string heap = R"(<mujoco><include file="puma560.xml"/><size nconmax="8"/><custom>)"
+                     R"(<numeric name="start" data="0.46 -0.2 0.1 0"/></custom><worldbody>)";
+  for (int i = 0; i < 6; ++i)
+    heap += "<body pos=\"0.8 " + std::to_string(0.2 * i) +
+            " 0.8\"><freejoint/><geom class=\"cell\" type=\"box\" size=\".05 .05 .05\" mass=\"1\"/></body>";
+  const SceneText text(heap + "</worldbody></mujoco>", ".xml");
+  Workcell workcell(text.scene(), {.settle = 20ms});
+  CHECK_THROWS_WITH(workcell.advance_to(2s),
                     "there are more contacts than the scene has room for, and some were left out");
 }

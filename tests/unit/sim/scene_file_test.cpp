@@ -1,7 +1,12 @@
 // The .scene format: what it says, what it refuses, and that every scene of the project loads.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
 #include "sim/model/private/scene_description.hpp"
+#include "sim/random.hpp"
 #include "tests/unit/sim/scene_text.hpp"
 #include "tests/unit/sim/support.hpp"
 
@@ -148,6 +153,69 @@ TEST_CASE("scene files: every scene of the project loads, and says what it is") 
     const auto below = workcell.cast(workcell.tool().translation(), workcell.tool().linear().col(2));
     REQUIRE(below);  // the table, at least
     CHECK(*below < 0.4);
+  }
+}
+
+TEST_CASE("scene files: whatever is within the ranges loads, or is refused in our words") {
+  const std::uint64_t seed = 11;
+  CAPTURE(seed);
+  Random random(seed, 0);
+  const auto draw = [&](double low, double high) {
+    // The ends of a range, small figures and any figure.
+    const double choice = random.unit();
+    if (choice < 0.2) return low;
+    if (choice < 0.4) return high;
+    if (choice < 0.7) return std::clamp(low + 100 * random.unit(), low, high);
+    return low + (high - low) * random.unit();
+  };
+  for (const ThingKind& kind : thing_kinds()) {
+    for (int i = 0; i < 8; ++i) {
+      std::ostringstream text;
+      text << "start 460 -200 0\n" << kind.name;
+      for (const Setting& setting : kind.settings) {
+        if (!setting.needed && random.unit() < 0.4) continue;
+        text << ' ' << setting.name;
+        // A sheet of 2 m by 2 m at 0.5 mm would be slow to make, not wrong.
+        const double high = setting.name == "size" ? 300 : setting.high;
+        for (std::size_t k = 0; k < setting.most; ++k)
+          text << ' '
+               << (setting.unit == "pieces" ? std::floor(draw(setting.low, high)) : draw(setting.low, high));
+      }
+      const SceneText scene(text.str() + "\n");
+      CAPTURE(text.str());
+      try {
+        Workcell workcell(scene.scene(), {.settle = 5ms});
+      } catch (const SceneError& error) {
+        CHECK(error.place().find(scene.file()) == 0);
+        CHECK_FALSE(error.hint().empty());
+      }
+    }
+  }
+}
+
+TEST_CASE("scene files: text by chance is read or refused with its line") {
+  const std::uint64_t seed = 5;
+  CAPTURE(seed);
+  Random random(seed, 0);
+  const std::string text =
+      "about a\ntool gripper\nstart 460 -200 -60 0\nmachine seed 3\nplate \"a b\" at 1 2 3 size 1 2 3 tilt 4 "
+      "5\nno "
+      "table\n";
+  for (int i = 0; i < 3000; ++i) {
+    std::string changed = text;
+    for (int k = 0; k < 1 + i % 4; ++k) {
+      const auto at = static_cast<std::size_t>(random.unit() * static_cast<double>(changed.size()));
+      if (random.unit() < 0.5) {
+        changed.erase(at, 1 + static_cast<std::size_t>(random.unit() * 6));
+      } else {
+        changed.insert(at, 1, static_cast<char>(random.unit() * 256));
+      }
+    }
+    try {
+      parse_description(changed, "my.scene");
+    } catch (const SceneError& error) {
+      CHECK(error.place().find("my.scene:") == 0);
+    }
   }
 }
 

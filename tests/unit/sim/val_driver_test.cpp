@@ -263,9 +263,11 @@ TEST_CASE("VAL's driver as a device: ports, answers, and an end in the middle of
   CHECK(cell.arm.at_rest());
   CHECK(host.delivered.size() == 3);
 
-  // An answer to nothing.
+  // An answer to nothing. It comes no sooner than a line could have brought it.
   cell.driver.attach(host);
   cell.driver.receive(1, {});
+  cell.timeline.advance_to(cell.timeline.now() + 20ms - 1ns);
+  CHECK(host.delivered.size() == 3);
   cell.timeline.advance_to(cell.timeline.now() + 1s);
   REQUIRE(host.delivered.size() == 4);
   CHECK(host.delivered[3].second[1] == static_cast<double>(DriverError::refused));
@@ -280,6 +282,25 @@ TEST_CASE("VAL's driver as a device: ports, answers, and an end in the middle of
   cell.driver.close();
   cell.timeline.advance_to(cell.timeline.now() + 2s);
   CHECK_FALSE(cell.machine.attached);
+}
+
+TEST_CASE("VAL's driver as a device: a broken line is answered, too, and no sooner than any other") {
+  Driven cell;
+  Host host;
+  cell.driver.attach(host);
+  cell.driver.receive(0, fields(Verb::delay, {}, 5));
+  cell.driver.receive(1, {});
+  cell.timeline.advance_to(cell.timeline.now() + 1s);
+  cell.wire.cut("unplugged");
+  REQUIRE(host.delivered.size() == 1);
+  CHECK(host.delivered[0].second[1] == static_cast<double>(DriverError::no_answer));
+  cell.driver.receive(0, fields(Verb::where));
+  cell.driver.receive(1, {});
+  cell.timeline.advance_to(cell.timeline.now() + 20ms - 1ns);
+  CHECK(host.delivered.size() == 1);
+  cell.timeline.advance_to(cell.timeline.now() + 1ns);
+  REQUIRE(host.delivered.size() == 2);
+  CHECK(host.marks == std::vector<bool>{true, false, true, false});
 }
 
 TEST_CASE("VAL's driver: how long a command takes follows from the line and the controller") {

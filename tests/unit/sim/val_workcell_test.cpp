@@ -2,10 +2,11 @@
 #include <catch2/catch.hpp>
 
 #include "runtime/drivers/alter/driver.hpp"
-#include "runtime/drivers/val/alter_opener.hpp"
+#include "runtime/drivers/val/val_driver.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/cell/cell.hpp"
-#include "sim/cell/workcell_arm.hpp"
+#include "sim/cell/corrected_arm.hpp"
+#include "sim/cell/val_opener.hpp"
 #include "sim/controller/motion_controller.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/val/controller.hpp"
@@ -47,7 +48,7 @@ struct Bench final : pal::runtime::LinkUser {
   Workcell workcell;
   pal::runtime::Timeline timeline;
   pal::runtime::Wire alter_wire{timeline, pal::runtime::alter::line};
-  pal::sim::WorkcellArm altered{workcell};
+  pal::sim::CorrectedArm altered{workcell};
   AlterEmulator alter{timeline, alter_wire.b(), altered};
   pal::runtime::Wire wire{timeline, {.baud = 9600}};
   Controller controller{timeline, wire.b(), workcell, &alter};
@@ -97,7 +98,7 @@ TEST_CASE("VAL in the workcell: OPENI and CLOSEI wait for the fingers") {
 TEST_CASE("VAL in the workcell: ALTER is opened through VAL, and TOOL sets the point that turns") {
   Bench cell("nothing");
   pal::runtime::ValDriver val(cell.timeline, cell.wire.a());
-  pal::runtime::ValAlterOpener opener(val);
+  ValOpener opener(val);
   std::string problem = "no answer yet";
   const auto done = [&](const std::string& text) { problem = text; };
   opener.open({.world = false, .cumulative = true}, done);

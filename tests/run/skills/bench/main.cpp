@@ -15,10 +15,15 @@ int main(int count, char** arguments) {
     std::string_view skill;
     std::vector<Figure> (*measure)();
   };
-  constexpr std::array benches{Bench{"touch", measure_touch}, Bench{"press", measure_press},
-                               Bench{"rub", measure_rub},     Bench{"standoff", measure_standoff},
-                               Bench{"align", measure_align}, Bench{"follow-edge", measure_follow_edge},
-                               Bench{"moves", measure_moves}, Bench{"transfers", measure_transfers}};
+  constexpr std::array benches{Bench{"touch", measure_touch},
+                               Bench{"press", measure_press},
+                               Bench{"rub", measure_rub},
+                               Bench{"standoff", measure_standoff},
+                               Bench{"align", measure_align},
+                               Bench{"follow-edge", measure_follow_edge},
+                               Bench{"moves", measure_moves},
+                               Bench{"transfers", measure_transfers},
+                               Bench{"palletize", measure_palletize}};
   const std::span wanted(arguments + 1, static_cast<std::size_t>(count - 1));
   try {
     std::vector<Figure> figures;

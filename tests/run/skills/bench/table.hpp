@@ -28,5 +28,6 @@ std::vector<Figure> measure_align();
 std::vector<Figure> measure_follow_edge();
 std::vector<Figure> measure_moves();
 std::vector<Figure> measure_transfers();
+std::vector<Figure> measure_palletize();
 
 }  // namespace pal::test

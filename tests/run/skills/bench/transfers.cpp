@@ -1,71 +1,102 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <optional>
 
 #include "tests/run/skills/bench/table.hpp"
-#include "tests/run/skills/support/proved_bounds.hpp"
-#include "tests/run/skills/support/skill_cell.hpp"
+#include "tests/run/skills/support/physical_run.hpp"
+#include "tests/run/skills/support/workshop.hpp"
 
 namespace pal::test {
 
 namespace {
 
-constexpr double middle = -156.8;  // mm: of a block of 50 mm on the table
-constexpr double near_y = -290, far_y = 15;
+using Eigen::Vector3d;
 
-/// The middle of the block that stands about there, found by rays from its four sides; mm.
-Eigen::Vector2d block_at(const sim::Workcell& workcell, double x, double y) {
-  constexpr double away = 60;
-  const auto side = [&](double dx, double dy) {
-    const Eigen::Vector3d from(x + away * dx, y + away * dy, middle);
-    const auto met = workcell.cast(from * 1e-3, Eigen::Vector3d(-dx, -dy, 0));
-    if (!met || *met * 1e3 > 2 * away) throw std::runtime_error("there is no block");
-    return away - *met * 1e3;
+constexpr double one_transfer = 0.3, six_transfers = 0.5;  // mm, to reach
+
+double seconds(runtime::Time time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+/// Takes the part from PART to PLACE and back, three times.
+void six_times(const std::string& machine, std::vector<Figure>& figures) {
+  const ChangedScene changed("parts", "machine " + machine);
+  Workshop shop(changed.scene());
+  ProvedBounds pick("pick-at-location"), place("place-at-location");
+  const Vector3d way = shop.location("PLACE") - shop.location("PART"), first = shop.middle("part");
+  bool ended = true;
+  double worst = 0;
+  Vector3d before = first;
+  for (int i = 0; i < 6; ++i) {
+    const bool there = i % 2 == 0;
+    const auto picked = shop.run("pick-at-location", {text("location", there ? "PART" : "PLACE")}, pick);
+    const auto placed = shop.run("place-at-location", {text("location", there ? "PLACE" : "PART")}, place);
+    ended = ended && picked.code == 0 && placed.code == 0 && picked.overruns + placed.overruns == 0;
+    const Vector3d after = shop.middle("part");
+    worst = std::max(worst, (after - before - (there ? way : Vector3d(-way))).norm());
+    before = after;
+  }
+  const double drift = (before - first).norm();
+  figures.push_back({"pick, place", fmt::format("305 mm there and back, three times, machine {}", machine),
+                     fmt::format("{} mm a transfer, {} mm after six", one_transfer, six_transfers),
+                     fmt::format("{:.3f} mm a transfer, {:.3f} mm after six", worst, drift),
+                     ended && worst <= one_transfer && drift <= six_transfers,
+                     std::max(pick.greatest_part(), place.greatest_part())});
+}
+
+/// Up by 25 mm, 305 mm across, down by 25 mm.
+Figure cycle(bool feel) {
+  Workshop shop(scene("parts"));
+  ProvedBounds pick("pick-at-location"), place("place-at-location");
+  const std::vector<runtime::ParameterValue> fast{
+      {.name = "approach", .value = 25}, {.name = "speed", .value = 100}, {.name = "grip-delay", .value = 0}};
+  const auto with = [&](const char* location) {
+    auto parameters = fast;
+    parameters.push_back(text("location", location));
+    return parameters;
   };
-  return {x + (side(1, 0) - side(-1, 0)) / 2, y + (side(0, 1) - side(0, -1)) / 2};
+  auto placing = with("PLACE");
+  placing.push_back({.name = "feel", .value = feel ? 1.0 : 0.0});
+  shop.run("move-to-location", {text("location", "PLACE")});
+  const auto picked = shop.run("pick-at-location", with("PART"), pick);
+  const auto placed = shop.run("place-at-location", placing, place);
+  return {"pick, place",
+          fmt::format("cycle 25-305-25 mm at 100 %, no pause, {}",
+                      feel ? "feeling on the way down" : "in one go"),
+          "reported",
+          fmt::format("{:.2f} s: pick {:.2f} s, place {:.2f} s",
+                      seconds(picked.duration) + seconds(placed.duration), seconds(picked.duration),
+                      seconds(placed.duration)),
+          picked.code == 0 && placed.code == 0,
+          std::max(pick.greatest_part(), place.greatest_part())};
 }
 
 }  // namespace
 
 std::vector<Figure> measure_transfers() {
-  ProvedBounds picks("pick-at-location"), places("place-at-location");
-  SkillCell cell("transfer");
-  cell.teach("NEAR", 460, near_y, middle);
-  cell.teach("FAR", 460, far_y, middle);
-  const std::vector<runtime::ParameterValue> fast{{"approach", 25}, {"speed", 100}, {"grip-delay", 0.3}};
-  const Eigen::Vector2d start = block_at(cell.workcell(), 460, near_y);
-  double worst_one = 0, last = 0, cycle = 0;
+  std::vector<Figure> figures;
+  for (const char* machine : {"exact", "seed 1", "seed 2", "seed 3"}) six_times(machine, figures);
+  for (const bool feel : {true, false}) figures.push_back(cycle(feel));
+  return figures;
+}
+
+std::vector<Figure> measure_palletize() {
+  Workshop shop(scene("pallet"));
+  ProvedBounds bounds("palletize");
   bool ended = true;
-  Eigen::Vector2d before = start;
-  for (int i = 0; i < 6; ++i) {
-    const bool there = i % 2 == 0;
-    auto from = fast, to = fast;
-    from.push_back(text("location", there ? "NEAR" : "FAR"));
-    to.push_back(text("location", there ? "FAR" : "NEAR"));
-    const auto picked = cell.run("pick-at-location", from);
-    const auto placed = cell.run("place-at-location", to);
-    picks.observe(picked.trace);
-    places.observe(placed.trace);
-    ended = ended && picked.code == 0 && placed.code == 0;
-    if (!ended)
-      throw std::runtime_error("transfer " + std::to_string(i + 1) + ": " + picked.reason + " " +
-                               placed.reason);
-    cycle = std::chrono::duration<double>(picked.duration + placed.duration).count();
-    const double y = there ? far_y : near_y;
-    const Eigen::Vector2d now = block_at(cell.workcell(), 460, y);
-    const Eigen::Vector2d shift(0, there ? far_y - near_y : near_y - far_y);
-    worst_one = std::max(worst_one, (now - before - shift).norm());
-    last = (now - start - Eigen::Vector2d(0, y - near_y)).norm();
-    before = now;
+  double worst = 0;
+  for (int i = 0; i < 4; ++i) {
+    const std::string serial = std::to_string(i + 1);
+    const auto picked =
+        shop.run("pick-at-location", {text("location", "PART" + serial), {.name = "approach", .value = 100}});
+    const auto placed = shop.run("palletize", {{.name = "placed", .value = static_cast<double>(i)}}, bounds);
+    ended = ended && picked.code == 0 && placed.code == 0 && placed.overruns == 0;
+    const Vector3d wanted = shop.location("CORNER") + 90.0 * Vector3d(i % 3, i / 3, 0);
+    worst = std::max(worst, (shop.middle("part " + serial) - wanted).norm());
   }
-  const double part = std::max(picks.greatest_part(), places.greatest_part());
-  return {{"pick-at-location, place-at-location",
-           "a block of 50 mm, 25-305-25 mm six times, scene transfer, seed 1",
-           "0.3 mm a transfer, 0.5 mm after six",
-           fmt::format("{:.2f} mm a transfer at most, {:.2f} mm after six; cycle {:.2f} s", worst_one, last,
-                       cycle),
-           ended && worst_one <= 0.3 && last <= 0.5, part}};
+  return {{"palletize", "four parts into a tray of three by three", fmt::format("{} mm a part", one_transfer),
+           fmt::format("{:.3f} mm", worst), ended && worst <= one_transfer, bounds.greatest_part()}};
 }
 
 }  // namespace pal::test

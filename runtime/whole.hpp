@@ -1,0 +1,29 @@
+// INTEGER fields on their way: payloads are doubles, which hold whole numbers up to 2^53.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+
+namespace pal::runtime {
+
+/// The greatest whole number, and with a minus the least, that a payload carries without loss.
+inline constexpr std::int64_t greatest_whole = std::int64_t{1} << 53;
+
+/// Throws std::out_of_range for what is no whole number of a payload: a fraction, NaN, more than 2^53.
+inline std::int64_t whole(double number) {
+  if (!(number >= -static_cast<double>(greatest_whole) && number <= static_cast<double>(greatest_whole)))
+    throw std::out_of_range("a message's INTEGER field is not a number from -2^53 to 2^53");
+  const auto result = static_cast<std::int64_t>(number);
+  if (static_cast<double>(result) != number)
+    throw std::out_of_range("a message's INTEGER field is not a whole number");
+  return result;
+}
+
+/// Throws std::out_of_range beyond 2^53.
+inline double from_whole(std::int64_t value) {
+  if (value < -greatest_whole || value > greatest_whole)
+    throw std::out_of_range("a message's INTEGER field is beyond 2^53, which a message cannot carry");
+  return static_cast<double>(value);
+}
+
+}  // namespace pal::runtime

@@ -1,0 +1,41 @@
+// Faults on demand: what is to go wrong with the lines of a cell, and when.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "runtime/drivers/wire.hpp"
+
+namespace pal::sim {
+
+struct PlannedFault {
+  enum class Kind {
+    dropout,      // nothing more comes from the device
+    garble,       // one bit of each parcel that comes from it flips
+    late,         // what comes from it comes later by `by`
+    late_answer,  // what goes to it arrives later by `by`
+    unplug,       // the cable is pulled
+  };
+  runtime::Time at{};  // from the skill's beginning
+  std::string device;
+  Kind kind = Kind::dropout;
+  runtime::Time by{};
+};
+
+/// Where a text of faults is wrong, and why.
+struct FaultTextError {
+  int line = 0;
+  std::string cause;
+};
+
+/// One fault a line, `#` begins a comment:
+///   at 500 ms force-torque dropout
+///   at 1.2 s alter late-answer 25 ms
+std::variant<std::vector<PlannedFault>, FaultTextError> read_faults(std::string_view text);
+
+/// Makes it happen to the device's line, now.
+void bring_about(const PlannedFault& fault, runtime::Wire& wire);
+
+}  // namespace pal::sim

@@ -1,0 +1,56 @@
+// Pick at Location: each way in which it ends.
+#include <catch2/catch.hpp>
+
+#include "tests/run/skills/support/physical_run.hpp"
+#include "tests/run/skills/support/workshop.hpp"
+
+using namespace pal;
+using namespace pal::test;
+using Eigen::Vector3d;
+
+TEST_CASE("pick-at-location: 0, the part hangs above its place") {
+  Workshop shop(scene("parts"));
+  const Vector3d before = shop.middle("part");
+  const auto outcome = shop.run("pick-at-location", {{.name = "approach", .value = 80}});
+  CHECK(outcome.code == 0);
+  CHECK_FALSE(outcome.fault);
+  CHECK(shop.cell().workcell().holds_part());
+  CHECK((shop.tip() - shop.location("PART") - Vector3d(0, 0, 80)).norm() < 0.2);
+  CHECK((shop.middle("part") - before - Vector3d(0, 0, 80)).norm() < 0.3);
+}
+
+TEST_CASE("pick-at-location: 0, without a pause between closing and lifting") {
+  Workshop shop(scene("parts"));
+  CHECK(shop.run("pick-at-location", {{.name = "grip-delay", .value = 0}}).code == 0);
+  CHECK(shop.cell().workcell().holds_part());
+}
+
+TEST_CASE("pick-at-location: 1, nothing there: the fingers are open again, above the location") {
+  Workshop shop(scene("empty-place"));
+  const auto outcome = shop.run("pick-at-location", {{.name = "approach", .value = 80}});
+  CHECK(outcome.code == 1);
+  CHECK_FALSE(outcome.fault);
+  CHECK(shop.cell().workcell().gripper_width() == Approx(80).margin(0.5));
+  CHECK((shop.tip() - shop.location("PART") - Vector3d(0, 0, 80)).norm() < 0.2);
+}
+
+TEST_CASE("pick-at-location: 2, a location that nobody taught") {
+  Workshop shop(scene("parts"));
+  const Vector3d before = shop.tip();
+  const auto outcome = shop.run("pick-at-location", {text("location", "NOWHERE")});
+  CHECK(outcome.code == 2);
+  CHECK(outcome.reason.find("Undefined value NOWHERE") != std::string::npos);
+  CHECK((shop.tip() - before).norm() < 0.1);
+}
+
+TEST_CASE("pick-at-location: 2, a location out of reach; the arm stands still") {
+  Workshop shop(scene("parts"));
+  sim::Pose far = shop.cell().val_store().locations.at("PART");
+  far.translation().x() = 1.5;
+  shop.cell().val_store().locations["FAR"] = far;
+  const Vector3d before = shop.tip();
+  const auto outcome = shop.run("pick-at-location", {text("location", "FAR")});
+  CHECK(outcome.code == 2);
+  CHECK((shop.tip() - before).norm() < 0.1);
+  CHECK(shop.cell().workcell().idle());
+}

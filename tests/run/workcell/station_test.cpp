@@ -1,0 +1,122 @@
+// Skills in the cell: over every kind of link, one after the other, and with lines that go wrong.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "runtime/drivers/streams/carrier.hpp"
+#include "sim/cell/cell.hpp"
+#include "sim/program/session.hpp"
+#include "skills_pal/touch/touch.hpp"
+
+using namespace pal;
+using namespace pal::workcell;
+using namespace std::chrono_literals;
+
+namespace {
+
+Session session() {
+  Session session;
+  session.scene = sim::find_scene("touch", {PAL_SCENE_DIR});
+  session.seed = 5;
+  return session;
+}
+
+SessionResult run(const Session& session) {
+  return run_session(*skills::touch_skill(), session);
+}
+
+}  // namespace
+
+TEST_CASE("a run is the same whatever carries the bytes") {
+  Session one = session();
+  const SessionResult in_process = run(one);
+  CHECK(in_process.outcome.code == 0);
+  for (auto* const carrier : {&runtime::pseudo_terminal_carrier, &runtime::tcp_carrier}) {
+    one.carrier = carrier;
+    const SessionResult outside = run(one);
+    CHECK(outside.outcome.trace.events == in_process.outcome.trace.events);
+    CHECK(outside.peak_force == in_process.peak_force);
+    REQUIRE(outside.log.size() == in_process.log.size());
+    CHECK(outside.log.back().tool == in_process.log.back().tool);
+  }
+}
+
+// A phase of a whole period is one of 0: a tick comes at the beginning.
+TEST_CASE("the phase is from the skill's beginning to the first tick") {
+  for (const runtime::Time phase : {runtime::Time(0ms), runtime::Time(7ms), runtime::Time(27999us)}) {
+    Session one = session();
+    one.phase = phase;
+    const SessionResult result = run(one);
+    const trace::Trace& trace = result.outcome.trace;
+    const auto tick = std::find_if(trace.events.begin(), trace.events.end(), [&](const trace::Event& event) {
+      return event.kind == trace::Kind::put &&
+             trace.channels[static_cast<std::size_t>(event.subject)].message == "tick";
+    });
+    REQUIRE(tick != trace.events.end());
+    CHECK(tick->time_ns == phase.count());
+  }
+}
+
+TEST_CASE("skills run one after the other on one station, and ALTER stays answered between them") {
+  sim::Cell cell(session().scene);
+  const auto skill = skills::touch_skill();
+  CHECK(cell.run(*skill).code == 0);
+  const runtime::Time first = cell.station().begun();
+  cell.rest(2s);
+  const double there = cell.workcell().tool().translation().z();
+  // The tool touches: the second run ends at once, and hardly moves.
+  const runtime::Outcome second = cell.run(*skill);
+  CHECK(second.code == 0);
+  CHECK_FALSE(second.fault);
+  CHECK(cell.station().begun() > first + 2s);
+  CHECK(cell.workcell().tool().translation().z() == Approx(there).margin(2e-3));
+}
+
+TEST_CASE("each fault of a line is a clear end of the skill, with the arm at rest") {
+  struct Case {
+    const char* fault;
+    const char* reason;
+  };
+  for (const Case& each :
+       {Case{"at 500 ms force-torque dropout",
+             "force-torque: no record came within 20 ms; is it switched on, and is its cable plugged in?"},
+        Case{"at 500 ms force-torque garble",
+             "force-torque: a record begins with the byte 04, which is no overload byte"},
+        Case{"at 0.5 s force-torque unplug", "force-torque: the link is broken: unplugged"},
+        Case{"at 500 ms alter late-answer 25 ms",
+             "alter: got no correction within 24 ms of the beginning of its cycle"},
+        Case{"at 500 ms alter garble", "alter: the line is disturbed: a frame's checksum is wrong"},
+        Case{"at 500 ms alter unplug", "alter: the link is broken: unplugged"}}) {
+    CAPTURE(each.fault);
+    Session one = session();
+    one.faults = std::get<0>(sim::read_faults(each.fault));
+    const SessionResult result = run(one);
+    CHECK(result.outcome.fault);
+    CHECK(result.outcome.code == 2);  // the template's error completion
+    CHECK(result.outcome.reason == each.reason);
+    REQUIRE(result.log.size() > 100);
+    const auto& last = result.log.back();
+    const auto& before = result.log[result.log.size() - 100];
+    CHECK((last.tool - before.tool).norm() < 1e-5);
+  }
+}
+
+TEST_CASE("faults are read line by line, and errors name the line") {
+  const auto good = sim::read_faults("# nothing\n\nat 1.5 s alter late 4 ms # why not\n");
+  REQUIRE(good.index() == 0);
+  REQUIRE(std::get<0>(good).size() == 1);
+  CHECK(std::get<0>(good)[0].at == 1500ms);
+  CHECK(std::get<0>(good)[0].by == 4ms);
+  for (const auto& [text, cause] : std::vector<std::pair<const char*, const char*>>{
+           {"\nat 5 m alter unplug", "a time has the unit ms or s, not 'm'"},
+           {"\nat x ms alter unplug", "'x' is not a number"},
+           {"\nat 5 ms alter unplug now", "'now' is more than a fault has"},
+           {"\nat -5 ms alter unplug", "a time is from 0 to 3600 s"}}) {
+    const auto wrong = sim::read_faults(text);
+    REQUIRE(wrong.index() == 1);
+    CHECK(std::get<1>(wrong).line == 2);
+    CHECK(std::get<1>(wrong).cause == cause);
+  }
+  Session one = session();
+  one.faults = std::get<0>(sim::read_faults("at 1 ms toaster unplug"));
+  CHECK_THROWS_WITH(run(one), "there is no device 'toaster' to go wrong; there are val, alter, force-torque");
+}

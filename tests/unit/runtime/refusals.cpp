@@ -1,0 +1,179 @@
+// What must not happen: exceptions that leave a run, a run in a run, a run that cannot be stopped.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "runtime/dispatcher.hpp"
+#include "runtime/payload.hpp"
+#include "runtime/run_control.hpp"
+#include "tests/run/support/bench.hpp"
+
+using namespace pal;
+using namespace pal::test;
+using runtime::DeviceHost;
+using runtime::from;
+using runtime::Task;
+using runtime::Thread;
+
+namespace {
+
+// Throws what is no std::exception, wherever it is told to.
+struct Thrower final : runtime::Device {
+  enum class Where { attach, open, receive, action, close, nowhere };
+  explicit Thrower(Where place) : where(place) {}
+  const std::string& name() const override { return name_; }
+  const std::vector<runtime::PortSpec>& ports() const override { return ports_; }
+  void attach(DeviceHost& host) override {
+    host_ = &host;
+    go(Where::attach);
+  }
+  void open() override { go(Where::open); }
+  void receive(std::size_t, std::span<const double>) override {
+    go(Where::receive);
+    if (on_receive) on_receive();
+    host_->at(host_->now() + 1ms, [this] {
+      go(Where::action);
+      host_->deliver(1, {});
+    });
+  }
+  void close() override {
+    closed = true;
+    go(Where::close);
+  }
+  void go(Where place) const {
+    if (place == where) throw 42;
+  }
+  Where where;
+  std::function<void()> on_receive;
+  bool closed = false;
+
+ private:
+  std::string name_ = "sensor";
+  std::vector<runtime::PortSpec> ports_{{"request x", true, {}}, {"x", false, {}}};
+  DeviceHost* host_ = nullptr;
+};
+
+// A asks the sensor for x and ends.
+struct Asker {
+  Asker() {
+    const int p = skill.processor("P");
+    skill.devices = {"sensor"};
+    request = skill.channel("A", "request x", "sensor");
+    skill.channels.back().to_device = true;
+    x = skill.channel("sensor", "x", "A");
+    skill.channels.back().from_device = true;
+    skill.channels.front().answer = x;
+    send = skill.statement("send");
+    receive = skill.statement("receive");
+    end = skill.statement("end");
+    skill.thread("A", p, 1, [this](Thread& t) -> Task {
+      co_await t.send(send, request);
+      co_await t.wait(receive, from(x));
+      co_await t.complete(end, 0);
+    });
+  }
+  WrittenSkill skill;
+  int request = 0, x = 0, send = 0, receive = 0, end = 0;
+};
+
+}  // namespace
+
+TEST_CASE("nothing that a device throws leaves a run, and the device is closed") {
+  using Where = Thrower::Where;
+  for (const Where where : {Where::attach, Where::open, Where::receive, Where::action, Where::close}) {
+    CAPTURE(static_cast<int>(where));
+    Asker asker;
+    Thrower sensor(where);
+    const auto outcome = run(asker.skill, {&sensor});
+    CHECK(outcome.fault);
+    CHECK(outcome.reason.find("sensor: an exception that is not a std::exception") != std::string::npos);
+    CHECK(sensor.closed);
+  }
+}
+
+TEST_CASE("nothing that the world throws leaves a run") {
+  struct Breaking final : runtime::World {
+    void advance_to(runtime::Time when) override {
+      if (when > 0ms) throw "an earthquake";
+    }
+  } world;
+  Asker asker;
+  Thrower sensor(Thrower::Where::nowhere);
+  runtime::Device* devices[] = {&sensor};
+  const auto outcome = runtime::Dispatcher(devices, world).run(asker.skill);
+  CHECK(outcome.fault);
+  CHECK(outcome.reason == "the world: an exception that is not a std::exception");
+  CHECK(sensor.closed);
+}
+
+TEST_CASE("a run that is begun inside a device is refused, and the one outside goes on") {
+  Asker outer, inner;
+  Thrower sensor(Thrower::Where::nowhere);
+  NoWorld world;
+  runtime::Device* devices[] = {&sensor};
+  runtime::Dispatcher dispatcher(devices, world);
+  runtime::Dispatcher another(devices, world);
+  std::vector<std::string> reasons;
+  sensor.on_receive = [&] {
+    reasons.push_back(dispatcher.run(inner.skill).reason);
+    reasons.push_back(another.run(outer.skill).reason);
+    reasons.push_back(another.run(inner.skill).reason);
+  };
+  const auto outcome = dispatcher.run(outer.skill);
+  CHECK_FALSE(outcome.fault);
+  CHECK(outcome.code == 0);
+  CHECK(reasons == std::vector<std::string>{"another skill is running; a dispatcher runs one at a time",
+                                            "the skill is running already",
+                                            "device sensor is in use by a skill that is running"});
+  // Afterwards everything is free again.
+  sensor.on_receive = nullptr;
+  CHECK_FALSE(another.run(inner.skill).fault);
+}
+
+TEST_CASE("a stop is asked for before any event, and ends the skill there with its devices closed") {
+  // As many events as the run has: each place is tried.
+  bool completed = false;
+  int places = 0;
+  for (int at = 0; !completed && at < 100; ++at, ++places) {
+    struct Stopping final : runtime::World {
+      void advance_to(runtime::Time) override {}
+      runtime::Time next_event() override {  // asked once for each event
+        if (left-- == 0) control.stop();
+        return runtime::Time::max();
+      }
+      int left = 0;
+      runtime::RunControl control;
+    } world;
+    world.left = at;
+    Asker asker;
+    Thrower sensor(Thrower::Where::nowhere);
+    runtime::Device* devices[] = {&sensor};
+    runtime::RunOptions options;
+    options.control = &world.control;
+    const auto outcome = runtime::Dispatcher(devices, world).run(asker.skill, {}, options);
+    completed = !outcome.fault;
+    if (!completed) CHECK(outcome.reason == "stopped on request");
+    CHECK(sensor.closed);
+  }
+  CHECK(completed);
+  CHECK(places > 3);
+}
+
+TEST_CASE("a thread without a body is an error of the skill, not a crash") {
+  Asker asker;
+  asker.skill.thread("B", 0, 1, [](Thread&) { return Task(); });
+  Thrower sensor(Thrower::Where::nowhere);
+  const auto outcome = run(asker.skill, {&sensor});
+  CHECK(outcome.fault);
+  CHECK(outcome.reason == "the skill has no body for its thread B");
+}
+
+TEST_CASE("whole numbers of messages are carried without loss, or refused") {
+  constexpr std::int64_t most = runtime::greatest_whole;
+  for (const std::int64_t value : {std::int64_t{0}, std::int64_t{-7}, most, -most, most - 1})
+    CHECK(runtime::whole(runtime::from_whole(value)) == value);
+  CHECK_THROWS_WITH(runtime::from_whole(most + 1),
+                    "a message's INTEGER field is beyond 2^53, which a message cannot carry");
+  CHECK_THROWS_AS(runtime::from_whole(-most - 1), std::out_of_range);
+  for (const double bad : {std::nan(""), std::ldexp(1.0, 54), -1e300, HUGE_VAL, 0.5})
+    CHECK_THROWS_AS(runtime::whole(bad), std::out_of_range);
+}
