@@ -37,7 +37,9 @@ struct Step {
   Range cost;          // of a wait: of its receive
   Range give_up_cost;  // wait with a limit: of the test that gives up
 
-  std::vector<int> channels;          // wait: in the order of preference; send: the one
+  /// wait: in the order of preference; send: the one. A wait without (only in slices) is over at any time,
+  /// or at once, and goes on with any of `next`.
+  std::vector<int> channels;
   std::optional<Nanoseconds> within;  // wait
   int condition = -1;                 // set, read
   std::optional<bool> value;          // set
@@ -57,6 +59,7 @@ struct Thread {
   int parent = -1;      // of a block: the thread of its CONCURRENT
   bool can_end = true;  // its flow can reach its end
   int entry = -1;       // first step
+  bool left_out = false;  // only in slices: it never begins
 };
 
 struct Channel {
@@ -69,6 +72,10 @@ struct Channel {
   bool served = false;                   // a request that its device answers
   std::vector<int> receiver_processors;  // of the threads that wait for it
   std::string message;
+  /// Only in slices: who is at one of its ends is left out. Its messages are there at any time, and go when
+  /// they like.
+  bool loose = false;
+  bool withdrawable = false;  // loose: what somebody is about to take may be withdrawn
 };
 
 struct Device {
@@ -76,6 +83,7 @@ struct Device {
   std::variant<std::monostate, pan::EventDevice, pan::RequestDevice, pan::FrameDevice> behaviour;
   int event = -1;             // event device: the channel of its event; -1: nobody waits for it
   std::vector<int> requests;  // on request, frames: channels of what it serves
+  bool seldom = false;        // frames, only in slices: they start a period or more apart
 };
 
 struct Statement {
@@ -125,6 +133,7 @@ struct Problem {
   std::vector<std::string> module_names;
   int error_code = 2;           // of the first error completion
   std::vector<int> overloaded;  // processors that have more to do for events than there is time (PAL0820)
+  std::uint64_t free_conditions = 0;  // by bit, only in slices: their reads give any value
 };
 
 /// Name of the device or module that sends on the channel, or to which it leads.
