@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "analyzer/exact/exact.hpp"
+#include "analyzer/zones/zone_graph.hpp"
 
 namespace pal::analyzer {
 
@@ -11,8 +12,13 @@ struct SliceBound {
   /// No run of the whole problem exceeds it (falls below it, if the least is asked for). Nothing: none was
   /// found within the limits.
   std::optional<Nanoseconds> bound;
+  bool complete = false;  // all runs of the slice were seen
   Statistics statistics;
 };
+
+/// Of all runs of `slice`, values up to `cap`.
+SliceBound bound_in(const Problem& slice, const Requirement& requirement, Nanoseconds cap,
+                    const Limits& limits);
 
 /// Of a timed requirement (no load, no busy period). In at most `classes`, with Options::stop.
 SliceBound slice_bound(const Problem& problem, const Requirement& requirement, const Options& options,

@@ -25,9 +25,10 @@ enum class Hold {
 
 class Finder {
  public:
-  Finder(const Problem& problem, const Requirement& requirement, int processor)
+  Finder(const Problem& problem, const Requirement& requirement, int processor, Reach reach)
       : problem_(problem),
         requirement_(requirement),
+        reach_(reach),
         watch_(watch_of(problem, requirement, processor)),
         talk_(talk_of(problem)),
         hold_(problem.threads.size(), Hold::none),
@@ -237,6 +238,7 @@ class Finder {
   void around(int thread) {
     const ThreadTalk& talk = talk_[at(thread)];
     if (problem_.threads[at(thread)].parent >= 0) keep(problem_.threads[at(thread)].parent, Hold::strong);
+    if (reach_ == Reach::least) return;
     for (const int channel : talk.waits_again) keep_device(problem_.channels[at(channel)].sender_device);
     if (hold_[at(thread)] == Hold::loose && !is_paced(talk)) keep(thread, Hold::strong);
     if (hold_[at(thread)] != Hold::strong) return;
@@ -303,6 +305,7 @@ class Finder {
 
   const Problem& problem_;
   const Requirement& requirement_;
+  Reach reach_;
   Watch watch_;
   std::vector<ThreadTalk> talk_;
   std::vector<Hold> hold_;
@@ -318,11 +321,11 @@ bool Cone::whole() const {
   return all(threads) && all(devices);
 }
 
-Cone cone_of(const Problem& problem, const Requirement& requirement, int processor) {
+Cone cone_of(const Problem& problem, const Requirement& requirement, int processor, Reach reach) {
   if (requirement.measure == Measure::load)
     return {std::vector<bool>(problem.threads.size(), true), std::vector<bool>(problem.devices.size(), true),
             std::vector<bool>(problem.devices.size(), false)};
-  return Finder(problem, requirement, processor).find();
+  return Finder(problem, requirement, processor, reach).find();
 }
 
 }  // namespace pal::analyzer

@@ -18,8 +18,13 @@ struct Cone {
   bool whole() const;
 };
 
+/// Whether a cone goes on to what its threads wait for again and again. Without that it is as sound, and says
+/// less.
+enum class Reach { least, waits };
+
 /// Everything that carries what `requirement` measures, that can keep it from its processor, or that it waits
 /// for again and again. `processor`: of a busy period. A load is of the whole problem.
-Cone cone_of(const Problem& problem, const Requirement& requirement, int processor = -1);
+Cone cone_of(const Problem& problem, const Requirement& requirement, int processor = -1,
+             Reach reach = Reach::waits);
 
 }  // namespace pal::analyzer
