@@ -98,7 +98,9 @@ class Firing {
   bool is_loose(int thread) const;
   bool ends_loosely(const Step& step, std::size_t branch) const;
   int loose_branch(const Step& step, bool gives_up);
+  void wait_loosely(int thread);
   void loosened(int thread);
+  void stop_waiting(int thread);
   void effect_loose_wait(int thread, std::size_t branch);
   void effect_loose_send(int thread);
 

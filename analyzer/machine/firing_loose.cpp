@@ -36,6 +36,25 @@ int Firing::loose_branch(const Step& step, bool gives_up) {
   return ways[ways.size() == 1 ? 0 : static_cast<std::size_t>(choices_.pick(static_cast<int>(ways.size())))];
 }
 
+/// The thread is stopped at a wait that somebody who is left out may end. If a message comes only so late it may
+/// not come at all; then nothing is left to end the wait, unless somebody else does.
+void Firing::wait_loosely(int thread) {
+  const Step& step = step_of(thread);
+  const Nanoseconds longest = step.within.value_or(step.arrival.worst);
+  const bool limited = step.arrival.worst < Range::unbounded && !step.within;
+  if (limited && choices_.pick(2) == 1) {
+    state_of(thread).choice = ThreadState::for_ever;
+    return;
+  }
+  start_timer(machine_.thread_timer(thread), {std::min(step.arrival.best, longest), longest});
+}
+
+/// Somebody else ends the wait, or the send: its timer is stopped, if it has one.
+void Firing::stop_waiting(int thread) {
+  const bool timed = is_loose(thread) || (state_of(thread).status == Status::waiting && step_of(thread).within);
+  if (timed && state_of(thread).choice != ThreadState::for_ever) stop_timer(machine_.thread_timer(thread));
+}
+
 /// The timer of a thread that waits, or whose send is blocked: it goes on.
 void Firing::loosened(int thread) {
   if (state_of(thread).status == Status::sending) {

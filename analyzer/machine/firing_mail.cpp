@@ -84,7 +84,7 @@ int Firing::claimed_by(int channel) {
   const std::size_t chosen =
       waiting.size() == 1 ? 0 : static_cast<std::size_t>(choices_.pick(static_cast<int>(waiting.size())));
   const auto [thread, branch] = waiting[chosen];
-  if (step_of(thread).within || is_loose(thread)) stop_timer(machine_.thread_timer(thread));
+  stop_waiting(thread);
   slot(channel).fill = SlotState::Fill::claimed;
   state_of(thread).choice = static_cast<std::int8_t>(branch);
   state_of(thread).status = Status::ready;

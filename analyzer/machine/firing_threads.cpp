@@ -113,7 +113,8 @@ void Firing::reach_wait(int thread) {
   }
   for (std::size_t i = 0; i < step.channels.size(); ++i) {
     const bool loose = channel_of(step.channels[i]).loose;
-    if (loose ? choices_.pick(2) == 0 : !available(step.channels[i], thread)) continue;
+    const bool at_once = step.arrival.best == 0;
+    if (loose ? !at_once || choices_.pick(2) == 0 : !available(step.channels[i], thread)) continue;
     if (!loose) slot(step.channels[i]).fill = SlotState::Fill::claimed;
     state_of(thread).choice = static_cast<std::int8_t>(i);
     need_processor(thread);
@@ -129,7 +130,7 @@ void Firing::reach_wait(int thread) {
   state_of(thread).status = Status::waiting;
   emit(Kind::block, thread, step.channels.empty() ? -1 : step.channels.front());
   if (is_loose(thread)) {
-    start_timer(machine_.thread_timer(thread), {0, step.within.value_or(Range::unbounded)});
+    wait_loosely(thread);
   } else if (step.within) {
     start_timer(machine_.thread_timer(thread), {*step.within, *step.within});
   }
@@ -264,9 +265,7 @@ void Firing::cancel(int thread) {
 
 void Firing::stop(int thread) {
   emit(Kind::cancel, thread);
-  const ThreadState before = state_of(thread);
-  const bool limited = before.status == Status::waiting && step_of(thread).within.has_value();
-  if (limited || is_loose(thread)) stop_timer(machine_.thread_timer(thread));
+  stop_waiting(thread);
   leave_processor(thread);
   state_of(thread).status = Status::off;
   forget(thread);

@@ -41,6 +41,8 @@ struct Step {
   /// or at once, and goes on with any of `next`.
   std::vector<int> channels;
   std::optional<Nanoseconds> within;  // wait
+  /// Only in slices, of a wait for somebody who is left out: so long after it is reached a message comes.
+  Range arrival{0, Range::unbounded};
   int condition = -1;                 // set, read
   std::optional<bool> value;          // set
   int code = 0;                       // complete

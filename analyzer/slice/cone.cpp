@@ -239,9 +239,12 @@ class Finder {
     const ThreadTalk& talk = talk_[at(thread)];
     if (problem_.threads[at(thread)].parent >= 0) keep(problem_.threads[at(thread)].parent, Hold::strong);
     if (reach_ == Reach::least) return;
-    for (const int channel : talk.waits_again) keep_device(problem_.channels[at(channel)].sender_device);
     if (hold_[at(thread)] == Hold::loose && !is_paced(talk)) keep(thread, Hold::strong);
-    if (hold_[at(thread)] != Hold::strong) return;
+    const bool strong = hold_[at(thread)] == Hold::strong;
+    for (const int channel : talk.waits_again) {
+      if (strong || !waits_long(thread, channel)) keep_device(problem_.channels[at(channel)].sender_device);
+    }
+    if (!strong) return;
     for (const int channel : talk.waits_again) {
       keep_if(Hold::strong, [channel](const ThreadTalk& of) { return of.sends.contains(channel); });
     }
@@ -252,6 +255,16 @@ class Finder {
     for (const int block : talk.blocks_again) {
       if (problem_.threads[at(block)].can_end) keep(block, Hold::strong);
     }
+  }
+
+  /// Whether a thread that asks the device over and over again does so seldom without it, too.
+  bool waits_long(int thread, int channel) const {
+    const std::vector<int>& steps = talk_[at(thread)].steps;
+    return std::any_of(steps.begin(), steps.end(), [&](int s) {
+      const Step& step = problem_.steps[at(s)];
+      return step.kind == Step::Kind::wait && step.channels.front() == channel &&
+             least_wait(problem_, talk_, thread, s) > 0;
+    });
   }
 
   /// Whether a device says how often a thread goes round.

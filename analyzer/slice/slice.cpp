@@ -25,7 +25,11 @@ class Slicer {
     }
     free_conditions();
     for (std::size_t t = 0; t < made_.threads.size(); ++t) {
-      if (!cone_.threads[t]) leave_out(made_.threads[t]);
+      if (cone_.threads[t]) {
+        hold_waits(static_cast<int>(t));
+      } else {
+        leave_out(made_.threads[t]);
+      }
     }
     return std::move(made_);
   }
@@ -90,6 +94,16 @@ class Slicer {
       }
     }
     made_.free_conditions = left_out | (looseness_.conditions ? ~told : 0);
+  }
+
+  /// A device that is left out answers no sooner than it can.
+  void hold_waits(int thread) {
+    for (const int s : talk_[at(thread)].steps) {
+      const Step& step = whole_.steps[at(s)];
+      if (step.kind != Step::Kind::wait || step.channels.size() != 1) continue;
+      if (made_.channels[at(step.channels.front())].loose)
+        made_.steps[at(s)].arrival.best = least_wait(whole_, talk_, thread, s);
+    }
   }
 
   void leave_out(Thread& thread) {

@@ -1,5 +1,7 @@
 #include "analyzer/slice/talk.hpp"
 
+#include <algorithm>
+
 #include "analyzer/machine/watch.hpp"
 #include "analyzer/problem/flow.hpp"
 
@@ -95,9 +97,39 @@ std::vector<ThreadTalk> talk_of(const Problem& problem) {
   return all;
 }
 
-bool device_matters(const Problem& problem, int channel) {
-  const Channel& of = problem.channels[static_cast<std::size_t>(channel)];
-  return of.sender_device >= 0 || (of.receiver_device >= 0 && of.served);
+Nanoseconds least_wait(const Problem& problem, const std::vector<ThreadTalk>& talk, int thread, int step) {
+  const Step& wait = problem.steps[static_cast<std::size_t>(step)];
+  if (wait.kind != Step::Kind::wait || wait.within || wait.channels.size() != 1) return 0;
+  const int answer = wait.channels.front();
+  const Channel& of = problem.channels[static_cast<std::size_t>(answer)];
+  if (of.sender_device < 0 || of.answers < 0) return 0;
+  for (std::size_t t = 0; t < talk.size(); ++t) {
+    const bool uses = talk[t].sends.contains(of.answers) || talk[t].waits.contains(answer);
+    if (uses && static_cast<int>(t) != thread) return 0;
+  }
+  // It asks and waits by turns: each answer is that of the request just before it.
+  const auto waits = [&](int s) {
+    const Step& each = problem.steps[static_cast<std::size_t>(s)];
+    return each.kind == Step::Kind::wait && each.channels == wait.channels && !each.within;
+  };
+  const ThreadTalk& own = talk[static_cast<std::size_t>(thread)];
+  for (const int s : own.steps) {
+    const Step& each = problem.steps[static_cast<std::size_t>(s)];
+    const bool asks = each.kind == Step::Kind::send && each.channels.front() == of.answers;
+    if (asks && !waits(each.next.front())) return 0;
+    const bool takes_so =
+        each.kind == Step::Kind::wait &&
+        std::find(each.channels.begin(), each.channels.end(), answer) != each.channels.end();
+    if (takes_so && !waits(s)) return 0;
+    for (const int next : each.next) {
+      if (waits(next) && !asks) return 0;
+    }
+  }
+  if (waits(problem.threads[static_cast<std::size_t>(thread)].entry)) return 0;
+  const auto& behaviour = problem.devices[static_cast<std::size_t>(of.sender_device)].behaviour;
+  if (const auto* request = std::get_if<pan::RequestDevice>(&behaviour)) return request->answer.best.count();
+  if (const auto* frames = std::get_if<pan::FrameDevice>(&behaviour)) return frames->collecting.count();
+  return 0;
 }
 
 }  // namespace pal::analyzer

@@ -25,8 +25,8 @@ struct ThreadTalk {
 /// By thread.
 std::vector<ThreadTalk> talk_of(const Problem& problem);
 
-/// Whether the device of `channel` serves, or sends, what goes over it: what else is sent to a device it
-/// takes at once.
-bool device_matters(const Problem& problem, int channel);
+/// A wait for what a device answers, in a thread that alone asks it, just before, and waits without limit:
+/// the least time that it waits. Else 0.
+Nanoseconds least_wait(const Problem& problem, const std::vector<ThreadTalk>& talk, int thread, int step);
 
 }  // namespace pal::analyzer

@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "analyzer/exact/cap.hpp"
+#include "analyzer/exact/slice_bound.hpp"
 #include "analyzer/slice/slice.hpp"
 #include "analyzer/zones/zone_graph.hpp"
 #include "tests/support/skill.hpp"
@@ -54,6 +55,12 @@ int main(int count, char** arguments) {
     explore(slice_of(problem, cone, {false, false}), requirement, cap, "slice");
     explore(slice_of(problem, cone, {true, false}), requirement, cap, "conditions");
     explore(slice_of(problem, cone, {true, true}), requirement, cap, "conditions, periods");
+    Options options;
+    const auto begin = std::chrono::steady_clock::now();
+    const SliceBound found = slice_bound(problem, requirement, options, 1'000'000);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    std::cout << "  as pal check does: " << found.statistics.classes << " classes, " << seconds.count() << " s, "
+              << (found.bound ? static_cast<double>(*found.bound) / 1e6 : -1) << "\n";
   }
   return EXIT_SUCCESS;
 }
