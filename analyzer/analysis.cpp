@@ -150,9 +150,10 @@ void explore_slice(const Problem& problem, const Requirement& requirement, const
   const bool within = verdict.at_least ? bound >= verdict.limit : bound <= verdict.limit;
   if (within) verdict.state = State::holds;
   verdict.explanation =
-      verdict.exact ? explanation(problem, requirement, verdict)
-                    : "Found by exploring only what has an influence; no run exceeds it, but none is known to "
-                      "attain it.";
+      verdict.exact
+          ? explanation(problem, requirement, verdict)
+          : "Found by exploring only what has an influence; no run exceeds it, but none is known to "
+            "attain it.";
 }
 
 /// Decides what is open by what is cheap, first by what is known to be cheaper.
@@ -165,8 +166,7 @@ void settle(const Problem& problem, const Options& options, Analysis& analysis) 
     attack(problem, requirement, here, verdict);
     if (verdict.state != State::undecided) continue;
     look_for_long_run(problem, requirement, share_of(here, 0.25), verdict);
-    if (verdict.state == State::undecided)
-      explore_slice(problem, requirement, share_of(here, 0.6), verdict);
+    if (verdict.state == State::undecided) explore_slice(problem, requirement, share_of(here, 0.6), verdict);
     // Also of a bound that decides: the run that comes near it is shown.
     search(problem, requirement, here, verdict);
   }
@@ -190,8 +190,8 @@ Analysis bounds_of(const Provers& provers, const Problem& problem, const Options
   return bounds;
 }
 
-/// Explores until all runs are seen, or the limits met, what is not decided by now; if `thorough`, what is not
-/// known exactly.
+/// Explores until all runs are seen, or the limits met, what is not decided by now; if `thorough`, what is
+/// not known exactly.
 void explore_further(const Provers& provers, const Problem& problem, const Options& options, bool thorough,
                      const Analysis& bounds, Analysis& known) {
   Problem rest = problem;
@@ -239,7 +239,8 @@ Analysis analyze_automatically(const Provers& provers, const Problem& problem, c
   for (std::size_t r = 0; r < bounds.verdicts.size(); ++r) complete(analysis.verdicts[r], bounds.verdicts[r]);
   settle(problem, options, analysis);
   if (thorough) search_all(problem, options, analysis);
-  if (!(options.stop && options.stop())) explore_further(provers, problem, options, thorough, bounds, analysis);
+  if (!(options.stop && options.stop()))
+    explore_further(provers, problem, options, thorough, bounds, analysis);
   // The runs that were found since may contradict bounds, also those that are not used.
   withdraw_refuted(confronted(bounds.verdicts, analysis), analysis.verdicts);
   analysis.statistics.seconds += bounds.statistics.seconds;

@@ -18,6 +18,14 @@ bool nearer(const Requirement& requirement, Nanoseconds value, const std::option
   return !than || (requirement.at_least ? value > *than : value < *than);
 }
 
+struct Attempt {
+  std::size_t classes;
+  ZoneGraph::Merging merging;
+};
+
+/// First as it is, then with fewer and larger classes.
+constexpr Attempt attempts[] = {{100'000, ZoneGraph::Merging::within}, {400'000, ZoneGraph::Merging::hull}};
+
 /// Classes in which the beginning of a skill is explored.
 constexpr std::size_t most_of_beginning = 60'000;
 
@@ -48,8 +56,9 @@ bool is_loose_wait(const Problem& slice, const Step& step) {
 std::optional<Nanoseconds> latest(const Problem& problem, int step, const Limits& limits,
                                   Statistics& statistics) {
   const std::size_t all = problem.threads.size();
-  Problem first = slice_of(problem, {std::vector<bool>(all, true), std::vector<bool>(problem.devices.size(), true),
-                                     std::vector<bool>(problem.devices.size(), false)},
+  Problem first = slice_of(problem,
+                           {std::vector<bool>(all, true), std::vector<bool>(problem.devices.size(), true),
+                            std::vector<bool>(problem.devices.size(), false)},
                            {true, true});
   Step past;
   past.kind = Step::Kind::complete;
@@ -83,10 +92,10 @@ void limit_beginning(const Problem& problem, Problem& slice, const Limits& limit
 }  // namespace
 
 SliceBound bound_in(const Problem& slice, const Requirement& requirement, Nanoseconds cap,
-                    const Limits& limits) {
+                    const Limits& limits, ZoneGraph::Merging merging) {
   const Watch watch = watch_of(slice, requirement);
   const Machine machine(slice, watch);
-  ZoneGraph graph(machine, cap, false);
+  ZoneGraph graph(machine, cap, false, merging);
   SliceBound found;
   found.complete = graph.explore(limits);
   found.statistics.states = graph.places().size();
@@ -108,15 +117,18 @@ SliceBound slice_bound(const Problem& problem, const Requirement& requirement, c
     Problem slice = slice_of(problem, cone, looseness);
     limit_beginning(problem, slice, {std::min(classes, most_of_beginning), options.stop, {}, &workers},
                     best.statistics);
-    const SliceBound found =
-        bound_in(slice, requirement, cap, {classes, options.stop, {}, &workers});
-    best.statistics += found.statistics;
+    for (const Attempt& attempt : attempts) {
+      const SliceBound found =
+          bound_in(slice, requirement, cap, {std::min(classes, attempt.classes), options.stop, {}, &workers},
+                   attempt.merging);
+      best.statistics += found.statistics;
+      if (!found.complete) continue;
+      best.complete = true;
+      if (found.bound && nearer(requirement, *found.bound, best.bound)) best.bound = found.bound;
+      break;
+    }
     // With less that is loose there is more to explore.
-    if (!found.complete) break;
-    best.complete = true;
-    if (!found.bound) continue;
-    if (nearer(requirement, *found.bound, best.bound)) best.bound = found.bound;
-    if (within(requirement, *found.bound)) break;
+    if (!best.complete || (best.bound && within(requirement, *best.bound))) break;
   }
   return best;
 }

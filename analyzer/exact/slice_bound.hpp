@@ -18,7 +18,7 @@ struct SliceBound {
 
 /// Of all runs of `slice`, values up to `cap`.
 SliceBound bound_in(const Problem& slice, const Requirement& requirement, Nanoseconds cap,
-                    const Limits& limits);
+                    const Limits& limits, ZoneGraph::Merging merging = ZoneGraph::Merging::within);
 
 /// Of a timed requirement (no load, no busy period). In at most `classes`, with Options::stop.
 SliceBound slice_bound(const Problem& problem, const Requirement& requirement, const Options& options,

@@ -98,6 +98,7 @@ class Firing {
   bool is_loose(int thread) const;
   bool ends_loosely(const Step& step, std::size_t branch) const;
   int loose_branch(const Step& step, bool gives_up);
+  bool finishes_first(int thread);
   void wait_loosely(int thread);
   void loosened(int thread);
   void stop_waiting(int thread);

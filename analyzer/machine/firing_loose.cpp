@@ -5,6 +5,13 @@
 #include "analyzer/machine/firing.hpp"
 
 namespace pal::analyzer {
+namespace {
+
+/// Of the ways on from where a block that is left out stays: the one to its end, if it has one. The other is
+/// what it finishes when it is cancelled.
+constexpr int left_out_ends = 1;
+
+}  // namespace
 
 bool Firing::is_loose(const Problem& problem, const Step& step) {
   if (step.kind == Step::Kind::wait && step.channels.empty()) return true;
@@ -26,9 +33,7 @@ bool Firing::ends_loosely(const Step& step, std::size_t branch) const {
 /// One of the ways on from a wait on which nobody who is kept has a say; or ThreadState::gives_up.
 int Firing::loose_branch(const Step& step, bool gives_up) {
   std::vector<int> ways;
-  if (step.channels.empty()) {
-    for (std::size_t i = 0; i < step.next.size(); ++i) ways.push_back(static_cast<int>(i));
-  }
+  if (step.channels.empty()) return left_out_ends;
   for (std::size_t i = 0; i < step.channels.size(); ++i) {
     if (channel_of(step.channels[i]).loose) ways.push_back(static_cast<int>(i));
   }
@@ -36,11 +41,26 @@ int Firing::loose_branch(const Step& step, bool gives_up) {
   return ways[ways.size() == 1 ? 0 : static_cast<std::size_t>(choices_.pick(static_cast<int>(ways.size())))];
 }
 
-/// The thread is stopped at a wait that somebody who is left out may end. If a message comes only so late it may
-/// not come at all; then nothing is left to end the wait, unless somebody else does.
+/// A block that is left out, and is cancelled, stops at once, or finishes first what it has begun. Whether it
+/// does: then it is at work from now on.
+bool Firing::finishes_first(int thread) {
+  if (!thread_of(thread).left_out || state_of(thread).step < 0 || choices_.pick(2) == 0) return false;
+  stop_waiting(thread);
+  state_of(thread).choice = ThreadState::no_choice;
+  state_of(thread).step = static_cast<std::int16_t>(step_of(thread).next.front());
+  need_processor(thread);
+  return true;
+}
+
+/// The thread is stopped at a wait that somebody who is left out may end. If a message comes only so late it
+/// may not come at all; then nothing is left to end the wait, unless somebody else does.
 void Firing::wait_loosely(int thread) {
   const Step& step = step_of(thread);
   const Nanoseconds longest = step.within.value_or(step.arrival.worst);
+  if (step.channels.empty() && static_cast<int>(step.next.size()) <= left_out_ends) {
+    state_of(thread).choice = ThreadState::for_ever;
+    return;
+  }
   const bool limited = step.arrival.worst < Range::unbounded && !step.within;
   if (limited && choices_.pick(2) == 1) {
     state_of(thread).choice = ThreadState::for_ever;
@@ -51,7 +71,8 @@ void Firing::wait_loosely(int thread) {
 
 /// Somebody else ends the wait, or the send: its timer is stopped, if it has one.
 void Firing::stop_waiting(int thread) {
-  const bool timed = is_loose(thread) || (state_of(thread).status == Status::waiting && step_of(thread).within);
+  const bool timed =
+      is_loose(thread) || (state_of(thread).status == Status::waiting && step_of(thread).within);
   if (timed && state_of(thread).choice != ThreadState::for_ever) stop_timer(machine_.thread_timer(thread));
 }
 

@@ -106,7 +106,7 @@ void Firing::reach_wait(int thread) {
   for (int channel : step.channels) {
     if (channel_of(channel).sender_device >= 0) open_device(channel_of(channel).sender_device);
   }
-  if (step.channels.empty() && choices_.pick(2) == 1) {
+  if (step.channels.empty() && step.next.size() > 1 && choices_.pick(2) == 1) {
     state_of(thread).choice = static_cast<std::int8_t>(loose_branch(step, false));
     need_processor(thread);
     return;
@@ -260,7 +260,7 @@ void Firing::cancel(int thread) {
     return;
   }
   const bool busy = state.begun && (state.status == Status::running || state.status == Status::ready);
-  if (!busy) stop(thread);
+  if (!busy && !finishes_first(thread)) stop(thread);
 }
 
 void Firing::stop(int thread) {

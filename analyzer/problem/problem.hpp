@@ -43,9 +43,9 @@ struct Step {
   std::optional<Nanoseconds> within;  // wait
   /// Only in slices, of a wait for somebody who is left out: so long after it is reached a message comes.
   Range arrival{0, Range::unbounded};
-  int condition = -1;                 // set, read
-  std::optional<bool> value;          // set
-  int code = 0;                       // complete
+  int condition = -1;              // set, read
+  std::optional<bool> value;       // set
+  int code = 0;                    // complete
   std::vector<pan::Guard> guards;  // test: without a guard that holds, next[guards.size()], if there is one
   std::vector<int> threads;        // fork: the blocks
   /// Steps that follow. wait: one a channel, then ELSE. test: one a guard, then where none holds (absent: the
@@ -58,9 +58,9 @@ struct Thread {
   int module = -1;  // whose channels it uses
   int processor = -1;
   int priority = 0;
-  int parent = -1;      // of a block: the thread of its CONCURRENT
-  bool can_end = true;  // its flow can reach its end
-  int entry = -1;       // first step
+  int parent = -1;        // of a block: the thread of its CONCURRENT
+  bool can_end = true;    // its flow can reach its end
+  int entry = -1;         // first step
   bool left_out = false;  // only in slices: it never begins
 };
 

@@ -99,8 +99,7 @@ class Finder {
     for (const int channel : requirement_.events) keep_channel(channel);
     for (const int channel : requirement_.samples) keep_channel(channel);
     if (watch_.kind == Watch::Kind::age) {
-      keep_if(Hold::strong,
-              [this](const ThreadTalk& talk) { return talk.sets.contains(watch_.condition); });
+      keep_if(Hold::strong, [this](const ThreadTalk& talk) { return talk.sets.contains(watch_.condition); });
     }
     if (watch_.kind == Watch::Kind::busy) {
       for (std::size_t t = 0; t < hold_.size(); ++t) {
@@ -224,7 +223,8 @@ class Finder {
       keep_channel(channel);
       keep_channel(arrival(channel));
     }
-    if (from.blocks.contains(thread)) keep_if(Hold::strong, [&from](const ThreadTalk& of) { return &of == &from; });
+    if (from.blocks.contains(thread))
+      keep_if(Hold::strong, [&from](const ThreadTalk& of) { return &of == &from; });
     if (watch_.kind != Watch::Kind::sample) return;
     for (const int condition : from.sets) {
       if (!to.reads.contains(condition) || is_known(condition, thread)) continue;
@@ -330,7 +330,9 @@ class Finder {
 }  // namespace
 
 bool Cone::whole() const {
-  const auto all = [](const std::vector<bool>& of) { return std::find(of.begin(), of.end(), false) == of.end(); };
+  const auto all = [](const std::vector<bool>& of) {
+    return std::find(of.begin(), of.end(), false) == of.end();
+  };
   return all(threads) && all(devices);
 }
 

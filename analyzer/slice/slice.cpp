@@ -51,8 +51,8 @@ class Slicer {
     Channel& of = made_.channels[at(channel)];
     // A device takes at once what it does not serve, whoever is left out.
     if (of.receiver_device >= 0 && !of.served) return;
-    const bool kept = is_kept(channel) && (of.answer < 0 || is_kept(of.answer)) &&
-                      (of.answers < 0 || is_kept(of.answers));
+    const bool kept =
+        is_kept(channel) && (of.answer < 0 || is_kept(of.answer)) && (of.answers < 0 || is_kept(of.answers));
     if (kept) return;
     of.loose = true;
     const int request = of.answers >= 0 ? of.answers : channel;
@@ -109,7 +109,7 @@ class Slicer {
   void leave_out(Thread& thread) {
     thread.left_out = true;
     if (thread.parent < 0) return;
-    // It stops at once when it is cancelled, or goes on for a while first: as if it waited, or did something.
+    // What it does nobody sees, but that it ends, and how long it goes on when it is cancelled.
     const int waits = static_cast<int>(made_.steps.size());
     const int works = waits + 1;
     const int ends = waits + 2;
@@ -120,7 +120,7 @@ class Slicer {
     Step work;
     work.kind = Step::Kind::activity;
     work.cost = {0, Range::unbounded};
-    work.next = {waits};
+    work.next = {waits};  // never taken: it is cancelled
     made_.steps.push_back(wait);
     made_.steps.push_back(work);
     made_.steps.push_back(Step());

@@ -1,5 +1,5 @@
-// A problem with fewer parts that has all runs of the whole one, and more: what no run of it exceeds no run of
-// the whole exceeds (docs/slices.md).
+// A problem with fewer parts that has all runs of the whole one, and more: what no run of it exceeds no run
+// of the whole exceeds (docs/slices.md).
 #pragma once
 
 #include "analyzer/slice/cone.hpp"
@@ -13,8 +13,8 @@ struct Looseness {
 };
 
 /// Threads, steps, channels, devices and conditions keep their numbers; what is left out is there and does
-/// nothing. A block that is left out begins, lasts and is stopped on a processor of its own, and takes for all
-/// of it as long as it likes.
+/// nothing. A block that is left out begins, lasts and is stopped on a processor of its own, and takes for
+/// all of it as long as it likes.
 Problem slice_of(const Problem& problem, const Cone& cone, Looseness looseness);
 
 }  // namespace pal::analyzer
