@@ -1,11 +1,10 @@
 #include "analyzer/exact/slice_bound.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "analyzer/exact/cap.hpp"
-#include "analyzer/problem/flow.hpp"
 #include "analyzer/slice/slice.hpp"
+#include "analyzer/slice/talk.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -28,23 +27,6 @@ constexpr Attempt attempts[] = {{100'000, ZoneGraph::Merging::within}, {400'000,
 
 /// Classes in which the beginning of a skill is explored.
 constexpr std::size_t most_of_beginning = 60'000;
-
-/// Steps of a thread that come at most once in a skill's life, before it comes to a round or starts blocks.
-std::vector<bool> beginning_of(const Problem& problem, const Thread& thread) {
-  std::vector<bool> made(problem.steps.size());
-  if (thread.parent >= 0 || thread.left_out) return made;
-  const std::set<int> all = steps_of(problem, thread);
-  for (const int s : all) made[static_cast<std::size_t>(s)] = true;
-  for (const int s : all) {
-    const bool starts = problem.steps[static_cast<std::size_t>(s)].kind == Step::Kind::fork;
-    if (!starts && !comes_back(problem, s)) continue;
-    follow(problem, {s}, [&made](int at) {
-      made[static_cast<std::size_t>(at)] = false;
-      return Course::goes_on;
-    });
-  }
-  return made;
-}
 
 bool is_loose_wait(const Problem& slice, const Step& step) {
   return step.kind == Step::Kind::wait && std::any_of(step.channels.begin(), step.channels.end(), [&](int c) {
@@ -78,13 +60,16 @@ std::optional<Nanoseconds> latest(const Problem& problem, int step, const Limits
 
 /// Says of waits at the beginning, for somebody who is left out, how long they last.
 void limit_beginning(const Problem& problem, Problem& slice, const Limits& limits, Statistics& statistics) {
-  for (const Thread& thread : slice.threads) {
-    const std::vector<bool> once = beginning_of(slice, thread);
-    for (std::size_t s = 0; s < once.size(); ++s) {
-      if (!once[s] || !is_loose_wait(slice, slice.steps[s])) continue;
-      const auto found = latest(problem, static_cast<int>(s), limits, statistics);
+  const std::vector<ThreadTalk> talk = talk_of(problem);
+  for (std::size_t t = 0; t < talk.size(); ++t) {
+    const Thread& thread = slice.threads[t];
+    if (thread.parent >= 0 || thread.left_out) continue;
+    for (const int s : talk[t].beginning) {
+      Step& step = slice.steps[static_cast<std::size_t>(s)];
+      if (!is_loose_wait(slice, step)) continue;
+      const auto found = latest(problem, s, limits, statistics);
       if (!found) break;
-      slice.steps[s].arrival.worst = std::max(*found, slice.steps[s].arrival.best);
+      step.arrival.worst = std::max(*found, step.arrival.best);
     }
   }
 }

@@ -60,6 +60,20 @@ std::vector<bool> before_round(const Problem& problem, const std::vector<int>& s
   return left;
 }
 
+/// Steps that may come after blocks.
+std::vector<bool> behind_blocks(const Problem& problem, const std::vector<int>& steps) {
+  std::vector<bool> found(problem.steps.size());
+  std::vector<int> forks;
+  for (const int s : steps) {
+    if (problem.steps[static_cast<std::size_t>(s)].kind == Step::Kind::fork) forks.push_back(s);
+  }
+  follow(problem, forks, [&found](int at) {
+    found[static_cast<std::size_t>(at)] = true;
+    return Course::goes_on;
+  });
+  return found;
+}
+
 void note(const Problem& problem, const Step& step, bool again, ThreadTalk& talk) {
   if (step.kind == Step::Kind::send) {
     talk.sends.insert(step.channels.front());
@@ -89,8 +103,10 @@ std::vector<ThreadTalk> talk_of(const Problem& problem) {
     all[t].steps.assign(steps.begin(), steps.end());
     const std::vector<bool> behind = again(problem, all[t].steps);
     const std::vector<bool> ahead = before_round(problem, all[t].steps);
+    const std::vector<bool> later = behind_blocks(problem, all[t].steps);
     for (const int s : all[t].steps) {
       const auto at = static_cast<std::size_t>(s);
+      if (!behind[at] && !later[at]) all[t].beginning.push_back(s);
       note(problem, problem.steps[at], behind[at] && ahead[at], all[t]);
     }
   }

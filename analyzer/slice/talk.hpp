@@ -11,11 +11,12 @@ namespace pal::analyzer {
 /// Of one thread, without its blocks.
 struct ThreadTalk {
   std::vector<int> steps;
-  std::set<int> sends;   // channels
-  std::set<int> waits;   // channels
-  std::set<int> blocks;  // threads
-  std::set<int> sets;    // conditions
-  std::set<int> reads;   // conditions, by READ or a test
+  std::vector<int> beginning;  // those that come once at most, before a round or blocks
+  std::set<int> sends;         // channels
+  std::set<int> waits;         // channels
+  std::set<int> blocks;        // threads
+  std::set<int> sets;          // conditions
+  std::set<int> reads;         // conditions, by READ or a test
   // Of these what it may come to more than once.
   std::set<int> sends_again;
   std::set<int> waits_again;
