@@ -190,16 +190,19 @@ Analysis bounds_of(const Provers& provers, const Problem& problem, const Options
   return bounds;
 }
 
-/// Explores until all runs are seen, or the limits met, what is not decided by now; if `thorough`, what is
-/// not known exactly.
+/// So many classes are explored to see how far what fails can go.
+constexpr std::size_t most_of_failing = 200'000;
+
+/// Explores until all runs are seen, or the limits met, what is in the state that is `meant`; if `thorough`,
+/// whatever is not known exactly by now.
 void explore_further(const Provers& provers, const Problem& problem, const Options& options, bool thorough,
-                     const Analysis& bounds, Analysis& known) {
+                     State meant, const Analysis& bounds, Analysis& known) {
   Problem rest = problem;
   rest.requirements.clear();
   std::vector<std::size_t> open;
   for (std::size_t r = 0; r < known.verdicts.size(); ++r) {
     const Verdict& verdict = known.verdicts[r];
-    if (!verdict.gave_up || verdict.exact || (!thorough && verdict.state != State::undecided)) continue;
+    if (!verdict.gave_up || verdict.exact || (!thorough && verdict.state != meant)) continue;
     open.push_back(r);
     rest.requirements.push_back(problem.requirements[r]);
   }
@@ -239,8 +242,11 @@ Analysis analyze_automatically(const Provers& provers, const Problem& problem, c
   for (std::size_t r = 0; r < bounds.verdicts.size(); ++r) complete(analysis.verdicts[r], bounds.verdicts[r]);
   settle(problem, options, analysis);
   if (thorough) search_all(problem, options, analysis);
-  if (!(options.stop && options.stop()))
-    explore_further(provers, problem, options, thorough, bounds, analysis);
+  const auto go_on = [&options] { return !(options.stop && options.stop()); };
+  if (go_on()) explore_further(provers, problem, options, thorough, State::undecided, bounds, analysis);
+  Options failing = options;
+  failing.max_states = std::min(options.max_states, most_of_failing);
+  if (!thorough && go_on()) explore_further(provers, problem, failing, false, State::fails, bounds, analysis);
   // The runs that were found since may contradict bounds, also those that are not used.
   withdraw_refuted(confronted(bounds.verdicts, analysis), analysis.verdicts);
   analysis.statistics.seconds += bounds.statistics.seconds;

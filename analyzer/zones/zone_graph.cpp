@@ -34,7 +34,8 @@ std::size_t arrival_of(int number) {
 
 bool around(const ZoneClass& outer, const ZoneClass& inner, ZoneGraph::Merging merging) {
   const bool equal = merging != ZoneGraph::Merging::equal || inner.zone.includes(outer.zone);
-  return (!outer.relaxed || inner.relaxed) && equal && outer.zone.includes(inner.zone);
+  const bool sure = !outer.relaxed || inner.relaxed || merging == ZoneGraph::Merging::hull;
+  return sure && equal && outer.zone.includes(inner.zone);
 }
 
 bool anything_grows(const State& state, const Watch& watch) {
