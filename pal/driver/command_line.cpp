@@ -118,6 +118,7 @@ void add_check(CLI::App& app, CheckOptions& options) {
   add_selection(*command, options.selection);
   add_limits(*command, options.limits);
   using Choice = analyzer::AnalysisChoice;
+  options.limits.analysis = Choice::automatic;
   add_choice<Choice>(
       *command, "--analysis", options.limits.analysis,
       {{"exact", Choice::exact},
