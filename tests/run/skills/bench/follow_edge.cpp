@@ -63,7 +63,7 @@ Off off(const Seam& seam, const sim::Sample& sample, double standoff) {
 std::vector<Figure> measure_follow_edge() {
   const Seam seam;
   constexpr double standoff = 200,
-                   settled = 60;  // mm; the first of the way is spent on leaning by 15 degrees
+                   settled = 90;  // mm; the first of the way is spent on leaning by 15 degrees
   std::vector<Figure> figures;
   struct Law {
     const char* scene;
