@@ -67,11 +67,15 @@ void add_check(CLI::App& app, CheckOptions& options) {
   add_selection(*command, options.selection);
   add_limits(*command, options.limits);
   using Choice = analyzer::AnalysisChoice;
+  options.limits.analysis = Choice::automatic;
   add_choice<Choice>(
       *command, "--analysis", options.limits.analysis,
-      {{"exact", Choice::exact}, {"compositional", Choice::compositional}, {"auto", Choice::automatic}},
-      "exact, compositional (bounds, however large the skill), or auto: exact, and compositional for "
-      "what that leaves undecided")
+      {{"exact", Choice::exact},
+       {"compositional", Choice::compositional},
+       {"thorough", Choice::thorough},
+       {"auto", Choice::automatic}},
+      "exact, compositional (bounds, however large the skill), auto: what decides soonest, or thorough: "
+      "the same, and on till bounds are exact")
       ->type_name("ANALYSIS");
   add_choice<Format>(*command, "--format", options.format,
                      {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}, {"junit", Format::junit}},
@@ -295,6 +299,58 @@ void add_explain(CLI::App& app, ExplainOptions& options) {
   command->footer("Exit status: 0 explained; 2 no such code.");
 }
 
+void add_operation_files(CLI::App& command, OperationOptions& options) {
+  command.add_option("files", options.files, "operations, .op.json")->required()->type_name("FILE");
+  command
+      .add_option("--skills", options.skills, "PAL files with the cell's skills, or folders with such files")
+      ->type_name("FILE|FOLDER")
+      ->take_all();
+  add_max_errors(command, options.max_errors);
+}
+
+void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tell, OperationOptions& format) {
+  CLI::App* operation = app.add_subcommand("operation", "Checks, tells and formats operations: skills, connected");
+  operation->require_subcommand(1);
+
+  CLI::App* command = operation->add_subcommand("check", "Finds what is wrong, and how long each way takes");
+  add_operation_files(*command, check);
+  command->add_option("-e,--environment", check.environments, "PAL file with the cell; may be repeated")
+      ->type_name("FILE")
+      ->take_all();
+  command->add_option("--location", check.locations, "a location that is taught; may be repeated")
+      ->type_name("NAME")
+      ->take_all();
+  add_limits(*command, check.limits);
+  add_choice<Format>(*command, "--format", check.format,
+                     {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}},
+                     "text, json or sarif (2.1.0)")
+      ->type_name("FORMAT");
+  command->footer(
+      "Exit status: 0 nothing is wrong; 1 the operation, or a skill, is; 2 bad usage, or a file could not be "
+      "read; 3 some requirement of a skill fails or is undecided.");
+
+  command = operation->add_subcommand("storyboard", "Tells an operation as a story, with pictures");
+  add_operation_files(*command, tell);
+  command->add_option("-o,--output", tell.output, "the document, .html or .md; without it Markdown is printed")
+      ->type_name("FILE");
+  command->footer(statuses_of_results);
+
+  command = operation->add_subcommand("format", "Gives operations their one form: an icon a line");
+  command->add_option("files", format.files, "operations, .op.json")->required()->type_name("FILE");
+  command->add_flag("--check", format.check, "write nothing, list the files that would change");
+  command->footer(
+      "Exit status: 0 done, or nothing would change; 1 a file is wrong, or would change; 2 bad usage, or a "
+      "file could not be read or written.");
+}
+
+ExitStatus run_operation(const CLI::App& operation, const OperationOptions& check,
+                         const OperationOptions& tell, const OperationOptions& format,
+                         const Console& console) {
+  if (operation.got_subcommand("check")) return check_operation(check, console);
+  if (operation.got_subcommand("storyboard")) return tell_operation(tell, console);
+  return format_operation(format, console);
+}
+
 /// Says which commands there are, if the first argument is meant as one and is none.
 bool is_known_command(CLI::App& app, const std::vector<std::string>& arguments, std::ostream& err) {
   if (arguments.empty() || arguments.front().find('-') == 0) return true;
@@ -340,6 +396,8 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   add_explain(app, explain_options);
   add_sequence(app, sequence_options);
   add_resources(app, resources_options);
+  OperationOptions operation_check, operation_tell, operation_format;
+  add_operation(app, operation_check, operation_tell, operation_format);
 
   if (!is_known_command(app, arguments, console.err)) return ExitStatus::usage;
   try {
@@ -359,6 +417,9 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   if (app.got_subcommand("sequence")) return draw_sequences(sequence_options, console);
   if (app.got_subcommand("resources")) return show_resources(resources_options, console);
   if (app.got_subcommand("doc")) return write_doc(doc_options, console);
+  if (app.got_subcommand("operation"))
+    return run_operation(*app.get_subcommand("operation"), operation_check, operation_tell, operation_format,
+                         console);
   if (app.got_subcommand("explain")) return explain_code(explain_options, console);
   return generate(generate_options, console);
 }

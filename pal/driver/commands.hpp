@@ -135,4 +135,23 @@ struct ResourcesOptions {
 /// missing.
 ExitStatus show_resources(const ResourcesOptions& options, const Console& console);
 
+struct OperationOptions {
+  std::vector<std::string> files;         // .op.json
+  std::vector<std::string> skills;        // PAL files, or folders with them
+  std::vector<std::string> environments;  // PAL files
+  std::vector<std::string> locations;     // those that are taught; empty: not known
+  ProofLimits limits;
+  Format format = Format::text;
+  std::size_t max_errors = default_max_errors;
+  std::string output;  // of a storyboard, .html or .md; empty: Markdown to console.out
+  bool check = false;  // of the format: change nothing
+};
+/// Finds what is wrong with operations, what their skills need and the cell lacks, and how long each way
+/// takes. not_met: a requirement of a skill fails or is undecided.
+ExitStatus check_operation(const OperationOptions& options, const Console& console);
+/// Tells an operation as a story.
+ExitStatus tell_operation(const OperationOptions& options, const Console& console);
+/// Gives operations their one form.
+ExitStatus format_operation(const OperationOptions& options, const Console& console);
+
 }  // namespace pal::driver

@@ -53,7 +53,7 @@ class Log {
       artifact["location"] = artifact_location(FileId(i));
       artifact["length"] = sources_.text(FileId(i)).size();
       artifact["encoding"] = "UTF-8";
-      artifact["sourceLanguage"] = "pal";
+      artifact["sourceLanguage"] = sources_.name(FileId(i)).ends_with(".json") ? "json" : "pal";
       list.push_back(std::move(artifact));
     }
     return list;

@@ -54,7 +54,9 @@ void write_count(std::size_t count, std::string_view noun, std::ostream& out) {
 
 FindingCounts counts_of(const std::vector<Diagnostic>& findings) {
   FindingCounts counts;
-  for (const auto& finding : findings) ++counts.of(finding.severity);
+  for (const auto& finding : findings) {
+    if (finding.severity != Severity::note) ++counts.of(finding.severity);  // a note is nothing wrong
+  }
   return counts;
 }
 
@@ -104,8 +106,10 @@ void render_text(const std::vector<Diagnostic>& findings, const SourceManager& s
   const auto show = shown(found, limit.most);
   auto left = show;
   for (const auto& finding : findings) {
-    if (left.of(finding.severity) == 0) continue;
-    --left.of(finding.severity);
+    if (finding.severity != Severity::note) {
+      if (left.of(finding.severity) == 0) continue;
+      --left.of(finding.severity);
+    }
     write_finding(finding, sources, out);
   }
   write_rest(found.sum() - show.sum(), limit, out);

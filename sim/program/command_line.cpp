@@ -122,10 +122,34 @@ void describe_serve_port(CLI::App& app, ServePortCommand& command, std::vector<s
                  "makes this a symbolic link to the pseudo-terminal while it is there");
 }
 
+CLI::App* describe_operation(CLI::App& app, OperationCommand& command, std::vector<std::string>& folders) {
+  CLI::App* operation = app.add_subcommand("operation", "runs operations: skills, connected");
+  operation->require_subcommand(1);
+  CLI::App* run = operation->add_subcommand("run", "runs an operation; Ctrl-C stops the skill");
+  run->add_option("file", command.file, "the operation, .op.json")->required();
+  run->add_option("--scene", command.scene, "a scene's name, or the path of a scene file")
+      ->capture_default_str();
+  run->add_option("--scenes", folders, "a further folder of scenes, looked into first");
+  run->add_option("--seed", command.seed, "decides all that is drawn: times, phases, noise")
+      ->check(whole_number())
+      ->capture_default_str();
+  run->add_option("--time", command.times, "which times of their intervals things take")
+      ->check(CLI::IsMember({"worst", "best", "random"}))
+      ->capture_default_str();
+  run->add_option("--steps", command.steps, "pause after so many skills and delays")
+      ->check(CLI::Range(1, 1'000'000'000));
+  run->add_option("--log", command.log, "a file that gets a line of JSON a step");
+  run->add_option("--from", command.from, "start before this icon instead of START");
+  run->add_option("--break", command.breakpoints, "pause before ICON, or ICON=CODE: if that code came last")
+      ->take_all();
+  run->add_flag("--step", command.interactive, "obey commands on standard input: step, run, set, break, …");
+  return run;
+}
+
 }  // namespace
 
 ExitStatus main_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
-                        std::ostream& out, std::ostream& error, bool terminal) {
+                        std::ostream& out, std::ostream& error, bool terminal, std::istream* in) {
   CLI::App app("Runs skills on a PUMA 560 in physics, in virtual time.", "workcell");
   app.require_subcommand(1);
   app.footer(
@@ -144,6 +168,9 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
       "serve-port", "offers one emulated device to any program, in real time, until Ctrl-C");
   describe_serve_port(*serve_app, serve_command, folders);
 
+  OperationCommand operation_command;
+  const CLI::App* operation_app = describe_operation(app, operation_command, folders);
+
   // CLI11 takes the arguments from the back.
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
   try {
@@ -153,9 +180,11 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
   }
   try {
     list_command.scene_folders = run_command.scene_folders = serve_command.scene_folders =
+        operation_command.scene_folders =
         folders_of(folders, PAL_SCENE_FOLDERS);
     run_command.terminal = terminal;
     run_command.skill_folders = folders_of({}, PAL_SKILL_FOLDERS);
+    if (operation_app->parsed()) return run_operation(operation_command, skills, in, out, error);
     if (serve_app->parsed()) {
       runtime::RunControl control;
       const Interrupt interrupt(control);

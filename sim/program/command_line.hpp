@@ -51,6 +51,23 @@ struct ServePortCommand {
   std::string link;    // a symbolic link to the pseudo-terminal
 };
 
+struct OperationCommand {
+  std::string file;  // .op.json
+  std::string scene = "touch";
+  std::vector<std::string> scene_folders;
+  std::uint64_t seed = 1;
+  std::string times = "random";
+  std::size_t steps = 0;  // at most so many; 0: until the operation ends
+  std::string log;        // a line of JSON a step; empty: none
+  std::string from;       // the icon to start from; empty: START
+  std::vector<std::string> breakpoints;  // "ICON" or "ICON=CODE"
+  bool interactive = false;              // obeys lines of the input
+};
+
+/// "workcell operation run". `in`: where an interactive run gets its commands. Throws Failure.
+ExitStatus run_operation(const OperationCommand& command, const std::vector<KnownSkill>& skills,
+                         std::istream* in, std::ostream& out, std::ostream& error);
+
 /// "workcell list": skills with their parameters and completions, scenes.
 ExitStatus list(const ListCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out);
 
@@ -62,8 +79,9 @@ ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills,
 ExitStatus serve_port(const ServePortCommand& command, const runtime::RunControl& control, std::ostream& out);
 
 /// The whole program: reads the command line, runs the command, prints what failed. `terminal`: `out` is one,
-/// so that a line on it can be rewritten.
+/// so that a line on it can be rewritten. `in`: for commands that are given while an operation runs.
 ExitStatus main_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
-                        std::ostream& out, std::ostream& error, bool terminal = false);
+                        std::ostream& out, std::ostream& error, bool terminal = false,
+                        std::istream* in = nullptr);
 
 }  // namespace pal::workcell

@@ -7,5 +7,5 @@
 int main(int count, char** arguments) {
   return static_cast<int>(pal::workcell::main_program({arguments + 1, arguments + count},
                                                       pal::workcell::linked_skills(), std::cout, std::cerr,
-                                                      ::isatty(STDOUT_FILENO) == 1));
+                                                      ::isatty(STDOUT_FILENO) == 1, &std::cin));
 }

@@ -11,6 +11,7 @@
 
 #include "pal/check/check.hpp"
 #include "pal/check/load.hpp"
+#include "pal/driver/command_line.hpp"
 #include "pal/driver/proof.hpp"
 #include "pal/driver/selection.hpp"
 #include "pal/pan/dump.hpp"
@@ -53,8 +54,19 @@ Outcome check(const std::string& file) {
   return {out.str(), session.diagnostics.has_errors()};
 }
 
+/// Everything that `pal operation check` says, with the skills and the cell beside it.
+Outcome check_operation(const std::string& file) {
+  const pal::DiskFileSystem files;
+  std::ostringstream out;
+  const auto status = pal::driver::run(
+      {"operation", "check", file, "--skills", "skills.pal", "-e", "cell.pal", "--location", "HOME"},
+      {out, out, files});
+  return {out.str(), status == pal::driver::ExitStatus::wrong_specification};
+}
+
 Outcome run(const std::string& stage, const std::string& file) {
   if (stage == "check") return check(file);
+  if (stage == "operation") return check_operation(file);
   const pal::DiskFileSystem files;
   pal::SourceManager sources;
   pal::Diagnostics diagnostics;
@@ -124,8 +136,9 @@ int compare(const std::string& stage, const std::string& file) {
 
 int look_for_codes() {
   std::string all;
-  for (const auto& entry : std::filesystem::directory_iterator(".")) {
-    if (entry.path().extension() == ".expected") all += read(entry.path());
+  for (const char* folder : {".", "../operation"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (entry.path().extension() == ".expected") all += read(entry.path());
   }
   int missing = 0;
   for (std::size_t i = 0; i < pal::code_count(); ++i) {

@@ -8,7 +8,7 @@ import sys
 
 # The proof, from the bottom up: each stage may use those before it.
 BOUNDS = [f"compositional/{stage}" for stage in ["causes", "times", "measures"]]
-PROOF = ["problem", "machine", "zones", "runs", "verdict", "load", "exact", "compositional/saturating.hpp", *BOUNDS, "compositional"]
+PROOF = ["problem", "machine", "slice", "zones", "runs", "verdict", "load", "exact", "compositional/saturating.hpp", *BOUNDS, "compositional"]
 MODEL = ["pal/support", "pal/pan", "runtime/trace"]
 STAGES = [f"analyzer/{stage}" for stage in PROOF]
 
@@ -29,15 +29,16 @@ LAYERS = {
     "analyzer/whatif": ["analyzer"] + STAGES + MODEL,
     "analyzer/replay": ["analyzer/problem"] + MODEL,  # of the analysis nothing
     "codegen": ["pal/support", "pal/pan"],
+    "operations": ["pal/support", "pal/pan"],  # neither robots nor simulators: it asks a SkillRunner
     "pal/driver": ["pal/support", "pal/explain", "pal/doc", "pal/pan", "pal/syntax", "pal/check", "analyzer", "analyzer/chart",
-                   "analyzer/replay", "analyzer/whatif", *STAGES, "codegen", "runtime/trace"],
+                   "analyzer/replay", "analyzer/whatif", *STAGES, "codegen", "operations", "runtime/trace"],
     "runtime": ["runtime/trace"],
     "runtime/drivers/val/command.hpp": ["runtime", "runtime/trace"],
     "runtime/drivers": ["runtime", "runtime/trace", "runtime/drivers/val/command.hpp"],
     "skills_pal": ["runtime", "runtime/trace", "runtime/drivers/val/command.hpp"],  # VAL's verbs and errors
     "sim": ["runtime", "runtime/trace", "runtime/drivers", "runtime/drivers/val/command.hpp"],
     "sim/program": ["sim", "runtime", "runtime/trace", "runtime/drivers", "skills_pal", "pal/support", "pal/pan",
-                    "pal/check", "pal/syntax", "analyzer", *STAGES, "analyzer/chart", "pal/driver"],
+                    "pal/check", "pal/syntax", "analyzer", *STAGES, "analyzer/chart", "pal/driver", "operations"],
 }
 # Third-party headers that must stay inside .cpp files.
 PRIVATE = re.compile(r"^(antlr4-runtime|graphviz|mujoco|EGL|GL|cairo|nlohmann|CLI|boost)/|^(cgraph|gvc|png)\.h")

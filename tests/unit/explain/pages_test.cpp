@@ -33,6 +33,7 @@ Found check(const Sample& sample) {
   MemoryFileSystem files;
   for (const SampleFile& file : sample.files) files.add(file.name, file.text);
   std::vector<std::string> arguments{"check", sample.files.front().name};
+  if (arguments.back().ends_with(".op.json")) arguments.insert(arguments.begin(), "operation");
   arguments.insert(arguments.end(), sample.options.begin(), sample.options.end());
   Found found;
   found.text = test::pal(arguments, files).err;

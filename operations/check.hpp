@@ -1,0 +1,29 @@
+// What is wrong with an operation (docs/operations.md lists the rules; `pal explain` each finding).
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "operations/model.hpp"
+#include "pal/pan/network.hpp"
+#include "pal/support/diagnostic.hpp"
+
+namespace pal::operations {
+
+/// The templates of the skills that a cell has, by name.
+using Skills = std::map<std::string, pan::Template>;
+
+/// What can be said without skills: names, connections, reachability, sub-operations, loops.
+void check_shape(const Program& program, Diagnostics& diagnostics);
+
+/// What the skills say: that they are there, parameters, codes that nobody handles, ways that are never
+/// taken. `locations`: those that are taught; nothing: not known. The program has no errors of shape.
+void check_skills(const Program& program, const Skills& skills,
+                  const std::optional<std::set<std::string>>& locations, Diagnostics& diagnostics);
+
+/// The names of all skills that the operation and its sub-operations run.
+std::set<std::string> skills_of(const Program& program);
+
+}  // namespace pal::operations

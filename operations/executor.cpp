@@ -1,0 +1,246 @@
+#include "operations/executor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "operations/codes.hpp"
+
+namespace pal::operations {
+namespace {
+
+// An operation of this many MERGEs in a row, and not one skill, is a circle.
+constexpr std::size_t most_idle = 100'000;
+
+std::size_t start_of(const Operation& operation) {
+  for (std::size_t i = 0; i < operation.icons.size(); ++i)
+    if (operation.icons[i].kind == IconKind::start) return i;
+  throw ExecutionError(fmt::format("operation '{}' has no START", operation.name));
+}
+
+}  // namespace
+
+const char* name(ExecutionState state) {
+  static constexpr std::array names{"ready", "running", "paused", "stopped", "ended", "failed"};
+  return names[static_cast<std::size_t>(state)];
+}
+
+Executor::Executor(Program program, SkillRunner& runner, StepObserver* observer, const Skills* skills)
+    : program_(std::move(program)), runner_(runner), observer_(observer), skills_(skills) {
+  enter(0);
+}
+
+ExecutionState Executor::run() {
+  return run(std::numeric_limits<std::size_t>::max());
+}
+
+ExecutionState Executor::step() {
+  return run(1);
+}
+
+ExecutionState Executor::run(std::size_t steps) {
+  if (state_ == ExecutionState::ended || state_ == ExecutionState::failed || steps == 0) return state_;
+  // Whoever asked for a stop before the first skill wants none to run; a later stop is dealt with in act().
+  if (state_ == ExecutionState::stopped) {
+    stop_.store(false, std::memory_order_relaxed);
+    runner_.allow();
+  }
+  const bool resumed = state_ != ExecutionState::ready;
+  state_ = ExecutionState::running;
+  reason_.clear();
+  const std::size_t last = steps > std::numeric_limits<std::size_t>::max() - steps_
+                               ? std::numeric_limits<std::size_t>::max()
+                               : steps_ + steps;
+  bool leaving = resumed;  // the breakpoint at which it stands
+  while (state_ == ExecutionState::running) {
+    if (stop_.load(std::memory_order_relaxed)) {
+      halt(ExecutionState::stopped, "stopped before " + token());
+    } else if (pause_.exchange(false, std::memory_order_relaxed)) {
+      halt(ExecutionState::paused, "paused before " + token());
+    } else if (!std::exchange(leaving, false) && at_breakpoint()) {
+      halt(ExecutionState::paused, "breakpoint at " + token());
+    } else {
+      const std::size_t before = steps_;
+      const bool acts = icon().kind == IconKind::skill || icon().kind == IconKind::delay;
+      if (acts && steps_ == last) {
+        halt(ExecutionState::paused, "paused before " + token());
+      } else {
+        act();
+        idle_ = steps_ == before ? idle_ + 1 : 0;
+        if (idle_ > most_idle && state_ == ExecutionState::running)
+          halt(ExecutionState::failed, "the token goes round and round and no skill runs");
+      }
+    }
+  }
+  return state_;
+}
+
+void Executor::stop() noexcept {
+  stop_.store(true, std::memory_order_relaxed);
+  runner_.stop();
+}
+
+bool Executor::at_breakpoint() const {
+  return std::any_of(breakpoints_.begin(), breakpoints_.end(), [&](const Breakpoint& each) {
+    return (!each.code || *each.code == last_code_) && each.icon == token();
+  });
+}
+
+std::string Executor::token() const {
+  std::string path;
+  for (const Frame& frame : token_) {
+    if (!path.empty()) path += '/';
+    path += program_.operations[frame.operation].icons[frame.icon].id;
+  }
+  return path;
+}
+
+std::vector<Executor::Frame> Executor::find(const std::string& path) const {
+  std::vector<Frame> frames;
+  std::size_t operation = 0;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('/', begin), path.size());
+    const std::string id = path.substr(begin, end - begin);
+    const Operation& here = program_.operations[operation];
+    const auto found = find_icon(here, id);
+    if (!found)
+      throw ExecutionError(fmt::format("operation '{}' has no icon '{}'", here.name, id));
+    frames.push_back({operation, *found});
+    begin = end + 1;
+    if (end == path.size()) break;
+    const auto sub = here.icons[*found].kind == IconKind::sub_operation
+                         ? find_sub_operation(program_, here, here.icons[*found])
+                         : std::nullopt;
+    if (!sub) throw ExecutionError(fmt::format("'{}' is no hierarchical icon", id));
+    operation = *sub;
+  }
+  return frames;
+}
+
+void Executor::start_from(const std::string& icon) {
+  if (state_ == ExecutionState::running) throw ExecutionError("a skill is running; pause first");
+  token_ = find(icon);
+  last_code_ = 0;
+  state_ = ExecutionState::ready;
+  stop_.store(false, std::memory_order_relaxed);
+  runner_.allow();
+}
+
+void Executor::set_parameter(const std::string& icon, const std::string& parameter, Value value) {
+  if (state_ == ExecutionState::running) throw ExecutionError("a skill is running; pause first");
+  const Frame frame = find(icon).back();
+  Program changed = program_;
+  Icon& found = changed.operations[frame.operation].icons[frame.icon];
+  if (found.kind != IconKind::skill) throw ExecutionError(fmt::format("'{}' is no skill", icon));
+  const auto given = std::find_if(found.parameters.begin(), found.parameters.end(),
+                                  [&](const Parameter& each) { return each.name == parameter; });
+  if (given != found.parameters.end()) {
+    given->value = std::move(value);
+  } else {
+    found.parameters.push_back({parameter, std::move(value), {}, {}});
+  }
+  if (skills_ != nullptr) {
+    Diagnostics diagnostics;
+    check_skills(changed, *skills_, std::nullopt, diagnostics);
+    for (const Diagnostic& finding : diagnostics.all())
+      if (finding.severity == Severity::error)
+        throw ExecutionError(fmt::format("{}; {}", finding.message, finding.hint));
+  }
+  program_ = std::move(changed);
+}
+
+void Executor::add_breakpoint(Breakpoint breakpoint) {
+  find(breakpoint.icon);
+  breakpoints_.push_back(std::move(breakpoint));
+}
+
+/// The cell is readied once, before the first thing that happens, wherever the token starts.
+bool Executor::begin() {
+  if (initialised_) return true;
+  if (const auto problem = runner_.initialise()) {
+    halt(ExecutionState::failed, "the cell cannot be readied: " + *problem);
+    return false;
+  }
+  initialised_ = true;
+  return true;
+}
+
+void Executor::act() {
+  if (!begin()) return;
+  const Icon& here = icon();
+  switch (here.kind) {
+    case IconKind::start:
+      last_code_ = 0;
+      return go(here.next);
+    case IconKind::merge:
+      return go(here.next);
+    case IconKind::branch:
+      if (const auto way = way_of(here, last_code_)) return go(*way);
+      return halt(ExecutionState::failed,
+                  fmt::format("CASE '{}' has no way for code {}", token(), last_code_));
+    case IconKind::delay: {
+      Step step{++steps_, token(), {}, {}, {}, runner_.now(), {}};
+      runner_.delay(Duration(static_cast<std::int64_t>(here.seconds * 1e9)));
+      step.end = runner_.now();
+      if (observer_ != nullptr) observer_->done(step);
+      return go(here.next);
+    }
+    case IconKind::sub_operation:
+      if (const auto sub = find_sub_operation(program_, operation(), here)) return enter(*sub);
+      return halt(ExecutionState::failed, fmt::format("'{}' has no operation", token()));
+    case IconKind::restart:
+      token_.back().icon = start_of(operation());
+      return;
+    case IconKind::exit:
+      return exit_operation();
+    case IconKind::skill:
+      return act_skill();
+  }
+}
+
+void Executor::act_skill() {
+  const Icon& here = icon();
+  Step step{++steps_, token(), here.skill, here.parameters, {}, runner_.now(), {}};
+  step.result = runner_.run(here.skill, here.parameters);
+  step.end = runner_.now();
+  if (observer_ != nullptr) observer_->done(step);
+  if (step.result.kind == SkillResult::Kind::stopped)
+    return halt(ExecutionState::stopped, "stopped in " + token());
+  last_code_ = step.result.code;
+  const auto way =
+      route(operation(), here, last_code_, step.result.kind == SkillResult::Kind::normal);
+  if (way) return go(*way);
+  halt(ExecutionState::failed, fmt::format("'{}' ended with code {}, which nobody handles: {}", token(),
+                                           last_code_, step.result.reason));
+}
+
+void Executor::go(const Connection& to) {
+  const auto next = find_icon(operation(), to.icon);
+  if (!next)
+    return halt(ExecutionState::failed, fmt::format("'{}' leads to no icon '{}'", token(), to.icon));
+  token_.back().icon = *next;
+}
+
+void Executor::enter(std::size_t operation) {
+  token_.push_back({operation, start_of(program_.operations[operation])});
+}
+
+void Executor::exit_operation() {
+  const std::string path = token();
+  last_code_ = icon().code.value_or(last_code_);
+  if (token_.size() == 1) return halt(ExecutionState::ended, fmt::format("exit '{}' with code {}", path, last_code_));
+  token_.pop_back();
+  if (const auto way = route(operation(), icon(), last_code_, last_code_ == 0)) return go(*way);
+  halt(ExecutionState::failed,
+       fmt::format("'{}' ended with code {}, which nobody handles", token(), last_code_));
+}
+
+void Executor::halt(ExecutionState state, std::string reason) {
+  state_ = state;
+  reason_ = std::move(reason);
+}
+
+}  // namespace pal::operations

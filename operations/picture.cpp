@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "operations/storyboard.hpp"
+
+namespace pal::operations {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+std::string label(const Icon& icon) {
+  switch (icon.kind) {
+    case IconKind::start:
+      return "START";
+    case IconKind::exit:
+      return icon.code ? fmt::format("EXIT {}", *icon.code) : "EXIT";
+    case IconKind::restart:
+      return "RESTART";
+    case IconKind::branch:
+      return "CASE";
+    case IconKind::merge:
+      return "";
+    case IconKind::delay:
+      return fmt::format("wait {:g} s", icon.seconds);
+    case IconKind::skill:
+      return icon.id == icon.skill ? icon.id : icon.id + "\n" + icon.skill;
+    case IconKind::sub_operation:
+      return icon.id;
+  }
+  return {};
+}
+
+const char* look(IconKind kind) {
+  switch (kind) {
+    case IconKind::start:
+    case IconKind::exit:
+    case IconKind::restart:
+      return "shape=box style=\"rounded,filled\" fillcolor=\"#e0e0e0\"";
+    case IconKind::branch:
+      return "shape=diamond style=filled fillcolor=\"#fff2cc\"";
+    case IconKind::merge:
+      return "shape=circle width=0.2 fixedsize=true style=filled fillcolor=\"#404040\"";
+    case IconKind::delay:
+      return "shape=box style=dashed";
+    case IconKind::sub_operation:
+      return "shape=box3d style=filled fillcolor=\"#d9ead3\"";
+    case IconKind::skill:
+      break;
+  }
+  return "shape=box style=filled fillcolor=\"#dae8fc\"";
+}
+
+std::string newlines(std::string text) {
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2)
+    text.replace(at, 1, "\\n");
+  return text;
+}
+
+}  // namespace
+
+std::string to_dot(const Program& program, std::size_t operation) {
+  const Operation& shown = program.operations[operation];
+  std::string out = "digraph operation {\n  rankdir=LR\n  node [fontname=\"Liberation Sans\" fontsize=11]\n"
+                    "  edge [fontname=\"Liberation Sans\" fontsize=9]\n";
+  const auto line = [&](const Icon& from, const Connection& to, const std::string& text, bool dashed) {
+    if (!to.connected()) return;
+    out += fmt::format("  {} -> {} [label={}{}]\n", quoted(from.id), quoted(to.icon), quoted(text),
+                       dashed ? " style=dashed" : "");
+  };
+  for (const Icon& icon : shown.icons)
+    out += fmt::format("  {} [label={} {}]\n", quoted(icon.id), newlines(quoted(label(icon))),
+                       look(icon.kind));
+  for (const Icon& icon : shown.icons) {
+    line(icon, icon.next, "", false);
+    for (const Way& way : icon.ways) line(icon, way.to, fmt::format("{}", fmt::join(way.codes, ", ")), false);
+    line(icon, icon.otherwise, "else", false);
+    line(icon, icon.error, "error", true);
+  }
+  return out + "}\n";
+}
+
+}  // namespace pal::operations

@@ -1,0 +1,23 @@
+// An operation told as a story, and drawn, for people who do not read files (thesis, sections 2.3.6 and 7.2).
+#pragma once
+
+#include <string>
+
+#include "operations/check.hpp"
+#include "operations/model.hpp"
+
+namespace pal::operations {
+
+/// One operation of the program as Graphviz DOT, from left to right: boxes for skills, shadowed boxes for
+/// hierarchical icons, diamonds for CASE; codes on the lines.
+std::string to_dot(const Program& program, std::size_t operation);
+
+/// Scenes in the order in which the token first comes to them: what each skill needs, does and leaves, from
+/// its template, and where the story goes on, by code. The program has no errors of shape.
+std::string storyboard_markdown(const Program& program, const Skills& skills);
+
+/// The same as a page that needs nothing else, with the pictures in it. Throws std::runtime_error if
+/// Graphviz cannot draw.
+std::string storyboard_html(const Program& program, const Skills& skills);
+
+}  // namespace pal::operations

@@ -1,0 +1,14 @@
+// Operations as files.
+#pragma once
+
+#include <string>
+
+#include "operations/model.hpp"
+
+namespace pal::operations {
+
+/// The one form of a document: fields in a fixed order, an icon a line, icons in their order, so that two
+/// versions differ in the lines of the icons that differ. read() of it gives the same document.
+std::string write(const Document& document);
+
+}  // namespace pal::operations
