@@ -63,7 +63,7 @@ Off off(const Seam& seam, const sim::Sample& sample, double standoff) {
 std::vector<Figure> measure_follow_edge() {
   const Seam seam;
   constexpr double standoff = 200,
-                   settled = 60;  // mm; the first of the way is spent on leaning by 15 degrees
+                   settled = 90;  // mm; the first of the way is spent on leaning by 15 degrees
   std::vector<Figure> figures;
   struct Law {
     const char* scene;
@@ -103,7 +103,9 @@ std::vector<Figure> measure_follow_edge() {
            fmt::format("{}, {} mm/s, scene {}, seeds 1 to 3",
                        literal ? "the thesis's law" : "by the map of the edge", speed, scene),
            literal ? "reported" : fmt::format("<= {} mm rms, <= {}° rms", most_length, most_turn),
-           fmt::format("{:.2f} mm rms, {:.1f}° rms{}", length, turn, ended ? "" : "; did not end with 0"),
+           count == 0 ? std::string("the edge is lost in the first 90 mm")
+                      : fmt::format("{:.2f} mm rms, {:.1f}° rms{}", length, turn,
+                                    ended ? "" : "; did not end with 0"),
            literal || (ended && length <= most_length && turn <= most_turn), bounds.greatest_part()});
     }
   }
