@@ -47,6 +47,7 @@ struct SessionResult {
   runtime::Time phase{};         // as given or drawn
   std::vector<sim::Sample> log;  // from the skill's beginning, time 0, until the arm has come to rest
   sim::MessageLog messages;
+  std::string controller;    // what VAL said of the last command that failed; empty: none did
   double peak_force = 0;     // N
   double resting_force = 0;  // N, at the end of the log
   sim::Picture picture;
