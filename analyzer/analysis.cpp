@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/compositional.hpp"
+#include "analyzer/exact/slice_bound.hpp"
 #include "analyzer/exact/standstill.hpp"
 #include "analyzer/runs/quick_runs.hpp"
 #include "analyzer/runs/run_search.hpp"
@@ -74,25 +75,103 @@ void confront(const Problem& problem, const Requirement& requirement, Witness fo
   if (fails || verdict.exact) verdict.explanation = explanation(problem, requirement, verdict);
 }
 
+/// Until a part of the time that is left is over.
+Options share_of(const Options& options, double part) {
+  if (!options.deadline || !options.clock) return options;
+  Options shared = options;
+  const double now = options.clock();
+  const double end = now + std::max(0.0, *options.deadline - now) * part;
+  shared.deadline = end;
+  shared.stop = [stop = options.stop, clock = options.clock, end] {
+    return (stop && stop()) || clock() > end;
+  };
+  return shared;
+}
+
+/// Looks for a run that attains the bound, or breaks the requirement.
+void look_for_run(const Problem& problem, const Requirement& requirement, const Options& options,
+                  const RunSearchOptions& usual, Verdict& verdict) {
+  RunSearchOptions how = usual;
+  how.stop = options.stop;
+  if (verdict.bound) how.bound = verdict.bound->count();
+  auto found = search_runs(problem, requirement, how);
+  if (found) confront(problem, requirement, std::move(*found), verdict);
+}
+
+/// What has to add up first shows in longer runs.
+void look_for_long_run(const Problem& problem, const Requirement& requirement, const Options& options,
+                       Verdict& verdict) {
+  auto found = simulated_witness(problem, requirement, options.stop);
+  if (found) confront(problem, requirement, std::move(*found), verdict);
+}
+
 /// Looks for runs where a bound is not known to be attained.
 void search(const Problem& problem, const Requirement& requirement, const Options& options,
             Verdict& verdict) {
   const bool open = verdict.state == State::undecided || (verdict.state == State::holds && !verdict.exact);
   if (!open) return;
-  RunSearchOptions how;
-  how.stop = options.stop;
-  if (verdict.bound) how.bound = verdict.bound->count();
-  auto found = search_runs(problem, requirement, how);
-  if (found) confront(problem, requirement, std::move(*found), verdict);
-  if (verdict.state != State::undecided) return;
-  // What has to add up first shows in longer runs.
-  found = simulated_witness(problem, requirement, options.stop);
-  if (found) confront(problem, requirement, std::move(*found), verdict);
+  look_for_run(problem, requirement, options, {}, verdict);
+  if (verdict.state == State::undecided) look_for_long_run(problem, requirement, options, verdict);
+}
+
+/// What is decided is only attacked by a few runs.
+void attack(const Problem& problem, const Requirement& requirement, const Options& options,
+            Verdict& verdict) {
+  if (verdict.state != State::holds || verdict.exact) return;
+  RunSearchOptions few;
+  few.runs = few.drawn;
+  look_for_run(problem, requirement, options, few, verdict);
 }
 
 void search_all(const Problem& problem, const Options& options, Analysis& analysis) {
   for (std::size_t r = 0; r < analysis.verdicts.size(); ++r)
     search(problem, problem.requirements[r], options, analysis.verdicts[r]);
+}
+
+/// So many classes of slices are explored, whatever the limit.
+constexpr std::size_t most_of_slice = 400'000;
+
+/// What is shown by leaving out what has no say, and what it took.
+Statistics explore_slice(const Problem& problem, const Requirement& requirement, const Options& options,
+                         Verdict& verdict) {
+  using Measure = Requirement::Measure;
+  const bool timed = requirement.measure != Measure::load && requirement.measure != Measure::busy;
+  if (!timed || !fits_exploration(problem)) return {};
+  const SliceBound found =
+      slice_bound(problem, requirement, options, std::min(options.max_states, most_of_slice));
+  verdict.statistics += found.statistics;
+  if (!found.bound) return found.statistics;
+  const Duration bound(*found.bound);
+  if (verdict.bound && (verdict.at_least ? *verdict.bound >= bound : *verdict.bound <= bound))
+    return found.statistics;
+  verdict.method = Method::exact;
+  verdict.bound = bound;
+  verdict.addends.clear();
+  verdict.exact = attains(verdict);
+  const bool within = verdict.at_least ? bound >= verdict.limit : bound <= verdict.limit;
+  if (within) verdict.state = State::holds;
+  verdict.explanation =
+      verdict.exact
+          ? explanation(problem, requirement, verdict)
+          : "Found by exploring only what has an influence; no run exceeds it, but none is known to "
+            "attain it.";
+  return found.statistics;
+}
+
+/// Decides what is open by what is cheap, first by what is known to be cheaper.
+void settle(const Problem& problem, const Options& options, Analysis& analysis) {
+  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
+    const double part = 0.5 / static_cast<double>(analysis.verdicts.size() - r);
+    const Options here = share_of(options, part);
+    const Requirement& requirement = problem.requirements[r];
+    Verdict& verdict = analysis.verdicts[r];
+    attack(problem, requirement, here, verdict);
+    if (verdict.state != State::undecided) continue;
+    look_for_long_run(problem, requirement, share_of(here, 0.25), verdict);
+    if (verdict.state == State::undecided) explore_slice(problem, requirement, share_of(here, 0.6), verdict);
+    // Also of a bound that decides: the run that comes near it is shown.
+    search(problem, requirement, here, verdict);
+  }
 }
 
 /// The bounds, each beside the run that is known by now of its requirement.
@@ -104,24 +183,28 @@ std::vector<Verdict> confronted(std::vector<Verdict> bounds, const Analysis& kno
   return bounds;
 }
 
-/// Its time is short, and what it is for is the case in which that of the exact one has run out. `known`:
-/// from the exact one, whose runs must not contradict it.
-Analysis bounds_of(const Provers& provers, const Problem& problem, Options options, const Analysis& known) {
-  options.stop = nullptr;
+/// `known`: from the exact analysis, whose runs must not contradict it.
+Analysis bounds_of(const Provers& provers, const Problem& problem, const Options& options,
+                   const Analysis& known) {
   Analysis bounds = provers.compositional(problem, options);
   bounds.verdicts = confronted(std::move(bounds.verdicts), known);
   withdraw_refuted(bounds.verdicts);
   return bounds;
 }
 
-/// Explores until all runs are seen, or the limits met, what is not known exactly by now.
-void explore_further(const Provers& provers, const Problem& problem, const Options& options,
-                     const Analysis& bounds, Analysis& known) {
+/// So many classes are explored to see how far what fails can go.
+constexpr std::size_t most_of_failing = 200'000;
+
+/// Explores until all runs are seen, or the limits met, what is in the state that is `meant`; if `thorough`,
+/// whatever is not known exactly by now.
+void explore_further(const Provers& provers, const Problem& problem, const Options& options, bool thorough,
+                     State meant, const Analysis& bounds, Analysis& known) {
   Problem rest = problem;
   rest.requirements.clear();
   std::vector<std::size_t> open;
   for (std::size_t r = 0; r < known.verdicts.size(); ++r) {
-    if (!known.verdicts[r].gave_up || known.verdicts[r].exact) continue;
+    const Verdict& verdict = known.verdicts[r];
+    if (!verdict.gave_up || verdict.exact || (!thorough && verdict.state != meant)) continue;
     open.push_back(r);
     rest.requirements.push_back(problem.requirements[r]);
   }
@@ -146,17 +229,26 @@ void explore_further(const Provers& provers, const Problem& problem, const Optio
   }
 }
 
-Analysis analyze_automatically(const Provers& provers, const Problem& problem, const Options& options) {
-  Options brief = options;
+Analysis analyze_automatically(const Provers& provers, const Problem& problem, const Options& options,
+                               bool thorough) {
+  Options brief = share_of(options, 0.3);
   brief.max_states = std::min(options.max_states, brief_exploration);
   Analysis analysis = provers.exact(problem, brief);
   const bool open = std::any_of(
       analysis.verdicts.begin(), analysis.verdicts.end(),
       [](const Verdict& verdict) { return verdict.gave_up || verdict.state == State::undecided; });
-  const Analysis bounds = open ? bounds_of(provers, problem, options, analysis) : Analysis{};
+  // A bound takes little time, also where that of the others has run out.
+  Options untimed = options;
+  untimed.stop = nullptr;
+  const Analysis bounds = open ? bounds_of(provers, problem, untimed, analysis) : Analysis{};
   for (std::size_t r = 0; r < bounds.verdicts.size(); ++r) complete(analysis.verdicts[r], bounds.verdicts[r]);
-  search_all(problem, options, analysis);
-  if (!(options.stop && options.stop())) explore_further(provers, problem, options, bounds, analysis);
+  settle(problem, options, analysis);
+  if (thorough) search_all(problem, options, analysis);
+  const auto go_on = [&options] { return !(options.stop && options.stop()); };
+  if (go_on()) explore_further(provers, problem, options, thorough, State::undecided, bounds, analysis);
+  Options failing = options;
+  failing.max_states = std::min(options.max_states, most_of_failing);
+  if (!thorough && go_on()) explore_further(provers, problem, failing, false, State::fails, bounds, analysis);
   // The runs that were found since may contradict bounds, also those that are not used.
   withdraw_refuted(confronted(bounds.verdicts, analysis), analysis.verdicts);
   analysis.statistics.seconds += bounds.statistics.seconds;
@@ -175,7 +267,9 @@ void add_up(Verdict& verdict) {
 
 Analysis analyze_as(const Provers& provers, const Problem& problem, AnalysisChoice choice,
                     const Options& options) {
-  if (choice == AnalysisChoice::automatic) return analyze_automatically(provers, problem, options);
+  const bool thorough = choice == AnalysisChoice::thorough;
+  if (thorough || choice == AnalysisChoice::automatic)
+    return analyze_automatically(provers, problem, options, thorough);
   Analysis analysis = choice == AnalysisChoice::exact ? provers.exact(problem, options)
                                                       : provers.compositional(problem, options);
   search_all(problem, options, analysis);

@@ -8,7 +8,10 @@
 namespace pal::analyzer {
 
 enum class AnalysisChoice {
-  automatic,     // exact; what it leaves undecided is asked of the compositional one
+  /// What is cheap first, until each requirement is decided: bounds, a few thousand classes, single runs,
+  /// slices, all runs.
+  automatic,
+  thorough,      // the same, and on till each bound is known to be attained
   exact,         // exact alone
   compositional  // compositional alone
 };

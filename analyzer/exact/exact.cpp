@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analyzer/exact/cap.hpp"
 #include "analyzer/exact/growth.hpp"
 #include "analyzer/load/load.hpp"
 #include "analyzer/load/load_account.hpp"
@@ -12,30 +13,6 @@ namespace pal::analyzer {
 namespace {
 
 using Is = Verdict::State;
-
-/// Sums of two such values stay below what counts as unbounded.
-constexpr Nanoseconds most_cap = Range::unbounded / 4;
-
-/// More than any value that is not growing without end is likely to be: a few times all that the problem says
-/// of time.
-Nanoseconds first_cap(const Problem& problem, Nanoseconds limit) {
-  Nanoseconds sum = limit;
-  for (const Device& device : problem.devices) {
-    if (const auto* event = std::get_if<pan::EventDevice>(&device.behaviour)) {
-      sum += event->period.count() + event->jitter.count();
-    } else if (const auto* request = std::get_if<pan::RequestDevice>(&device.behaviour)) {
-      sum += request->answer.worst.count();
-    } else if (const auto* frames = std::get_if<pan::FrameDevice>(&device.behaviour)) {
-      sum += frames->period.count() + frames->collecting.count();
-    }
-  }
-  const Nanoseconds latency = std::max(problem.within_processor.worst, problem.between_processors.worst);
-  for (const Step& step : problem.steps) {
-    const Nanoseconds way = step.kind == Step::Kind::send ? latency : 0;
-    sum = std::min(sum + step.cost.worst + step.within.value_or(0) + way, most_cap);
-  }
-  return std::min(4 * sum, most_cap);
-}
 
 class Analyzer {
  public:
@@ -86,7 +63,7 @@ class Analyzer {
 
   void timed(const Requirement& requirement, const Watch& watch, Verdict& verdict) {
     const Machine machine(problem_, watch);
-    Nanoseconds cap = first_cap(problem_, requirement.limit);
+    Nanoseconds cap = cap_of(problem_, requirement.limit);
     for (int attempt = 0;; ++attempt, cap = std::min(8 * cap, most_cap)) {
       ZoneGraph graph(machine, cap, false);
       const bool complete = graph.explore(limits());

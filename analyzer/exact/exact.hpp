@@ -20,8 +20,10 @@ struct Options {
   bool addends = true;
   /// Asked now and then, by one thread at a time; once it says true, what is not decided stays undecided.
   std::function<bool()> stop;
-  /// For the statistics: seconds from some beginning. Without it they say 0.
+  /// Seconds from some beginning: for the statistics, which say 0 without it, and for the shares of what is
+  /// left until `deadline`.
   std::function<double()> clock;
+  std::optional<double> deadline = {};  // by the clock: from then on `stop` says true
   /// For the statistics: the most memory that the program took since it was last asked, in bytes.
   std::function<std::size_t()> peak_memory;
 };

@@ -38,7 +38,9 @@ void Firing::emit_device(Kind kind, int device, int subject, int value) {
 void Firing::fire(int timer) {
   const bool was_busy = watched_busy();
   if (timer < machine_.flight_timer(0)) {
-    if (state_of(timer).status == Status::waiting) {
+    if (is_loose(timer)) {
+      loosened(timer);
+    } else if (state_of(timer).status == Status::waiting) {
       emit(Kind::give_up, timer, step_of(timer).channels.front());
       state_of(timer).choice = ThreadState::gives_up;
       need_processor(timer);
@@ -146,6 +148,7 @@ void Firing::effect_wait(int thread) {
     return;
   }
   const auto branch = static_cast<std::size_t>(state.choice);
+  if (ends_loosely(step, branch)) return effect_loose_wait(thread, branch);
   const int channel = step.channels[branch];
   take(channel, thread, -1);
   state.choice = ThreadState::no_choice;
@@ -168,6 +171,7 @@ void Firing::go_on_and_admit(int thread, int next, std::vector<int> channels) {
 
 void Firing::effect_send(int thread) {
   const int channel = step_of(thread).channels.front();
+  if (channel_of(channel).loose) return effect_loose_send(thread);
   SlotState& to = slot(channel);
   if (discards(channel)) {
     discard(channel);
@@ -206,8 +210,9 @@ void Firing::sent(int thread, bool put_it) {
 
 void Firing::effect_set(int thread) {
   const Step& step = step_of(thread);
-  const bool value = step.value ? *step.value : choices_.pick(2) == 1;
   const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(step.condition);
+  const bool free = (problem_.free_conditions & bit) != 0;
+  const bool value = step.value ? *step.value && !free : !free && choices_.pick(2) == 1;
   state_.conditions = value ? state_.conditions | bit : state_.conditions & ~bit;
   emit(Kind::set, thread, step.condition, value ? 1 : 0);
   has_set(thread, step.condition);
@@ -218,7 +223,7 @@ void Firing::effect_set(int thread) {
 bool Firing::read(int thread, int condition) {
   const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(condition);
   bool value = (state_.conditions & bit) != 0;
-  if ((machine_.free_conditions & bit) != 0) value = choices_.pick(2) == 1;
+  if (((machine_.free_conditions | problem_.free_conditions) & bit) != 0) value = choices_.pick(2) == 1;
   emit(Kind::read, thread, condition, value ? 1 : 0);
   has_read(thread, condition);
   return value;

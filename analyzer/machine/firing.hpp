@@ -93,6 +93,18 @@ class Firing {
     }
   }
 
+  // Where the other end is left out (firing_loose.cpp).
+  static bool is_loose(const Problem& problem, const Step& step);
+  bool is_loose(int thread) const;
+  bool ends_loosely(const Step& step, std::size_t branch) const;
+  int loose_branch(const Step& step, bool gives_up);
+  bool finishes_first(int thread);
+  void wait_loosely(int thread);
+  void loosened(int thread);
+  void stop_waiting(int thread);
+  void effect_loose_wait(int thread, std::size_t branch);
+  void effect_loose_send(int thread);
+
   // Messages and devices (firing_mail.cpp).
   void place(int channel, int thread, int device, std::uint8_t carries);
   void announce(int channel);

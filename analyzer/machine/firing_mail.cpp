@@ -84,7 +84,7 @@ int Firing::claimed_by(int channel) {
   const std::size_t chosen =
       waiting.size() == 1 ? 0 : static_cast<std::size_t>(choices_.pick(static_cast<int>(waiting.size())));
   const auto [thread, branch] = waiting[chosen];
-  if (step_of(thread).within) stop_timer(machine_.thread_timer(thread));
+  stop_waiting(thread);
   slot(channel).fill = SlotState::Fill::claimed;
   state_of(thread).choice = static_cast<std::int8_t>(branch);
   state_of(thread).status = Status::ready;
@@ -184,7 +184,7 @@ void Firing::drop(int channel) {
       ThreadState& thread = state_.threads[t];
       if (thread.status != Status::ready && thread.status != Status::running) continue;
       const Step& step = step_of(static_cast<int>(t));
-      if (step.kind != Step::Kind::wait || thread.choice < 0) continue;
+      if (step.kind != Step::Kind::wait || thread.choice < 0 || step.channels.empty()) continue;
       if (step.channels[static_cast<std::size_t>(thread.choice)] == channel)
         thread.choice = ThreadState::withdrawn;
     }
@@ -267,7 +267,8 @@ void Firing::device_next(int device) {
     return;
   }
   const Nanoseconds period = std::get<pan::FrameDevice>(behaviour).period.count();
-  start_timer(machine_.next_timer(device), {period, period});
+  const bool seldom = problem_.devices[static_cast<std::size_t>(device)].seldom;
+  start_timer(machine_.next_timer(device), {period, seldom ? Range::unbounded : period});
   take_pending(device);
 }
 

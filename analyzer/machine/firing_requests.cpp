@@ -99,7 +99,7 @@ bool Firing::answers_to(int channel, int owner) const {
 std::vector<int> Firing::abandon(int thread) {
   const ThreadState& state = state_of(thread);
   // A block that is stopped before it has begun is at no step yet; one with a choice is at a wait.
-  if (state.choice >= 0) {
+  if (state.choice >= 0 && !step_of(thread).channels.empty()) {
     const int channel = step_of(thread).channels[static_cast<std::size_t>(state.choice)];
     if (slot(channel).fill == SlotState::Fill::claimed) {
       slot(channel).fill = SlotState::Fill::full;

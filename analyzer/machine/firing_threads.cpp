@@ -15,13 +15,15 @@ void Firing::begin() {
     const auto* frames = std::get_if<pan::FrameDevice>(&problem_.devices[d].behaviour);
     if (frames == nullptr) continue;
     state_.devices[d].open = true;
-    const Range first = frames->phase ? Range{frames->phase->count(), frames->phase->count()}
-                                      : Range{0, frames->period.count()};
+    Range first = frames->phase ? Range{frames->phase->count(), frames->phase->count()}
+                                : Range{0, frames->period.count()};
+    if (problem_.devices[d].seldom) first = {0, Range::unbounded};
     start_timer(machine_.next_timer(static_cast<int>(d)), first);
   }
   std::vector<int> modules;
   for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
-    if (problem_.threads[t].parent < 0) modules.push_back(static_cast<int>(t));
+    const Thread& thread = problem_.threads[t];
+    if (thread.parent < 0 && !thread.left_out) modules.push_back(static_cast<int>(t));
   }
   while (!modules.empty()) {
     const std::vector<std::size_t> rivals = rivals_of_first(modules);
@@ -104,9 +106,16 @@ void Firing::reach_wait(int thread) {
   for (int channel : step.channels) {
     if (channel_of(channel).sender_device >= 0) open_device(channel_of(channel).sender_device);
   }
+  if (step.channels.empty() && step.next.size() > 1 && choices_.pick(2) == 1) {
+    state_of(thread).choice = static_cast<std::int8_t>(loose_branch(step, false));
+    need_processor(thread);
+    return;
+  }
   for (std::size_t i = 0; i < step.channels.size(); ++i) {
-    if (!available(step.channels[i], thread)) continue;
-    slot(step.channels[i]).fill = SlotState::Fill::claimed;
+    const bool loose = channel_of(step.channels[i]).loose;
+    const bool at_once = step.arrival.best == 0;
+    if (loose ? !at_once || choices_.pick(2) == 0 : !available(step.channels[i], thread)) continue;
+    if (!loose) slot(step.channels[i]).fill = SlotState::Fill::claimed;
     state_of(thread).choice = static_cast<std::int8_t>(i);
     need_processor(thread);
     return;
@@ -119,8 +128,12 @@ void Firing::reach_wait(int thread) {
   }
   leave_processor(thread);
   state_of(thread).status = Status::waiting;
-  emit(Kind::block, thread, step.channels.front());
-  if (step.within) start_timer(machine_.thread_timer(thread), {*step.within, *step.within});
+  emit(Kind::block, thread, step.channels.empty() ? -1 : step.channels.front());
+  if (is_loose(thread)) {
+    wait_loosely(thread);
+  } else if (step.within) {
+    start_timer(machine_.thread_timer(thread), {*step.within, *step.within});
+  }
 }
 
 void Firing::fork(int thread) {
@@ -234,7 +247,7 @@ void Firing::cancel_all(std::vector<int> blocks) {
 /// Whether, if it were stopped now, a message that somebody has asked for might be taken by somebody else.
 bool Firing::leaves_answer_to_others(int thread) const {
   const ThreadState& state = state_of(thread);
-  if (state.choice < 0) return false;
+  if (state.choice < 0 || step_of(thread).channels.empty()) return false;
   const int channel = step_of(thread).channels[static_cast<std::size_t>(state.choice)];
   return state_.slots[static_cast<std::size_t>(channel)].answers && !waiting_for(channel).empty();
 }
@@ -247,14 +260,12 @@ void Firing::cancel(int thread) {
     return;
   }
   const bool busy = state.begun && (state.status == Status::running || state.status == Status::ready);
-  if (!busy) stop(thread);
+  if (!busy && !finishes_first(thread)) stop(thread);
 }
 
 void Firing::stop(int thread) {
   emit(Kind::cancel, thread);
-  const ThreadState before = state_of(thread);
-  const bool limited = before.status == Status::waiting && step_of(thread).within.has_value();
-  if (limited) stop_timer(machine_.thread_timer(thread));
+  stop_waiting(thread);
   leave_processor(thread);
   state_of(thread).status = Status::off;
   forget(thread);

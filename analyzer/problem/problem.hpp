@@ -37,11 +37,15 @@ struct Step {
   Range cost;          // of a wait: of its receive
   Range give_up_cost;  // wait with a limit: of the test that gives up
 
-  std::vector<int> channels;          // wait: in the order of preference; send: the one
+  /// wait: in the order of preference; send: the one. A wait without (only in slices) is over at any time,
+  /// or at once, and goes on with any of `next`.
+  std::vector<int> channels;
   std::optional<Nanoseconds> within;  // wait
-  int condition = -1;                 // set, read
-  std::optional<bool> value;          // set
-  int code = 0;                       // complete
+  /// Only in slices, of a wait for somebody who is left out: so long after it is reached a message comes.
+  Range arrival{0, Range::unbounded};
+  int condition = -1;              // set, read
+  std::optional<bool> value;       // set
+  int code = 0;                    // complete
   std::vector<pan::Guard> guards;  // test: without a guard that holds, next[guards.size()], if there is one
   std::vector<int> threads;        // fork: the blocks
   /// Steps that follow. wait: one a channel, then ELSE. test: one a guard, then where none holds (absent: the
@@ -54,9 +58,10 @@ struct Thread {
   int module = -1;  // whose channels it uses
   int processor = -1;
   int priority = 0;
-  int parent = -1;      // of a block: the thread of its CONCURRENT
-  bool can_end = true;  // its flow can reach its end
-  int entry = -1;       // first step
+  int parent = -1;        // of a block: the thread of its CONCURRENT
+  bool can_end = true;    // its flow can reach its end
+  int entry = -1;         // first step
+  bool left_out = false;  // only in slices: it never begins
 };
 
 struct Channel {
@@ -69,6 +74,10 @@ struct Channel {
   bool served = false;                   // a request that its device answers
   std::vector<int> receiver_processors;  // of the threads that wait for it
   std::string message;
+  /// Only in slices: who is at one of its ends is left out. Its messages are there at any time, and go when
+  /// they like.
+  bool loose = false;
+  bool withdrawable = false;  // loose: what somebody is about to take may be withdrawn
 };
 
 struct Device {
@@ -76,6 +85,7 @@ struct Device {
   std::variant<std::monostate, pan::EventDevice, pan::RequestDevice, pan::FrameDevice> behaviour;
   int event = -1;             // event device: the channel of its event; -1: nobody waits for it
   std::vector<int> requests;  // on request, frames: channels of what it serves
+  bool seldom = false;        // frames, only in slices: they start a period or more apart
 };
 
 struct Statement {
@@ -125,6 +135,7 @@ struct Problem {
   std::vector<std::string> module_names;
   int error_code = 2;           // of the first error completion
   std::vector<int> overloaded;  // processors that have more to do for events than there is time (PAL0820)
+  std::uint64_t free_conditions = 0;  // by bit, only in slices: their reads give any value
 };
 
 /// Name of the device or module that sends on the channel, or to which it leads.

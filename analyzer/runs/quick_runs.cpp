@@ -11,13 +11,16 @@ namespace {
 using Measure = Requirement::Measure;
 
 constexpr std::uint64_t runs = 6;
+constexpr std::uint64_t extreme_runs = 300;
 constexpr std::size_t few_events = 1'500;
 constexpr std::size_t many_events = 200'000;
 
+using Times = SimulationOptions::Times;
+
 Simulation run_by_chance(const Machine& machine, std::uint64_t seed, std::size_t events,
-                         const std::function<bool()>& stop) {
+                         const std::function<bool()>& stop, Times times = Times::worst) {
   SimulationOptions how;
-  how.times = SimulationOptions::Times::worst;
+  how.times = times;
   how.seed = seed;
   how.until = Range::unbounded;
   how.max_events = events;
@@ -91,8 +94,10 @@ std::optional<Witness> simulated_witness(const Problem& problem, const Requireme
   for (const int processor : processors_of(problem, requirement)) {
     const Watch watch = watch_of(problem, requirement, processor);
     const Machine machine(problem, watch);
-    for (std::uint64_t seed = 1; seed <= runs; ++seed) {
-      Simulation run = run_by_chance(machine, seed, few_events, stop);
+    for (std::uint64_t seed = 1; seed <= runs + extreme_runs; ++seed) {
+      if (stop && stop()) return std::nullopt;
+      const Times times = seed <= runs ? Times::worst : Times::extremes;
+      Simulation run = run_by_chance(machine, seed <= runs ? seed : seed - runs, few_events, stop, times);
       if (break_in(requirement, run) == Break::none) continue;
       return witness_of(requirement, machine, std::move(run));
     }

@@ -16,8 +16,8 @@ enum class Break { none, measured, grown };
 Break simulated_break(const Problem& problem, const Requirement& requirement,
                       const std::function<bool()>& stop);
 
-/// The run for which simulated_break says so, up to where it breaks `requirement`. Nothing: it says `none`,
-/// or only a run of very many events does.
+/// The run for which simulated_break says so, or one of some hundreds with times at their extremes, up to
+/// where it breaks `requirement`. Nothing: none does, or only a run of very many events.
 std::optional<Witness> simulated_witness(const Problem& problem, const Requirement& requirement,
                                          const std::function<bool()>& stop);
 

@@ -18,6 +18,12 @@ constexpr std::size_t tried_at_a_time = 128;
 /// So many classes are found sooner by one thread than by several that have to wait for one another.
 constexpr std::size_t worth_sharing = 8192;
 
+/// So many classes of a place are kept apart before new ones are widened.
+constexpr std::size_t most_apart = 6;
+
+/// Bounds that differ by more count as if they differed by so much: some are unbounded.
+constexpr std::int64_t longest_apart = std::int64_t{1} << 40U;
+
 /// Arrivals have numbers below those of classes, and below -1, which is none.
 int number_of_arrival(std::size_t index) {
   return -2 - static_cast<int>(index);
@@ -27,8 +33,9 @@ std::size_t arrival_of(int number) {
 }
 
 bool around(const ZoneClass& outer, const ZoneClass& inner, ZoneGraph::Merging merging) {
-  const bool equal = merging == ZoneGraph::Merging::within || inner.zone.includes(outer.zone);
-  return (!outer.relaxed || inner.relaxed) && equal && outer.zone.includes(inner.zone);
+  const bool equal = merging != ZoneGraph::Merging::equal || inner.zone.includes(outer.zone);
+  const bool sure = !outer.relaxed || inner.relaxed || merging == ZoneGraph::Merging::hull;
+  return sure && equal && outer.zone.includes(inner.zone);
 }
 
 bool anything_grows(const State& state, const Watch& watch) {
@@ -336,6 +343,30 @@ const ZoneClass& ZoneGraph::zone_class(int id) const {
   return id < -1 ? arrivals_[arrival_of(id)]->made : classes_[static_cast<std::size_t>(id)];
 }
 
+/// Makes the class as large as is needed to hold one of those known as well: that to which it is nearest. Of
+/// two closed zones the greater bounds are closed.
+void ZoneGraph::widen(ZoneClass& made, const KnownZones& known) const {
+  const Dbm* nearest = nullptr;
+  std::int64_t least = INT64_MAX;
+  const std::size_t size = made.zone.size();
+  for (const int id : known.ids()) {
+    const Dbm& other = zone_class(id).zone;
+    std::int64_t added = 0;
+    for (std::size_t i = 0; i < size && added < least; ++i) {
+      for (std::size_t j = 0; j < size; ++j)
+        added += std::min(std::abs(other.at(i, j) - made.zone.at(i, j)), longest_apart);
+    }
+    if (added >= least) continue;
+    least = added;
+    nearest = &other;
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j)
+      made.zone.at(i, j) = std::max(made.zone.at(i, j), nearest->at(i, j));
+  }
+  made.relaxed = true;
+}
+
 void ZoneGraph::compare(const Landing& landing) {
   KnownZones& known = known_[static_cast<std::size_t>(landing.place)];
   Outline outline;
@@ -346,6 +377,10 @@ void ZoneGraph::compare(const Landing& landing) {
     arrival.held_by =
         known.first_around(outline, [&](int id) { return around(zone_class(id), arrival.made, merging_); });
     if (arrival.held_by != -1) continue;
+    if (merging_ == Merging::hull && known.ids().size() >= most_apart) {
+      widen(arrival.made, known);
+      outline.of(arrival.made.zone);
+    }
     known.erase_within(outline, [&](int id) {
       if (!around(arrival.made, zone_class(id), merging_)) return false;
       arrival.replaces.push_back(id);

@@ -85,8 +85,10 @@ struct Findings {
 /// new classes follow the order of the old: so the graph is the same for any number of threads.
 class ZoneGraph {
  public:
-  /// Which class is not followed: one that lies within another, or only one that is equal to another.
-  enum class Merging { within, equal };
+  /// Which class is not followed: one that lies within another, or only one that is equal to another. Hull:
+  /// where a place has many classes a new one is made larger, so that it holds another, too; what is found is
+  /// then a bound that no run need come near.
+  enum class Merging { within, equal, hull };
 
   /// Observed values up to `cap` are followed exactly; beyond, only that they are greater is known.
   ZoneGraph(const Machine& machine, Nanoseconds cap, bool keep_edges, Merging merging = Merging::within);
@@ -158,6 +160,7 @@ class ZoneGraph {
   int place_of(Arrival& arrival);
   void merge(std::size_t expanded, const Limits& limits);
   void compare(const Landing& landing);
+  void widen(ZoneClass& made, const KnownZones& known) const;
   void enter();
   const ZoneClass& zone_class(int id) const;
 

@@ -67,11 +67,15 @@ void add_check(CLI::App& app, CheckOptions& options) {
   add_selection(*command, options.selection);
   add_limits(*command, options.limits);
   using Choice = analyzer::AnalysisChoice;
+  options.limits.analysis = Choice::automatic;
   add_choice<Choice>(
       *command, "--analysis", options.limits.analysis,
-      {{"exact", Choice::exact}, {"compositional", Choice::compositional}, {"auto", Choice::automatic}},
-      "exact, compositional (bounds, however large the skill), or auto: exact, and compositional for "
-      "what that leaves undecided")
+      {{"exact", Choice::exact},
+       {"compositional", Choice::compositional},
+       {"thorough", Choice::thorough},
+       {"auto", Choice::automatic}},
+      "exact, compositional (bounds, however large the skill), auto: what decides soonest, or thorough: "
+      "the same, and on till bounds are exact")
       ->type_name("ANALYSIS");
   add_choice<Format>(*command, "--format", options.format,
                      {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}, {"junit", Format::junit}},

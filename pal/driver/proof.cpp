@@ -34,6 +34,7 @@ analyzer::Options options_of(const ProofLimits& limits) {
   options.clock = [begin] { return seconds_since(begin); };
   if (limits.peak_memory) options.peak_memory = peak_memory;
   options.stop = end_after(limits.seconds);
+  if (limits.seconds > 0) options.deadline = limits.seconds;
   return options;
 }
 

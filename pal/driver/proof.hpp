@@ -25,10 +25,10 @@ struct Proof {
 struct ProofLimits {
   std::size_t max_states = 1'000'000;  // a requirement
   double seconds = 0;                  // of everything together; 0: as long as it takes
-  analyzer::AnalysisChoice analysis = analyzer::AnalysisChoice::automatic;
-  unsigned threads = 0;      // at work; 0: one a core
-  bool peak_memory = false;  // count it
-  bool addends = false;      // find what adds up to bounds
+  analyzer::AnalysisChoice analysis = analyzer::AnalysisChoice::thorough;  // who draws a run wants the worst
+  unsigned threads = 0;                                                    // at work; 0: one a core
+  bool peak_memory = false;                                                // count it
+  bool addends = false;                                                    // find what adds up to bounds
 };
 
 /// The model of `skill` in `environment`, which must have all that the skill needs; nothing, and findings in

@@ -27,7 +27,7 @@ class EdgeMap {
     Eigen::Vector3d across;  // unit vector along the surface beside it
   };
   /// The edge where the plane through `where` that is square to `heading` meets it: by a parabola through the
-  /// last `history` mm and twice as much before, continued if need be. Nothing before two points were seen.
+  /// last `history` mm and twice as much before, continued if need be. Nothing before a point was seen.
   std::optional<Place> at(const Eigen::Vector3d& where, const Eigen::Vector3d& heading) const;
 
  private:

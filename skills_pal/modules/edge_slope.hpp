@@ -1,8 +1,6 @@
 // LS2 of edge_slope.pal.
 #pragma once
 
-#include <optional>
-
 #include "skills_pal/modules/signature.hpp"
 #include "skills_pal/sensing/edge.hpp"
 #include "skills_pal/sensing/literal_edge.hpp"
@@ -20,7 +18,7 @@ class EdgeSensor final : public Interface {
  public:
   void start(const Parameters& parameters) override {
     literal_ = parameters.literal;
-    last_y_.reset();
+    last_y_ = 0;
   }
 
   Edge find_edge(const Profile& profile) override {
@@ -52,7 +50,7 @@ class EdgeSensor final : public Interface {
 
  private:
   bool literal_ = false;
-  std::optional<double> last_y_;  // of several edges the one that was followed
+  double last_y_ = 0;  // mm: of several edges the one that was followed, at first the one before the tool
 };
 
 }  // namespace pal::skills

@@ -16,9 +16,9 @@ constexpr double way_sliding = 0.5;
 // the harder the faster it was. So what is left of an error is taken away slowly, and very little is left
 // alone.
 constexpr double way_standing = 0.2;
-constexpr double quiet = 0.12;   // N
-constexpr double near = 0.8;     // N: errors below this are taken away by no more than
-constexpr double creep = 0.045;  // N a cycle
+constexpr double quiet = 0.08;  // N
+constexpr double near = 0.8;    // N: errors below this are taken away by no more than
+constexpr double creep = 0.1;  // N a cycle
 
 constexpr double contact = 0.3;        // N: less is noise
 constexpr double certain = 1.0;        // N: the tool is in contact without doubt

@@ -13,7 +13,9 @@ namespace {
 
 using namespace standoff;
 
-constexpr int looks = 4;  // that are averaged: half of one profile's error
+constexpr int looks = 8;       // that are averaged
+constexpr double fine = 0.03;  // mm: what going on would not make better
+constexpr int most_rounds = 3;
 
 class Method final : public SM1Activities {
  public:
@@ -23,6 +25,7 @@ class Method final : public SM1Activities {
     sum_ = 0;
     count_ = 0;
     within_ = false;
+    rounds_ = 0;
   }
 
   Motion step(const Distance& distance) override {
@@ -43,7 +46,9 @@ class Method final : public SM1Activities {
     const double error = sum_ / count_ - parameters_.distance;
     sum_ = 0;
     count_ = 0;
-    within_ = std::abs(error) <= parameters_.tolerance;
+    // A little further if that still makes it better.
+    const bool best = std::abs(error) <= fine || ++rounds_ > most_rounds;
+    within_ = std::abs(error) <= parameters_.tolerance && best;
     Way way;
     way.dz = error;
     if (!within_) looking_.go(way);
@@ -53,6 +58,7 @@ class Method final : public SM1Activities {
   Looking looking_;
   double sum_ = 0;  // mm
   int count_ = 0;
+  int rounds_ = 0;
   bool within_ = false;
 };
 

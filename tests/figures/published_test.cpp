@@ -155,7 +155,7 @@ TEST_CASE("what runs attain is the published value, or less where that is a boun
       Options options;
       options.max_states = classes(answer.file);
       options.threads = 1;
-      analysis = analyze(*published(answer.file)->problem, AnalysisChoice::automatic, options);
+      analysis = analyze(*published(answer.file)->problem, AnalysisChoice::thorough, options);
     }
     last = answer.file;
     const Verdict& verdict = of(analysis, answer.requirement);
@@ -202,7 +202,7 @@ TEST_CASE("the exact analysis by itself finds nothing else") {
 TEST_CASE("pyCPA's responses under jitter are attained") {
   Options options;
   options.max_states = classes("pycpa_spp");
-  const Analysis analysis = analyze(*published("pycpa_spp")->problem, AnalysisChoice::automatic, options);
+  const Analysis analysis = analyze(*published("pycpa_spp")->problem, AnalysisChoice::thorough, options);
   CHECK(attained(of(analysis, "t11")) == Duration(10'000'000));
   CHECK(attained(of(analysis, "t12")) == Duration(13'000'000));
   CHECK(attained(of(analysis, "path-one")) == Duration(12'000'000));

@@ -8,7 +8,7 @@ import sys
 
 # The proof, from the bottom up: each stage may use those before it.
 BOUNDS = [f"compositional/{stage}" for stage in ["causes", "times", "measures"]]
-PROOF = ["problem", "machine", "zones", "runs", "verdict", "load", "exact", "compositional/saturating.hpp", *BOUNDS, "compositional"]
+PROOF = ["problem", "machine", "slice", "zones", "runs", "verdict", "load", "exact", "compositional/saturating.hpp", *BOUNDS, "compositional"]
 MODEL = ["pal/support", "pal/pan", "runtime/trace"]
 STAGES = [f"analyzer/{stage}" for stage in PROOF]
 

@@ -85,7 +85,7 @@ TEST_CASE("a large system's requirement is refuted by a run where its bound is b
   Problem problem = test::problem_of(test::random_chains(3, shape));
   Options few;
   few.max_states = 200;
-  const Analysis before = analyze(problem, AnalysisChoice::automatic, few);
+  const Analysis before = analyze(problem, AnalysisChoice::thorough, few);
   std::size_t refuted = 0;
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
     const Verdict& verdict = before.verdicts[r];
@@ -93,7 +93,7 @@ TEST_CASE("a large system's requirement is refuted by a run where its bound is b
     REQUIRE(verdict.state != Verdict::State::fails);
     problem.requirements[r].limit = verdict.witness->measured.value - 1;
   }
-  const Analysis after = analyze(problem, AnalysisChoice::automatic, few);
+  const Analysis after = analyze(problem, AnalysisChoice::thorough, few);
   REQUIRE(test::unconfirmed(problem, after) == "");
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
     const Verdict& verdict = after.verdicts[r];

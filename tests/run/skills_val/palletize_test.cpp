@@ -19,6 +19,7 @@ TEST_CASE("palletize: 0, parts at the places that come next, row by row") {
         shop.run("pick-at-location", {text("location", "PART" + serial), {.name = "approach", .value = 100}})
             .code == 0);
     const auto outcome = shop.run("palletize", {{.name = "placed", .value = placed}});
+    CAPTURE(placed, outcome.reason);
     CHECK(outcome.code == 0);
     CHECK_FALSE(outcome.fault);
   }

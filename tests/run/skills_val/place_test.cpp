@@ -45,6 +45,20 @@ TEST_CASE("place-at-location: 1, the place is taken: the part is held above it a
   CHECK((shop.middle("part 2") - taken).norm() < 1);  // what stands there stays there
 }
 
+// Why the skill feels on its way down: the fingers come to grip both blocks.
+TEST_CASE("place-at-location: without feeling, what stands at the place is lifted, too") {
+  Workshop shop(scene("pallet"));
+  REQUIRE(
+      shop.run("pick-at-location", {text("location", "PART1"), {.name = "approach", .value = 100}}).code ==
+      0);
+  const Vector3d taken = shop.middle("part 2");
+  const auto outcome =
+      shop.run("place-at-location",
+               {text("location", "PART2"), {.name = "approach", .value = 100}, {.name = "feel", .value = 0}});
+  CHECK(outcome.code == 1);
+  CHECK((shop.middle("part 2") - taken).norm() > 50);
+}
+
 TEST_CASE(
     "place-at-location: 1, a post at the place, met without feeling: the arm is freed and back above it") {
   const ChangedScene changed("parts", "post at 460 -50 height 40\nlocation TAKEN 460 -50 -156.8");

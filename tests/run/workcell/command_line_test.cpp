@@ -138,6 +138,25 @@ TEST_CASE("a contingency is an end like others; an error completion is not") {
   CHECK(answer.out.find("fault, completion 2\n  alter: cannot make the motion: ") != std::string::npos);
 }
 
+TEST_CASE("workcell run --after runs another skill before, which must end with completion 0") {
+  const Folder folder;
+  const Answer answer =
+      workcell({"run", "named-touch", "--after", "touch", "--no-picture", "--output", folder.path()});
+  CAPTURE(answer.out, answer.error);
+  CHECK(answer.status == ExitStatus::done);
+  std::ostringstream json;
+  json << std::ifstream(folder.path() + "/run.json").rdbuf();
+  CHECK(json.str().find("\"after\": \"touch\"") != std::string::npos);
+
+  const Answer refused =
+      workcell({"run", "named-touch", "--after", "touch", "--scene", "nothing", "--no-picture"});
+  CHECK(refused.status == ExitStatus::wrong_specification);
+  CHECK(refused.error.find("touch in scene nothing") != std::string::npos);
+  CHECK(refused.error.find("ended with completion 1") != std::string::npos);
+  CHECK(workcell({"run", "touch", "--after", "tuch"}).error.find("did you mean 'touch'?") !=
+        std::string::npos);
+}
+
 TEST_CASE("bad input: place, cause, hint, status, and no files") {
   const Folder folder;
   const auto refused = [&](std::vector<std::string> arguments, ExitStatus status, const std::string& text) {

@@ -93,7 +93,7 @@ TEST_CASE("a run of an exploration withdraws what its verdict is put in the plac
     verdict.witness->measured.value = 4 * ms;
     return analysis;
   };
-  const Analysis analysis = analyze_with(provers, *skill->problem, AnalysisChoice::automatic);
+  const Analysis analysis = analyze_with(provers, *skill->problem, AnalysisChoice::thorough);
   CHECK(analysis.verdicts[0].method == Method::exact);
   CHECK(analysis.verdicts[0].bound == Duration(4 * ms));
   CHECK(analysis.verdicts[1].state == VerdictState::undecided);

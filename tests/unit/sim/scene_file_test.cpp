@@ -44,6 +44,7 @@ TEST_CASE("scene files: what they say") {
       "configuration noflip lefty below\n"
       "machine seed 7\n"
       "no table\n"
+      "location PART_2 460 105 -156.8 90\n"
       "post at 1 2\n"
       "post at 3 4 5 diameter 12\n"
       "part \"blue one\" at 0 0 mass 150 turn 45\n",
@@ -55,6 +56,9 @@ TEST_CASE("scene files: what they say") {
   CHECK(scene.machine.seed == 7);
   CHECK(scene.machine.encoders);
   CHECK_FALSE(scene.table);
+  REQUIRE(scene.locations.size() == 1);
+  CHECK(scene.locations[0].name == "PART_2");
+  CHECK(scene.locations[0].tip == std::array<double, 4>{460, 105, -156.8, 90});
   REQUIRE(scene.things.size() == 3);
   CHECK(scene.things[0].name == "post 1");
   CHECK(scene.things[0].all("at") == std::vector<double>{1, 2, table_top});  // it stands on the table
@@ -63,7 +67,7 @@ TEST_CASE("scene files: what they say") {
   CHECK(scene.things[1].one("diameter") == 12);
   CHECK(scene.things[1].one("height") == 300);
   CHECK(scene.things[2].name == "blue one");
-  CHECK(scene.things[2].line == 11);
+  CHECK(scene.things[2].line == 12);
 }
 
 TEST_CASE("scene files: what is wrong has its line, its cause and a way out") {
@@ -93,6 +97,9 @@ TEST_CASE("scene files: what is wrong has its line, its cause and a way out") {
   CHECK(second_line("machine seed -1") ==
         "my.scene:2: '-1' is not a seed, which is a whole number from 0 on");
   CHECK(second_line("no chairs") == "my.scene:2: only the table can be left out");
+  CHECK(second_line("location part 1 2 3") == "my.scene:2: 'part' is not a name of VAL");
+  CHECK(second_line("location PART 1 2") == "my.scene:2: the location has too few figures");
+  CHECK(refused("start 1 2 3\nlocation P 1 2 3\nlocation P 1 2 3\n").cause() == "location P is said twice");
   CHECK(second_line("about") == "my.scene:2: 'about' says nothing");
   CHECK(second_line("post \"tool\" at 1 2") == "my.scene:2: there is more than one thing named 'tool'");
 

@@ -58,7 +58,6 @@ Figure cycle(bool feel) {
   };
   auto placing = with("PLACE");
   placing.push_back({.name = "feel", .value = feel ? 1.0 : 0.0});
-  shop.run("move-to-location", {text("location", "PLACE")});
   const auto picked = shop.run("pick-at-location", with("PART"), pick);
   const auto placed = shop.run("place-at-location", placing, place);
   return {"pick, place",

@@ -1,0 +1,112 @@
+// Messages whose other end is left out of a slice: they come at any time, and find their slot full or free
+// (docs/slices.md).
+#include <algorithm>
+
+#include "analyzer/machine/firing.hpp"
+
+namespace pal::analyzer {
+namespace {
+
+/// Of the ways on from where a block that is left out stays: the one to its end, if it has one. The other is
+/// what it finishes when it is cancelled.
+constexpr int left_out_ends = 1;
+
+}  // namespace
+
+bool Firing::is_loose(const Problem& problem, const Step& step) {
+  if (step.kind == Step::Kind::wait && step.channels.empty()) return true;
+  return std::any_of(step.channels.begin(), step.channels.end(), [&problem](int channel) {
+    return problem.channels[static_cast<std::size_t>(channel)].loose;
+  });
+}
+
+/// Whether the thread is stopped at a wait or a send that somebody who is left out may end.
+bool Firing::is_loose(int thread) const {
+  const Status status = state_of(thread).status;
+  return (status == Status::waiting || status == Status::sending) && is_loose(problem_, step_of(thread));
+}
+
+bool Firing::ends_loosely(const Step& step, std::size_t branch) const {
+  return step.channels.empty() || channel_of(step.channels[branch]).loose;
+}
+
+/// One of the ways on from a wait on which nobody who is kept has a say; or ThreadState::gives_up.
+int Firing::loose_branch(const Step& step, bool gives_up) {
+  std::vector<int> ways;
+  if (step.channels.empty()) return left_out_ends;
+  for (std::size_t i = 0; i < step.channels.size(); ++i) {
+    if (channel_of(step.channels[i]).loose) ways.push_back(static_cast<int>(i));
+  }
+  if (gives_up) ways.push_back(ThreadState::gives_up);
+  return ways[ways.size() == 1 ? 0 : static_cast<std::size_t>(choices_.pick(static_cast<int>(ways.size())))];
+}
+
+/// A block that is left out, and is cancelled, stops at once, or finishes first what it has begun. Whether it
+/// does: then it is at work from now on.
+bool Firing::finishes_first(int thread) {
+  if (!thread_of(thread).left_out || state_of(thread).step < 0 || choices_.pick(2) == 0) return false;
+  stop_waiting(thread);
+  state_of(thread).choice = ThreadState::no_choice;
+  state_of(thread).step = static_cast<std::int16_t>(step_of(thread).next.front());
+  need_processor(thread);
+  return true;
+}
+
+/// The thread is stopped at a wait that somebody who is left out may end. If a message comes only so late it
+/// may not come at all; then nothing is left to end the wait, unless somebody else does.
+void Firing::wait_loosely(int thread) {
+  const Step& step = step_of(thread);
+  const Nanoseconds longest = step.within.value_or(step.arrival.worst);
+  if (step.channels.empty() && static_cast<int>(step.next.size()) <= left_out_ends) {
+    state_of(thread).choice = ThreadState::for_ever;
+    return;
+  }
+  const bool limited = step.arrival.worst < Range::unbounded && !step.within;
+  if (limited && choices_.pick(2) == 1) {
+    state_of(thread).choice = ThreadState::for_ever;
+    return;
+  }
+  start_timer(machine_.thread_timer(thread), {std::min(step.arrival.best, longest), longest});
+}
+
+/// Somebody else ends the wait, or the send: its timer is stopped, if it has one.
+void Firing::stop_waiting(int thread) {
+  const bool timed =
+      is_loose(thread) || (state_of(thread).status == Status::waiting && step_of(thread).within);
+  if (timed && state_of(thread).choice != ThreadState::for_ever) stop_timer(machine_.thread_timer(thread));
+}
+
+/// The timer of a thread that waits, or whose send is blocked: it goes on.
+void Firing::loosened(int thread) {
+  if (state_of(thread).status == Status::sending) {
+    state_of(thread).status = Status::ready;
+    return sent(thread, false);
+  }
+  const int branch = loose_branch(step_of(thread), step_of(thread).within.has_value());
+  if (branch == ThreadState::gives_up) emit(Kind::give_up, thread, step_of(thread).channels.front());
+  state_of(thread).choice = static_cast<std::int8_t>(branch);
+  need_processor(thread);
+}
+
+void Firing::effect_loose_wait(int thread, std::size_t branch) {
+  const Step& step = step_of(thread);
+  const bool withdrawable = !step.channels.empty() && channel_of(step.channels[branch]).withdrawable;
+  if (withdrawable && choices_.pick(2) == 1) {
+    if (state_of(thread).cancelled) return stop(thread);
+    return reach(thread, state_of(thread).step);
+  }
+  state_of(thread).choice = ThreadState::no_choice;
+  measure(thread);
+  go_on_and_admit(thread, step.next[branch], {});
+}
+
+void Firing::effect_loose_send(int thread) {
+  if (choices_.pick(2) == 0) return sent(thread, false);
+  if (state_of(thread).cancelled) return stop(thread);
+  leave_processor(thread);
+  state_of(thread).status = Status::sending;
+  emit(Kind::block, thread, step_of(thread).channels.front());
+  start_timer(machine_.thread_timer(thread), {0, Range::unbounded});
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,346 @@
+#include "analyzer/slice/cone.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "analyzer/machine/watch.hpp"
+#include "analyzer/slice/talk.hpp"
+
+namespace pal::analyzer {
+namespace {
+
+using Measure = Requirement::Measure;
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+/// How far what a thread waits for is kept, too.
+enum class Hold {
+  none,    // the thread is left out
+  loose,   // it only takes time from others: what modules tell it may come at any time
+  strong,  // what it waits for again and again is kept
+};
+
+class Finder {
+ public:
+  Finder(const Problem& problem, const Requirement& requirement, int processor, Reach reach)
+      : problem_(problem),
+        requirement_(requirement),
+        reach_(reach),
+        watch_(watch_of(problem, requirement, processor)),
+        talk_(talk_of(problem)),
+        hold_(problem.threads.size(), Hold::none),
+        devices_(problem.devices.size()) {}
+
+  Cone find() {
+    seed();
+    for (changed_ = true; changed_;) {
+      changed_ = false;
+      for (std::size_t t = 0; t < hold_.size(); ++t) {
+        if (hold_[t] != Hold::none) around(static_cast<int>(t));
+      }
+      share_processors();
+      for (std::size_t d = 0; d < devices_.size(); ++d) {
+        if (devices_[d]) around_device(static_cast<int>(d));
+      }
+    }
+    Cone cone;
+    for (const Hold hold : hold_) cone.threads.push_back(hold != Hold::none);
+    cone.devices = devices_;
+    cone.pacers = pacers();
+    return cone;
+  }
+
+ private:
+  void keep(int thread, Hold hold) {
+    if (hold_[at(thread)] >= hold) return;
+    hold_[at(thread)] = hold;
+    changed_ = true;
+  }
+  void keep_device(int device) {
+    if (device < 0 || devices_[at(device)]) return;
+    devices_[at(device)] = true;
+    changed_ = true;
+  }
+  void keep_if(Hold hold, const std::function<bool(const ThreadTalk&)>& meant) {
+    for (std::size_t t = 0; t < talk_.size(); ++t) {
+      if (meant(talk_[t])) keep(static_cast<int>(t), hold);
+    }
+  }
+  /// Both ends of a channel, and whoever else uses it.
+  void keep_channel(int channel) {
+    keep_if(Hold::strong, [channel](const ThreadTalk& talk) {
+      return talk.sends.contains(channel) || talk.waits.contains(channel);
+    });
+    const Channel& of = problem_.channels[at(channel)];
+    keep_device(of.sender_device);
+    if (of.served) keep_device(of.receiver_device);
+  }
+
+  void keep_channels_of(int device) {
+    for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+      const Channel& of = problem_.channels[c];
+      if (of.sender_device == device || (of.receiver_device == device && of.served))
+        keep_channel(static_cast<int>(c));
+    }
+  }
+
+  // What is measured, and what carries it.
+
+  void seed() {
+    keep_if(Hold::strong, [this](const ThreadTalk& talk) {
+      return std::any_of(talk.steps.begin(), talk.steps.end(),
+                         [this](int step) { return watch_.at[at(step)]; });
+    });
+    if (requirement_.device >= 0) keep_device(requirement_.device);
+    if (watch_.kind == Watch::Kind::loss) keep_channels_of(requirement_.device);
+    for (const int channel : requirement_.events) keep_channel(channel);
+    for (const int channel : requirement_.samples) keep_channel(channel);
+    if (watch_.kind == Watch::Kind::age) {
+      keep_if(Hold::strong, [this](const ThreadTalk& talk) { return talk.sets.contains(watch_.condition); });
+    }
+    if (watch_.kind == Watch::Kind::busy) {
+      for (std::size_t t = 0; t < hold_.size(); ++t) {
+        if (problem_.threads[t].processor == watch_.processor) keep(static_cast<int>(t), Hold::strong);
+      }
+    }
+    if (watch_.kind == Watch::Kind::response || watch_.kind == Watch::Kind::sample) carriers();
+  }
+
+  /// Channels and conditions by which what is measured may come to a statement of the requirement: from where
+  /// it may be known to where it may still count.
+  void carriers() {
+    std::vector<bool> knows(talk_.size());
+    std::vector<bool> counts(talk_.size());
+    const bool samples = watch_.kind == Watch::Kind::sample;
+    if (samples) find_echoes();
+    const std::vector<int>& sources = samples ? requirement_.samples : requirement_.events;
+    for (std::size_t t = 0; t < talk_.size(); ++t) {
+      for (const int channel : sources) knows[t] = knows[t] || talk_[t].waits.contains(channel);
+      for (const int step : talk_[t].steps) counts[t] = counts[t] || watch_.at[at(step)];
+    }
+    for (bool grown = true; grown;) {
+      grown = false;
+      for (std::size_t a = 0; a < talk_.size(); ++a) {
+        for (std::size_t b = 0; b < talk_.size(); ++b) {
+          if (!tells_new(a, b, samples)) continue;
+          grown = grown || (knows[a] && !knows[b]) || (counts[b] && !counts[a]);
+          knows[b] = knows[b] || knows[a];
+          counts[a] = counts[a] || counts[b];
+        }
+      }
+    }
+    for (std::size_t a = 0; a < talk_.size(); ++a) {
+      if (!knows[a]) continue;
+      for (std::size_t b = 0; b < talk_.size(); ++b) {
+        if (counts[b] && tells_new(a, b, samples)) keep_way(talk_[a], static_cast<int>(b));
+      }
+    }
+  }
+
+  /// For each thread with blocks those that only know what it has known before: they get no sample, and are
+  /// told by one another and by it alone.
+  void find_echoes() {
+    for (std::size_t p = 0; p < talk_.size(); ++p) {
+      if (talk_[p].blocks.empty()) continue;
+      std::vector<bool> echo(talk_.size(), true);
+      echo[p] = false;
+      for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t t = 0; t < talk_.size(); ++t) {
+          if (!echo[t] || is_echo(static_cast<int>(t), static_cast<int>(p), echo)) continue;
+          echo[t] = false;
+          changed = true;
+        }
+      }
+      echoes_.emplace_back(static_cast<int>(p), std::move(echo));
+    }
+  }
+
+  bool is_echo(int thread, int of, const std::vector<bool>& echo) const {
+    for (const int channel : requirement_.samples) {
+      if (talk_[at(thread)].waits.contains(channel)) return false;
+    }
+    for (std::size_t a = 0; a < talk_.size(); ++a) {
+      const bool known = echo[a] || static_cast<int>(a) == of;
+      if (!known && tells(talk_[a], thread, true)) return false;
+    }
+    return true;
+  }
+
+  bool is_within(int thread, int parent) const {
+    for (; thread >= 0; thread = problem_.threads[at(thread)].parent) {
+      if (thread == parent) return true;
+    }
+    return false;
+  }
+
+  /// Whether `b` may learn from `a` what it does not know yet. What a thread knows its blocks know as they
+  /// begin, and it goes on knowing it.
+  bool tells_new(std::size_t a, std::size_t b, bool samples) const {
+    if (!tells(talk_[a], static_cast<int>(b), samples)) return false;
+    return std::none_of(echoes_.begin(), echoes_.end(), [&](const auto& of) {
+      return of.second[a] && is_within(static_cast<int>(b), of.first);
+    });
+  }
+
+  /// The channel over which the answer to `channel` comes, if a device gives it; else `channel`.
+  int arrival(int channel) const {
+    const Channel& of = problem_.channels[at(channel)];
+    return of.served ? of.answer : channel;
+  }
+
+  bool tells(const ThreadTalk& from, int thread, bool samples) const {
+    const ThreadTalk& to = talk_[at(thread)];
+    if (from.blocks.contains(thread)) return true;
+    for (const int channel : from.sends) {
+      if (to.waits.contains(arrival(channel))) return true;
+    }
+    return samples && std::any_of(from.sets.begin(), from.sets.end(), [&](int condition) {
+             return to.reads.contains(condition) && !is_known(condition, thread);
+           });
+  }
+
+  /// Whether who reads the condition knows all that can be learned from it.
+  bool is_known(int condition, int reader) const {
+    return std::any_of(echoes_.begin(), echoes_.end(), [&](const auto& of) {
+      if (!is_within(reader, of.first)) return false;
+      for (std::size_t t = 0; t < talk_.size(); ++t) {
+        const bool old = of.second[t] || static_cast<int>(t) == of.first;
+        if (!old && talk_[t].sets.contains(condition)) return false;
+      }
+      return true;
+    });
+  }
+
+  void keep_way(const ThreadTalk& from, int thread) {
+    const ThreadTalk& to = talk_[at(thread)];
+    keep(thread, Hold::strong);
+    for (const int channel : from.sends) {
+      if (!to.waits.contains(arrival(channel))) continue;
+      keep_channel(channel);
+      keep_channel(arrival(channel));
+    }
+    if (from.blocks.contains(thread))
+      keep_if(Hold::strong, [&from](const ThreadTalk& of) { return &of == &from; });
+    if (watch_.kind != Watch::Kind::sample) return;
+    for (const int condition : from.sets) {
+      if (!to.reads.contains(condition) || is_known(condition, thread)) continue;
+      // Also who knows nothing: a set makes forgotten what an earlier one said.
+      keep_if(Hold::strong, [condition](const ThreadTalk& of) { return of.sets.contains(condition); });
+    }
+  }
+
+  // What has an influence on that.
+
+  void around(int thread) {
+    const ThreadTalk& talk = talk_[at(thread)];
+    if (problem_.threads[at(thread)].parent >= 0) keep(problem_.threads[at(thread)].parent, Hold::strong);
+    if (reach_ == Reach::least) return;
+    if (hold_[at(thread)] == Hold::loose && !is_paced(talk)) keep(thread, Hold::strong);
+    const bool strong = hold_[at(thread)] == Hold::strong;
+    for (const int channel : talk.waits_again) {
+      if (strong || !waits_long(thread, channel)) keep_device(problem_.channels[at(channel)].sender_device);
+    }
+    if (!strong) return;
+    for (const int channel : talk.waits_again) {
+      keep_if(Hold::strong, [channel](const ThreadTalk& of) { return of.sends.contains(channel); });
+    }
+    for (const int channel : talk.sends_again) {
+      keep_if(Hold::strong, [channel](const ThreadTalk& of) { return of.waits.contains(channel); });
+      if (problem_.channels[at(channel)].served) keep_device(problem_.channels[at(channel)].receiver_device);
+    }
+    for (const int block : talk.blocks_again) {
+      if (problem_.threads[at(block)].can_end) keep(block, Hold::strong);
+    }
+  }
+
+  /// Whether a thread that asks the device over and over again does so seldom without it, too.
+  bool waits_long(int thread, int channel) const {
+    const std::vector<int>& steps = talk_[at(thread)].steps;
+    return std::any_of(steps.begin(), steps.end(), [&](int s) {
+      const Step& step = problem_.steps[at(s)];
+      return step.kind == Step::Kind::wait && step.channels.front() == channel &&
+             least_wait(problem_, talk_, thread, s) > 0;
+    });
+  }
+
+  /// Whether a device says how often a thread goes round.
+  bool is_paced(const ThreadTalk& talk) const {
+    return std::any_of(talk.waits_again.begin(), talk.waits_again.end(),
+                       [this](int channel) { return problem_.channels[at(channel)].sender_device >= 0; });
+  }
+
+  /// Who may go before a thread that is kept, or cannot be interrupted by it.
+  void share_processors() {
+    for (std::size_t p = 0; p < problem_.processors.size(); ++p) {
+      int least = INT32_MAX;
+      for (std::size_t t = 0; t < hold_.size(); ++t) {
+        const Thread& thread = problem_.threads[t];
+        if (hold_[t] != Hold::none && thread.processor == static_cast<int>(p))
+          least = std::min(least, thread.priority);
+      }
+      if (least == INT32_MAX) continue;
+      for (std::size_t t = 0; t < hold_.size(); ++t) {
+        const Thread& thread = problem_.threads[t];
+        const bool before = !problem_.processors[p].preemptive || thread.priority >= least;
+        if (thread.processor == static_cast<int>(p) && before) keep(static_cast<int>(t), Hold::loose);
+      }
+    }
+  }
+
+  /// Of what is measured nothing goes by them, and nobody waits for them but those who only take time.
+  std::vector<bool> pacers() const {
+    std::vector<bool> found = devices_;
+    if (requirement_.device >= 0) found[at(requirement_.device)] = false;
+    for (std::size_t t = 0; t < talk_.size(); ++t) {
+      if (hold_[t] != Hold::strong) continue;
+      for (const int channel : talk_[t].waits) {
+        const int device = problem_.channels[at(channel)].sender_device;
+        if (device >= 0) found[at(device)] = false;
+      }
+    }
+    return found;
+  }
+
+  void around_device(int device) {
+    for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+      const Channel& of = problem_.channels[c];
+      const bool its = of.sender_device == device || (of.receiver_device == device && of.served);
+      if (!its) continue;
+      keep_if(Hold::loose, [c](const ThreadTalk& talk) {
+        return talk.sends.contains(static_cast<int>(c)) || talk.waits.contains(static_cast<int>(c));
+      });
+    }
+  }
+
+  const Problem& problem_;
+  const Requirement& requirement_;
+  Reach reach_;
+  Watch watch_;
+  std::vector<ThreadTalk> talk_;
+  std::vector<Hold> hold_;
+  std::vector<bool> devices_;
+  std::vector<std::pair<int, std::vector<bool>>> echoes_;
+  bool changed_ = false;
+};
+
+}  // namespace
+
+bool Cone::whole() const {
+  const auto all = [](const std::vector<bool>& of) {
+    return std::find(of.begin(), of.end(), false) == of.end();
+  };
+  return all(threads) && all(devices);
+}
+
+Cone cone_of(const Problem& problem, const Requirement& requirement, int processor, Reach reach) {
+  if (requirement.measure == Measure::load)
+    return {std::vector<bool>(problem.threads.size(), true), std::vector<bool>(problem.devices.size(), true),
+            std::vector<bool>(problem.devices.size(), false)};
+  return Finder(problem, requirement, processor, reach).find();
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,147 @@
+#include "analyzer/slice/slice.hpp"
+
+#include <algorithm>
+
+#include "analyzer/slice/talk.hpp"
+
+namespace pal::analyzer {
+namespace {
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+class Slicer {
+ public:
+  Slicer(const Problem& problem, const Cone& cone, Looseness looseness)
+      : whole_(problem), cone_(cone), looseness_(looseness), talk_(talk_of(problem)), made_(problem) {}
+
+  Problem make() {
+    for (std::size_t c = 0; c < made_.channels.size(); ++c) loosen(static_cast<int>(c));
+    for (std::size_t d = 0; d < made_.devices.size(); ++d) {
+      if (!cone_.devices[d]) made_.devices[d].behaviour = std::monostate();
+      if (looseness_.periods) space_out(made_.devices[d]);
+      made_.devices[d].seldom = looseness_.periods && cone_.pacers[d];
+    }
+    free_conditions();
+    for (std::size_t t = 0; t < made_.threads.size(); ++t) {
+      if (cone_.threads[t]) {
+        hold_waits(static_cast<int>(t));
+      } else {
+        leave_out(made_.threads[t]);
+      }
+    }
+    return std::move(made_);
+  }
+
+ private:
+  /// Whether everybody at both ends is kept.
+  bool is_kept(int channel) const {
+    for (std::size_t t = 0; t < talk_.size(); ++t) {
+      const bool uses = talk_[t].sends.contains(channel) || talk_[t].waits.contains(channel);
+      if (uses && !cone_.threads[t]) return false;
+    }
+    const Channel& of = whole_.channels[at(channel)];
+    if (of.sender_device >= 0 && !cone_.devices[at(of.sender_device)]) return false;
+    return !of.served || cone_.devices[at(of.receiver_device)];
+  }
+
+  /// A request and its answer are followed together or not at all.
+  void loosen(int channel) {
+    Channel& of = made_.channels[at(channel)];
+    // A device takes at once what it does not serve, whoever is left out.
+    if (of.receiver_device >= 0 && !of.served) return;
+    const bool kept =
+        is_kept(channel) && (of.answer < 0 || is_kept(of.answer)) && (of.answers < 0 || is_kept(of.answers));
+    if (kept) return;
+    of.loose = true;
+    const int request = of.answers >= 0 ? of.answers : channel;
+    of.withdrawable = whole_.channels[at(request)].answer >= 0 && may_be_withdrawn(request);
+  }
+
+  /// Whether somebody may give up waiting for the answer to a request, or be stopped before he has it.
+  bool may_be_withdrawn(int request) const {
+    for (std::size_t t = 0; t < talk_.size(); ++t) {
+      if (talk_[t].sends.contains(request) && whole_.threads[t].parent >= 0) return true;
+      for (const int s : talk_[t].steps) {
+        const Step& step = whole_.steps[at(s)];
+        if (step.kind != Step::Kind::wait || !step.within) continue;
+        const auto answer =
+            std::find(step.channels.begin(), step.channels.end(), whole_.channels[at(request)].answer);
+        if (answer != step.channels.end()) return true;
+      }
+    }
+    return false;
+  }
+
+  static void space_out(Device& device) {
+    auto* event = std::get_if<pan::EventDevice>(&device.behaviour);
+    if (event == nullptr) return;
+    event->sporadic = true;
+    event->phase.reset();
+  }
+
+  void free_conditions() {
+    std::uint64_t left_out = 0;
+    std::uint64_t told = 0;  // a set says which value
+    for (std::size_t t = 0; t < talk_.size(); ++t) {
+      for (const int s : talk_[t].steps) {
+        const Step& step = whole_.steps[at(s)];
+        if (step.kind != Step::Kind::set) continue;
+        const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(step.condition);
+        if (!cone_.threads[t]) left_out |= bit;
+        if (step.value) told |= bit;
+      }
+    }
+    made_.free_conditions = left_out | (looseness_.conditions ? ~told : 0);
+  }
+
+  /// A device that is left out answers no sooner than it can.
+  void hold_waits(int thread) {
+    for (const int s : talk_[at(thread)].steps) {
+      const Step& step = whole_.steps[at(s)];
+      if (step.kind != Step::Kind::wait || step.channels.size() != 1) continue;
+      if (made_.channels[at(step.channels.front())].loose)
+        made_.steps[at(s)].arrival.best = least_wait(whole_, talk_, thread, s);
+    }
+  }
+
+  void leave_out(Thread& thread) {
+    thread.left_out = true;
+    if (thread.parent < 0) return;
+    // What it does nobody sees, but that it ends, and how long it goes on when it is cancelled.
+    const int waits = static_cast<int>(made_.steps.size());
+    const int works = waits + 1;
+    const int ends = waits + 2;
+    Step wait;
+    wait.kind = Step::Kind::wait;
+    wait.next = {works};
+    if (thread.can_end) wait.next.push_back(ends);
+    Step work;
+    work.kind = Step::Kind::activity;
+    work.cost = {0, Range::unbounded};
+    work.next = {waits};  // never taken: it is cancelled
+    made_.steps.push_back(wait);
+    made_.steps.push_back(work);
+    made_.steps.push_back(Step());
+    thread.entry = waits;
+    thread.processor = static_cast<int>(made_.processors.size());
+    pan::Processor alone;
+    alone.preemptive = true;
+    made_.processors.push_back(alone);
+  }
+
+  const Problem& whole_;
+  const Cone& cone_;
+  Looseness looseness_;
+  std::vector<ThreadTalk> talk_;
+  Problem made_;
+};
+
+}  // namespace
+
+Problem slice_of(const Problem& problem, const Cone& cone, Looseness looseness) {
+  return Slicer(problem, cone, looseness).make();
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,105 @@
+// The regulator of press and rub on a surface like a spring, without an arm.
+#include "skills_pal/modules/force_regulator.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <deque>
+#include <numbers>
+
+#include "runtime/skill.hpp"
+#include "skills_pal/modules/approach.hpp"
+#include "skills_pal/modules/looking.hpp"
+#include "skills_pal/modules/overload.hpp"
+
+using namespace pal::skills;
+
+namespace {
+
+constexpr double target = 5;  // N
+
+constexpr int cycles = 400, landed = 80;
+
+struct Surface {
+  double stiffness = 10;  // N/mm
+  double slope = 0;       // mm a cycle, once the tool slides
+  double waves = 0;       // the same, as the greatest slope of waves of 128 cycles
+};
+
+/// The greatest error of the force, N, once the tool has slid for 40 cycles. The force that is known at a
+/// request is `cycles_old` cycles old; a motion is made from the next request to the one after it.
+double greatest_error(const Surface& surface, double assumed, int cycles_old) {
+  ForceRegulator regulator;
+  regulator.start(target, assumed, 0.8);
+  double depth = 0, given = 0, greatest = 0;
+  std::deque<double> forces(static_cast<std::size_t>(cycles_old) + 1, 0.0);
+  for (int i = 0; i < cycles; ++i) {
+    const bool sliding = i >= landed;
+    const double force = surface.stiffness * std::max(0.0, depth);
+    forces.push_back(force);
+    forces.pop_front();
+    if (i >= landed + 40) greatest = std::max(greatest, std::abs(force - target));
+    const double motion = regulator.next(forces.front(), sliding);
+    const double rise = surface.slope + surface.waves * std::cos(2 * std::numbers::pi * i / 128.0);
+    depth += given + (sliding ? rise : 0);
+    given = motion;
+  }
+  return greatest;
+}
+
+}  // namespace
+
+TEST_CASE("the force comes to the target on surfaces from a third to three times as stiff as assumed") {
+  const double stiffness = GENERATE(3.7, 5.0, 11.0, 20.0, 33.0);
+  const double slope = GENERATE(0.0, 0.14, -0.14);  // 5 mm/s
+  CAPTURE(stiffness, slope);
+  CHECK(greatest_error({stiffness, slope}, 11, 0) < 0.3);
+}
+
+TEST_CASE("a force that is a cycle older makes the regulator oscillate: why its age is a requirement") {
+  const Surface waves{20, 0, 0.05};  // 1 mm up and down in 100 mm, at 28 mm/s
+  CHECK(greatest_error(waves, 11, 0) < 0.5);
+  CHECK(greatest_error(waves, 11, 1) > 5);  // the tool leaves the surface
+}
+
+TEST_CASE("a speed that would overload the sensor is refused, with the speed that would do") {
+  CHECK_NOTHROW(refuse_overload(5, 60, 11));
+  CHECK_THROWS_AS(refuse_overload(40, 60, 11), pal::runtime::ParameterError);
+  CHECK_NOTHROW(refuse_overload(40, 27.1, 11));
+  CHECK_THROWS_AS(refuse_overload(40, 27.3, 11), pal::runtime::ParameterError);
+}
+
+TEST_CASE("an approach has felt its reach three steps after it came there, and comes home exactly") {
+  Approach approach;
+  approach.start(20, 1);
+  double gone = 0;
+  int steps = 0;
+  for (; !approach.felt_reach(); ++steps) gone += approach.step_forward();
+  CHECK(gone == Approx(1));
+  CHECK(steps == 2 + 3);
+  while (!approach.at_home()) gone += approach.step_back();
+  CHECK(gone == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("what is seen counts once the tool has stood for twelve cycles, and once") {
+  Looking looking;
+  looking.start(1, 0.5);
+  Way way;
+  way.dz = 2.5;
+  way.rx = -1;
+  looking.go(way);
+  double dz = 0, rx = 0;
+  for (int i = 0; i < 3 + 11; ++i) {
+    CHECK_FALSE(looking.fresh_look(i));
+    const Way step = looking.step();
+    CHECK(std::abs(step.dz) <= 1);
+    CHECK(std::abs(step.rx) <= 0.5);
+    dz += step.dz;
+    rx += step.rx;
+  }
+  CHECK(dz == Approx(2.5));
+  CHECK(rx == Approx(-1));
+  looking.step();
+  CHECK(looking.fresh_look(100));
+  CHECK_FALSE(looking.fresh_look(100));
+  CHECK(looking.fresh_look(178));
+}
