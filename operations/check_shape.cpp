@@ -147,11 +147,15 @@ void check_endless(const Operation& operation, Diagnostics& diagnostics) {
                                   [](const Icon& icon) { return icon.kind == IconKind::start; });
   if (start == operation.icons.end()) return;
   const auto seen = reachable(operation, static_cast<std::size_t>(start - operation.icons.begin()));
+  const auto any = [&](const std::set<std::size_t>& icons, IconKind kind) {
+    return std::any_of(icons.begin(), icons.end(),
+                       [&](std::size_t i) { return operation.icons[i].kind == kind; });
+  };
+  const bool from_start = any(seen, IconKind::exit);
   // The first icon from which no EXIT can be reached tells where the endless part begins.
   for (const std::size_t here : seen) {
     const auto further = reachable(operation, here);
-    const bool ends = std::any_of(further.begin(), further.end(),
-                                  [&](std::size_t i) { return operation.icons[i].kind == IconKind::exit; });
+    const bool ends = any(further, IconKind::exit) || (from_start && any(further, IconKind::restart));
     if (ends) continue;
     diagnostics.report(Code::PAL1011, operation.icons[here].where,
                        fmt::format("from '{}' on there is no EXIT", operation.icons[here].id),
