@@ -131,18 +131,19 @@ void search_all(const Problem& problem, const Options& options, Analysis& analys
 /// So many classes of slices are explored, whatever the limit.
 constexpr std::size_t most_of_slice = 400'000;
 
-/// What is shown by leaving out what has no say.
-void explore_slice(const Problem& problem, const Requirement& requirement, const Options& options,
-                   Verdict& verdict) {
+/// What is shown by leaving out what has no say, and what it took.
+Statistics explore_slice(const Problem& problem, const Requirement& requirement, const Options& options,
+                         Verdict& verdict) {
   using Measure = Requirement::Measure;
   const bool timed = requirement.measure != Measure::load && requirement.measure != Measure::busy;
-  if (!timed || !fits_exploration(problem)) return;
+  if (!timed || !fits_exploration(problem)) return {};
   const SliceBound found =
       slice_bound(problem, requirement, options, std::min(options.max_states, most_of_slice));
   verdict.statistics += found.statistics;
-  if (!found.bound) return;
+  if (!found.bound) return found.statistics;
   const Duration bound(*found.bound);
-  if (verdict.bound && (verdict.at_least ? *verdict.bound >= bound : *verdict.bound <= bound)) return;
+  if (verdict.bound && (verdict.at_least ? *verdict.bound >= bound : *verdict.bound <= bound))
+    return found.statistics;
   verdict.method = Method::exact;
   verdict.bound = bound;
   verdict.addends.clear();
@@ -154,6 +155,7 @@ void explore_slice(const Problem& problem, const Requirement& requirement, const
           ? explanation(problem, requirement, verdict)
           : "Found by exploring only what has an influence; no run exceeds it, but none is known to "
             "attain it.";
+  return found.statistics;
 }
 
 /// Decides what is open by what is cheap, first by what is known to be cheaper.

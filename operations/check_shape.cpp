@@ -33,18 +33,18 @@ void check_connection(const Operation& operation, const Icon& icon, const Connec
                       const std::string& output, bool needed, Diagnostics& diagnostics) {
   if (!connection.connected()) {
     if (needed)
-      diagnostics.report(
-          Code::PAL1004, icon.where,
-          fmt::format("the output {} of '{}' leads nowhere", output, icon.id),
-          "connect it; where the operation is to end, to an EXIT");
+      diagnostics.report(Code::PAL1004, icon.where,
+                         fmt::format("the output {} of '{}' leads nowhere", output, icon.id),
+                         "connect it; where the operation is to end, to an EXIT");
     return;
   }
   const auto to = find_icon(operation, connection.icon);
   if (!to) {
     const auto near = nearest(connection.icon, ids(operation));
-    diagnostics.report(Code::PAL1004, connection.where,
-                       fmt::format("there is no icon '{}' in operation '{}'", connection.icon, operation.name),
-                       near ? fmt::format("did you mean '{}'?", *near) : "name an icon of this operation");
+    diagnostics.report(
+        Code::PAL1004, connection.where,
+        fmt::format("there is no icon '{}' in operation '{}'", connection.icon, operation.name),
+        near ? fmt::format("did you mean '{}'?", *near) : "name an icon of this operation");
   } else if (operation.icons[*to].kind == IconKind::start) {
     diagnostics.report(Code::PAL1004, connection.where, "START has no input",
                        "lead to a RESTART instead, or to the icon behind START");
@@ -150,9 +150,8 @@ void check_endless(const Operation& operation, Diagnostics& diagnostics) {
   // The first icon from which no EXIT can be reached tells where the endless part begins.
   for (const std::size_t here : seen) {
     const auto further = reachable(operation, here);
-    const bool ends = std::any_of(further.begin(), further.end(), [&](std::size_t i) {
-      return operation.icons[i].kind == IconKind::exit;
-    });
+    const bool ends = std::any_of(further.begin(), further.end(),
+                                  [&](std::size_t i) { return operation.icons[i].kind == IconKind::exit; });
     if (ends) continue;
     diagnostics.report(Code::PAL1011, operation.icons[here].where,
                        fmt::format("from '{}' on there is no EXIT", operation.icons[here].id),

@@ -72,10 +72,10 @@ class SkillChecks {
       names.push_back(parameter.name);
       if (parameter.name != given.name) continue;
       if (!fits(parameter, given.value))
-        diagnostics_.report(Code::PAL1009, given.where,
-                            fmt::format("'{}' of skill '{}' cannot be {}", given.name, skill.name,
-                                        to_text(given.value)),
-                            fmt::format("write {}", type_text(parameter)));
+        diagnostics_.report(
+            Code::PAL1009, given.where,
+            fmt::format("'{}' of skill '{}' cannot be {}", given.name, skill.name, to_text(given.value)),
+            fmt::format("write {}", type_text(parameter)));
       return;
     }
     const auto near = nearest(given.name, names);
@@ -101,9 +101,9 @@ class SkillChecks {
     }
     if (locations_->contains(named)) return;
     const auto near = nearest(named, {locations_->begin(), locations_->end()});
-    diagnostics_.report(Code::PAL1010, where, fmt::format("location '{}' is not taught", named),
-                        near ? fmt::format("did you mean '{}'?", *near)
-                             : "teach it, or name one that is taught");
+    diagnostics_.report(
+        Code::PAL1010, where, fmt::format("location '{}' is not taught", named),
+        near ? fmt::format("did you mean '{}'?", *near) : "teach it, or name one that is taught");
   }
 
   const Skills& skills_;
@@ -138,9 +138,10 @@ void check_codes(const Program& program, const Skills& skills, Diagnostics& diag
       if (icon.kind != IconKind::branch || here.empty()) continue;
       for (const int code : here)
         if (!way_of(icon, code))
-          diagnostics.report(Code::PAL1006, icon.where,
-                             fmt::format("CASE '{}' has no way for code {}, with which the token can come", icon.id, code),
-                             "the operation ends there; add a way for it, or a default");
+          diagnostics.report(
+              Code::PAL1006, icon.where,
+              fmt::format("CASE '{}' has no way for code {}, with which the token can come", icon.id, code),
+              "the operation ends there; add a way for it, or a default");
       for (const Way& way : icon.ways)
         if (std::none_of(way.codes.begin(), way.codes.end(), [&](int code) { return here.contains(code); }))
           diagnostics.report(Code::PAL1016, way.where,

@@ -106,8 +106,7 @@ std::vector<Executor::Frame> Executor::find(const std::string& path) const {
     const std::string id = path.substr(begin, end - begin);
     const Operation& here = program_.operations[operation];
     const auto found = find_icon(here, id);
-    if (!found)
-      throw ExecutionError(fmt::format("operation '{}' has no icon '{}'", here.name, id));
+    if (!found) throw ExecutionError(fmt::format("operation '{}' has no icon '{}'", here.name, id));
     frames.push_back({operation, *found});
     begin = end + 1;
     if (end == path.size()) break;
@@ -210,8 +209,7 @@ void Executor::act_skill() {
   if (step.result.kind == SkillResult::Kind::stopped)
     return halt(ExecutionState::stopped, "stopped in " + token());
   last_code_ = step.result.code;
-  const auto way =
-      route(operation(), here, last_code_, step.result.kind == SkillResult::Kind::normal);
+  const auto way = route(operation(), here, last_code_, step.result.kind == SkillResult::Kind::normal);
   if (way) return go(*way);
   halt(ExecutionState::failed, fmt::format("'{}' ended with code {}, which nobody handles: {}", token(),
                                            last_code_, step.result.reason));
@@ -219,8 +217,7 @@ void Executor::act_skill() {
 
 void Executor::go(const Connection& to) {
   const auto next = find_icon(operation(), to.icon);
-  if (!next)
-    return halt(ExecutionState::failed, fmt::format("'{}' leads to no icon '{}'", token(), to.icon));
+  if (!next) return halt(ExecutionState::failed, fmt::format("'{}' leads to no icon '{}'", token(), to.icon));
   token_.back().icon = *next;
 }
 
@@ -231,7 +228,8 @@ void Executor::enter(std::size_t operation) {
 void Executor::exit_operation() {
   const std::string path = token();
   last_code_ = icon().code.value_or(last_code_);
-  if (token_.size() == 1) return halt(ExecutionState::ended, fmt::format("exit '{}' with code {}", path, last_code_));
+  if (token_.size() == 1)
+    return halt(ExecutionState::ended, fmt::format("exit '{}' with code {}", path, last_code_));
   token_.pop_back();
   if (const auto way = route(operation(), icon(), last_code_, last_code_ == 0)) return go(*way);
   halt(ExecutionState::failed,

@@ -175,8 +175,8 @@ std::optional<JsonValue> parse_json(const SourceManager& sources, FileId file, D
   std::size_t at = 0;
   Builder builder(text, file, at);
   const char* begin = text.data();
-  if (nlohmann::json::sax_parse(Counting(begin, begin, &at),
-                                Counting(begin, begin + text.size(), nullptr), &builder))
+  if (nlohmann::json::sax_parse(Counting(begin, begin, &at), Counting(begin, begin + text.size(), nullptr),
+                                &builder))
     return builder.take();
   diagnostics.report(Code::PAL1001, builder.error_place(), "this is no JSON: " + cause(builder.error()),
                      "put right what stands here or just before");

@@ -20,7 +20,7 @@ std::string label(const Icon& icon) {
     case IconKind::start:
       return "START";
     case IconKind::exit:
-      return icon.code ? fmt::format("EXIT {}", *icon.code) : "EXIT";
+      return (icon.code ? fmt::format("EXIT {}\n", *icon.code) : "EXIT\n") + icon.id;
     case IconKind::restart:
       return "RESTART";
     case IconKind::branch:
@@ -67,16 +67,17 @@ std::string newlines(std::string text) {
 
 std::string to_dot(const Program& program, std::size_t operation) {
   const Operation& shown = program.operations[operation];
-  std::string out = "digraph operation {\n  rankdir=LR\n  node [fontname=\"Liberation Sans\" fontsize=11]\n"
-                    "  edge [fontname=\"Liberation Sans\" fontsize=9]\n";
+  std::string out =
+      "digraph operation {\n  rankdir=LR\n  node [fontname=\"Liberation Sans\" fontsize=11]\n"
+      "  edge [fontname=\"Liberation Sans\" fontsize=9]\n";
   const auto line = [&](const Icon& from, const Connection& to, const std::string& text, bool dashed) {
     if (!to.connected()) return;
     out += fmt::format("  {} -> {} [label={}{}]\n", quoted(from.id), quoted(to.icon), quoted(text),
                        dashed ? " style=dashed" : "");
   };
   for (const Icon& icon : shown.icons)
-    out += fmt::format("  {} [label={} {}]\n", quoted(icon.id), newlines(quoted(label(icon))),
-                       look(icon.kind));
+    out +=
+        fmt::format("  {} [label={} {}]\n", quoted(icon.id), newlines(quoted(label(icon))), look(icon.kind));
   for (const Icon& icon : shown.icons) {
     line(icon, icon.next, "", false);
     for (const Way& way : icon.ways) line(icon, way.to, fmt::format("{}", fmt::join(way.codes, ", ")), false);

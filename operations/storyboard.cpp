@@ -63,7 +63,11 @@ class Teller {
 
   std::string beginning() const {
     for (const Icon& icon : operation_.icons)
-      if (icon.kind == IconKind::start) return fmt::format("It begins: {}.", destination(icon.next, 0));
+      if (icon.kind == IconKind::start) {
+        const std::string first = destination(icon.next, 0);
+        return first.starts_with("on to ") ? fmt::format("It begins with {}.", first.substr(6))
+                                           : fmt::format("It begins, and {}.", first);
+      }
     return {};
   }
 
@@ -100,7 +104,8 @@ class Teller {
     scene.sentences.push_back(fmt::format("The skill {} runs{}. {}", icon.skill, settings(icon, skill),
                                           fmt::join(skill.descriptions, " ")));
     if (!skill.postconditions.empty())
-      scene.sentences.push_back(fmt::format("After: {}", fmt::join(skill.postconditions, " ")));
+      scene.sentences.push_back(
+          fmt::format("Afterwards, if the code is normal: {}", fmt::join(skill.postconditions, " ")));
     tell_branches(icon, scene);
   }
 
@@ -128,9 +133,9 @@ class Teller {
   void tell_branches(const Icon& icon, Scene& scene) const {
     for (const auto& [code, normal] : completions_of(program_, operation_, icon, skills_, exits_)) {
       const auto way = route(operation_, icon, code, normal);
-      scene.branches.push_back(fmt::format("Code {}{}: {}.", code, meaning(icon, code),
-                                           way ? destination(*way, code)
-                                               : "nobody handles it, and the operation ends here"));
+      scene.branches.push_back(
+          fmt::format("Code {}{}: {}.", code, meaning(icon, code),
+                      way ? destination(*way, code) : "nobody handles it, and the operation ends here"));
     }
   }
 
@@ -155,7 +160,8 @@ class Teller {
         return fmt::format("the operation ends with code {}", icon.code.value_or(code));
       if (icon.kind == IconKind::restart) return "all begins again from START";
       const auto scene = std::find(order_.begin(), order_.end(), *at);
-      if (scene != order_.end()) return fmt::format("on to scene {}, {}", scene - order_.begin() + 1, icon.id);
+      if (scene != order_.end())
+        return fmt::format("on to scene {}, {}", scene - order_.begin() + 1, icon.id);
       const auto way = icon.kind == IconKind::branch ? way_of(icon, code) : std::optional(icon.next);
       if (!way) return fmt::format("CASE {} has no way for it, and the operation ends here", icon.id);
       at = find_icon(operation_, way->icon);

@@ -20,8 +20,8 @@ using SkillTimes = std::map<std::pair<std::string, int>, Duration>;
 struct WayThrough {
   std::vector<std::string> icons;  // "touch (0)": a skill with its code
   std::string end;
-  Duration shortest{};              // what is known to pass at least: the delays
-  std::optional<Duration> longest;  // nothing: some skill has no bound
+  Duration shortest{};                 // what is known to pass at least: the delays
+  std::optional<Duration> longest;     // nothing: some skill has no bound
   std::vector<std::string> unbounded;  // skills without one, each once
 };
 

@@ -123,12 +123,14 @@ ExitStatus check_operation(const OperationOptions& options, const Console& conso
   } else if (options.format == Format::json) {
     auto document = nlohmann::ordered_json::parse(json(proofs, session));
     document["operations"] = nlohmann::ordered_json::array();
-    for (std::size_t i = 0; i < ways.size(); ++i) document["operations"].push_back(json(programs[i], ways[i]));
+    for (std::size_t i = 0; i < ways.size(); ++i)
+      document["operations"].push_back(json(programs[i], ways[i]));
     console.out << document.dump(2) << "\n";
   } else {
     show_findings(session, console);
     if (!wrong && options.skills.empty())
-      console.err << "pal: no skills, so their parameters and codes were not checked (give --skills FOLDER)\n";
+      console.err
+          << "pal: no skills, so their parameters and codes were not checked (give --skills FOLDER)\n";
     else if (!wrong && options.environments.empty())
       console.err << "pal: no environment, so no times were proved (give --environment FILE)\n";
     write_table(proofs, false, console.out);

@@ -19,7 +19,8 @@ operations::Skills read_skills(const OperationOptions& options, const std::set<s
   }
   read(selection, console, session);
   operations::Skills skills;
-  for (const pan::Network& network : session.specification.skills) skills.emplace(network.skill.name, network.skill);
+  for (const pan::Network& network : session.specification.skills)
+    skills.emplace(network.skill.name, network.skill);
   std::erase_if(session.specification.skills,
                 [&](const pan::Network& network) { return !used.contains(network.skill.name); });
   if (options.environments.empty()) session.specification.environments.clear();

@@ -26,7 +26,8 @@ ExitStatus tell_operation(const OperationOptions& options, const Console& consol
   operations::Skills skills;
   if (program && !session.diagnostics.has_errors()) {
     operations::check_shape(*program, session.diagnostics);
-    if (!options.skills.empty()) skills = read_skills(options, operations::skills_of(*program), console, session);
+    if (!options.skills.empty())
+      skills = read_skills(options, operations::skills_of(*program), console, session);
   }
   show_findings(session, console);
   if (!program || session.diagnostics.has_errors()) return status_of_findings(session);
@@ -49,7 +50,8 @@ ExitStatus format_operation(const OperationOptions& options, const Console& cons
       return ExitStatus::usage;
     }
     const std::string& text = std::get<std::string>(content);
-    const auto document = operations::read(session.sources, session.sources.add(path, text), session.diagnostics);
+    const auto document =
+        operations::read(session.sources, session.sources.add(path, text), session.diagnostics);
     if (!document || session.diagnostics.has_errors()) continue;
     std::string written = operations::write(*document);
     if (written != text) changed.push_back({path, std::move(written)});

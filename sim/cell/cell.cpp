@@ -159,7 +159,8 @@ struct Cell::Parts {
       if (line.device == fault.device) return *line.wire;
       names += (names.empty() ? "" : ", ") + line.device;
     }
-    throw std::invalid_argument("there is no device '" + fault.device + "' to go wrong; there are " + names);
+    throw NoSuchDevice("there is no device '" + fault.device + "' to go wrong; there are " + names,
+                       fault.line);
   }
 
   void plan_faults(runtime::Time begin) {

@@ -43,7 +43,7 @@ struct CellOptions {
 /// commands.
 class Cell {
  public:
-  /// Throws SceneError; std::invalid_argument for a fault of a device that the cell does not have.
+  /// Throws SceneError; NoSuchDevice for a fault of a device that the cell does not have.
   explicit Cell(const Scene& scene, const CellOptions& options = {});
   ~Cell();
   Cell(const Cell&) = delete;

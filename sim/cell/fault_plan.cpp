@@ -96,7 +96,10 @@ std::variant<std::vector<PlannedFault>, FaultTextError> read_faults(std::string_
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
     try {
-      if (auto fault = read_line(line)) faults.push_back(std::move(*fault));
+      auto fault = read_line(line);
+      if (!fault) continue;
+      fault->line = number;
+      faults.push_back(std::move(*fault));
     } catch (const Wrong& wrong) {
       return FaultTextError{number, wrong.cause};
     }

@@ -1,6 +1,7 @@
 // Faults on demand: what is to go wrong with the lines of a cell, and when.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -22,6 +23,17 @@ struct PlannedFault {
   std::string device;
   Kind kind = Kind::dropout;
   runtime::Time by{};
+  int line = 0;  // of the text that it was read from; 0: of none
+};
+
+/// A fault of a device that the cell does not have.
+class NoSuchDevice final : public std::invalid_argument {
+ public:
+  NoSuchDevice(const std::string& cause, int line) : std::invalid_argument(cause), line_(line) {}
+  int line() const { return line_; }  // PlannedFault::line
+
+ private:
+  int line_;
 };
 
 /// Where a text of faults is wrong, and why.

@@ -70,7 +70,7 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
       app.add_option("--output", command.output,
                      "a folder for the trace, the log, the figures, the charts, the plots and the picture");
   app.add_flag("!--no-picture", command.picture, "draw no picture of the arm");
-  app.add_flag("!--no-plots", command.plots, "draw no plots of force and position");
+  app.add_flag("!--no-plots", command.plots, "draw no plots of force, position and range profiles");
   auto* video =
       app.add_flag("--video", command.video, "with --output: films the run, as run.mp4 (needs ffmpeg)")
           ->needs(output);
@@ -110,7 +110,9 @@ void describe_serve_port(CLI::App& app, ServePortCommand& command, std::vector<s
   app.add_option("--scene", command.scene, "a scene's name, or the path of a scene file")
       ->capture_default_str();
   app.add_option("--scenes", folders, "a further folder of scenes, looked into first");
-  app.add_option("--seed", command.seed, "decides all that the device draws")->capture_default_str();
+  app.add_option("--seed", command.seed, "decides all that the device draws")
+      ->check(whole_number())
+      ->capture_default_str();
   auto* where = app.add_option_group("where");
   where->require_option(0, 1);
   where->add_flag("--pty", command.pty,

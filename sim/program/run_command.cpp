@@ -155,8 +155,9 @@ SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Ses
   session.faults = faults_in(command.faults);
   try {
     return run_session(skill, session);
-  } catch (const std::invalid_argument& problem) {
-    throw Failure(ExitStatus::wrong_specification, command.faults, problem.what(), "");
+  } catch (const sim::NoSuchDevice& problem) {
+    throw Failure(ExitStatus::wrong_specification, fmt::format("{}:{}", command.faults, problem.line()),
+                  problem.what(), "name one of these, or choose a scene whose tool is the device");
   }
 }
 
@@ -185,6 +186,7 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
   out << fmt::format("{} in scene {}: {} {}\n", skill.description().name, session.scene.name,
                      outcome.fault ? "fault, completion" : "completion", outcome.code);
   out << "  " << outcome.reason << '\n';
+  if (!result.controller.empty()) out << "  val: " << result.controller << '\n';
   out << fmt::format("  ended after {:.3f} ms; alter's first request after {:.3f} ms; seed {}\n",
                      static_cast<double>(outcome.duration.count()) / 1e6,
                      static_cast<double>(result.phase.count()) / 1e6, session.seed);

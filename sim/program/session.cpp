@@ -77,6 +77,7 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   options.observer = &result.messages;
   result.outcome = cell.run(skill, session.parameters, options);
   result.phase = cell.phase();
+  result.controller = cell.val_driver().last_error();
 
   cell.rest(rest);
   // Before the picture: OpenGL is drawn with by one thread at a time.

@@ -29,8 +29,7 @@ struct Session {
   std::optional<runtime::Time> phase;
   /// How much higher than in the scene the tool starts, mm.
   double raise = 0;
-  /// A skill that is run before, with its defaults. What it did is not in the
-  /// result.
+  /// A skill that is run before, with its defaults. What it did is not in the result.
   std::optional<KnownSkill> before{};
   bool picture = false;
   std::string video{};               // the file; empty: none
@@ -48,6 +47,7 @@ struct SessionResult {
   runtime::Time phase{};         // as given or drawn
   std::vector<sim::Sample> log;  // from the skill's beginning, time 0, until the arm has come to rest
   sim::MessageLog messages;
+  std::string controller;    // what VAL said of the last command that failed; empty: none did
   double peak_force = 0;     // N
   double resting_force = 0;  // N, at the end of the log
   sim::Picture picture;
@@ -56,8 +56,8 @@ struct SessionResult {
 
 /// Runs the skill, then lets the arm end its motion and come to rest. Pictures, video and progress change
 /// nothing of the run. Throws sim::SceneError, also when the skill before does not end with completion 0;
-/// sim::VideoError, before the run; std::runtime_error when the
-/// physics diverged after the skill's end (before it, that is a fault of the skill).
+/// sim::VideoError, before the run; std::runtime_error when the physics diverged after the skill's end (before
+/// it, that is a fault of the skill).
 SessionResult run_session(runtime::Skill& skill, const Session& session);
 
 /// "touch in scene touch"

@@ -32,7 +32,7 @@ const Monitor::Command Monitor::commands[] = {
     {"LISTL", 5, &Monitor::list_locations, "LISTL                   locations"},
     {"LISTR", 5, &Monitor::list_reals, "LISTR                   numbers"},
     {"LISTP", 5, &Monitor::list_programs, "LISTP                   programs"},
-    {"DELETEL", 7, &Monitor::delete_locations, "DELETEL location, …     forgets locations"},
+    {"DELETEL", 7, &Monitor::delete_locations, "DELETEL location, ...   forgets locations"},
     {"HELP", 2, &Monitor::help, "HELP                    this"}};
 
 void Monitor::command(Line line, const std::string& word) {

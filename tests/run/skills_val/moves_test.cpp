@@ -1,4 +1,5 @@
 // Move to Location, Move Cartesian and Relative Move: each way in which they end.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <numbers>
 
@@ -81,6 +82,22 @@ TEST_CASE("move-to-location: 2, a post in the way") {
   const Vector3d stopped = shop.tip();
   shop.cell().rest(std::chrono::milliseconds(500));
   CHECK(stands(shop, stopped));
+}
+
+TEST_CASE(
+    "move-to-location: 2, the line to VAL breaks; the motion under way is ended, as nobody can stop it") {
+  Workshop shop(scene("parts"));
+  const auto& lines = shop.cell().lines();
+  const auto val =
+      std::find_if(lines.begin(), lines.end(), [](const auto& line) { return line.device == "val"; });
+  REQUIRE(val != lines.end());
+  shop.cell().station().timeline().after(std::chrono::milliseconds(500),
+                                         [&] { val->wire->cut("a rat has bitten through it"); });
+  const auto outcome = shop.run("move-to-location", {text("location", "PLACE")});
+  CHECK(outcome.code == 2);
+  CAPTURE(outcome.reason);
+  CHECK(outcome.reason.find("VAL: line to VAL broken") != std::string::npos);
+  CHECK(stands(shop, shop.location("PLACE")));
 }
 
 TEST_CASE("move-cartesian: 0, at the pose, in a straight line past the posts") {

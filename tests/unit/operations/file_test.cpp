@@ -1,0 +1,120 @@
+// What is written can be read, and says the same.
+#include "operations/read.hpp"
+#include "operations/write.hpp"
+#include "tests/unit/operations/support.hpp"
+
+using namespace pal;
+using namespace pal::operations;
+
+namespace {
+
+std::optional<Document> document_of(const std::string& text, Diagnostics& diagnostics) {
+  SourceManager sources;
+  return read(sources, sources.add("o.op.json", text), diagnostics);
+}
+
+}  // namespace
+
+TEST_CASE("a document that is written and read is the same") {
+  Document document;
+  Operation operation;
+  operation.name = "all, \"kinds\": \\";
+  operation.description = "With ä and a line\nbreak.";
+  Icon skill;
+  skill.id = "s";
+  skill.kind = IconKind::skill;
+  skill.skill = "go";
+  skill.parameters = {{"a", 0.1, {}, {}},
+                      {"b", true, {}, {}},
+                      {"c", std::string("x: y, \"z\""), {}, {}},
+                      {"d", -3.0, {}, {}}};
+  skill.next.icon = "c";
+  skill.error.icon = "x";
+  skill.at = Point{1.5, -2};
+  skill.note = "A note.";
+  Icon branch;
+  branch.id = "c";
+  branch.kind = IconKind::branch;
+  branch.ways = {{{0, 1}, {"s", {}}, {}}, {{-2}, {"x", {}}, {}}};
+  branch.otherwise.icon = "x";
+  Icon wait;
+  wait.id = "w";
+  wait.kind = IconKind::delay;
+  wait.seconds = 0.25;
+  wait.next.icon = "s";
+  Icon leave;
+  leave.id = "x";
+  leave.kind = IconKind::exit;
+  leave.code = 3;
+  operation.icons = {skill, branch, wait, leave};
+  document.operations = {operation, operation};
+  document.operations[1].name = "second";
+
+  const std::string text = write(document);
+  Diagnostics diagnostics;
+  const auto again = document_of(text, diagnostics);
+  REQUIRE(again);
+  CHECK_FALSE(diagnostics.has_errors());
+  CHECK(write(*again) == text);
+  const Icon& read_skill = again->operations[0].icons[0];
+  CHECK(again->operations[0].name == operation.name);
+  CHECK(again->operations[0].description == operation.description);
+  CHECK(std::get<double>(read_skill.parameters[0].value) == 0.1);
+  CHECK(std::get<std::string>(read_skill.parameters[2].value) == "x: y, \"z\"");
+  CHECK(again->operations[1].icons[1].ways[0].codes == std::vector<int>{0, 1});
+  CHECK(again->operations[1].icons[2].seconds == 0.25);
+}
+
+TEST_CASE("places are those of the text") {
+  const std::string text = test::operation(
+      R"({"id": "a", "kind": "skill", "skill": "g\"o", "parameters": {"n":-1.5e1, "t":true}, "next": "a"})");
+  SourceManager sources;
+  Diagnostics diagnostics;
+  const auto document = read(sources, sources.add("o.op.json", text), diagnostics);
+  REQUIRE(document);
+  const Icon& icon = document->operations[0].icons[1];
+  CHECK(sources.text(icon.where) == "\"a\"");
+  CHECK(sources.text(icon.subject) == R"("g\"o")");
+  CHECK(sources.text(icon.parameters[0].where) == "-1.5e1");
+  CHECK(sources.text(icon.parameters[0].name_where) == "\"n\"");
+  CHECK(sources.text(icon.parameters[1].where) == "true");
+  CHECK(sources.text(icon.next.where) == "\"a\"");
+}
+
+TEST_CASE("no text makes the reader fall") {
+  const std::string whole = test::operation(test::looping);
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    Diagnostics diagnostics;
+    document_of(whole.substr(0, length), diagnostics);
+    CHECK(diagnostics.has_errors());
+  }
+  for (const std::string text : {"[]", "7", "\"x\"", "null", "[[", "{}", "{\"a\":1e999}"}) {
+    Diagnostics diagnostics;
+    document_of(text, diagnostics);
+    CHECK(diagnostics.has_errors());
+  }
+  Diagnostics deep;
+  CHECK_FALSE(document_of(std::string(100'000, '['), deep));
+  CHECK(deep.has_errors());
+}
+
+TEST_CASE("a sub-operation of another file is read with it, relative to the file that names it") {
+  MemoryFileSystem files;
+  files.add("a/main.op.json",
+            test::operation(R"({"id": "a", "kind": "operation", "file": "../b/part.op.json", "next": "a"})"));
+  files.add(
+      "b/part.op.json",
+      R"({"operation-format": 1, "name": "part", "icons": [{"id": "s", "kind": "start", "next": "x"}, {"id": "x", "kind": "exit"}]})");
+  SourceManager sources;
+  Diagnostics diagnostics;
+  const auto program = load(files, sources, "a/main.op.json", diagnostics);
+  REQUIRE(program);
+  REQUIRE(program->operations.size() == 2);
+  CHECK(find_sub_operation(*program, program->operations[0], program->operations[0].icons[1]) == 1U);
+
+  files.add("a/main.op.json",
+            test::operation(R"({"id": "a", "kind": "operation", "file": "gone.op.json", "next": "a"})"));
+  Diagnostics missing;
+  load(files, sources, "a/main.op.json", missing);
+  CHECK(missing.errors() == 1);
+}
