@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "sim/program/range_profiles.hpp"
 #include "sim/program/statistics.hpp"
 #include "sim/report/log_table.hpp"
 
@@ -59,6 +60,7 @@ Json run_json(const runtime::Skill& skill, const Session& session, const Session
   json["completion"] = {{"code", result.outcome.code},
                         {"fault", result.outcome.fault},
                         {"reason", result.outcome.reason},
+                        {"controller", result.controller},
                         {"time_ns", result.outcome.duration.count()}};
   json["overruns"] = result.outcome.overruns;
   json["peak_force_N"] = result.peak_force;
@@ -112,9 +114,11 @@ sim::DrawnPlots run_plots(const runtime::Skill& skill, const Session& session, c
     force.levels.push_back({std::string(parameter.name), value});
   }
   if (least && greatest) force.bands.push_back({"", *least, *greatest});
-  return sim::draw({sim::force_plot(result.log, result.messages, force),
-                    sim::position_plot(result.log, heading, result.outcome.duration),
-                    sim::path_plot(result.log, heading)});
+  std::vector<sim::Plot> plots = range_plots(result.messages, heading);
+  plots.push_back(sim::force_plot(result.log, result.messages, force));
+  plots.push_back(sim::position_plot(result.log, heading, result.outcome.duration));
+  plots.push_back(sim::path_plot(result.log, heading));
+  return sim::draw(plots);
 }
 
 std::vector<OutputFile> sweep_files(const std::string& folder, const std::vector<std::string>& skills,

@@ -18,6 +18,11 @@ void append(Text& text, fmt::format_string<Values...> format, Values&&... values
   fmt::format_to(std::back_inserter(text), format, std::forward<Values>(values)...);
 }
 
+// Arrays, such as the points of a profile, do not fit into a line.
+bool has_column(const runtime::FieldSpec& field) {
+  return field.count == 1;
+}
+
 void header(Text& text, const MessageLog& messages) {
   append(text, "time_ms");
   for (const char* kind : {"", "_set_point"})
@@ -32,8 +37,9 @@ void header(Text& text, const MessageLog& messages) {
   for (const MessageLog::DeviceNames& device : messages.devices())
     for (const runtime::PortSpec& port : device.ports)
       for (const runtime::FieldSpec& field : port.fields)
-        append(text, ",{}.{}.{}{}{}", device.name, port.message, field.name, field.unit.empty() ? "" : "_",
-               field.unit);
+        if (has_column(field))
+          append(text, ",{}.{}.{}{}{}", device.name, port.message, field.name, field.unit.empty() ? "" : "_",
+                 field.unit);
   append(text, "\n");
 }
 
@@ -73,16 +79,19 @@ class LatestMessages {
   void write(Text& text) const {
     for (std::size_t device = 0; device < latest_.size(); ++device)
       for (std::size_t port = 0; port < latest_[device].size(); ++port)
-        for (std::size_t field = 0; field < messages_.devices()[device].ports[port].fields.size(); ++field) {
-          const LoggedMessage* message = latest_[device][port];
-          if (message == nullptr)
-            append(text, ",");
-          else
-            append(text, ",{:.6g}", message->fields[field]);
-        }
+        write(text, latest_[device][port], messages_.devices()[device].ports[port].fields);
   }
 
  private:
+  static void write(Text& text, const LoggedMessage* message, const std::vector<runtime::FieldSpec>& fields) {
+    std::size_t place = 0;  // of the field's first value in the message
+    for (const runtime::FieldSpec& field : fields) {
+      if (has_column(field) && message == nullptr) append(text, ",");
+      if (has_column(field) && message != nullptr) append(text, ",{:.6g}", message->fields[place]);
+      place += field.count;
+    }
+  }
+
   const MessageLog& messages_;
   std::vector<std::vector<const LoggedMessage*>> latest_;
   std::size_t next_ = 0;

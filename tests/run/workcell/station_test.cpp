@@ -119,4 +119,6 @@ TEST_CASE("faults are read line by line, and errors name the line") {
   Session one = session();
   one.faults = std::get<0>(sim::read_faults("at 1 ms toaster unplug"));
   CHECK_THROWS_WITH(run(one), "there is no device 'toaster' to go wrong; there are val, alter, force-torque");
+  REQUIRE(one.faults.size() == 1);
+  CHECK(one.faults[0].line == 1);
 }

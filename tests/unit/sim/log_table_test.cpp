@@ -1,5 +1,6 @@
 #include "sim/report/log_table.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <sstream>
 
@@ -13,6 +14,8 @@ namespace {
 
 class Echo final : public runtime::Device {
  public:
+  Echo() = default;
+  explicit Echo(std::vector<runtime::PortSpec> ports) : ports_(std::move(ports)) {}
   const std::string& name() const override { return name_; }
   const std::vector<runtime::PortSpec>& ports() const override { return ports_; }
   void attach(runtime::DeviceHost&) override {}
@@ -81,4 +84,18 @@ TEST_CASE("turn angles are those of a correction") {
     const Eigen::Vector3d angles = turn_angles(Eigen::Quaterniond(pose.linear()));
     CHECK((angles - Eigen::Vector3d(turn.rx, turn.ry, turn.rz)).norm() < 1e-9);
   }
+}
+
+TEST_CASE("an array has no column, and does not shift those after it") {
+  const Echo echo({{"profile", false, {{"x", "mm", runtime::FieldKind::number, 3}, {"taken", "ms"}}}});
+  MessageLog messages;
+  messages.passed(1ms, echo, 0, std::array{1.5, 2.5, 3.5, 42.0});
+  std::vector<Sample> log(1);
+  log[0].time = 1ms;
+  const auto rows = table(log_table(log, messages));
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].back() == "echo.profile.taken_ms");
+  CHECK(rows[1].back() == "42");
+  CHECK(std::find(rows[0].begin(), rows[0].end(), "echo.profile.x_mm") == rows[0].end());
+  CHECK(rows[0].size() == rows[1].size());
 }
