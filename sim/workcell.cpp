@@ -37,12 +37,19 @@ std::string millimetres(double metres) {
 }  // namespace
 
 struct Workcell::Parts {
+  static MachineOptions machine_of(const WorkcellOptions& options, const Physics& physics) {
+    MachineOptions machine = options.machine.value_or(physics.loaded().machine);
+    machine.seed = options.machine_seed.value_or(machine.seed);
+    return machine;
+  }
+
   Parts(const Scene& scene, const WorkcellOptions& options)
       : physics(scene),
         tool(flange_to_tip_of(physics.loaded().tool)),
         motion(start_joints(scene, physics, options.raise), alter_period, tool),
-        sensing(options.machine.value_or(physics.loaded().machine)) {
-    log.reserve(static_cast<std::size_t>(options.log_room / physics_step));
+        sensing(machine_of(options, physics)),
+        keep_log(options.keep_log) {
+    if (keep_log) log.reserve(static_cast<std::size_t>(options.log_room / physics_step));
     physics.place(motion.at(runtime::Time::zero()).position);
     if (const auto touching = any_contact_of_arm(physics))
       throw SceneError(
@@ -143,6 +150,7 @@ struct Workcell::Parts {
   std::optional<ArmFault> fault;
   std::vector<std::weak_ptr<FaultListener>> listeners;
   runtime::Time now{};
+  bool keep_log;
   std::vector<Sample> log;
 };
 
@@ -155,6 +163,7 @@ void Workcell::advance_to(runtime::Time when) {
   while (parts_->now + physics_step <= when) {
     parts_->step(parts_->now);
     parts_->now += physics_step;
+    if (!parts_->keep_log) parts_->log.clear();
     parts_->log.push_back(parts_->sample());
     if (parts_->fault) continue;
     if (auto fault = parts_->look(parts_->log.back())) parts_->stop_with(std::move(*fault));

@@ -53,6 +53,10 @@ struct WorkcellOptions {
   runtime::Time log_room = std::chrono::seconds(60);
   /// The machine's imperfections; as the scene says if not given.
   std::optional<MachineOptions> machine = std::nullopt;
+  /// Another machine of the same kind: its seed in place of the one above.
+  std::optional<std::uint64_t> machine_seed = std::nullopt;
+  /// False: the log holds the last sample only, for stations that run for long.
+  bool keep_log = true;
 };
 
 class Workcell final : public runtime::World {

@@ -77,7 +77,9 @@ runtime::World& physics(std::unique_ptr<runtime::World>& world, Workcell& workce
 // In this order: what comes later uses what stands before it.
 struct Cell::Parts {
   Parts(const Scene& scene, const CellOptions& options)
-      : workcell(scene, {.raise = options.raise}),
+      : workcell(
+            scene,
+            {.raise = options.raise, .machine_seed = options.machine_seed, .keep_log = options.keep_log}),
         world(watched(options, workcell)),
         station(physics(world, workcell), options.pace),
         arm(workcell),

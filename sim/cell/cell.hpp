@@ -23,6 +23,10 @@ struct CellOptions {
   double raise = 0;
   /// Decides all that devices draw.
   std::uint64_t seed = 1;
+  /// Another machine of the same kind than the scene's (MachineOptions::seed).
+  std::optional<std::uint64_t> machine_seed;
+  /// False: the workcell's log holds the last sample only.
+  bool keep_log = true;
   /// Which times of their intervals devices take.
   runtime::CostPolicy times = runtime::CostPolicy::random;
   /// From the beginning of a skill to ALTER's first request, within [0, 28 ms]; drawn by the seed if not

@@ -61,13 +61,15 @@ std::vector<ServedPort> served_ports() {
          gripper.seed = seed;
          return std::make_shared<GripperEmulator>(
              timeline, link, [&workcell] { return gripper_state(workcell); }, gripper);
-       }},
+       },
+       ToolKind::gripper, "parts"},
       {"range-finder", "the laser range finder, at the tool's tip", runtime::range_finder::line,
        [](auto& timeline, auto& link, auto& workcell, auto seed) {
          RangeFinderEmulatorOptions finder;
          finder.seed = seed;
          return std::make_shared<RangeFinderEmulator>(timeline, link, range_view(workcell), finder);
-       }},
+       },
+       ToolKind::range_finder, "flat"},
       {"val", "the VAL II controller's terminal, without an ALTER port", val::terminal_line,
        [](auto& timeline, auto& link, auto& workcell, auto) {
          auto controller = std::make_shared<val::Controller>(timeline, link, workcell);

@@ -21,6 +21,9 @@ struct ServedPort {
   /// The device, alive as long as the answer is. What it is given outlives it.
   std::function<std::shared_ptr<void>(runtime::Timeline&, runtime::Link&, Workcell&, std::uint64_t seed)>
       make;
+  /// Only where the scene's tool is this one, as in scene `scene`.
+  std::optional<ToolKind> tool = std::nullopt;
+  std::string scene{};
 };
 
 /// A device of another library is added by a line here.

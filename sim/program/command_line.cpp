@@ -57,7 +57,9 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
   app.add_option("--scenes", folders, "a further folder of scenes, looked into first");
   app.add_option("--set", command.settings,
                  "a parameter of the skill, as name=value in the parameter's unit");
-  app.add_option("--seed", command.seed, "decides all that is drawn: times, phases, noise")
+  app.add_option("--seed", command.seed,
+                 "decides all that is drawn: times, phases, noise, the machine's play and counts")
+      ->each([&command](const std::string&) { command.seed_given = true; })
       ->check(whole_number())
       ->capture_default_str();
   auto* phase = app.add_option("--phase", command.phase,
@@ -182,8 +184,7 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
   }
   try {
     list_command.scene_folders = run_command.scene_folders = serve_command.scene_folders =
-        operation_command.scene_folders =
-        folders_of(folders, PAL_SCENE_FOLDERS);
+        operation_command.scene_folders = folders_of(folders, PAL_SCENE_FOLDERS);
     run_command.terminal = terminal;
     run_command.skill_folders = folders_of({}, PAL_SKILL_FOLDERS);
     if (operation_app->parsed()) return run_operation(operation_command, skills, in, out, error);

@@ -22,7 +22,8 @@ struct RunCommand {
   std::vector<std::string> scene_folders;
   std::vector<std::string> settings;  // "name=value"
   std::uint64_t seed = 1;
-  double phase = -1;  // ms; negative: drawn
+  bool seed_given = false;  // then it chooses the machine, too
+  double phase = -1;        // ms; negative: drawn
   std::string times = "random";
   std::string output;  // folder; empty: no files
   bool picture = true;
@@ -57,9 +58,9 @@ struct OperationCommand {
   std::vector<std::string> scene_folders;
   std::uint64_t seed = 1;
   std::string times = "random";
-  std::size_t steps = 0;  // at most so many; 0: until the operation ends
-  std::string log;        // a line of JSON a step; empty: none
-  std::string from;       // the icon to start from; empty: START
+  std::size_t steps = 0;                 // at most so many; 0: until the operation ends
+  std::string log;                       // a line of JSON a step; empty: none
+  std::string from;                      // the icon to start from; empty: START
   std::vector<std::string> breakpoints;  // "ICON" or "ICON=CODE"
   bool interactive = false;              // obeys lines of the input
 };

@@ -19,8 +19,9 @@ std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skil
                                   const Session& session, const SessionResult& result,
                                   const std::vector<Promise>& promises);
 
-/// Force, position and path over the run, and the range finder's profiles, if it gave any. Parameters of the skill in newtons are levels in the plot of the
-/// force; where two of them are called min… and max… they are a band.
+/// Force, position and path over the run, and the range finder's profiles, if it gave any. Parameters of the
+/// skill in newtons are levels in the plot of the force; where two of them are called min… and max… they are
+/// a band.
 sim::DrawnPlots run_plots(const runtime::Skill& skill, const Session& session, const SessionResult& result);
 
 /// sweep.csv, a line a run, and sweep.json, the figures over all of them.

@@ -96,6 +96,8 @@ Session make_session(const RunCommand& command, const runtime::Skill& skill,
   }
   session.times = parse_times(command.times);
   session.seed = command.seed;
+  // A sweep is one machine at many phases.
+  if (command.seed_given && command.sweep == 0) session.machine_seed = command.seed;
   if (command.phase >= 0) session.phase = runtime::Time(static_cast<std::int64_t>(command.phase * 1e6));
   session.picture = command.picture && !command.output.empty();
   if (command.video) session.video = command.output + "/run.mp4";

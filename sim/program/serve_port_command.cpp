@@ -68,7 +68,11 @@ ExitStatus serve_port(const ServePortCommand& command, const runtime::RunControl
   const sim::ServedPort port = find_port(command.device);
   const sim::Scene scene =
       sim::find_scene(command.scene, {command.scene_folders.begin(), command.scene_folders.end()});
-  sim::Workcell workcell(scene);
+  sim::Workcell workcell(scene, {.keep_log = false});
+  if (port.tool && workcell.tool_kind() != *port.tool)
+    throw Failure(ExitStatus::wrong_specification, "serve-port " + port.name,
+                  "scene " + scene.name + " has another tool",
+                  "choose one that has it: --scene " + port.scene);
   runtime::Outside outside;
   runtime::Station station(workcell, &outside);
   runtime::Wire wire(station.timeline(), port.line);

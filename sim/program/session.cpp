@@ -57,6 +57,7 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   sim::CellOptions cell_options;
   cell_options.raise = session.raise;
   cell_options.seed = session.seed;
+  cell_options.machine_seed = session.machine_seed;
   cell_options.times = session.times;
   cell_options.phase = session.phase;
   cell_options.pace = session.pace;

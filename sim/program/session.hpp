@@ -25,6 +25,7 @@ struct Session {
   std::vector<runtime::ParameterValue> parameters;
   runtime::CostPolicy times = runtime::CostPolicy::random;
   std::uint64_t seed = 1;
+  std::optional<std::uint64_t> machine_seed = std::nullopt;  // as the scene says if not given
   /// From the skill's beginning to ALTER's first request; drawn by the seed if not given.
   std::optional<runtime::Time> phase;
   /// How much higher than in the scene the tool starts, mm.
@@ -56,8 +57,8 @@ struct SessionResult {
 
 /// Runs the skill, then lets the arm end its motion and come to rest. Pictures, video and progress change
 /// nothing of the run. Throws sim::SceneError, also when the skill before does not end with completion 0;
-/// sim::VideoError, before the run; std::runtime_error when the physics diverged after the skill's end (before
-/// it, that is a fault of the skill).
+/// sim::VideoError, before the run; std::runtime_error when the physics diverged after the skill's end
+/// (before it, that is a fault of the skill).
 SessionResult run_session(runtime::Skill& skill, const Session& session);
 
 /// "touch in scene touch"

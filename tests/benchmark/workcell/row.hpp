@@ -16,6 +16,9 @@ struct Row {
 
 std::vector<Row> speed_rows();    // steps a second, bare and with everything
 std::vector<Row> memory_rows();   // of a whole run
+std::vector<Row> motion_rows();   // where the arm is, beside where it should be
+std::vector<Row> alter_rows();    // answers to ALTER
+std::vector<Row> scan_rows();     // of the range finder, beside physics without it
 std::vector<Row> picture_rows();  // CPU of pictures and of frames of a video
 
 }  // namespace pal::bench

@@ -1,0 +1,29 @@
+// Whether ALTER's requests are answered, hour after hour.
+#include <fmt/format.h>
+
+#include "sim/cell/cell.hpp"
+#include "skills_pal/registry.hpp"
+#include "tests/benchmark/workcell/row.hpp"
+
+namespace pal::bench {
+
+/// After a skill the driver answers with no motion. One request that is not answered stops the arm and closes
+/// the port; so it is enough to see at the end that the port is open.
+std::vector<Row> alter_rows() {
+  constexpr int cycles = 100'000;
+  sim::Cell cell(sim::find_scene("nothing", {PAL_SCENE_DIR}), {.keep_log = false});
+  const auto touch = skills::make_skill("touch");
+  cell.run(*touch);
+  cell.station().idle(cycles * sim::alter_period);
+  bool open = false;
+  cell.val_driver().submit(
+      {.verb = runtime::val::Verb::open_alter, .location = {}, .second = {}, .figures = {1}},
+      [&](const runtime::val::Answer& answer) {
+        open = !answer.ok && answer.error == runtime::val::Error::busy;
+      });
+  cell.station().idle(std::chrono::seconds(2));
+  return {
+      {fmt::format("{} ALTER cycles with physics, all answered", cycles), open ? "yes" : "no", "yes", open}};
+}
+
+}  // namespace pal::bench
