@@ -11,7 +11,9 @@ namespace pal::bench {
 /// the port; so it is enough to see at the end that the port is open.
 std::vector<Row> alter_rows() {
   constexpr int cycles = 100'000;
-  sim::Cell cell(sim::find_scene("nothing", {PAL_SCENE_DIR}), {.keep_log = false});
+  sim::CellOptions options;
+  options.keep_log = false;
+  sim::Cell cell(sim::find_scene("nothing", {PAL_SCENE_DIR}), options);
   const auto touch = skills::make_skill("touch");
   cell.run(*touch);
   cell.station().idle(cycles * sim::alter_period);
