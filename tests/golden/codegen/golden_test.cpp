@@ -121,9 +121,9 @@ TEST_CASE("an environment that lacks something gives findings and no code") {
     message = "environment workcell does not say where LS1 runs";
   }
   SECTION("a place on no processor") {
-    std::erase_if(environment.processors, [](const auto& processor) { return processor.name == "P3"; });
+    std::erase_if(environment.processors, [](const auto& processor) { return processor.name == "P2"; });
     code = "PAL0713";
-    message = "environment workcell has no processor P3";
+    message = "environment workcell has no processor P2";
   }
   SECTION("an activity without a time") {
     std::erase_if(environment.activities, [](const auto& time) { return time.activity == "hold"; });

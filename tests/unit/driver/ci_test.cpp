@@ -15,7 +15,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 TEST_CASE("a JUnit report has a case for each file and each requirement") {
   const Answer answer = pal({"check", read_first, "-e", cell, "--format", "junit"});
   CHECK(answer.status == driver::ExitStatus::not_met);
-  CHECK(count(answer.out, "<testcase ") == 3 + 4);
+  CHECK(count(answer.out, "<testcase ") == 7 + 4);
   CHECK(count(answer.out, "<failure ") == 1);
   CHECK(answer.out.find("name=\"fresh-force\">\n      <failure message=\"age of pc-force") != std::string::npos);
 }
