@@ -17,10 +17,10 @@ class Writer {
  public:
   explicit Writer(const View& view)
       : view_(view),
-        ground_{view.problem, view.forest, view.conduct},
-        nominal_{view.times.nodes, {ground_, view.times.nodes, *view.times.demand}, Since::occurrence},
+        context_{view.problem, view.forest, view.conduct},
+        nominal_{view.times.nodes, {context_, view.times.nodes, *view.times.demand}, Since::occurrence},
         since_event_{view.times.since_event,
-                     {ground_, view.times.since_event, view.times.nodes, *view.times.demand},
+                     {context_, view.times.since_event, view.times.nodes, *view.times.demand},
                      Since::release} {}
 
   std::vector<Addend> run(const Sum& bound) {
@@ -50,19 +50,19 @@ class Writer {
     out_.push_back(std::move(made));
   }
 
-  const std::string& thread_name(int thread) const { return ground_.thread_at(thread).name; }
+  const std::string& thread_name(int thread) const { return context_.thread_at(thread).name; }
   const std::string& actor(int node) const { return thread_name(view_.forest.thread_of(node)); }
 
   std::string text(int step) const {
-    const int statement = ground_.step_at(step).statement;
+    const int statement = context_.step_at(step).statement;
     return statement < 0 ? "a test" : view_.problem.statements[static_cast<std::size_t>(statement)].text;
   }
 
   /// Where a node begins, in the text.
   int statement_of(int node) const {
-    const Segment& of = ground_.segment(node);
+    const Segment& of = context_.segment(node);
     for (const Segment::Passed& passed : of.steps) {
-      const int statement = ground_.step_at(passed.step).statement;
+      const int statement = context_.step_at(passed.step).statement;
       if (statement >= 0) return statement;
     }
     return -1;
@@ -117,7 +117,7 @@ class Writer {
 
   /// `name` waits for an arrival, or for what was sent.
   void wait_for(const Clock& clock, const Due& due, const std::string& name, int device) {
-    const int statement = ground_.step_at(due.step).statement;
+    const int statement = context_.step_at(due.step).statement;
     if (due.by == By::arrival) {
       until_arrival(clock, due.node, due.step);
       return say(due.after, name, "waits at " + text(due.step), statement);
@@ -137,7 +137,7 @@ class Writer {
     return term.step < 0 ? "the end of the segment" : text(term.step) + " has its effect";
   }
   int statement(const Term& term) const {
-    return term.step < 0 ? statement_of(term.node) : ground_.step_at(term.step).statement;
+    return term.step < 0 ? statement_of(term.node) : context_.step_at(term.step).statement;
   }
 
   std::string source_name(int source) const {
@@ -148,7 +148,7 @@ class Writer {
 
   /// To the latest effect of a step of a node, or to the end of its segment.
   void until(const Clock& clock, int node, int step) {
-    const Segment& of = ground_.segment(node);
+    const Segment& of = context_.segment(node);
     if (step < 0) {
       return work(clock, node, of.worst, -1, [](const NodeTimes& times) { return times.finish; });
     }
@@ -158,14 +158,14 @@ class Writer {
 
   /// To where a step puts, or waits for its slot.
   void until_put(const Clock& clock, int node, int step) {
-    const Segment& of = ground_.segment(node);
+    const Segment& of = context_.segment(node);
     const std::size_t at = place_of(of, step);
     work(clock, node, of.steps[at].worst, step, [at](const NodeTimes& times) { return times.worked[at]; });
   }
 
   /// To the latest arrival at a wait or CONCURRENT.
   void until_arrival(const Clock& clock, int node, int step) {
-    const Segment& of = ground_.segment(node);
+    const Segment& of = context_.segment(node);
     for (std::size_t w = 0; w < of.waits.size(); ++w) {
       if (of.waits[w].step != step) continue;
       return work(clock, node, of.waits[w].worst, step,
@@ -189,9 +189,9 @@ class Writer {
       return actions(node, part, step);
     }
     // A send waits for its slot.
-    const bool sends = step >= 0 && ground_.step_at(step).kind == Step::Kind::send;
+    const bool sends = step >= 0 && context_.step_at(step).kind == Step::Kind::send;
     say(done - released, actor(node), sends ? "is held at " + text(step) : "is held in its last send",
-        step < 0 ? -1 : ground_.step_at(step).statement);
+        step < 0 ? -1 : context_.step_at(step).statement);
   }
 
   bool ends_by_window(const Clock& clock, int node, Nanoseconds part, Nanoseconds done) const {
@@ -223,13 +223,13 @@ class Writer {
 
   /// The actions on the longest way to `part` of the node's work.
   void actions(int node, Nanoseconds part, int step) {
-    const Segment& of = ground_.segment(node);
+    const Segment& of = context_.segment(node);
     std::vector<int> way;
     Nanoseconds left = part;
     int next = step;
     for (std::size_t s = of.steps.size(); s-- > 0 && left > 0;) {
       const Segment::Passed& passed = of.steps[s];
-      const std::vector<int>& after = ground_.step_at(passed.step).next;
+      const std::vector<int>& after = context_.step_at(passed.step).next;
       const bool leads =
           way.empty() && (next < 0 || passed.step == next)
               ? true
@@ -242,7 +242,7 @@ class Writer {
     const std::string& name = actor(node);
     for (std::size_t w = way.size(); w-- > 0;) {
       const Nanoseconds cost = own(of, place_of(of, way[w]));
-      say(cost, name, "runs " + text(way[w]), ground_.step_at(way[w]).statement);
+      say(cost, name, "runs " + text(way[w]), context_.step_at(way[w]).statement);
       part -= cost;
     }
     say(part, name, "runs", statement_of(node));
@@ -254,7 +254,7 @@ class Writer {
   }
   /// Processor time of a step on its segment.
   Nanoseconds own(const Segment& of, std::size_t place) const {
-    return begins_with(of, place) ? of.steps[place].worst : ground_.step_at(of.steps[place].step).cost.worst;
+    return begins_with(of, place) ? of.steps[place].worst : context_.step_at(of.steps[place].step).cost.worst;
   }
 
   /// To the latest release of a node.
@@ -262,7 +262,7 @@ class Writer {
     const Nanoseconds at = asked.times(node).latest;
     const Clock& clock = at == nominal_.times(node).latest ? nominal_ : asked;
     const Due latest = clock.releases.latest(node, view_.times.trouble, view_.times.blocked);
-    const Node& of = ground_.node(node);
+    const Node& of = context_.node(node);
     const std::string& name = actor(node);
     if (latest.at != at || deep_ > 200) return say(at, name, "begins so late", statement_of(node));
     ++deep_;
@@ -277,7 +277,7 @@ class Writer {
         say(at, name, "comes to its first wait");
         break;
       case By::blocks:
-        say(at, name, "waits for its blocks", ground_.step_at(latest.step).statement);
+        say(at, name, "waits for its blocks", context_.step_at(latest.step).statement);
         break;
       case By::arrival:
       case By::message:
@@ -289,7 +289,7 @@ class Writer {
   }
 
   const View& view_;
-  Ground ground_;
+  AnalysisContext context_;
   Clock nominal_;
   Clock since_event_;
   std::vector<Addend> out_;

@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "analyzer/compositional/causes/alternatives.hpp"
-#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/causes/analysis_context.hpp"
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/compositional/times/busy_window.hpp"
 #include "analyzer/exact/exact.hpp"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/causes/analysis_context.hpp"
 
 namespace pal::analyzer::compositional {
 
@@ -15,6 +15,6 @@ struct Pass {
 
 /// Whether all stand in one round of one thread, and no run of it passes two of them. So an occurrence of the
 /// round's source brings about one of them at most.
-bool are_exclusive(const Ground& ground, const std::vector<Pass>& passes);
+bool are_exclusive(const AnalysisContext& context, const std::vector<Pass>& passes);
 
 }  // namespace pal::analyzer::compositional

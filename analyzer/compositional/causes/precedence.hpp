@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/causes/analysis_context.hpp"
 
 namespace pal::analyzer::compositional {
 
@@ -19,6 +19,6 @@ struct Order {
 };
 
 /// Once `stop` says so, it is what is known by then.
-Order order_of(const Ground& ground, const std::function<bool()>& stop);
+Order order_of(const AnalysisContext& context, const std::function<bool()>& stop);
 
 }  // namespace pal::analyzer::compositional

@@ -212,8 +212,8 @@ class Ageing {
 
   /// Whether a statement is a send that may have to wait for its slot.
   bool may_be_held(int n, int statement) const {
-    const Ground ground{problem_, view_.forest, view_.conduct};
-    return held_until(ground, view_.times.nodes, n, statement) >
+    const AnalysisContext context{problem_, view_.forest, view_.conduct};
+    return held_until(context, view_.times.nodes, n, statement) >
            earliest_effect(view_.forest, view_.times, n, statement);
   }
 

@@ -1,7 +1,7 @@
 // How much of what devices send nobody takes.
 #include <algorithm>
 
-#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/causes/analysis_context.hpp"
 #include "analyzer/compositional/measures/reasons.hpp"
 
 namespace pal::analyzer::compositional {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/causes/analysis_context.hpp"
 #include "analyzer/compositional/causes/rounds.hpp"
 #include "analyzer/problem/flow.hpp"
 
@@ -61,9 +61,9 @@ Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
 }
 
 void Passes::find_ends(int source) {
-  const Ground ground{view_.problem, view_.forest, view_.conduct};
+  const AnalysisContext context{view_.problem, view_.forest, view_.conduct};
   const auto after_one = [&](int n) {
-    for (; n >= 0; n = ground.node(n).cause) {
+    for (; n >= 0; n = context.node(n).cause) {
       if (view_.forest.thread_of(n) == thread_ && surely_passes(n)) return true;
     }
     return false;
@@ -75,8 +75,8 @@ void Passes::find_ends(int source) {
   const auto instead = [&](const std::vector<int>& endings) {
     for (int n : endings) ended_at_start_ = greater(ended_at_start_, finish(view_, n));
   };
-  instead(ground.endings_before_home(thread_));
-  instead(ground.endings_before_first(source));
+  instead(context.endings_before_home(thread_));
+  instead(context.endings_before_first(source));
 }
 
 Sum Passes::next_or_end(const Sum& pass) const {

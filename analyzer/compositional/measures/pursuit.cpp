@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/causes/analysis_context.hpp"
 #include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {

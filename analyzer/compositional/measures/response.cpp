@@ -1,7 +1,7 @@
 // How long an event, or a message, waits for its answer.
 #include <algorithm>
 
-#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/causes/analysis_context.hpp"
 #include "analyzer/compositional/measures/passes.hpp"
 #include "analyzer/compositional/measures/pursuit.hpp"
 

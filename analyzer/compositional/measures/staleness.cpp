@@ -99,8 +99,8 @@ class Staleness {
     }
     if (!soonest.bounded() || !first.bounded() || !sets_before_rounds(above)) return first;
     // Or the skill ends before the first of them.
-    const Ground ground{problem_, view_.forest, view_.conduct};
-    for (int n : ground.endings_before_home(above)) last = greater(last, finish(view_, n));
+    const AnalysisContext context{problem_, view_.forest, view_.conduct};
+    for (int n : context.endings_before_home(above)) last = greater(last, finish(view_, n));
     return greater(last, first - soonest);
   }
 

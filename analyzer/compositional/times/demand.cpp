@@ -20,82 +20,84 @@ std::vector<bool> preemptive(const Problem& problem) {
 }
 
 /// Whether `other` comes of what `node` does.
-bool brings_about(const Ground& ground, int node, int other) {
-  int at = ground.node(other).cause;
-  while (at >= 0 && at != node) at = ground.node(at).cause;
+bool brings_about(const AnalysisContext& context, int node, int other) {
+  int at = context.node(other).cause;
+  while (at >= 0 && at != node) at = context.node(at).cause;
   return at == node;
 }
 
 }  // namespace
 
-Demand::Demand(const Ground& ground, const std::vector<NodeTimes>& nodes, const std::function<bool()>& stop)
-    : ground_(ground),
-      windows_(preemptive(ground.problem), stop),
+Demand::Demand(const AnalysisContext& context, const std::vector<NodeTimes>& nodes,
+               const std::function<bool()>& stop)
+    : context_(context),
+      windows_(preemptive(context.problem), stop),
       task_(nodes.size()),
-      nodes_of_(ground.forest.sources.size()),
-      threads_on_(ground.problem.processors.size()),
-      burst_(ground.problem.threads.size()),
-      order_(order_of(ground, stop)),
-      never_together_(never_together(ground.problem, ground.forest, stop)) {
-  std::vector<Transaction> transactions(ground.forest.sources.size());
+      nodes_of_(context.forest.sources.size()),
+      threads_on_(context.problem.processors.size()),
+      burst_(context.problem.threads.size()),
+      order_(order_of(context, stop)),
+      never_together_(never_together(context.problem, context.forest, stop)) {
+  std::vector<Transaction> transactions(context.forest.sources.size());
   for (std::size_t s = 0; s < transactions.size(); ++s) {
-    transactions[s].period = ground.forest.sources[s].period;
-    transactions[s].regular = ground.forest.sources[s].regular;
+    transactions[s].period = context.forest.sources[s].period;
+    transactions[s].regular = context.forest.sources[s].regular;
   }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const int n = static_cast<int>(i);
-    const Thread& thread = ground.thread_of(n);
-    auto& tasks = transactions[static_cast<std::size_t>(ground.node(n).source)].tasks;
+    const Thread& thread = context.thread_of(n);
+    auto& tasks = transactions[static_cast<std::size_t>(context.node(n).source)].tasks;
     task_[i] = static_cast<int>(tasks.size());
-    nodes_of_[static_cast<std::size_t>(ground.node(n).source)].push_back(n);
+    nodes_of_[static_cast<std::size_t>(context.node(n).source)].push_back(n);
     tasks.push_back(
-        {thread.processor, thread.priority, ground.segment(n).worst, nodes[i].earliest, 0, {}, {}});
+        {thread.processor, thread.priority, context.segment(n).worst, nodes[i].earliest, 0, {}, {}});
   }
-  for (std::size_t n = 0; n < nodes.size(); ++n) precede(ground, static_cast<int>(n), transactions);
-  for (const std::vector<int>& alternatives : ground.conduct.alternatives) {
+  for (std::size_t n = 0; n < nodes.size(); ++n) precede(context, static_cast<int>(n), transactions);
+  for (const std::vector<int>& alternatives : context.conduct.alternatives) {
     std::vector<int> tasks;
     for (int n : alternatives) tasks.push_back(task_[static_cast<std::size_t>(n)]);
-    const int source = ground.node(alternatives.front()).source;
+    const int source = context.node(alternatives.front()).source;
     transactions[static_cast<std::size_t>(source)].exclude(std::move(tasks), piled_up(alternatives));
   }
   for (Transaction& transaction : transactions) windows_.add(std::move(transaction));
-  for (std::size_t t = 0; t < ground.problem.threads.size(); ++t)
-    threads_on_[static_cast<std::size_t>(ground.problem.threads[t].processor)].push_back(static_cast<int>(t));
-  nodes_on_.resize(ground.problem.processors.size());
+  for (std::size_t t = 0; t < context.problem.threads.size(); ++t)
+    threads_on_[static_cast<std::size_t>(context.problem.threads[t].processor)].push_back(
+        static_cast<int>(t));
+  nodes_on_.resize(context.problem.processors.size());
   for (std::size_t n = 0; n < nodes.size(); ++n)
-    nodes_on_[static_cast<std::size_t>(ground.thread_of(static_cast<int>(n)).processor)].push_back(
+    nodes_on_[static_cast<std::size_t>(context.thread_of(static_cast<int>(n)).processor)].push_back(
         static_cast<int>(n));
-  for (std::size_t t = 0; t < ground.problem.threads.size(); ++t)
+  for (std::size_t t = 0; t < context.problem.threads.size(); ++t)
     pauses_.push_back(pauses(static_cast<int>(t)));
 }
 
 /// A thread that asks for what begins its next round may find it there when it comes home, and go on.
 bool Demand::pauses(int thread) const {
-  const Thread& of = ground_.thread_at(thread);
-  if (ground_.problem.processors[static_cast<std::size_t>(of.processor)].preemptive) return true;
+  const Thread& of = context_.thread_at(thread);
+  if (context_.problem.processors[static_cast<std::size_t>(of.processor)].preemptive) return true;
   std::vector<bool> owned;
-  for (int n : ground_.conduct_of(thread).rounds) {
-    const Source& source = ground_.source(n);
-    if (source.kind != Source::Kind::loop || source.thread != thread || ground_.node(n).cause >= 0) continue;
-    owned.resize(ground_.problem.steps.size());
+  for (int n : context_.conduct_of(thread).rounds) {
+    const Source& source = context_.source(n);
+    if (source.kind != Source::Kind::loop || source.thread != thread || context_.node(n).cause >= 0) continue;
+    owned.resize(context_.problem.steps.size());
     for (std::size_t s = 0; s < owned.size(); ++s)
-      owned[s] = ground_.forest.segments.owner(static_cast<int>(s)) == thread;
-    if (!waits_at_home(ground_.problem, ground_.segment(n).beginning, owned)) return false;
+      owned[s] = context_.forest.segments.owner(static_cast<int>(s)) == thread;
+    if (!waits_at_home(context_.problem, context_.segment(n).beginning, owned)) return false;
   }
   return true;
 }
 
 /// Enters the node with the causes on its processor that are done before it begins.
-void Demand::precede(const Ground& ground, int node, std::vector<Transaction>& transactions) const {
-  Transaction& of = transactions[static_cast<std::size_t>(ground.node(node).source)];
+void Demand::precede(const AnalysisContext& context, int node, std::vector<Transaction>& transactions) const {
+  Transaction& of = transactions[static_cast<std::size_t>(context.node(node).source)];
   if (of.period == never) return;
   const int task = task_[static_cast<std::size_t>(node)];
   const Task& self = of.tasks[static_cast<std::size_t>(task)];
-  for (int at = node; ground.node(at).cause >= 0; at = ground.node(at).cause) {
-    const int cause = task_[static_cast<std::size_t>(ground.node(at).cause)];
+  for (int at = node; context.node(at).cause >= 0; at = context.node(at).cause) {
+    const int cause = task_[static_cast<std::size_t>(context.node(at).cause)];
     Task& before = of.tasks[static_cast<std::size_t>(cause)];
     if (before.processor != self.processor || before.priority > self.priority) continue;
-    if (ends_with_cause(ground.problem, ground.forest, at)) before.followers.push_back(task);
+    if (ends_with_cause(context.problem, context.forest, at)) before.followers.push_back(task);
   }
 }
 
@@ -108,47 +110,47 @@ void Demand::precede(const Ground& ground, int node, std::vector<Transaction>& t
 /// Another round may still be at work then, also in what occurs once: its thread was sent something else
 /// before, or serves a request that was withdrawn.
 void Demand::exclude(int node, bool home_again, bool in_turn) {
-  const Thread& mine = ground_.thread_of(node);
+  const Thread& mine = context_.thread_of(node);
   const auto n = static_cast<std::size_t>(node);
-  const int thread = ground_.forest.thread_of(node);
+  const int thread = context_.forest.thread_of(node);
   const auto once_with = [&](int other) {
-    return ground_.source(node).period == never && ground_.forest.thread_of(other) == thread &&
-           ground_.node(other).source == ground_.node(node).source;
+    return context_.source(node).period == never && context_.forest.thread_of(other) == thread &&
+           context_.node(other).source == context_.node(node).source;
   };
   const auto comes_later = [&](int other) {
-    return (once_with(other) && brings_about(ground_, node, other)) ||
+    return (once_with(other) && brings_about(context_, node, other)) ||
            std::binary_search(order_.later[n].begin(), order_.later[n].end(), other);
   };
   const auto is_apart = [&](int other) {
-    return (home_again && ground_.forest.thread_of(other) == thread) ||
-           (once_with(other) && ground_.round_of(other) == ground_.round_of(node)) ||
+    return (home_again && context_.forest.thread_of(other) == thread) ||
+           (once_with(other) && context_.round_of(other) == context_.round_of(node)) ||
            (in_turn && std::binary_search(never_together_[n].begin(), never_together_[n].end(), other)) ||
            std::binary_search(order_.apart[n].begin(), order_.apart[n].end(), other);
   };
   const auto& here = nodes_on_[static_cast<std::size_t>(mine.processor)];
-  const bool preemptive = ground_.problem.processors[static_cast<std::size_t>(mine.processor)].preemptive;
+  const bool preemptive = context_.problem.processors[static_cast<std::size_t>(mine.processor)].preemptive;
   int nearest = preemptive ? std::numeric_limits<int>::max() : mine.priority;  // least priority that counts
   for (int other : here) {
-    const int priority = ground_.thread_of(other).priority;
-    const bool works = other != node && ground_.segment(other).worst > 0 && priority >= mine.priority;
+    const int priority = context_.thread_of(other).priority;
+    const bool works = other != node && context_.segment(other).worst > 0 && priority >= mine.priority;
     if (works && !comes_later(other) && !is_apart(other)) nearest = std::min(nearest, priority);
   }
   std::vector<std::pair<int, int>> without;
   for (int other : here) {
     if (other == node) continue;
-    if (comes_later(other) || (is_apart(other) && ground_.thread_of(other).priority < nearest))
-      without.emplace_back(ground_.node(other).source, task_[static_cast<std::size_t>(other)]);
+    if (comes_later(other) || (is_apart(other) && context_.thread_of(other).priority < nearest))
+      without.emplace_back(context_.node(other).source, task_[static_cast<std::size_t>(other)]);
   }
   std::sort(without.begin(), without.end());
-  windows_.set_without(ground_.node(node).source, task_[n], std::move(without));
+  windows_.set_without(context_.node(node).source, task_[n], std::move(without));
 }
 
 void Demand::find_order(const std::vector<bool>& home_again, const std::vector<bool>& in_turn,
                         const std::function<bool()>& stop) {
   for (std::size_t n = 0; n < task_.size(); ++n) {
     if (stop && stop()) return;
-    const auto thread = static_cast<std::size_t>(ground_.forest.thread_of(static_cast<int>(n)));
-    const auto source = static_cast<std::size_t>(ground_.node(static_cast<int>(n)).source);
+    const auto thread = static_cast<std::size_t>(context_.forest.thread_of(static_cast<int>(n)));
+    const auto source = static_cast<std::size_t>(context_.node(static_cast<int>(n)).source);
     const bool known = !home_again_.empty() && home_again_[thread] == home_again[thread] &&
                        in_turn_[source] == in_turn[source];
     if (!known) exclude(static_cast<int>(n), home_again[thread], in_turn[source]);
@@ -158,26 +160,26 @@ void Demand::find_order(const std::vector<bool>& home_again, const std::vector<b
 }
 
 Nanoseconds Demand::greatest_jitter(int node) const {
-  const Source& of = ground_.source(node);
+  const Source& of = context_.source(node);
   if (of.period == never) return never;
-  return plus(of.jitter, work_of(2 * ground_.node(node).depth + 2, of.period));
+  return plus(of.jitter, work_of(2 * context_.node(node).depth + 2, of.period));
 }
 
 Nanoseconds Demand::piled_up(const std::vector<int>& alternatives) const {
-  const Source& of = ground_.source(alternatives.front());
+  const Source& of = context_.source(alternatives.front());
   if (of.period == never) return never;
   std::set<int> threads;
   std::set<int> slots;  // by channel
   std::set<int> asked;  // by channel: a device may be serving its request
   for (int n : alternatives) {
-    for (int at = n; at >= 0; at = ground_.node(at).cause) {
-      threads.insert(ground_.forest.thread_of(at));
-      if (ground_.node(at).release != Node::Release::message) continue;
-      const int channel = ground_.sent_channel(at);
+    for (int at = n; at >= 0; at = context_.node(at).cause) {
+      threads.insert(context_.forest.thread_of(at));
+      if (context_.node(at).release != Node::Release::message) continue;
+      const int channel = context_.sent_channel(at);
       slots.insert(channel);
-      if (ground_.node(at).device < 0) continue;
+      if (context_.node(at).device < 0) continue;
       asked.insert(channel);
-      slots.insert(ground_.problem.channels[static_cast<std::size_t>(channel)].answer);
+      slots.insert(context_.problem.channels[static_cast<std::size_t>(channel)].answer);
     }
   }
   // And the slot of the event, or of the message, that begins the occurrence.
@@ -187,7 +189,7 @@ Nanoseconds Demand::piled_up(const std::vector<int>& alternatives) const {
 
 void Demand::announce(int node, const NodeTimes& times) {
   const Nanoseconds jitter = times.latest >= never ? never : times.latest - times.earliest;
-  windows_.set_jitter(ground_.node(node).source, task_[static_cast<std::size_t>(node)], jitter,
+  windows_.set_jitter(context_.node(node).source, task_[static_cast<std::size_t>(node)], jitter,
                       greatest_jitter(node));
 }
 
@@ -195,10 +197,10 @@ void Demand::announce(int node, const NodeTimes& times) {
 /// more.
 void Demand::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& home_again,
                          const std::vector<bool>& blocked) {
-  burst_.assign(ground_.problem.threads.size(), 0);
+  burst_.assign(context_.problem.threads.size(), 0);
   for (std::size_t t = 0; t < burst_.size(); ++t) {
-    const int processor = ground_.problem.threads[t].processor;
-    if (ground_.problem.processors[static_cast<std::size_t>(processor)].preemptive) continue;
+    const int processor = context_.problem.threads[t].processor;
+    if (context_.problem.processors[static_cast<std::size_t>(processor)].preemptive) continue;
     const Nanoseconds found = burst(static_cast<int>(t), nodes, home_again[t] && pauses_[t]);
     burst_[t] = blocked[t] ? plus(found, found) : found;
   }
@@ -208,9 +210,9 @@ void Demand::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<
 template <class JobsOf>
 Nanoseconds Demand::work_of_thread(int thread, const JobsOf& jobs_of) const {
   std::map<int, Tally> tallies;  // by source
-  for (int n : ground_.conduct_of(thread).nodes) {
-    if (ground_.segment(n).worst == 0) continue;
-    const int source = ground_.node(n).source;
+  for (int n : context_.conduct_of(thread).nodes) {
+    if (context_.segment(n).worst == 0) continue;
+    const int source = context_.node(n).source;
     const Transaction& of = windows_.transaction(source);
     const int task = task_[static_cast<std::size_t>(n)];
     tallies.try_emplace(source, of, source, nullptr)
@@ -230,7 +232,7 @@ Nanoseconds Demand::burst(int thread, const std::vector<NodeTimes>& nodes, bool 
       work_of_thread(thread, [](const Transaction&, Nanoseconds) { return Nanoseconds{1}; });
   if (once == 0 || home_again) return once;
   Nanoseconds late = 0;
-  for (int n : ground_.conduct_of(thread).nodes) {
+  for (int n : context_.conduct_of(thread).nodes) {
     const NodeTimes& times = nodes[static_cast<std::size_t>(n)];
     late = std::max(late, times.finish >= never ? never : times.finish - times.earliest);
   }
@@ -246,11 +248,11 @@ Nanoseconds Demand::burst(int thread, const std::vector<NodeTimes>& nodes, bool 
 }
 
 int Demand::blocking_thread(int node) const {
-  const Thread& mine = ground_.thread_of(node);
-  if (ground_.problem.processors[static_cast<std::size_t>(mine.processor)].preemptive) return -1;
+  const Thread& mine = context_.thread_of(node);
+  if (context_.problem.processors[static_cast<std::size_t>(mine.processor)].preemptive) return -1;
   int longest = -1;
   for (int t : threads_on_[static_cast<std::size_t>(mine.processor)]) {
-    if (ground_.thread_at(t).priority >= mine.priority) continue;
+    if (context_.thread_at(t).priority >= mine.priority) continue;
     if (longest < 0 || burst_[static_cast<std::size_t>(t)] > burst_[static_cast<std::size_t>(longest)])
       longest = t;
   }
@@ -263,12 +265,12 @@ Nanoseconds Demand::blocking(int node) const {
 }
 
 Nanoseconds Demand::finish(int node, Nanoseconds part, Nanoseconds blocking, Since since) const {
-  return windows_.finish(ground_.node(node).source, task_[static_cast<std::size_t>(node)], part, blocking,
+  return windows_.finish(context_.node(node).source, task_[static_cast<std::size_t>(node)], part, blocking,
                          since);
 }
 
 Account Demand::account(int node, Nanoseconds part, Since since) const {
-  return windows_.account(ground_.node(node).source, task_[static_cast<std::size_t>(node)], part,
+  return windows_.account(context_.node(node).source, task_[static_cast<std::size_t>(node)], part,
                           blocking(node), since);
 }
 

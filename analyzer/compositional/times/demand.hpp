@@ -1,7 +1,7 @@
 // The work that nodes bring to their processors.
 #pragma once
 
-#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/causes/analysis_context.hpp"
 #include "analyzer/compositional/causes/precedence.hpp"
 #include "analyzer/compositional/times/busy_window.hpp"
 #include "analyzer/compositional/times/times.hpp"
@@ -12,7 +12,8 @@ class Demand {
  public:
   /// Registers each node as a task of its source's transaction, released at its earliest.
   /// Once `stop` says so, it is of no use.
-  Demand(const Ground& ground, const std::vector<NodeTimes>& nodes, const std::function<bool()>& stop);
+  Demand(const AnalysisContext& context, const std::vector<NodeTimes>& nodes,
+         const std::function<bool()>& stop);
 
   /// Tells the windows how late the node may be released after its earliest.
   void announce(int node, const NodeTimes& times);
@@ -49,14 +50,14 @@ class Demand {
   void go_on() { windows_.go_on(); }
 
  private:
-  void precede(const Ground& ground, int node, std::vector<Transaction>& transactions) const;
+  void precede(const AnalysisContext& context, int node, std::vector<Transaction>& transactions) const;
   void exclude(int node, bool home_again, bool in_turn);
   template <class JobsOf>
   Nanoseconds work_of_thread(int thread, const JobsOf& jobs_of) const;
   Nanoseconds burst(int thread, const std::vector<NodeTimes>& nodes, bool home_again) const;
   bool pauses(int thread) const;
 
-  Ground ground_;
+  AnalysisContext context_;
   BusyWindows windows_;
   std::vector<int> task_;                     // by node
   std::vector<std::vector<int>> nodes_of_;    // by transaction and task

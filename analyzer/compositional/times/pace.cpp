@@ -19,11 +19,11 @@ void raise(Due& at, const Due& to) {
 /// The rounds of a thread that goes on by itself: all that leads from one to the next.
 class Loop {
  public:
-  Loop(const Ground& ground, const Times& times, std::size_t source)
-      : ground_(ground),
+  Loop(const AnalysisContext& context, const Times& times, std::size_t source)
+      : context_(context),
         times_(times),
         index_(static_cast<int>(source)),
-        of_(ground.forest.sources[source]) {}
+        of_(context.forest.sources[source]) {}
 
   Pace run() const {
     if (!times_.trouble[static_cast<std::size_t>(of_.thread)].empty()) return {};
@@ -32,8 +32,8 @@ class Loop {
     Nanoseconds between = 0;
     for (const Source::Feed& feed : of_.feeds) {
       if (feed.node < 0) return {};
-      const Node& from = ground_.node(feed.node);
-      const Source::Kind by = ground_.forest.sources[static_cast<std::size_t>(from.source)].kind;
+      const Node& from = context_.node(feed.node);
+      const Source::Kind by = context_.forest.sources[static_cast<std::size_t>(from.source)].kind;
       if (from.source == index_) {
         raise(pace.gap, latest(feed));
         comes = true;
@@ -56,48 +56,48 @@ class Loop {
   /// How much later the wait gives up if what comes once is taken there before: a round goes by, and the
   /// limit counts anew.
   Nanoseconds put_off(const Source::Feed& feed) const {
-    if (!ground_.in_round(feed.node)) return 0;
+    if (!context_.in_round(feed.node)) return 0;
     const Nanoseconds back = latest(feed).at;
-    const int round = ground_.round_of(feed.node);
+    const int round = context_.round_of(feed.node);
     return back >= never ? never : back - times_.nodes[static_cast<std::size_t>(round)].earliest;
   }
 
   /// When what leads to the next round is there.
   Due latest(const Source::Feed& feed) const {
     if (feed.wait >= 0) {
-      const Nanoseconds limit = ground_.step_at(feed.wait).within.value_or(0);
-      const Nanoseconds arrival = latest_arrival(ground_, times_.nodes, feed.node, feed.wait);
+      const Nanoseconds limit = context_.step_at(feed.wait).within.value_or(0);
+      const Nanoseconds arrival = latest_arrival(context_, times_.nodes, feed.node, feed.wait);
       return {plus(arrival, limit), Due::By::arrival, feed.node, feed.wait, limit};
     }
-    const int channel = ground_.step_at(feed.sends.front()).channels.front();
+    const int channel = context_.step_at(feed.sends.front()).channels.front();
     Due due{-1, Due::By::message, feed.node};
     for (int send : feed.sends)
-      raise(due, {latest_effect(ground_.forest, times_.nodes, feed.node, send), Due::By::message, feed.node,
+      raise(due, {latest_effect(context_.forest, times_.nodes, feed.node, send), Due::By::message, feed.node,
                   send});
     due.after =
         feed.device >= 0
-            ? plus(ground_.device_time(feed.device).worst, ground_.answer_queue(feed.device, channel))
-            : latency(ground_.problem, channel, ground_.forest.thread_of(feed.node), of_.thread).worst;
+            ? plus(context_.device_time(feed.device).worst, context_.answer_queue(feed.device, channel))
+            : latency(context_.problem, channel, context_.forest.thread_of(feed.node), of_.thread).worst;
     due.at = plus(due.at, due.after);
     return due;
   }
 
   /// The thread itself must be back, too.
   void back_at_wait(Pace& pace) const {
-    const int wait = ground_.forest.segments[of_.segment].beginning.step;
-    for (int n : ground_.conduct_of(of_.thread).nodes) {
-      const Segment& segment = ground_.segment(n);
+    const int wait = context_.forest.segments[of_.segment].beginning.step;
+    for (int n : context_.conduct_of(of_.thread).nodes) {
+      const Segment& segment = context_.segment(n);
       for (std::size_t w = 0; w < segment.waits.size(); ++w) {
         if (segment.waits[w].step != wait) continue;
         const Due arrival{times_.nodes[static_cast<std::size_t>(n)].arrivals[w], Due::By::arrival, n, wait};
-        if (ground_.node(n).source == index_) raise(pace.gap, arrival);
-        if (ground_.source(n).kind == Source::Kind::start) raise(pace.first, arrival);
-        if (ground_.source(n).kind == Source::Kind::joined) pace.first = Due{never};
+        if (context_.node(n).source == index_) raise(pace.gap, arrival);
+        if (context_.source(n).kind == Source::Kind::start) raise(pace.first, arrival);
+        if (context_.source(n).kind == Source::Kind::joined) pace.first = Due{never};
       }
     }
   }
 
-  const Ground& ground_;
+  const AnalysisContext& context_;
   const Times& times_;
   int index_;
   const Source& of_;
@@ -105,44 +105,46 @@ class Loop {
 
 }  // namespace
 
-Nanoseconds first_at_home(const Ground& ground, const std::vector<NodeTimes>& nodes, int thread) {
-  const ThreadConduct& of = ground.conduct_of(thread);
+Nanoseconds first_at_home(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread) {
+  const ThreadConduct& of = context.conduct_of(thread);
   Nanoseconds latest = 0;
   for (int n : of.nodes) {
-    if (ground.in_round(n)) continue;
+    if (context.in_round(n)) continue;
     // What an event brings about, or comes after blocks that end in some round or other, has no instant that
     // rounds of other sources could be compared with.
-    const bool known = ground.source(n).kind == Source::Kind::start;
-    latest = std::max(latest, known ? latest_arrival(ground, nodes, n, of.home) : never);
+    const bool known = context.source(n).kind == Source::Kind::start;
+    latest = std::max(latest, known ? latest_arrival(context, nodes, n, of.home) : never);
   }
   // Who waits for it waits until the skill has ended instead.
-  for (int n : ground.endings_before_home(thread))
+  for (int n : context.endings_before_home(thread))
     latest = std::max(latest, nodes[static_cast<std::size_t>(n)].finish);
   return latest;
 }
 
-Nanoseconds latest_arrival(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, int step) {
-  const Segment& of = ground.segment(node);
+Nanoseconds latest_arrival(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,
+                           int step) {
+  const Segment& of = context.segment(node);
   for (std::size_t w = 0; w < of.waits.size(); ++w) {
     if (of.waits[w].step == step) return nodes[static_cast<std::size_t>(node)].arrivals[w];
   }
   return nodes[static_cast<std::size_t>(node)].finish;
 }
 
-void find_pace(const Ground& ground, Times& times) {
-  for (std::size_t s = 0; s < ground.forest.sources.size(); ++s) {
-    const Source& of = ground.forest.sources[s];
+void find_pace(const AnalysisContext& context, Times& times) {
+  for (std::size_t s = 0; s < context.forest.sources.size(); ++s) {
+    const Source& of = context.forest.sources[s];
     const bool event = of.kind == Source::Kind::event;
     const bool taken =
-        event && of.roots.size() == 1 && take_in_time(ground, times.nodes, of.roots.front(), 0);
+        event && of.roots.size() == 1 && take_in_time(context, times.nodes, of.roots.front(), 0);
     times.no_overrun.push_back(taken);
     Pace pace;
     if (taken && of.regular) {
-      const Nanoseconds ready = first_at_home(ground, times.nodes, ground.forest.thread_of(of.roots.front()));
+      const Nanoseconds ready =
+          first_at_home(context, times.nodes, context.forest.thread_of(of.roots.front()));
       pace = {Due{of.period, Due::By::source, -1, -1, of.period},
               Due{plus(ready, of.period), Due::By::home, -1, -1, of.period}};
     } else if (of.kind == Source::Kind::loop) {
-      pace = Loop(ground, times, s).run();
+      pace = Loop(context, times, s).run();
     }
     times.longest_gap.push_back(pace.gap);
     times.first.push_back(pace.first);

@@ -1,22 +1,22 @@
 // When a node is released at the latest, and what it waits for until then.
 #pragma once
 
-#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/causes/analysis_context.hpp"
 #include "analyzer/compositional/times/demand.hpp"
 #include "analyzer/compositional/times/times.hpp"
 
 namespace pal::analyzer::compositional {
 
 /// Reads the times as they are known while they are still rising.
-class Releases : private Ground {
+class Releases : private AnalysisContext {
  public:
-  Releases(const Ground& ground, const std::vector<NodeTimes>& nodes, const Demand& demand)
-      : Ground(ground), nodes_(nodes), nominal_(nodes), demand_(demand) {}
+  Releases(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, const Demand& demand)
+      : AnalysisContext(context), nodes_(nodes), nominal_(nodes), demand_(demand) {}
   /// `since_event`: times that count from the events themselves, where those of `nominal` count from their
   /// nominal instants.
-  Releases(const Ground& ground, const std::vector<NodeTimes>& since_event,
+  Releases(const AnalysisContext& context, const std::vector<NodeTimes>& since_event,
            const std::vector<NodeTimes>& nominal, const Demand& demand)
-      : Ground(ground), nodes_(since_event), nominal_(nominal), demand_(demand) {}
+      : AnalysisContext(context), nodes_(since_event), nominal_(nominal), demand_(demand) {}
 
   /// `trouble` and `blocked` as in Times.
   Due latest(int node, const std::vector<std::string>& trouble, const std::vector<bool>& blocked) const;

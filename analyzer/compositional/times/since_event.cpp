@@ -13,10 +13,10 @@ constexpr int most_passes = 20;
 
 /// Begins with the times from the nominal instants and lowers them: each pass follows the ways from bounds
 /// to bounds, so it may stop after any.
-class SinceEvents : private Ground {
+class SinceEvents : private AnalysisContext {
  public:
-  SinceEvents(const Ground& ground, const Times& times, const Demand& demand)
-      : Ground(ground),
+  SinceEvents(const AnalysisContext& context, const Times& times, const Demand& demand)
+      : AnalysisContext(context),
         times_(times),
         demand_(demand),
         made_(times.nodes),
@@ -75,8 +75,9 @@ class SinceEvents : private Ground {
 
 }  // namespace
 
-std::vector<NodeTimes> since_events(const Ground& ground, const Times& times, const Demand& demand) {
-  return SinceEvents(ground, times, demand).run();
+std::vector<NodeTimes> since_events(const AnalysisContext& context, const Times& times,
+                                    const Demand& demand) {
+  return SinceEvents(context, times, demand).run();
 }
 
 }  // namespace pal::analyzer::compositional

@@ -8,6 +8,6 @@ namespace pal::analyzer::compositional {
 /// Of nodes that an event with jitter brings about: the ways from the event, each segment no longer than it
 /// takes from its own release; at most the times from the event's nominal instant, which comes first. Of all
 /// others: `times.nodes`, which are the same.
-std::vector<NodeTimes> since_events(const Ground& ground, const Times& times, const Demand& demand);
+std::vector<NodeTimes> since_events(const AnalysisContext& context, const Times& times, const Demand& demand);
 
 }  // namespace pal::analyzer::compositional

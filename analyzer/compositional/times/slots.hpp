@@ -7,22 +7,24 @@
 namespace pal::analyzer::compositional {
 
 /// Whether the node's message is taken before the next one is put, if it is put at `put` at the earliest.
-bool take_in_time(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, Nanoseconds put);
+bool take_in_time(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,
+                  Nanoseconds put);
 
 /// Whether the work of a thread's round is over before the next one is asked for. The thread may still wait
 /// for the slot of its last send.
-bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, int thread);
+bool at_home_again(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread);
 
 /// Latest end of a send by which the node comes straight to `wait`; 0: there is none.
-Nanoseconds sent_before(const Ground& ground, const NodeTimes& times, int node, int wait);
+Nanoseconds sent_before(const AnalysisContext& context, const NodeTimes& times, int node, int wait);
 
 /// Until when a send may have to wait for its slot: the message before it is taken a period earlier than its
 /// own.
-Nanoseconds held_until(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, int send);
+Nanoseconds held_until(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,
+                       int send);
 
 class Slots {
  public:
-  explicit Slots(const Ground& ground);
+  explicit Slots(const AnalysisContext& context);
 
   struct Trouble {
     int thread = -1;
@@ -40,7 +42,7 @@ class Slots {
   std::vector<int> takers_of(Pass put) const;
   bool may_be_held(const std::vector<NodeTimes>& nodes, Pass put, int taker) const;
 
-  Ground ground_;
+  AnalysisContext context_;
   std::vector<std::vector<Pass>> puts_;  // by channel
   std::vector<bool> exclusive_;          // by channel: are_exclusive() of its puts
 };

@@ -20,18 +20,18 @@ constexpr int everybody = std::numeric_limits<int>::max();
 constexpr int nobody = std::numeric_limits<int>::min();
 
 /// The nodes with their earliest releases, and as if nothing ever had to wait.
-std::vector<NodeTimes> unhindered(const Ground& ground, const std::vector<bool>& at,
+std::vector<NodeTimes> unhindered(const AnalysisContext& context, const std::vector<bool>& at,
                                   const std::function<bool()>& stop) {
-  std::vector<NodeTimes> nodes(ground.forest.nodes.size());
-  const std::vector<Nanoseconds> earliest = earliest_releases(ground, stop);
+  std::vector<NodeTimes> nodes(context.forest.nodes.size());
+  const std::vector<Nanoseconds> earliest = earliest_releases(context, stop);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const Segment& of = ground.segment(static_cast<int>(n));
+    const Segment& of = context.segment(static_cast<int>(n));
     NodeTimes& mine = nodes[n];
     mine.earliest = mine.latest = earliest[n];
     mine.effects.assign(of.steps.size(), NodeTimes::unknown);
     mine.arrivals.assign(of.waits.size(), 0);
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
-      const Step& step = ground.step_at(of.steps[s].step);
+      const Step& step = context.step_at(of.steps[s].step);
       const bool asked = at[static_cast<std::size_t>(of.steps[s].step)] || step.kind == Kind::send ||
                          step.kind == Kind::set || step.kind == Kind::wait || step.kind == Kind::complete ||
                          may_match_nothing(step);
@@ -45,13 +45,13 @@ std::vector<NodeTimes> unhindered(const Ground& ground, const std::vector<bool>&
 /// Raises all times together until they agree. Each pass derives the latest releases from the latest effects,
 /// and these from the work that the releases can pile up (J. C. Palencia, M. González Harbour 1998; the
 /// argument that the least solution bounds every run is in docs/compositional.md).
-class Solver : private Ground {
+class Solver : private AnalysisContext {
  public:
-  Solver(const Ground& ground, const std::vector<bool>& at, const std::function<bool()>& stop)
-      : Ground(ground),
+  Solver(const AnalysisContext& context, const std::vector<bool>& at, const std::function<bool()>& stop)
+      : AnalysisContext(context),
         stop_(stop),
-        nodes_(unhindered(ground, at, stop)),
-        demand_(ground, nodes_, stop),
+        nodes_(unhindered(context, at, stop)),
+        demand_(context, nodes_, stop),
         releases_(*this, nodes_, demand_) {}
 
   Times run() {

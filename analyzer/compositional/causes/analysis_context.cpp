@@ -1,4 +1,4 @@
-#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/causes/analysis_context.hpp"
 
 #include <algorithm>
 #include <set>
@@ -29,32 +29,32 @@ Nanoseconds best_effect(const Segment& segment, int step) {
 }
 
 /// From those that are known of its causes.
-Nanoseconds earliest_release(const Ground& ground, int n, const std::vector<Nanoseconds>& known) {
-  const Node& node = ground.node(n);
+Nanoseconds earliest_release(const AnalysisContext& context, int n, const std::vector<Nanoseconds>& known) {
+  const Node& node = context.node(n);
   const auto at = [&known](int other) { return known[static_cast<std::size_t>(other)]; };
   Nanoseconds value = 0;
   if (node.release == Release::message) {
     Nanoseconds sent = never;
-    for (int send : node.sends) sent = std::min(sent, best_effect(ground.segment(node.cause), send));
-    value = plus(plus(at(node.cause), sent), ground.way(n).best);
+    for (int send : node.sends) sent = std::min(sent, best_effect(context.segment(node.cause), send));
+    value = plus(plus(at(node.cause), sent), context.way(n).best);
   }
-  const auto& previous = ground.conduct.previous[static_cast<std::size_t>(n)];
-  const Beginning& begins = ground.segment(n).beginning;
+  const auto& previous = context.conduct.previous[static_cast<std::size_t>(n)];
+  const Beginning& begins = context.segment(n).beginning;
   if (!previous.empty()) {
     Nanoseconds soonest = never;
     for (int before : previous)
-      soonest = std::min(soonest, plus(at(before), best_arrival(ground.segment(before), begins.step)));
+      soonest = std::min(soonest, plus(at(before), best_arrival(context.segment(before), begins.step)));
     const bool gives_up = begins.kind == Beginning::Kind::give_up;
-    value = std::max(value, plus(soonest, gives_up ? ground.step_at(begins.step).within.value_or(0) : 0));
+    value = std::max(value, plus(soonest, gives_up ? context.step_at(begins.step).within.value_or(0) : 0));
   } else if (node.release == Release::fork) {
-    value = plus(at(node.cause), best_arrival(ground.segment(node.cause), node.cause_step));
+    value = plus(at(node.cause), best_arrival(context.segment(node.cause), node.cause_step));
   }
   return value;
 }
 
 }  // namespace
 
-std::vector<int> Ground::endings_before_home(int thread) const {
+std::vector<int> AnalysisContext::endings_before_home(int thread) const {
   std::vector<int> found;
   std::set<int> seen;
   for (int t = thread; t >= 0; t = thread_at(t).parent) {
@@ -64,7 +64,7 @@ std::vector<int> Ground::endings_before_home(int thread) const {
   return found;
 }
 
-std::vector<int> Ground::endings_before_first(int loop) const {
+std::vector<int> AnalysisContext::endings_before_first(int loop) const {
   const Source& of = forest.sources[static_cast<std::size_t>(loop)];
   if (of.kind != Source::Kind::loop) return {};
   std::vector<int> found = endings_before_home(of.thread);
@@ -84,7 +84,7 @@ bool may_give_up(const Problem& problem, int request) {
   });
 }
 
-Range Ground::device_time(int device) const {
+Range AnalysisContext::device_time(int device) const {
   const auto& behaviour = problem.devices[static_cast<std::size_t>(device)].behaviour;
   if (const auto* request = std::get_if<pan::RequestDevice>(&behaviour))
     return {request->answer.best.count(), request->answer.worst.count()};
@@ -93,12 +93,12 @@ Range Ground::device_time(int device) const {
   return {0, never};
 }
 
-Range Ground::way(int n) const {
+Range AnalysisContext::way(int n) const {
   if (node(n).device >= 0) return device_time(node(n).device);
   return latency(problem, sent_channel(n), forest.thread_of(node(n).cause), forest.thread_of(n));
 }
 
-Nanoseconds Ground::answer_queue(int device, int request) const {
+Nanoseconds AnalysisContext::answer_queue(int device, int request) const {
   const Device& of = problem.devices[static_cast<std::size_t>(device)];
   const auto* behaviour = std::get_if<pan::RequestDevice>(&of.behaviour);
   if (behaviour == nullptr) return 0;
@@ -108,13 +108,14 @@ Nanoseconds Ground::answer_queue(int device, int request) const {
 }
 
 /// Lower bounds, each got from lower bounds; the last ones are the greatest.
-std::vector<Nanoseconds> earliest_releases(const Ground& ground, const std::function<bool()>& stop) {
-  std::vector<Nanoseconds> known(ground.forest.nodes.size(), 0);
+std::vector<Nanoseconds> earliest_releases(const AnalysisContext& context,
+                                           const std::function<bool()>& stop) {
+  std::vector<Nanoseconds> known(context.forest.nodes.size(), 0);
   for (int pass = 0; pass < most_passes; ++pass) {
     bool changed = false;
     for (std::size_t n = 0; n < known.size(); ++n) {
       if (stop && stop()) return known;
-      const Nanoseconds value = earliest_release(ground, static_cast<int>(n), known);
+      const Nanoseconds value = earliest_release(context, static_cast<int>(n), known);
       changed = changed || value != known[n];
       known[n] = value;
     }

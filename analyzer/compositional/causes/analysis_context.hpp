@@ -5,7 +5,7 @@
 
 namespace pal::analyzer::compositional {
 
-struct Ground {
+struct AnalysisContext {
   const Problem& problem;
   const Forest& forest;
   const Conduct& conduct;
@@ -46,6 +46,6 @@ bool may_give_up(const Problem& problem, int request);
 
 /// The earliest that each node can be released, from the nominal instant of its source. Once `stop` says so,
 /// no later than that.
-std::vector<Nanoseconds> earliest_releases(const Ground& ground, const std::function<bool()>& stop);
+std::vector<Nanoseconds> earliest_releases(const AnalysisContext& context, const std::function<bool()>& stop);
 
 }  // namespace pal::analyzer::compositional
