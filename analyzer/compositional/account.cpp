@@ -17,7 +17,7 @@ class Writer {
  public:
   explicit Writer(const View& view)
       : view_(view),
-        context_{view.problem, view.forest, view.conduct},
+        context_{view.problem, view.forest, view.behaviours},
         nominal_{view.times.nodes, {context_, view.times.nodes, *view.times.demand}, Since::occurrence},
         since_event_{view.times.since_event,
                      {context_, view.times.since_event, view.times.nodes, *view.times.demand},

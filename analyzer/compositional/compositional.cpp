@@ -81,14 +81,14 @@ Analysis analyze_compositionally(const Problem& skill, const Options& options) {
   const Forest forest = forest_of(problem, options.stop);
   std::string refusal = forest.refusal;
   if (refusal.empty()) {
-    const Conduct conduct = conduct_of(problem, forest, options.stop);
-    const Times times = times_of(problem, forest, conduct, asked_for(problem), options.stop);
+    const ThreadBehaviours behaviours = thread_behaviours_of(problem, forest, options.stop);
+    const Times times = times_of(problem, forest, behaviours, asked_for(problem), options.stop);
     if (times.interrupted) {
       refusal = "it was interrupted";
     } else {
-      const Endurance endurance = endurance_of(problem, forest, conduct, times);
+      const Endurance endurance = endurance_of(problem, forest, behaviours, times);
       const Endurance::Threads& always = endurance.always;
-      const View view{problem, forest, conduct, times, always.reliable, always.lively, always.begun};
+      const View view{problem, forest, behaviours, times, always.reliable, always.lively, always.begun};
       for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
         const Requirement& requirement = problem.requirements[r];
         const Bound bound = bound_of(view, requirement);

@@ -277,9 +277,10 @@ TEST_CASE("the compositional analysis asks whether to end while it looks at ways
   CHECK(known({}) > 0);
   CHECK(known([] { return true; }) == 0);
   // A module with 2^14 ways took five seconds more: none of them is looked at any more.
-  const compositional::Conduct conduct = compositional::conduct_of(*skill->problem, forest, {});
+  const compositional::ThreadBehaviours behaviours =
+      compositional::thread_behaviours_of(*skill->problem, forest, {});
   const auto earliest = [&](const std::function<bool()>& stop) {
-    const auto all = compositional::earliest_releases({*skill->problem, forest, conduct}, stop);
+    const auto all = compositional::earliest_releases({*skill->problem, forest, behaviours}, stop);
     return std::accumulate(all.begin(), all.end(), Nanoseconds{0});
   };
   CHECK(earliest({}) > 0);

@@ -38,7 +38,7 @@ Nanoseconds earliest_release(const AnalysisContext& context, int n, const std::v
     for (int send : node.sends) sent = std::min(sent, best_effect(context.segment(node.cause), send));
     value = plus(plus(at(node.cause), sent), context.way(n).best);
   }
-  const auto& previous = context.conduct.previous[static_cast<std::size_t>(n)];
+  const auto& previous = context.behaviours.previous[static_cast<std::size_t>(n)];
   const Beginning& begins = context.segment(n).beginning;
   if (!previous.empty()) {
     Nanoseconds soonest = never;
@@ -58,7 +58,7 @@ std::vector<int> AnalysisContext::endings_before_home(int thread) const {
   std::vector<int> found;
   std::set<int> seen;
   for (int t = thread; t >= 0; t = thread_at(t).parent) {
-    for (const StartEnding& of : conduct.start_endings[static_cast<std::size_t>(t)])
+    for (const StartEnding& of : behaviours.start_endings[static_cast<std::size_t>(t)])
       if (seen.insert(of.node).second && !in_round(of.own)) found.push_back(of.node);
   }
   return found;
@@ -70,7 +70,7 @@ std::vector<int> AnalysisContext::endings_before_first(int loop) const {
   std::vector<int> found = endings_before_home(of.thread);
   for (const Source::Feed& feed : of.feeds) {
     if (feed.node < 0 || source(feed.node).kind != Source::Kind::start) continue;
-    const std::vector<int>& endings = conduct.endings[static_cast<std::size_t>(node(feed.node).source)];
+    const std::vector<int>& endings = behaviours.endings[static_cast<std::size_t>(node(feed.node).source)];
     found.insert(found.end(), endings.begin(), endings.end());
   }
   return found;

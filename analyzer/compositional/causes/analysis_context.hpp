@@ -1,14 +1,14 @@
 // What the times of a problem are reckoned from.
 #pragma once
 
-#include "analyzer/compositional/causes/conduct.hpp"
+#include "analyzer/compositional/causes/thread_behaviour.hpp"
 
 namespace pal::analyzer::compositional {
 
 struct AnalysisContext {
   const Problem& problem;
   const Forest& forest;
-  const Conduct& conduct;
+  const ThreadBehaviours& behaviours;
 
   const Node& node(int n) const { return forest.nodes[static_cast<std::size_t>(n)]; }
   const Segment& segment(int n) const { return forest.segment_of(node(n)); }
@@ -16,11 +16,11 @@ struct AnalysisContext {
   const Step& step_at(int step) const { return problem.steps[static_cast<std::size_t>(step)]; }
   const Thread& thread_at(int thread) const { return problem.threads[static_cast<std::size_t>(thread)]; }
   const Thread& thread_of(int n) const { return thread_at(forest.thread_of(n)); }
-  const ThreadConduct& conduct_of(int thread) const {
-    return conduct.threads[static_cast<std::size_t>(thread)];
+  const ThreadBehaviour& behaviour_of(int thread) const {
+    return behaviours.threads[static_cast<std::size_t>(thread)];
   }
-  int round_of(int n) const { return conduct.round[static_cast<std::size_t>(n)]; }
-  bool in_round(int n) const { return compositional::in_round(forest, conduct, n); }
+  int round_of(int n) const { return behaviours.round[static_cast<std::size_t>(n)]; }
+  bool in_round(int n) const { return compositional::in_round(forest, behaviours, n); }
   /// The node, if it is one of a thread, or the nearest of its causes that is; -1: it does not come of the
   /// thread.
   int nearest(int n, int thread) const {

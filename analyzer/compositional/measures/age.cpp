@@ -43,8 +43,8 @@ class Ageing {
  private:
   int owner(int step) const { return view_.forest.segments.owner(step); }
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
-  const ThreadConduct& conduct(int thread) const {
-    return view_.conduct.threads[static_cast<std::size_t>(thread)];
+  const ThreadBehaviour& behaviour(int thread) const {
+    return view_.behaviours.threads[static_cast<std::size_t>(thread)];
   }
   const Node& node(int n) const { return view_.forest.nodes[static_cast<std::size_t>(n)]; }
   const Segment& segment(int n) const { return view_.forest.segment_of(node(n)); }
@@ -72,7 +72,7 @@ class Ageing {
   template <class Visit, class Begin>
   void back(Place from, const Visit& visit, const Begin& begin) const {
     const int thread = owner(from.step);
-    const int home = conduct(thread).home;
+    const int home = behaviour(thread).home;
     std::set<Place> seen;
     std::vector<Place> open;
     const auto leave = [&](Place at) {
@@ -183,8 +183,8 @@ class Ageing {
         const Sum sooner = earliest(view_, a, from.step);
         const Sum later = latest(view_, b, statement);
         if (!later.bounded()) return later;
-        const bool same = view_.conduct.round[static_cast<std::size_t>(a)] ==
-                          view_.conduct.round[static_cast<std::size_t>(b)];
+        const bool same = view_.behaviours.round[static_cast<std::size_t>(a)] ==
+                          view_.behaviours.round[static_cast<std::size_t>(b)];
         // Nobody knows how long the blocks of a CONCURRENT between the two went on.
         const auto anew = [this](int n) {
           return view_.forest.sources[static_cast<std::size_t>(node(n).source)].kind == Source::Kind::joined;
@@ -212,7 +212,7 @@ class Ageing {
 
   /// Whether a statement is a send that may have to wait for its slot.
   bool may_be_held(int n, int statement) const {
-    const AnalysisContext context{problem_, view_.forest, view_.conduct};
+    const AnalysisContext context{problem_, view_.forest, view_.behaviours};
     return held_until(context, view_.times.nodes, n, statement) >
            earliest_effect(view_.forest, view_.times, n, statement);
   }

@@ -17,7 +17,7 @@ struct Besides {
 Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, Besides besides) {
   const auto t = static_cast<std::size_t>(thread);
   Passes passes(view, thread, at);
-  const ThreadConduct& of = view.conduct.threads[t];
+  const ThreadBehaviour& of = view.behaviours.threads[t];
   const bool rounds = of.home >= 0 || starts_in_rounds(view, thread);
   const bool stops = rounds && !view.reliable[t] && !goes_on(view, thread);
   const Bound none{Sum::unbounded(), why_not_again(view, thread, passes, !stops)};
@@ -55,7 +55,7 @@ Bound greatest_interval(const View& view, const std::vector<bool>& at, bool to_e
   Bound least{Sum::unbounded(), threads.empty() ? "no thread comes to it"
                                                 : "none of the threads that come to it surely goes on"};
   for (int thread : threads) {
-    const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
+    const ThreadBehaviour& of = view.behaviours.threads[static_cast<std::size_t>(thread)];
     // One of several must go on for as long as any of them.
     if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || !goes_on(view, thread))) continue;
     // The others may come to it until the skill has ended.
@@ -75,7 +75,7 @@ Sum least_by_source(const View& view, const std::vector<Pass>& all) {
   if (of.period >= never) return {};
   Sum sooner = Sum::unbounded();
   Sum later;
-  if (!are_exclusive({view.problem, view.forest, view.conduct}, all)) return {};
+  if (!are_exclusive({view.problem, view.forest, view.behaviours}, all)) return {};
   for (const Pass& pass : all) {
     sooner = less(sooner, earliest(view, pass.node, pass.step));
     later = greater(later, latest(view, pass.node, pass.step));

@@ -134,7 +134,7 @@ Knowledge::State Knowledge::begin(int node) const {
     const auto found = arrivals.find(step);
     return found == arrivals.end() ? State{} : found->second;
   };
-  const auto& previous = view_.conduct.previous[n];
+  const auto& previous = view_.behaviours.previous[n];
   if (!previous.empty()) {
     state = {Sum::unbounded(), Sum::unbounded()};
     for (int before : previous) {
@@ -164,8 +164,8 @@ Known Knowledge::set_by_blocks(const Node& joined) const {
   for (int block : problem_.steps[static_cast<std::size_t>(joined.cause_step)].threads) {
     if (!problem_.threads[static_cast<std::size_t>(block)].can_end) continue;
     Known soonest = Sum::unbounded();
-    for (int n : view_.conduct.threads[static_cast<std::size_t>(block)].nodes) {
-      const int round = view_.conduct.round[static_cast<std::size_t>(n)];
+    for (int n : view_.behaviours.threads[static_cast<std::size_t>(block)].nodes) {
+      const int round = view_.behaviours.round[static_cast<std::size_t>(n)];
       if (view_.forest.nodes[static_cast<std::size_t>(round)].cause != joined.cause) continue;
       for (const auto& [step, state] : arrivals_[static_cast<std::size_t>(n)]) {
         if (problem_.steps[static_cast<std::size_t>(step)].kind == Kind::end)
@@ -183,7 +183,7 @@ Knowledge::State Knowledge::before_home(int node) const {
   const int source = paced_source(view_, thread);
   if (source < 0 || !regular_[static_cast<std::size_t>(thread)]) return {};
   if (!in_order(view_, thread)) return {};
-  const ThreadConduct& of = view_.conduct.threads[static_cast<std::size_t>(thread)];
+  const ThreadBehaviour& of = view_.behaviours.threads[static_cast<std::size_t>(thread)];
   State state{Sum::unbounded(), Sum::unbounded()};
   for (int other : of.nodes) {
     if (!in_paced_round(view_, other)) continue;

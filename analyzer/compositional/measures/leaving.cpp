@@ -34,7 +34,7 @@ Bound until_left(const View& always, const Endurance& endurance, const Requireme
                  const std::function<Bound(const View&, const Requirement&)>& bound_of) {
   const View steady{always.problem,
                     always.forest,
-                    always.conduct,
+                    always.behaviours,
                     always.times,
                     endurance.steady.reliable,
                     endurance.steady.lively,

@@ -15,7 +15,7 @@ std::vector<bool> replaced_by_longer(const View& view) {
     return view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(n)]).worst;
   };
   std::vector<bool> replaced(view.forest.nodes.size());
-  for (const std::vector<int>& alternatives : view.conduct.alternatives) {
+  for (const std::vector<int>& alternatives : view.behaviours.alternatives) {
     const int longest = *std::max_element(alternatives.begin(), alternatives.end(),
                                           [&](int one, int other) { return worst(one) < worst(other); });
     for (int n : alternatives) replaced[static_cast<std::size_t>(n)] = n != longest;

@@ -15,7 +15,7 @@ std::string answers_lost(const View& view, int request, std::vector<bool>& sends
     const Step& step = problem.steps[s];
     const int owner = view.forest.segments.owner(static_cast<int>(s));
     if (owner < 0 || step.kind != Step::Kind::send || step.channels.front() != request) continue;
-    if (view.conduct.threads[static_cast<std::size_t>(owner)].may_be_cancelled)
+    if (view.behaviours.threads[static_cast<std::size_t>(owner)].may_be_cancelled)
       return "a block that waits for an answer may be cancelled";
     sends[s] = true;
   }
@@ -29,7 +29,7 @@ Bound frames_lost(const View& view, const Requirement& requirement, const pan::F
   const std::set<int> threads = owners(view, sends);
   std::string why = "nobody asks for frames for ever";
   const bool endless = std::any_of(threads.begin(), threads.end(), [&](int thread) {
-    if (view.conduct.threads[static_cast<std::size_t>(thread)].leaves) return false;
+    if (view.behaviours.threads[static_cast<std::size_t>(thread)].leaves) return false;
     const Passes asks(view, thread, sends);
     const bool on = view.lasts(thread) && goes_on(view, thread);
     const bool asks_on = on && asks.every_round() && !asks.in_rounds().empty();

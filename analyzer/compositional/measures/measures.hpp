@@ -20,7 +20,7 @@ struct Bound {
 struct View {
   const Problem& problem;
   const Forest& forest;
-  const Conduct& conduct;
+  const ThreadBehaviours& behaviours;
   const Times& times;
   /// By thread: it comes home from every round, whatever the run, as long as the skill lasts and it is not
   /// cancelled.
@@ -35,7 +35,7 @@ struct View {
   const BusyWindows& windows() const { return times.demand->windows(); }
   bool lasts(int thread) const {
     const auto t = static_cast<std::size_t>(thread);
-    return (steady || !conduct.threads[t].may_be_cancelled) && reliable[t];
+    return (steady || !behaviours.threads[t].may_be_cancelled) && reliable[t];
   }
 };
 
@@ -94,7 +94,7 @@ struct Endurance {
 Bound until_left(const View& always, const Endurance& endurance, const Requirement& requirement,
                  const std::function<Bound(const View&, const Requirement&)>& bound_of);
 
-Endurance endurance_of(const Problem& problem, const Forest& forest, const Conduct& conduct,
+Endurance endurance_of(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
                        const Times& times);
 
 }  // namespace pal::analyzer::compositional

@@ -36,7 +36,7 @@ Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
       at_(at),
       reachable_(reaching(view.problem, at)),
       begins_again_(recurrent(view.problem, {Beginning::Kind::entry, thread, -1, -1})) {
-  const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
+  const ThreadBehaviour& of = view.behaviours.threads[static_cast<std::size_t>(thread)];
   for (int n : of.nodes) {
     for (const Segment::Passed& passed :
          view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(n)]).steps) {
@@ -50,7 +50,7 @@ Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
   first_ = compositional::first(view, source);
   Way round;
   for (int n : of.nodes) {
-    const bool begins = view.conduct.round[static_cast<std::size_t>(n)] == n;
+    const bool begins = view.behaviours.round[static_cast<std::size_t>(n)] == n;
     if (begins && in_paced_round(view, n)) merge(round, begun(n));
   }
   every_round_ = !round.home && !round.lost;
@@ -61,14 +61,14 @@ Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
 }
 
 void Passes::find_ends(int source) {
-  const AnalysisContext context{view_.problem, view_.forest, view_.conduct};
+  const AnalysisContext context{view_.problem, view_.forest, view_.behaviours};
   const auto after_one = [&](int n) {
     for (; n >= 0; n = context.node(n).cause) {
       if (view_.forest.thread_of(n) == thread_ && surely_passes(n)) return true;
     }
     return false;
   };
-  for (int n : view_.conduct.endings[static_cast<std::size_t>(source)]) {
+  for (int n : view_.behaviours.endings[static_cast<std::size_t>(source)]) {
     ended_ = greater(ended_, finish(view_, n));
     if (!after_one(n)) ended_before_ = greater(ended_before_, finish(view_, n));
   }
@@ -127,7 +127,7 @@ Way Passes::begun(int node) {
 Way Passes::from_entry() {
   Way way;
   bool any = false;
-  for (int n : view_.conduct.threads[static_cast<std::size_t>(thread_)].nodes) {
+  for (int n : view_.behaviours.threads[static_cast<std::size_t>(thread_)].nodes) {
     if (view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(n)]).beginning.kind ==
         Beginning::Kind::entry) {
       any = true;
@@ -192,14 +192,14 @@ Way Passes::way_from(int node, int at) {
 
 /// What the thread does when its wait, or its blocks, are over.
 Way Passes::beyond_wait(int node, int wait) {
-  const ThreadConduct& of = view_.conduct.threads[static_cast<std::size_t>(thread_)];
+  const ThreadBehaviour& of = view_.behaviours.threads[static_cast<std::size_t>(thread_)];
   if (wait == of.home) return {Sum(), Sum(), true, false};
   Way way;
   bool any = false;
   for (int other : of.nodes) {
     const Beginning& begins =
         view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(other)]).beginning;
-    const auto& previous = view_.conduct.previous[static_cast<std::size_t>(other)];
+    const auto& previous = view_.behaviours.previous[static_cast<std::size_t>(other)];
     if (begins.step != wait || std::find(previous.begin(), previous.end(), node) == previous.end()) continue;
     any = true;
     merge(way, begun(other));

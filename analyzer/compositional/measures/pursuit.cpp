@@ -20,13 +20,13 @@ std::string Pursuit::trouble_of(int n) const {
 bool Pursuit::certain(int n) {
   const auto thread = static_cast<std::size_t>(view_.forest.thread_of(n));
   // A device is closed until somebody waits for its event.
-  const bool opens = node(view_.conduct.round[static_cast<std::size_t>(n)]).release == Release::root;
+  const bool opens = node(view_.behaviours.round[static_cast<std::size_t>(n)]).release == Release::root;
   if (view_.lasts(static_cast<int>(thread)) && (view_.begun[thread] || opens)) return true;
   // A block that the event itself starts, and that ends.
   const Thread& block = problem_.threads[thread];
-  const bool started = node(view_.conduct.round[static_cast<std::size_t>(n)]).release == Release::fork;
+  const bool started = node(view_.behaviours.round[static_cast<std::size_t>(n)]).release == Release::fork;
   if (started && block.can_end && view_.lively[thread] &&
-      !view_.conduct.threads[static_cast<std::size_t>(block.parent)].may_be_cancelled) {
+      !view_.behaviours.threads[static_cast<std::size_t>(block.parent)].may_be_cancelled) {
     return true;
   }
   if (why_.empty()) {
@@ -116,7 +116,7 @@ Sum Pursuit::sent_value(int n, int send) {
   }
   if (taker < 0 || view_.forest.thread_of(taker) == view_.forest.thread_of(n)) return Sum::unbounded();
   // What comes back to a thread in the middle of its round is followed there.
-  if (!view_.conduct.previous[static_cast<std::size_t>(taker)].empty()) return Sum::unbounded();
+  if (!view_.behaviours.previous[static_cast<std::size_t>(taker)].empty()) return Sum::unbounded();
   return node_value(taker);
 }
 
@@ -131,11 +131,11 @@ Sum Pursuit::fork_value(int n, int fork) {
 
 Sum Pursuit::wait_value(int n, int wait) {
   const int thread = view_.forest.thread_of(n);
-  if (wait == view_.conduct.threads[static_cast<std::size_t>(thread)].home) return Sum::unbounded();
+  if (wait == view_.behaviours.threads[static_cast<std::size_t>(thread)].home) return Sum::unbounded();
   Sum value = no_way();
   bool any = false;
-  for (int other : view_.conduct.threads[static_cast<std::size_t>(thread)].nodes) {
-    const auto& previous = view_.conduct.previous[static_cast<std::size_t>(other)];
+  for (int other : view_.behaviours.threads[static_cast<std::size_t>(thread)].nodes) {
+    const auto& previous = view_.behaviours.previous[static_cast<std::size_t>(other)];
     if (segment(other).beginning.step != wait ||
         std::find(previous.begin(), previous.end(), n) == previous.end())
       continue;

@@ -56,13 +56,13 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
     longest = greater(longest, of_start(view, pass.node) ? until : since_known(knowledge, pass, until));
   }
   Sum end;
-  for (int n : view.conduct.threads[t].nodes) {
+  for (int n : view.behaviours.threads[t].nodes) {
     if (in_paced_round(view, n)) end = greater(end, finish(view, n));
   }
   for (const Pass& pass : passes.in_rounds()) {
     longest = greater(longest, since_known(knowledge, pass, before(passes.after(pass), next)));
     // A statement that a cancelled block finishes.
-    if (view.conduct.threads[t].may_be_cancelled)
+    if (view.behaviours.threads[t].may_be_cancelled)
       longest = greater(longest, since_known(knowledge, pass, end));
   }
   return {longest, none.why};
@@ -95,7 +95,7 @@ Bound reaction_bound(const View& view, const Requirement& requirement) {
   for (int thread : threads) {
     // One of several must go on for as long as any of them.
     const auto t = static_cast<std::size_t>(thread);
-    const ThreadConduct& of = view.conduct.threads[t];
+    const ThreadBehaviour& of = view.behaviours.threads[t];
     if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || !goes_on(view, thread))) continue;
     const Bound bound = in_thread(view, knowledge, requirement, thread, threads.size() == 1);
     if (bound.sum.value() < least.sum.value() || !least.known()) least = bound;

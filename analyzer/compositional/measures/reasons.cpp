@@ -3,7 +3,7 @@
 namespace pal::analyzer::compositional {
 
 std::string trouble_behind(const View& view, int thread) {
-  std::vector<int> open = view.conduct.threads[static_cast<std::size_t>(thread)].nodes;
+  std::vector<int> open = view.behaviours.threads[static_cast<std::size_t>(thread)].nodes;
   std::vector<bool> seen(view.forest.nodes.size());
   if (!view.times.trouble[static_cast<std::size_t>(thread)].empty())
     return view.times.trouble[static_cast<std::size_t>(thread)];
@@ -37,7 +37,7 @@ std::string why_not_again(const View& view, int thread, const Passes& passes, bo
   if (!view.times.trouble[t].empty()) return view.times.trouble[t];
   const std::string& name = view.problem.threads[t].name;
   if (passes.may_pass_by()) return name + " need not come to " + statement + " in every round";
-  const bool leaves = view.conduct.threads[t].leaves;
+  const bool leaves = view.behaviours.threads[t].leaves;
   if (!goes_on && leaves && trouble_behind(view, thread).empty()) return name + " may leave its rounds";
   return since_trouble(goes_on ? "nothing bounds when " + name + " comes to " + statement
                                : "nothing shows that " + name + " goes on with its rounds",

@@ -15,9 +15,9 @@ using Kind = Step::Kind;
 class Reliability {
  public:
   /// `steady`: as long as no block has left its rounds.
-  Reliability(const Problem& problem, const Forest& forest, const Conduct& conduct, const Times& times,
-              bool steady)
-      : problem_(problem), forest_(forest), conduct_(conduct), times_(times), steady_(steady) {}
+  Reliability(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
+              const Times& times, bool steady)
+      : problem_(problem), forest_(forest), behaviours_(behaviours), times_(times), steady_(steady) {}
 
   /// The greatest set of threads each of which relies on members alone.
   Endurance::Threads run() {
@@ -29,7 +29,7 @@ class Reliability {
     made_.begun.assign(count, true);
     for (std::size_t t = 0; t < count; ++t) {
       const int thread = static_cast<int>(t);
-      const ThreadConduct& of = conduct_.threads[t];
+      const ThreadBehaviour& of = behaviours_.threads[t];
       const bool goes_on = servers(thread, relies[t]) && joins(thread, relies[t]);
       made_.lively[t] = times_.trouble[t].empty() && goes_on;
       made_.begun[t] = comes_to_begin(thread, begins_by[t]);
@@ -65,7 +65,7 @@ class Reliability {
 
   /// Whether the thread is not cancelled; in the steady state, before another block has left its rounds.
   bool lasts(int thread) const {
-    if (!conduct_.threads[static_cast<std::size_t>(thread)].may_be_cancelled) return true;
+    if (!behaviours_.threads[static_cast<std::size_t>(thread)].may_be_cancelled) return true;
     if (!steady_) return false;
     for (int block = thread; problem_.threads[static_cast<std::size_t>(block)].parent >= 0;
          block = problem_.threads[static_cast<std::size_t>(block)].parent) {
@@ -74,7 +74,7 @@ class Reliability {
       bool leaving = false;
       for (int other : step_at(fork_of(problem_, block)).threads) {
         ending = ending || problem_.threads[static_cast<std::size_t>(other)].can_end;
-        leaving = leaving || (conduct_.threads[static_cast<std::size_t>(other)].leaves &&
+        leaving = leaving || (behaviours_.threads[static_cast<std::size_t>(other)].leaves &&
                               made_.reliable[static_cast<std::size_t>(other)]);
       }
       if (ending && !leaving) return false;
@@ -84,7 +84,7 @@ class Reliability {
 
   /// Whether no way through a thread ends, or comes to blocks that never do, before it has come home.
   bool comes_home(int thread) const {
-    const int home = conduct_.threads[static_cast<std::size_t>(thread)].home;
+    const int home = behaviours_.threads[static_cast<std::size_t>(thread)].home;
     if (home < 0) return false;
     return !follow(problem_, {entry_of(thread)}, [&](int at) {
       if (at == home) return Course::ends;
@@ -111,7 +111,7 @@ class Reliability {
     const int parent = problem_.threads[static_cast<std::size_t>(thread)].parent;
     if (parent < 0) return true;
     const int fork = fork_of(problem_, thread);
-    const int home = conduct_.threads[static_cast<std::size_t>(parent)].home;
+    const int home = behaviours_.threads[static_cast<std::size_t>(parent)].home;
     std::set<int> before;
     const bool passed_by = follow(problem_, {entry_of(parent)}, [&](int at) {
       if (at == fork) return Course::ends;
@@ -119,7 +119,7 @@ class Reliability {
       return at == home || is_last(step_at(at)) ? Course::found : Course::goes_on;
     });
     if (passed_by) return false;
-    for (int n : conduct_.threads[static_cast<std::size_t>(parent)].nodes) {
+    for (int n : behaviours_.threads[static_cast<std::size_t>(parent)].nodes) {
       for (const Segment::Arrival& at :
            forest_.segment_of(forest_.nodes[static_cast<std::size_t>(n)]).forks) {
         if (before.contains(at.step) && !joins_at(at.step, relies)) return false;
@@ -136,11 +136,11 @@ class Reliability {
       const Step& send = step_at(step);
       return send.kind == Kind::send &&
              problem_.channels[static_cast<std::size_t>(send.channels.front())].receiver_device < 0 &&
-             !conduct_.never_full[static_cast<std::size_t>(send.channels.front())];
+             !behaviours_.never_full[static_cast<std::size_t>(send.channels.front())];
     };
     if (times_.blocked[static_cast<std::size_t>(thread)] && std::any_of(among.begin(), among.end(), may_wait))
       return false;
-    for (int n : conduct_.threads[static_cast<std::size_t>(thread)].nodes) {
+    for (int n : behaviours_.threads[static_cast<std::size_t>(thread)].nodes) {
       for (int effect : forest_.nodes[static_cast<std::size_t>(n)].effects) {
         const std::vector<int>& sends = forest_.nodes[static_cast<std::size_t>(effect)].sends;
         const bool waits = std::any_of(sends.begin(), sends.end(),
@@ -153,7 +153,7 @@ class Reliability {
 
   /// Whether the blocks that a thread starts all come to their end, on the way to its home.
   bool joins(int thread, std::vector<int>& relies) const {
-    for (int n : conduct_.threads[static_cast<std::size_t>(thread)].nodes) {
+    for (int n : behaviours_.threads[static_cast<std::size_t>(thread)].nodes) {
       const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
       for (const Segment::Arrival& fork : forest_.segment_of(node).forks) {
         if (!joins_at(fork.step, relies)) return false;
@@ -168,7 +168,7 @@ class Reliability {
       if (!problem_.threads[b].can_end) continue;
       if (!ends_straight(problem_, block) || !times_.trouble[b].empty()) return false;
       // What comes by itself need not come.
-      if (conduct_.threads[b].home >= 0) return false;
+      if (behaviours_.threads[b].home >= 0) return false;
       if (!servers(block, relies) || !joins(block, relies)) return false;
     }
     return true;
@@ -176,7 +176,7 @@ class Reliability {
 
   /// The threads that answer what `thread` waits for; false: something that it waits for may never come.
   bool servers(int thread, std::vector<int>& relies) const {
-    const ThreadConduct& of = conduct_.threads[static_cast<std::size_t>(thread)];
+    const ThreadBehaviour& of = behaviours_.threads[static_cast<std::size_t>(thread)];
     std::set<int> waits;
     for (int n : of.nodes) {
       const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
@@ -189,7 +189,7 @@ class Reliability {
         const Node& taker = forest_.nodes[static_cast<std::size_t>(effect)];
         if (taker.release != Node::Release::message || taker.device >= 0) continue;
         const int channel = step_at(taker.sends.front()).channels.front();
-        if (conduct_.never_full[static_cast<std::size_t>(channel)]) continue;
+        if (behaviours_.never_full[static_cast<std::size_t>(channel)]) continue;
         relies.push_back(forest_.thread_of(effect));
       }
     }
@@ -210,7 +210,7 @@ class Reliability {
     if (!surely_asked(thread, wait, channel.answers, answer)) return false;
     if (channel.sender_device >= 0)
       return serves_all(problem_.devices[static_cast<std::size_t>(channel.sender_device)]);
-    if (!conduct_.never_full[static_cast<std::size_t>(answer)]) return false;
+    if (!behaviours_.never_full[static_cast<std::size_t>(answer)]) return false;
     const int server = taker_of(channel.answers);
     if (server < 0) return false;
     relies.push_back(server);
@@ -224,7 +224,7 @@ class Reliability {
     return std::holds_alternative<pan::FrameDevice>(device.behaviour);
   }
 
-  bool goes_on_by_itself(const ThreadConduct& of) const {
+  bool goes_on_by_itself(const ThreadBehaviour& of) const {
     return std::any_of(of.rounds.begin(), of.rounds.end(), [&](int n) {
       const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
       return forest_.sources[static_cast<std::size_t>(node.source)].kind == Source::Kind::loop &&
@@ -241,7 +241,7 @@ class Reliability {
       if (std::find(step.channels.begin(), step.channels.end(), request) == step.channels.end()) continue;
       const int owner = forest_.segments.owner(static_cast<int>(s));
       if (owner < 0) continue;
-      if (server >= 0 || conduct_.threads[static_cast<std::size_t>(owner)].home != static_cast<int>(s))
+      if (server >= 0 || behaviours_.threads[static_cast<std::size_t>(owner)].home != static_cast<int>(s))
         return -1;
       server = owner;
     }
@@ -287,7 +287,7 @@ class Reliability {
 
   const Problem& problem_;
   const Forest& forest_;
-  const Conduct& conduct_;
+  const ThreadBehaviours& behaviours_;
   const Times& times_;
   bool steady_;
   Endurance::Threads made_;
@@ -300,9 +300,9 @@ bool may_leave(const Problem& problem, int thread) {
          !recurrent(problem, {Beginning::Kind::entry, thread, -1, -1});
 }
 
-Endurance::Threads threads_that_endure(const Problem& problem, const Forest& forest, const Conduct& conduct,
-                                       const Times& times, bool steady) {
-  return Reliability(problem, forest, conduct, times, steady).run();
+Endurance::Threads threads_that_endure(const Problem& problem, const Forest& forest,
+                                       const ThreadBehaviours& behaviours, const Times& times, bool steady) {
+  return Reliability(problem, forest, behaviours, times, steady).run();
 }
 
 }  // namespace pal::analyzer::compositional

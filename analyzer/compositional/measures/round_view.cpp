@@ -7,12 +7,12 @@
 namespace pal::analyzer::compositional {
 
 bool in_round(const View& view, int node) {
-  return in_round(view.forest, view.conduct, node);
+  return in_round(view.forest, view.behaviours, node);
 }
 
 int source_of_rounds(const View& view, int thread) {
   int source = -1;
-  for (int n : view.conduct.threads[static_cast<std::size_t>(thread)].rounds) {
+  for (int n : view.behaviours.threads[static_cast<std::size_t>(thread)].rounds) {
     const int of = view.forest.nodes[static_cast<std::size_t>(n)].source;
     if (source >= 0 && source != of) return -1;
     source = of;
@@ -21,7 +21,7 @@ int source_of_rounds(const View& view, int thread) {
 }
 
 bool starts_in_rounds(const View& view, int thread) {
-  const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
+  const ThreadBehaviour& of = view.behaviours.threads[static_cast<std::size_t>(thread)];
   const Thread& block = view.problem.threads[static_cast<std::size_t>(thread)];
   return block.parent >= 0 && of.home < 0 && !of.nodes.empty() &&
          std::all_of(of.nodes.begin(), of.nodes.end(), [&](int n) {
@@ -39,7 +39,7 @@ bool goes_on(const View& view, int thread) {
 }
 
 int paced_source(const View& view, int thread) {
-  const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
+  const ThreadBehaviour& of = view.behaviours.threads[static_cast<std::size_t>(thread)];
   int source = -1;
   for (int n : starts_in_rounds(view, thread) ? of.nodes : of.rounds) {
     const int from = view.forest.nodes[static_cast<std::size_t>(n)].source;
@@ -57,7 +57,7 @@ bool in_paced_round(const View& view, int node) {
 }
 
 bool regular(const View& view, int thread) {
-  const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
+  const ThreadBehaviour& of = view.behaviours.threads[static_cast<std::size_t>(thread)];
   const int paced = paced_source(view, thread);
   if (paced < 0) return false;
   const Source& source = view.forest.sources[static_cast<std::size_t>(paced)];
@@ -78,14 +78,14 @@ bool regular(const View& view, int thread) {
 }
 
 bool in_order(const View& view, int thread) {
-  const auto& rounds = view.conduct.threads[static_cast<std::size_t>(thread)].rounds;
+  const auto& rounds = view.behaviours.threads[static_cast<std::size_t>(thread)].rounds;
   return std::count_if(rounds.begin(), rounds.end(), [&](int n) { return in_paced_round(view, n); }) <= 1;
 }
 
 std::vector<int> nodes_with(const View& view, int step) {
   std::vector<int> found;
   const int owner = view.forest.segments.owner(step);
-  for (int n : view.conduct.threads[static_cast<std::size_t>(owner)].nodes) {
+  for (int n : view.behaviours.threads[static_cast<std::size_t>(owner)].nodes) {
     for (const Segment::Passed& passed :
          view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(n)]).steps) {
       if (passed.step == step) found.push_back(n);

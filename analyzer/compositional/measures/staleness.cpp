@@ -35,8 +35,8 @@ class Staleness {
 
  private:
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
-  const ThreadConduct& conduct(int thread) const {
-    return view_.conduct.threads[static_cast<std::size_t>(thread)];
+  const ThreadBehaviour& behaviour(int thread) const {
+    return view_.behaviours.threads[static_cast<std::size_t>(thread)];
   }
   const Segment& segment(int n) const {
     return view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(n)]);
@@ -84,7 +84,7 @@ class Staleness {
     const int above = parent < 0 ? setter : parent;
     Sum soonest = Sum::unbounded();
     Sum last;
-    for (int n : conduct(above).nodes) {
+    for (int n : behaviour(above).nodes) {
       const int source = view_.forest.nodes[static_cast<std::size_t>(n)].source;
       const bool at_start =
           view_.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::start;
@@ -99,7 +99,7 @@ class Staleness {
     }
     if (!soonest.bounded() || !first.bounded() || !sets_before_rounds(above)) return first;
     // Or the skill ends before the first of them.
-    const AnalysisContext context{problem_, view_.forest, view_.conduct};
+    const AnalysisContext context{problem_, view_.forest, view_.behaviours};
     for (int n : context.endings_before_home(above)) last = greater(last, finish(view_, n));
     return greater(last, first - soonest);
   }
@@ -108,7 +108,7 @@ class Staleness {
   bool sets_before_rounds(int thread) const {
     return !follow(problem_, {problem_.threads[static_cast<std::size_t>(thread)].entry}, [&](int at) {
       if (sets(at)) return Course::ends;
-      return at == conduct(thread).home || step_at(at).kind == Kind::fork ? Course::found : Course::goes_on;
+      return at == behaviour(thread).home || step_at(at).kind == Kind::fork ? Course::found : Course::goes_on;
     });
   }
 
@@ -127,13 +127,13 @@ bool outlasts(const View& view, int thread, int reader) {
   if (thread == reader || view.steady) return true;
   if (starts_in_rounds(view, thread))
     return outlasts(view, view.problem.threads[static_cast<std::size_t>(thread)].parent, reader);
-  const auto conduct = [&view](int of) { return view.conduct.threads[static_cast<std::size_t>(of)]; };
-  if (!conduct(thread).may_be_cancelled) return true;
+  const auto behaviours = [&view](int of) { return view.behaviours.threads[static_cast<std::size_t>(of)]; };
+  if (!behaviour(thread).may_be_cancelled) return true;
   const Thread& lasting = view.problem.threads[static_cast<std::size_t>(thread)];
   const Thread& reads = view.problem.threads[static_cast<std::size_t>(reader)];
   // Blocks that end are over before those beside them are cancelled.
   if (lasting.can_end || !reads.can_end || !beside(view.problem, thread, reader)) return false;
-  return !conduct(lasting.parent).may_be_cancelled;
+  return !behaviours(lasting.parent).may_be_cancelled;
 }
 
 const Sum& replaced(const View& view, const Passes& sets, int setter, int reader) {

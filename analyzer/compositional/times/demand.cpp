@@ -53,7 +53,7 @@ Demand::Demand(const AnalysisContext& context, const std::vector<NodeTimes>& nod
         {thread.processor, thread.priority, context.segment(n).worst, nodes[i].earliest, 0, {}, {}});
   }
   for (std::size_t n = 0; n < nodes.size(); ++n) precede(context, static_cast<int>(n), transactions);
-  for (const std::vector<int>& alternatives : context.conduct.alternatives) {
+  for (const std::vector<int>& alternatives : context.behaviours.alternatives) {
     std::vector<int> tasks;
     for (int n : alternatives) tasks.push_back(task_[static_cast<std::size_t>(n)]);
     const int source = context.node(alternatives.front()).source;
@@ -76,7 +76,7 @@ bool Demand::pauses(int thread) const {
   const Thread& of = context_.thread_at(thread);
   if (context_.problem.processors[static_cast<std::size_t>(of.processor)].preemptive) return true;
   std::vector<bool> owned;
-  for (int n : context_.conduct_of(thread).rounds) {
+  for (int n : context_.behaviour_of(thread).rounds) {
     const Source& source = context_.source(n);
     if (source.kind != Source::Kind::loop || source.thread != thread || context_.node(n).cause >= 0) continue;
     owned.resize(context_.problem.steps.size());
@@ -210,7 +210,7 @@ void Demand::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<
 template <class JobsOf>
 Nanoseconds Demand::work_of_thread(int thread, const JobsOf& jobs_of) const {
   std::map<int, Tally> tallies;  // by source
-  for (int n : context_.conduct_of(thread).nodes) {
+  for (int n : context_.behaviour_of(thread).nodes) {
     if (context_.segment(n).worst == 0) continue;
     const int source = context_.node(n).source;
     const Transaction& of = windows_.transaction(source);
@@ -232,7 +232,7 @@ Nanoseconds Demand::burst(int thread, const std::vector<NodeTimes>& nodes, bool 
       work_of_thread(thread, [](const Transaction&, Nanoseconds) { return Nanoseconds{1}; });
   if (once == 0 || home_again) return once;
   Nanoseconds late = 0;
-  for (int n : context_.conduct_of(thread).nodes) {
+  for (int n : context_.behaviour_of(thread).nodes) {
     const NodeTimes& times = nodes[static_cast<std::size_t>(n)];
     late = std::max(late, times.finish >= never ? never : times.finish - times.earliest);
   }

@@ -85,7 +85,7 @@ class Loop {
   /// The thread itself must be back, too.
   void back_at_wait(Pace& pace) const {
     const int wait = context_.forest.segments[of_.segment].beginning.step;
-    for (int n : context_.conduct_of(of_.thread).nodes) {
+    for (int n : context_.behaviour_of(of_.thread).nodes) {
       const Segment& segment = context_.segment(n);
       for (std::size_t w = 0; w < segment.waits.size(); ++w) {
         if (segment.waits[w].step != wait) continue;
@@ -106,7 +106,7 @@ class Loop {
 }  // namespace
 
 Nanoseconds first_at_home(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread) {
-  const ThreadConduct& of = context.conduct_of(thread);
+  const ThreadBehaviour& of = context.behaviour_of(thread);
   Nanoseconds latest = 0;
   for (int n : of.nodes) {
     if (context.in_round(n)) continue;

@@ -28,7 +28,7 @@ Due Releases::latest(int n, const std::vector<std::string>& trouble, const std::
   const Due none{never};
   if (blocked[thread]) return none;
   const Beginning& begins = segment(n).beginning;
-  if (!conduct.early[static_cast<std::size_t>(n)] && !trouble[thread].empty()) return none;
+  if (!behaviours.early[static_cast<std::size_t>(n)] && !trouble[thread].empty()) return none;
   switch (of.release) {
     case Node::Release::root:
       return source(n).kind == Source::Kind::event ? of_event(n) : Due{};
@@ -57,7 +57,7 @@ Due Releases::of_event(int n) const {
 Due Releases::of_message(int n) const {
   const Node& of = node(n);
   const int thread = forest.thread_of(n);
-  const bool drains = conduct.drains[static_cast<std::size_t>(n)];
+  const bool drains = behaviours.drains[static_cast<std::size_t>(n)];
   Due sent{-1, drains ? By::put : By::message, of.cause};
   const NodeTimes& cause = nodes_[static_cast<std::size_t>(of.cause)];
   for (int send : of.sends) {
@@ -71,7 +71,7 @@ Due Releases::of_message(int n) const {
   sent.after = way(n).worst;
   if (of.device >= 0) sent.after = plus(sent.after, answer_queue(of.device, sent_channel(n)));
   sent.at = plus(sent.at, sent.after);
-  const auto& previous = conduct.previous[static_cast<std::size_t>(n)];
+  const auto& previous = behaviours.previous[static_cast<std::size_t>(n)];
   if (previous.empty()) {
     if (round_of(n) != n) return {never};
     const Due home{first_at_home(*this, nominal_, thread), By::home};
@@ -95,8 +95,8 @@ Nanoseconds Releases::blocks_over(const Node& joined, const std::vector<std::str
       continue;
     }
     const bool troubled = !trouble[b].empty() || blocked[b];
-    if (troubled || conduct_of(block).home >= 0 || !ends_straight(problem, block)) return never;
-    for (int n : conduct_of(block).nodes) {
+    if (troubled || behaviour_of(block).home >= 0 || !ends_straight(problem, block)) return never;
+    for (int n : behaviour_of(block).nodes) {
       const Node& begun = node(round_of(n));
       if (begun.cause == joined.cause && segment(n).ends)
         latest = std::max(latest, nodes_[static_cast<std::size_t>(n)].finish);
@@ -108,7 +108,7 @@ Nanoseconds Releases::blocks_over(const Node& joined, const std::vector<std::str
 /// A thread that was held in the last send of its round is at home that much later.
 Nanoseconds Releases::held_back(int thread) const {
   Nanoseconds latest = 0;
-  for (int n : conduct_of(thread).nodes) {
+  for (int n : behaviour_of(thread).nodes) {
     for (const Segment::Passed& passed : segment(n).steps) {
       const Nanoseconds until = held_until(*this, nominal_, n, passed.step);
       latest = std::max(latest, until >= never ? never : until - source(n).period);

@@ -14,7 +14,7 @@ Nanoseconds taken(const std::vector<NodeTimes>& nodes, int node) {
 
 /// Whether a thread waits without a limit in its rounds.
 bool waits_for_others(const AnalysisContext& context, int thread) {
-  const ThreadConduct& of = context.conduct_of(thread);
+  const ThreadBehaviour& of = context.behaviour_of(thread);
   return std::any_of(of.nodes.begin(), of.nodes.end(), [&](int n) {
     const Segment& segment = context.segment(n);
     return context.in_round(n) &&
@@ -38,23 +38,23 @@ bool take_in_time(const AnalysisContext& context, const std::vector<NodeTimes>& 
 }
 
 bool at_home_again(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread) {
-  const ThreadConduct& conduct = context.conduct_of(thread);
-  if (conduct.rounds.empty()) return true;
-  if (!conduct.one_round) return false;
-  const Source& of = context.source(conduct.rounds.front());
-  const bool itself = context.node(conduct.rounds.front()).cause < 0;
+  const ThreadBehaviour& behaviours = context.behaviour_of(thread);
+  if (behaviours.rounds.empty()) return true;
+  if (!behaviours.one_round) return false;
+  const Source& of = context.source(behaviours.rounds.front());
+  const bool itself = context.node(behaviours.rounds.front()).cause < 0;
   if (of.kind == Source::Kind::loop && of.thread == thread && itself) return true;
   if (of.period == never) return true;
   Nanoseconds soonest = never;
   Nanoseconds last = 0;
-  for (int n : conduct.rounds) soonest = std::min(soonest, nodes[static_cast<std::size_t>(n)].earliest);
-  for (int n : conduct.nodes) {
+  for (int n : behaviours.rounds) soonest = std::min(soonest, nodes[static_cast<std::size_t>(n)].earliest);
+  for (int n : behaviours.nodes) {
     if (context.in_round(n)) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
   }
   if (!waits_for_others(context, thread)) return last < plus(of.period, soonest);
   // Whom it has set to work, and who ends the skill, may leave it waiting till then.
   for (int n :
-       context.conduct.endings[static_cast<std::size_t>(context.node(conduct.rounds.front()).source)]) {
+       context.behaviours.endings[static_cast<std::size_t>(context.node(behaviours.rounds.front()).source)]) {
     if (context.nearest(n, thread) >= 0) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
   }
   return last < plus(of.period, soonest);
@@ -75,7 +75,7 @@ Nanoseconds held_until(const AnalysisContext& context, const std::vector<NodeTim
   const Nanoseconds period = context.source(node).period;
   if (context.step_at(send).kind != Kind::send || period == never) return 0;
   const int channel = context.step_at(send).channels.front();
-  if (context.conduct.never_full[static_cast<std::size_t>(channel)]) return 0;
+  if (context.behaviours.never_full[static_cast<std::size_t>(channel)]) return 0;
   Nanoseconds latest = 0;
   for (int effect : context.node(node).effects) {
     const Node& taker = context.node(effect);
@@ -102,7 +102,7 @@ Slots::Slots(const AnalysisContext& context) : context_(context), puts_(context.
 bool Slots::is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) const {
   const Channel& of = context_.problem.channels[channel];
   if (of.receiver_device >= 0 && !of.served) return true;
-  if (context_.conduct.never_full[channel]) return true;
+  if (context_.behaviours.never_full[channel]) return true;
   const auto& puts = puts_[channel];
   if (puts.empty()) return true;
   if (!exclusive_[channel]) return false;
@@ -135,7 +135,7 @@ bool Slots::is_taken_in_time(const std::vector<NodeTimes>& nodes, Pass put, Nano
 
 /// Whether it is known what a wait for the slot does: the send ends its thread's only kind of round.
 bool Slots::may_be_held(const std::vector<NodeTimes>& nodes, Pass put, int taker) const {
-  const ThreadConduct& of = context_.conduct_of(context_.forest.thread_of(put.node));
+  const ThreadBehaviour& of = context_.behaviour_of(context_.forest.thread_of(put.node));
   return taken(nodes, taker) < never && of.rounds.size() == 1 && !of.waits_within &&
          context_.round_of(put.node) == of.rounds.front() &&
          context_.step_at(put.step).next.front() == of.home;
@@ -164,7 +164,7 @@ std::vector<Slots::Trouble> Slots::trouble(const Times& times) const {
     }
   }
   for (std::size_t t = 0; t < context_.problem.threads.size(); ++t) {
-    const ThreadConduct& of = context_.conduct.threads[t];
+    const ThreadBehaviour& of = context_.behaviours.threads[t];
     if (!of.waits_within || of.rounds.empty() || of.asked_by_one) continue;
     if (!of.one_round) {
       found.push_back(

@@ -57,7 +57,8 @@ class Solver : private AnalysisContext {
   Times run() {
     times_.trouble.resize(problem.threads.size());
     times_.blocked.assign(problem.threads.size(), false);
-    for (std::size_t t = 0; t < problem.threads.size(); ++t) times_.trouble[t] = conduct.threads[t].trouble;
+    for (std::size_t t = 0; t < problem.threads.size(); ++t)
+      times_.trouble[t] = behaviours.threads[t].trouble;
     since_.assign(problem.threads.size(), -1);
     const Slots slots(*this);
     do {
@@ -170,7 +171,7 @@ class Solver : private AnalysisContext {
   /// anybody there.
   void find_overlaps(std::vector<int>& dirty) {
     std::vector<bool> home_again;
-    for (std::size_t t = 0; t < conduct.threads.size(); ++t)
+    for (std::size_t t = 0; t < behaviours.threads.size(); ++t)
       home_again.push_back(at_home_again(*this, nodes_, static_cast<int>(t)));
     std::vector<bool> in_turn(forest.sources.size(), true);
     for (std::size_t n = 0; n < forest.nodes.size(); ++n) {
@@ -243,9 +244,9 @@ std::size_t place_of(const Segment& segment, int step) {
   return segment.steps.size();
 }
 
-Times times_of(const Problem& problem, const Forest& forest, const Conduct& conduct,
+Times times_of(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
                const std::vector<bool>& at, const std::function<bool()>& stop) {
-  return Solver({problem, forest, conduct}, at, stop).run();
+  return Solver({problem, forest, behaviours}, at, stop).run();
 }
 
 Nanoseconds latest_effect(const Forest& forest, const std::vector<NodeTimes>& nodes, int node, int step) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/compositional/causes/conduct.hpp"
+#include "analyzer/compositional/causes/thread_behaviour.hpp"
 
 namespace pal::analyzer::compositional {
 
@@ -61,7 +61,7 @@ struct Times {
 };
 
 /// `at`: steps whose times are asked for, besides those that the analysis needs.
-Times times_of(const Problem& problem, const Forest& forest, const Conduct& conduct,
+Times times_of(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
                const std::vector<bool>& at, const std::function<bool()>& stop);
 
 /// Where a segment has a step; the number of its steps: it has not.

@@ -10,7 +10,7 @@
 
 namespace pal::analyzer::compositional {
 
-struct ThreadConduct {
+struct ThreadBehaviour {
   int home = -1;              // the wait at which its rounds begin and end; -1: it has no rounds
   std::vector<int> rounds;    // nodes with which a round begins
   std::vector<int> nodes;     // all
@@ -29,8 +29,8 @@ struct StartEnding {
   int own;   // the last of the thread's nodes on the way to it, or the node itself
 };
 
-struct Conduct {
-  std::vector<ThreadConduct> threads;
+struct ThreadBehaviours {
+  std::vector<ThreadBehaviour> threads;
   /// By node: the node that began its round, or the thread.
   std::vector<int> round;
   /// By node: the nodes of its thread after which it comes; none for those that begin rounds or threads.
@@ -52,9 +52,10 @@ struct Conduct {
 };
 
 /// Whether a node belongs to one of its thread's rounds, not to what the thread does before them.
-bool in_round(const Forest& forest, const Conduct& conduct, int node);
+bool in_round(const Forest& forest, const ThreadBehaviours& behaviours, int node);
 
 /// Once `stop` says so, it is of no use.
-Conduct conduct_of(const Problem& problem, const Forest& forest, const std::function<bool()>& stop);
+ThreadBehaviours thread_behaviours_of(const Problem& problem, const Forest& forest,
+                                      const std::function<bool()>& stop);
 
 }  // namespace pal::analyzer::compositional

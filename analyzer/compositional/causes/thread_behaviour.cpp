@@ -1,4 +1,4 @@
-#include "analyzer/compositional/causes/conduct.hpp"
+#include "analyzer/compositional/causes/thread_behaviour.hpp"
 
 #include <algorithm>
 #include <set>
@@ -17,7 +17,7 @@ class Observer {
  public:
   Observer(const Problem& problem, const Forest& forest) : problem_(problem), forest_(forest) {}
 
-  Conduct run(const std::function<bool()>& stop) {
+  ThreadBehaviours run(const std::function<bool()>& stop) {
     const std::size_t nodes = forest_.nodes.size();
     made_.threads.resize(problem_.threads.size());
     made_.round.assign(nodes, -1);
@@ -38,7 +38,7 @@ class Observer {
     find_waits();
     for (std::size_t n = 0; n < nodes; ++n) made_.drains.push_back(drains(static_cast<int>(n)));
     protocol();
-    for (ThreadConduct& thread : made_.threads) {
+    for (ThreadBehaviour& thread : made_.threads) {
       thread.one_round = are_alternatives(problem_, forest_, thread.rounds);
       servers(thread);
     }
@@ -50,7 +50,7 @@ class Observer {
  private:
   const Node& node(int index) const { return forest_.nodes[static_cast<std::size_t>(index)]; }
   const Beginning& beginning(int index) const { return forest_.segment_of(node(index)).beginning; }
-  ThreadConduct& thread(int index) { return made_.threads[static_cast<std::size_t>(index)]; }
+  ThreadBehaviour& thread(int index) { return made_.threads[static_cast<std::size_t>(index)]; }
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
   std::string text(int step) const {
     const int statement = step_at(step).statement;
@@ -66,7 +66,7 @@ class Observer {
   }
 
   void homes(int t) {
-    ThreadConduct& of = thread(t);
+    ThreadBehaviour& of = thread(t);
     for (int n : of.nodes) {
       if (!unasked(n)) continue;
       const int wait = beginning(n).step;
@@ -81,7 +81,7 @@ class Observer {
   /// Causes stand before their effects, so a node's round is known when it is needed.
   void rounds(int n) {
     const Beginning& begins = beginning(n);
-    ThreadConduct& of = thread(begins.thread);
+    ThreadBehaviour& of = thread(begins.thread);
     int& round = made_.round[static_cast<std::size_t>(n)];
     switch (node(n).release) {
       case Release::root:
@@ -182,7 +182,7 @@ class Observer {
 
   /// A round ends at home, after waits for what it brought about itself.
   void returns(int t) {
-    ThreadConduct& of = thread(t);
+    ThreadBehaviour& of = thread(t);
     for (int block = t; problem_.threads[static_cast<std::size_t>(block)].parent >= 0;
          block = problem_.threads[static_cast<std::size_t>(block)].parent) {
       of.may_be_cancelled = of.may_be_cancelled || is_cancelled(block);
@@ -214,10 +214,10 @@ class Observer {
     }
   }
 
-  /// Conduct::early: no way leads from a wait at which a round begins to where the node begins, and the
-  /// thread begins once.
+  /// ThreadBehaviours::early: no way leads from a wait at which a round begins to where the node begins, and
+  /// the thread begins once.
   void find_early(int t) {
-    const ThreadConduct& of = thread(t);
+    const ThreadBehaviour& of = thread(t);
     const bool again = recurrent(problem_, {Beginning::Kind::entry, t, -1, -1});
     std::set<int> late;
     std::vector<int> waits;
@@ -260,9 +260,10 @@ class Observer {
     }
   }
 
-  /// Conduct::drains: the one thread that takes the message never waits for anything else than its home.
+  /// ThreadBehaviours::drains: the one thread that takes the message never waits for anything else than its
+  /// home.
   bool drains(int n) {
-    const ThreadConduct& of = thread(forest_.thread_of(n));
+    const ThreadBehaviour& of = thread(forest_.thread_of(n));
     if (node(n).release != Release::message || node(n).device >= 0 || of.waits_within) return false;
     if (made_.round[static_cast<std::size_t>(n)] != n || !made_.previous[static_cast<std::size_t>(n)].empty())
       return false;
@@ -304,7 +305,7 @@ class Observer {
 
   /// A server whose rounds wait may still be at work when somebody asks, unless there is one client, who
   /// waits for each answer without limit, and nothing is left to do after it.
-  void servers(ThreadConduct& of) {
+  void servers(ThreadBehaviour& of) {
     if (of.rounds.empty()) return;
     int request = -1;
     for (int n : of.rounds) {
@@ -344,7 +345,7 @@ class Observer {
 
   const Problem& problem_;
   const Forest& forest_;
-  Conduct made_;
+  ThreadBehaviours made_;
   std::map<std::pair<int, int>, std::vector<int>> arrivals_;  // by round and wait
   std::vector<std::vector<int>> waits_;                       // by channel, that take from it
   std::set<std::pair<int, int>> waited_for_;                  // round and wait
@@ -352,13 +353,15 @@ class Observer {
 
 }  // namespace
 
-bool in_round(const Forest& forest, const Conduct& conduct, int node) {
-  const std::vector<int>& rounds = conduct.threads[static_cast<std::size_t>(forest.thread_of(node))].rounds;
-  return std::find(rounds.begin(), rounds.end(), conduct.round[static_cast<std::size_t>(node)]) !=
+bool in_round(const Forest& forest, const ThreadBehaviours& behaviours, int node) {
+  const std::vector<int>& rounds =
+      behaviours.threads[static_cast<std::size_t>(forest.thread_of(node))].rounds;
+  return std::find(rounds.begin(), rounds.end(), behaviours.round[static_cast<std::size_t>(node)]) !=
          rounds.end();
 }
 
-Conduct conduct_of(const Problem& problem, const Forest& forest, const std::function<bool()>& stop) {
+ThreadBehaviours thread_behaviours_of(const Problem& problem, const Forest& forest,
+                                      const std::function<bool()>& stop) {
   return Observer(problem, forest).run(stop);
 }
 
