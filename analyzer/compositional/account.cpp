@@ -18,9 +18,9 @@ class Writer {
   explicit Writer(const View& view)
       : view_(view),
         context_{view.problem, view.forest, view.behaviours},
-        nominal_{view.times.nodes, {context_, view.times.nodes, *view.times.demand}, Since::occurrence},
+        nominal_{view.times.nodes, {context_, view.times.nodes, *view.times.interference}, Since::occurrence},
         since_event_{view.times.since_event,
-                     {context_, view.times.since_event, view.times.nodes, *view.times.demand},
+                     {context_, view.times.since_event, view.times.nodes, *view.times.interference},
                      Since::release} {}
 
   std::vector<Addend> run(const Sum& bound) {
@@ -195,23 +195,23 @@ class Writer {
   }
 
   bool ends_by_window(const Clock& clock, int node, Nanoseconds part, Nanoseconds done) const {
-    const Demand& demand = *view_.times.demand;
-    const Nanoseconds end = demand.finish(node, part, demand.blocking(node), clock.since);
+    const Interference& interference = *view_.times.interference;
+    const Nanoseconds end = interference.finish(node, part, interference.blocking(node), clock.since);
     return done == (clock.since == Since::release ? plus(clock.times(node).latest, end) : end);
   }
 
   /// What keeps the node from its processor.
   void window(const Clock& clock, int node, Nanoseconds part) {
-    const Account account = view_.times.demand->account(node, part, clock.since);
+    const Account account = view_.times.interference->account(node, part, clock.since);
     if (out_.size() + account.others.size() > most_addends) return out_.resize(most_addends + 1);
     const std::string& name = actor(node);
     if (account.blocking > 0) {
-      const int thread = view_.times.demand->blocking_thread(node);
+      const int thread = view_.times.interference->blocking_thread(node);
       say(account.blocking, name,
           "is kept from its processor by " + thread_name(thread) + ", which cannot be preempted");
     }
     for (const Share& share : account.others) {
-      const int other = view_.times.demand->node_of(share.transaction, share.task);
+      const int other = view_.times.interference->node_of(share.transaction, share.task);
       const std::string times = share.jobs == 1 ? "" : ", " + std::to_string(share.jobs) + " times";
       const bool itself = view_.forest.thread_of(other) == view_.forest.thread_of(node);
       say(share.work, name,

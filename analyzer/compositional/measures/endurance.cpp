@@ -23,7 +23,7 @@ class Ending {
       const auto b = static_cast<std::size_t>(block);
       if (block == leaver) continue;
       if (!problem_.threads[b].can_end) {
-        const Nanoseconds within = stops_within(problem_, times_.demand->windows(), block);
+        const Nanoseconds within = stops_within(problem_, times_.interference->windows(), block);
         stopping =
             greater(stopping,
                     {within, {Term::Kind::said, -1, -1, -1, "cancelled blocks finish what they have begun"}});

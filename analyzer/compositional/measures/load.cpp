@@ -59,7 +59,7 @@ Sum busy_without_pause(const View& view, int processor) {
   if (busy >= never) return Sum::unbounded();
   Sum all;
   for (const Share& share : view.windows().work(processor, busy)) {
-    const int node = view.times.demand->node_of(share.transaction, share.task);
+    const int node = view.times.interference->node_of(share.transaction, share.task);
     const std::string what = share.jobs == 1 ? "runs" : "runs " + std::to_string(share.jobs) + " times";
     all = all + Sum(share.work, {Term::Kind::said, node, -1, -1, what});
   }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "analyzer/compositional/measures/sum.hpp"
-#include "analyzer/compositional/times/demand.hpp"
+#include "analyzer/compositional/times/interference.hpp"
 
 namespace pal::analyzer::compositional {
 
@@ -32,7 +32,7 @@ struct View {
   /// Only what is so before the first block leaves its rounds; nobody is cancelled till then.
   bool steady = false;
 
-  const BusyWindows& windows() const { return times.demand->windows(); }
+  const BusyWindows& windows() const { return times.interference->windows(); }
   bool lasts(int thread) const {
     const auto t = static_cast<std::size_t>(thread);
     return (steady || !behaviours.threads[t].may_be_cancelled) && reliable[t];

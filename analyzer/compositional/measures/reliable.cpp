@@ -4,7 +4,7 @@
 
 #include "analyzer/compositional/causes/rounds.hpp"
 #include "analyzer/compositional/measures/measures.hpp"
-#include "analyzer/compositional/times/demand.hpp"
+#include "analyzer/compositional/times/interference.hpp"
 #include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {

@@ -91,7 +91,7 @@ Nanoseconds Releases::blocks_over(const Node& joined, const std::vector<std::str
   for (int block : step_at(joined.cause_step).threads) {
     const auto b = static_cast<std::size_t>(block);
     if (!thread_at(block).can_end) {
-      stopping = std::max(stopping, stops_within(problem, demand_.windows(), block));
+      stopping = std::max(stopping, stops_within(problem, interference_.windows(), block));
       continue;
     }
     const bool troubled = !trouble[b].empty() || blocked[b];

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/compositional/causes/analysis_context.hpp"
-#include "analyzer/compositional/times/demand.hpp"
+#include "analyzer/compositional/times/interference.hpp"
 #include "analyzer/compositional/times/times.hpp"
 
 namespace pal::analyzer::compositional {
@@ -10,13 +10,14 @@ namespace pal::analyzer::compositional {
 /// Reads the times as they are known while they are still rising.
 class Releases : private AnalysisContext {
  public:
-  Releases(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, const Demand& demand)
-      : AnalysisContext(context), nodes_(nodes), nominal_(nodes), demand_(demand) {}
+  Releases(const AnalysisContext& context, const std::vector<NodeTimes>& nodes,
+           const Interference& interference)
+      : AnalysisContext(context), nodes_(nodes), nominal_(nodes), interference_(interference) {}
   /// `since_event`: times that count from the events themselves, where those of `nominal` count from their
   /// nominal instants.
   Releases(const AnalysisContext& context, const std::vector<NodeTimes>& since_event,
-           const std::vector<NodeTimes>& nominal, const Demand& demand)
-      : AnalysisContext(context), nodes_(since_event), nominal_(nominal), demand_(demand) {}
+           const std::vector<NodeTimes>& nominal, const Interference& interference)
+      : AnalysisContext(context), nodes_(since_event), nominal_(nominal), interference_(interference) {}
 
   /// `trouble` and `blocked` as in Times.
   Due latest(int node, const std::vector<std::string>& trouble, const std::vector<bool>& blocked) const;
@@ -31,7 +32,7 @@ class Releases : private AnalysisContext {
 
   const std::vector<NodeTimes>& nodes_;
   const std::vector<NodeTimes>& nominal_;  // what has to do with other rounds counts from nominal instants
-  const Demand& demand_;
+  const Interference& interference_;
 };
 
 }  // namespace pal::analyzer::compositional

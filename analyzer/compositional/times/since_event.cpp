@@ -15,12 +15,12 @@ constexpr int most_passes = 20;
 /// to bounds, so it may stop after any.
 class SinceEvents : private AnalysisContext {
  public:
-  SinceEvents(const AnalysisContext& context, const Times& times, const Demand& demand)
+  SinceEvents(const AnalysisContext& context, const Times& times, const Interference& interference)
       : AnalysisContext(context),
         times_(times),
-        demand_(demand),
+        interference_(interference),
         made_(times.nodes),
-        releases_(*this, made_, times.nodes, demand) {}
+        releases_(*this, made_, times.nodes, interference) {}
 
   std::vector<NodeTimes> run() {
     for (int pass = 0; pass < most_passes; ++pass) {
@@ -62,12 +62,12 @@ class SinceEvents : private AnalysisContext {
   Nanoseconds from_release(int n, Nanoseconds part) {
     if (segment(n).steps.empty()) return 0;
     const auto [place, fresh] = known_.emplace(std::pair{n, part}, 0);
-    if (fresh) place->second = demand_.finish(n, part, demand_.blocking(n), Since::release);
+    if (fresh) place->second = interference_.finish(n, part, interference_.blocking(n), Since::release);
     return place->second;
   }
 
   const Times& times_;
-  const Demand& demand_;
+  const Interference& interference_;
   std::vector<NodeTimes> made_;
   Releases releases_;
   std::map<std::pair<int, Nanoseconds>, Nanoseconds> known_;  // by node and part
@@ -76,8 +76,8 @@ class SinceEvents : private AnalysisContext {
 }  // namespace
 
 std::vector<NodeTimes> since_events(const AnalysisContext& context, const Times& times,
-                                    const Demand& demand) {
-  return SinceEvents(context, times, demand).run();
+                                    const Interference& interference) {
+  return SinceEvents(context, times, interference).run();
 }
 
 }  // namespace pal::analyzer::compositional

@@ -4,7 +4,7 @@
 #include <limits>
 #include <set>
 
-#include "analyzer/compositional/times/demand.hpp"
+#include "analyzer/compositional/times/interference.hpp"
 #include "analyzer/compositional/times/pace.hpp"
 #include "analyzer/compositional/times/release.hpp"
 #include "analyzer/compositional/times/since_event.hpp"
@@ -51,8 +51,8 @@ class Solver : private AnalysisContext {
       : AnalysisContext(context),
         stop_(stop),
         nodes_(unhindered(context, at, stop)),
-        demand_(context, nodes_, stop),
-        releases_(*this, nodes_, demand_) {}
+        interference_(context, nodes_, stop),
+        releases_(*this, nodes_, interference_) {}
 
   Times run() {
     times_.trouble.resize(problem.threads.size());
@@ -68,9 +68,9 @@ class Solver : private AnalysisContext {
     } while (finds_trouble(slots));
     name_roots();
     find_pace(*this, times_);
-    times_.since_event = since_events(*this, times_, demand_);
-    demand_.go_on();
-    times_.demand = std::make_shared<const Demand>(demand_);
+    times_.since_event = since_events(*this, times_, interference_);
+    interference_.go_on();
+    times_.interference = std::make_shared<const Interference>(interference_);
     return std::move(times_);
   }
 
@@ -84,16 +84,17 @@ class Solver : private AnalysisContext {
     const NodeTimes before = mine;
     mine.latest = std::max(mine.latest, latest_release(n));
     // Later than what can pile up: something on the way does not keep pace.
-    if (mine.latest < never && mine.latest - mine.earliest > demand_.greatest_jitter(n)) mine.latest = never;
-    demand_.announce(n, mine);
+    if (mine.latest < never && mine.latest - mine.earliest > interference_.greatest_jitter(n))
+      mine.latest = never;
+    interference_.announce(n, mine);
     const Segment& of = segment(n);
-    const Nanoseconds keeps = mine.latest >= never ? 0 : demand_.blocking(n);
+    const Nanoseconds keeps = mine.latest >= never ? 0 : interference_.blocking(n);
     std::map<Nanoseconds, Nanoseconds> known;
     const auto done = [&](Nanoseconds part) {
       if (mine.latest >= never) return never;
       if (of.steps.empty()) return mine.latest;  // reaching a wait needs no processor
       const auto [place, fresh] = known.emplace(part, 0);
-      if (fresh) place->second = demand_.finish(n, part, keeps);
+      if (fresh) place->second = interference_.finish(n, part, keeps);
       return place->second;
     };
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
@@ -130,7 +131,8 @@ class Solver : private AnalysisContext {
   }
 
   void solve() {
-    for (std::size_t n = 0; n < forest.nodes.size(); ++n) demand_.announce(static_cast<int>(n), nodes_[n]);
+    for (std::size_t n = 0; n < forest.nodes.size(); ++n)
+      interference_.announce(static_cast<int>(n), nodes_[n]);
     std::vector<int> dirty(problem.processors.size(), everybody);  // by processor: delays_up_to()
     for (int pass = 0; pass < most_passes; ++pass) {
       find_overlaps(dirty);
@@ -163,7 +165,7 @@ class Solver : private AnalysisContext {
       for (Nanoseconds& each : mine.effects) each = each == NodeTimes::unknown ? each : never;
       mine.worked = mine.effects;
       mine.arrivals.assign(mine.arrivals.size(), never);
-      demand_.announce(static_cast<int>(n), mine);
+      interference_.announce(static_cast<int>(n), mine);
     }
   }
 
@@ -184,8 +186,8 @@ class Solver : private AnalysisContext {
       const auto processor = static_cast<std::size_t>(thread_of(static_cast<int>(n)).processor);
       if (in_turn_[source] != in_turn[source]) dirty[processor] = everybody;
     }
-    demand_.find_order(home_again, in_turn, stop_);
-    demand_.find_bursts(nodes_, home_again, times_.blocked);
+    interference_.find_order(home_again, in_turn, stop_);
+    interference_.find_bursts(nodes_, home_again, times_.blocked);
     in_turn_ = in_turn;
   }
 
@@ -228,7 +230,7 @@ class Solver : private AnalysisContext {
 
   const std::function<bool()>& stop_;
   std::vector<NodeTimes> nodes_;
-  Demand demand_;
+  Interference interference_;
   Releases releases_;
   Times times_;
   std::vector<bool> in_turn_;  // by source, as it was last found

@@ -41,7 +41,7 @@ struct Due {
   Nanoseconds after = 0;
 };
 
-class Demand;
+class Interference;
 
 struct Times {
   std::vector<NodeTimes> nodes;
@@ -56,7 +56,7 @@ struct Times {
   /// By source: latest distance from one occurrence to the next, and of the first from time 0; `never`: none.
   std::vector<Due> longest_gap;
   std::vector<Due> first;
-  std::shared_ptr<const Demand> demand;  // with the jitter found
+  std::shared_ptr<const Interference> interference;  // with the jitter found
   bool interrupted = false;
 };
 

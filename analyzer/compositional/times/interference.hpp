@@ -8,12 +8,12 @@
 
 namespace pal::analyzer::compositional {
 
-class Demand {
+class Interference {
  public:
   /// Registers each node as a task of its source's transaction, released at its earliest.
   /// Once `stop` says so, it is of no use.
-  Demand(const AnalysisContext& context, const std::vector<NodeTimes>& nodes,
-         const std::function<bool()>& stop);
+  Interference(const AnalysisContext& context, const std::vector<NodeTimes>& nodes,
+               const std::function<bool()>& stop);
 
   /// Tells the windows how late the node may be released after its earliest.
   void announce(int node, const NodeTimes& times);

@@ -1,4 +1,4 @@
-#include "analyzer/compositional/times/demand.hpp"
+#include "analyzer/compositional/times/interference.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -28,8 +28,8 @@ bool brings_about(const AnalysisContext& context, int node, int other) {
 
 }  // namespace
 
-Demand::Demand(const AnalysisContext& context, const std::vector<NodeTimes>& nodes,
-               const std::function<bool()>& stop)
+Interference::Interference(const AnalysisContext& context, const std::vector<NodeTimes>& nodes,
+                           const std::function<bool()>& stop)
     : context_(context),
       windows_(preemptive(context.problem), stop),
       task_(nodes.size()),
@@ -72,7 +72,7 @@ Demand::Demand(const AnalysisContext& context, const std::vector<NodeTimes>& nod
 }
 
 /// A thread that asks for what begins its next round may find it there when it comes home, and go on.
-bool Demand::pauses(int thread) const {
+bool Interference::pauses(int thread) const {
   const Thread& of = context_.thread_at(thread);
   if (context_.problem.processors[static_cast<std::size_t>(of.processor)].preemptive) return true;
   std::vector<bool> owned;
@@ -88,7 +88,8 @@ bool Demand::pauses(int thread) const {
 }
 
 /// Enters the node with the causes on its processor that are done before it begins.
-void Demand::precede(const AnalysisContext& context, int node, std::vector<Transaction>& transactions) const {
+void Interference::precede(const AnalysisContext& context, int node,
+                           std::vector<Transaction>& transactions) const {
   Transaction& of = transactions[static_cast<std::size_t>(context.node(node).source)];
   if (of.period == never) return;
   const int task = task_[static_cast<std::size_t>(node)];
@@ -109,7 +110,7 @@ void Demand::precede(const AnalysisContext& context, int node, std::vector<Trans
 /// A thread's own segments are one after the other. Those of the node's round are over when it is released.
 /// Another round may still be at work then, also in what occurs once: its thread was sent something else
 /// before, or serves a request that was withdrawn.
-void Demand::exclude(int node, bool home_again, bool in_turn) {
+void Interference::exclude(int node, bool home_again, bool in_turn) {
   const Thread& mine = context_.thread_of(node);
   const auto n = static_cast<std::size_t>(node);
   const int thread = context_.forest.thread_of(node);
@@ -145,8 +146,8 @@ void Demand::exclude(int node, bool home_again, bool in_turn) {
   windows_.set_without(context_.node(node).source, task_[n], std::move(without));
 }
 
-void Demand::find_order(const std::vector<bool>& home_again, const std::vector<bool>& in_turn,
-                        const std::function<bool()>& stop) {
+void Interference::find_order(const std::vector<bool>& home_again, const std::vector<bool>& in_turn,
+                              const std::function<bool()>& stop) {
   for (std::size_t n = 0; n < task_.size(); ++n) {
     if (stop && stop()) return;
     const auto thread = static_cast<std::size_t>(context_.forest.thread_of(static_cast<int>(n)));
@@ -159,13 +160,13 @@ void Demand::find_order(const std::vector<bool>& home_again, const std::vector<b
   in_turn_ = in_turn;
 }
 
-Nanoseconds Demand::greatest_jitter(int node) const {
+Nanoseconds Interference::greatest_jitter(int node) const {
   const Source& of = context_.source(node);
   if (of.period == never) return never;
   return plus(of.jitter, work_of(2 * context_.node(node).depth + 2, of.period));
 }
 
-Nanoseconds Demand::piled_up(const std::vector<int>& alternatives) const {
+Nanoseconds Interference::piled_up(const std::vector<int>& alternatives) const {
   const Source& of = context_.source(alternatives.front());
   if (of.period == never) return never;
   std::set<int> threads;
@@ -187,7 +188,7 @@ Nanoseconds Demand::piled_up(const std::vector<int>& alternatives) const {
   return plus(of.jitter, work_of(places, of.period));
 }
 
-void Demand::announce(int node, const NodeTimes& times) {
+void Interference::announce(int node, const NodeTimes& times) {
   const Nanoseconds jitter = times.latest >= never ? never : times.latest - times.earliest;
   windows_.set_jitter(context_.node(node).source, task_[static_cast<std::size_t>(node)], jitter,
                       greatest_jitter(node));
@@ -195,8 +196,8 @@ void Demand::announce(int node, const NodeTimes& times) {
 
 /// Who was held in a send may find what it asked for before that when it comes home, and go on for one round
 /// more.
-void Demand::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& home_again,
-                         const std::vector<bool>& blocked) {
+void Interference::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& home_again,
+                               const std::vector<bool>& blocked) {
   burst_.assign(context_.problem.threads.size(), 0);
   for (std::size_t t = 0; t < burst_.size(); ++t) {
     const int processor = context_.problem.threads[t].processor;
@@ -208,7 +209,7 @@ void Demand::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<
 
 /// Work of a thread, if `jobs_of` says of a transaction how often what it releases with a jitter comes.
 template <class JobsOf>
-Nanoseconds Demand::work_of_thread(int thread, const JobsOf& jobs_of) const {
+Nanoseconds Interference::work_of_thread(int thread, const JobsOf& jobs_of) const {
   std::map<int, Tally> tallies;  // by source
   for (int n : context_.behaviour_of(thread).nodes) {
     if (context_.segment(n).worst == 0) continue;
@@ -227,7 +228,7 @@ Nanoseconds Demand::work_of_thread(int thread, const JobsOf& jobs_of) const {
 }
 
 /// A thread goes on without a pause as long as it finds messages.
-Nanoseconds Demand::burst(int thread, const std::vector<NodeTimes>& nodes, bool home_again) const {
+Nanoseconds Interference::burst(int thread, const std::vector<NodeTimes>& nodes, bool home_again) const {
   const Nanoseconds once =
       work_of_thread(thread, [](const Transaction&, Nanoseconds) { return Nanoseconds{1}; });
   if (once == 0 || home_again) return once;
@@ -247,7 +248,7 @@ Nanoseconds Demand::burst(int thread, const std::vector<NodeTimes>& nodes, bool 
   return never;
 }
 
-int Demand::blocking_thread(int node) const {
+int Interference::blocking_thread(int node) const {
   const Thread& mine = context_.thread_of(node);
   if (context_.problem.processors[static_cast<std::size_t>(mine.processor)].preemptive) return -1;
   int longest = -1;
@@ -259,17 +260,17 @@ int Demand::blocking_thread(int node) const {
   return longest;
 }
 
-Nanoseconds Demand::blocking(int node) const {
+Nanoseconds Interference::blocking(int node) const {
   const int thread = blocking_thread(node);
   return thread < 0 ? 0 : burst_[static_cast<std::size_t>(thread)];
 }
 
-Nanoseconds Demand::finish(int node, Nanoseconds part, Nanoseconds blocking, Since since) const {
+Nanoseconds Interference::finish(int node, Nanoseconds part, Nanoseconds blocking, Since since) const {
   return windows_.finish(context_.node(node).source, task_[static_cast<std::size_t>(node)], part, blocking,
                          since);
 }
 
-Account Demand::account(int node, Nanoseconds part, Since since) const {
+Account Interference::account(int node, Nanoseconds part, Since since) const {
   return windows_.account(context_.node(node).source, task_[static_cast<std::size_t>(node)], part,
                           blocking(node), since);
 }
