@@ -29,7 +29,7 @@ Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, Bes
   if ((besides.from_start || besides.to_end) && !always) return none;
   Sum end;
   for (int n : of.nodes) {
-    if (in_paced_round(view, n)) end = greater(end, finish(view, n));
+    if (in_recurring_round(view, n)) end = greater(end, finish(view, n));
   }
   const auto follow = [&](Pass pass, const Sum& apart, const Sum& over) {
     const Way way = passes.after(pass);

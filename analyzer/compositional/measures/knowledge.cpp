@@ -144,7 +144,7 @@ Knowledge::State Knowledge::begin(int node) const {
     }
   } else if (of.release == Release::fork && of.cause >= 0) {
     state = arrived(of.cause, of.cause_step);
-  } else if (in_paced_round(view_, node)) {
+  } else if (in_recurring_round(view_, node)) {
     state = before_home(node);
   }
   if (of.release == Release::fork && view_.forest.segment_of(of).beginning.kind == Beginning::Kind::joined)
@@ -180,13 +180,13 @@ Known Knowledge::set_by_blocks(const Node& joined) const {
 /// From the round before; the first round begins with what is younger than the skill.
 Knowledge::State Knowledge::before_home(int node) const {
   const int thread = view_.forest.thread_of(node);
-  const int source = paced_source(view_, thread);
+  const int source = recurring_source(view_, thread);
   if (source < 0 || !regular_[static_cast<std::size_t>(thread)]) return {};
   if (!in_order(view_, thread)) return {};
   const ThreadBehaviour& of = view_.behaviours.threads[static_cast<std::size_t>(thread)];
   State state{Sum::unbounded(), Sum::unbounded()};
   for (int other : of.nodes) {
-    if (!in_paced_round(view_, other)) continue;
+    if (!in_recurring_round(view_, other)) continue;
     const auto& arrivals = arrivals_[static_cast<std::size_t>(other)];
     const Segment& segment = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(other)]);
     for (const Segment::Arrival& wait : segment.waits) {

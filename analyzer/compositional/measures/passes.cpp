@@ -41,17 +41,17 @@ Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
     for (const Segment::Passed& passed :
          view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(n)]).steps) {
       if (!at[static_cast<std::size_t>(passed.step)]) continue;
-      (in_paced_round(view, n) ? in_rounds_ : before_rounds_).push_back({n, passed.step});
+      (in_recurring_round(view, n) ? in_rounds_ : before_rounds_).push_back({n, passed.step});
     }
   }
-  const int source = paced_source(view, thread);
+  const int source = recurring_source(view, thread);
   if (source < 0 || !regular(view, thread)) return;
   gap_ = compositional::gap(view, source);
   first_ = compositional::first(view, source);
   Way round;
   for (int n : of.nodes) {
     const bool begins = view.behaviours.round[static_cast<std::size_t>(n)] == n;
-    if (begins && in_paced_round(view, n)) merge(round, begun(n));
+    if (begins && in_recurring_round(view, n)) merge(round, begun(n));
   }
   every_round_ = !round.home && !round.lost;
   may_pass_by_ = round.home;

@@ -57,7 +57,7 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
   }
   Sum end;
   for (int n : view.behaviours.threads[t].nodes) {
-    if (in_paced_round(view, n)) end = greater(end, finish(view, n));
+    if (in_recurring_round(view, n)) end = greater(end, finish(view, n));
   }
   for (const Pass& pass : passes.in_rounds()) {
     longest = greater(longest, since_known(knowledge, pass, before(passes.after(pass), next)));

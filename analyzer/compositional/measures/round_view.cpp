@@ -38,7 +38,7 @@ bool goes_on(const View& view, int thread) {
          goes_on(view, view.problem.threads[t].parent);
 }
 
-int paced_source(const View& view, int thread) {
+int recurring_source(const View& view, int thread) {
   const ThreadBehaviour& of = view.behaviours.threads[static_cast<std::size_t>(thread)];
   int source = -1;
   for (int n : starts_in_rounds(view, thread) ? of.nodes : of.rounds) {
@@ -50,25 +50,25 @@ int paced_source(const View& view, int thread) {
   return source;
 }
 
-bool in_paced_round(const View& view, int node) {
+bool in_recurring_round(const View& view, int node) {
   const int thread = view.forest.thread_of(node);
   const int source = view.forest.nodes[static_cast<std::size_t>(node)].source;
-  return (in_round(view, node) || starts_in_rounds(view, thread)) && source == paced_source(view, thread);
+  return (in_round(view, node) || starts_in_rounds(view, thread)) && source == recurring_source(view, thread);
 }
 
 bool regular(const View& view, int thread) {
   const ThreadBehaviour& of = view.behaviours.threads[static_cast<std::size_t>(thread)];
-  const int paced = paced_source(view, thread);
-  if (paced < 0) return false;
-  const Source& source = view.forest.sources[static_cast<std::size_t>(paced)];
+  const int recurring = recurring_source(view, thread);
+  if (recurring < 0) return false;
+  const Source& source = view.forest.sources[static_cast<std::size_t>(recurring)];
   const bool itself = std::any_of(of.rounds.begin(), of.rounds.end(), [&](int n) {
     const Node& node = view.forest.nodes[static_cast<std::size_t>(n)];
-    return node.source == paced && node.cause < 0;
+    return node.source == recurring && node.cause < 0;
   });
   if (source.kind == Source::Kind::loop && itself) return true;
   std::vector<bool> at(view.problem.steps.size());
   at[static_cast<std::size_t>(of.home >= 0 ? of.home : fork_of(view.problem, thread))] = true;
-  if (source.kind == Source::Kind::loop) return source.roots.size() == 1 && always_comes(view, paced, at);
+  if (source.kind == Source::Kind::loop) return source.roots.size() == 1 && always_comes(view, recurring, at);
   if (source.kind != Source::Kind::event) return false;
   Requirement comes;
   comes.measure = Requirement::Measure::response;
@@ -79,7 +79,7 @@ bool regular(const View& view, int thread) {
 
 bool in_order(const View& view, int thread) {
   const auto& rounds = view.behaviours.threads[static_cast<std::size_t>(thread)].rounds;
-  return std::count_if(rounds.begin(), rounds.end(), [&](int n) { return in_paced_round(view, n); }) <= 1;
+  return std::count_if(rounds.begin(), rounds.end(), [&](int n) { return in_recurring_round(view, n); }) <= 1;
 }
 
 std::vector<int> nodes_with(const View& view, int step) {

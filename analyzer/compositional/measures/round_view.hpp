@@ -18,10 +18,10 @@ bool starts_in_rounds(const View& view, int thread);
 bool goes_on(const View& view, int thread);
 
 /// The one source of a thread's rounds that occurs again and again; -1: there is none, or there are several.
-int paced_source(const View& view, int thread);
+int recurring_source(const View& view, int thread);
 
 /// Whether a node belongs to a round of that source.
-bool in_paced_round(const View& view, int node);
+bool in_recurring_round(const View& view, int node);
 
 /// Whether every occurrence of the paced source of a thread's rounds brings one about, as long as the thread
 /// is at home.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/causes/rounds.hpp"
-#include "analyzer/compositional/times/pace.hpp"
+#include "analyzer/compositional/times/inter_arrival.hpp"
 #include "analyzer/compositional/times/slots.hpp"
 
 namespace pal::analyzer::compositional {

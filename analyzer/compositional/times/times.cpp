@@ -4,8 +4,8 @@
 #include <limits>
 #include <set>
 
+#include "analyzer/compositional/times/inter_arrival.hpp"
 #include "analyzer/compositional/times/interference.hpp"
-#include "analyzer/compositional/times/pace.hpp"
 #include "analyzer/compositional/times/release.hpp"
 #include "analyzer/compositional/times/since_event.hpp"
 #include "analyzer/compositional/times/slots.hpp"
@@ -67,7 +67,7 @@ class Solver : private AnalysisContext {
       if (times_.interrupted) return std::move(times_);
     } while (finds_trouble(slots));
     name_roots();
-    find_pace(*this, times_);
+    find_inter_arrivals(*this, times_);
     times_.since_event = since_events(*this, times_, interference_);
     interference_.go_on();
     times_.interference = std::make_shared<const Interference>(interference_);

@@ -14,6 +14,6 @@ Nanoseconds latest_arrival(const AnalysisContext& context, const std::vector<Nod
                            int step);
 
 /// Fills in no_overrun, longest_gap and first.
-void find_pace(const AnalysisContext& context, Times& times);
+void find_inter_arrivals(const AnalysisContext& context, Times& times);
 
 }  // namespace pal::analyzer::compositional

@@ -1,4 +1,4 @@
-#include "analyzer/compositional/times/pace.hpp"
+#include "analyzer/compositional/times/inter_arrival.hpp"
 
 #include <algorithm>
 
@@ -130,7 +130,7 @@ Nanoseconds latest_arrival(const AnalysisContext& context, const std::vector<Nod
   return nodes[static_cast<std::size_t>(node)].finish;
 }
 
-void find_pace(const AnalysisContext& context, Times& times) {
+void find_inter_arrivals(const AnalysisContext& context, Times& times) {
   for (std::size_t s = 0; s < context.forest.sources.size(); ++s) {
     const Source& of = context.forest.sources[s];
     const bool event = of.kind == Source::Kind::event;
