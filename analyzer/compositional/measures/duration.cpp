@@ -6,7 +6,7 @@
 namespace pal::analyzer::compositional {
 
 /// A completion that a module comes to from the start, or with the first occurrence of something that comes
-/// at a known pace.
+/// at bounded inter-arrival times.
 Bound duration_bound(const View& view, const Requirement& requirement) {
   Sum longest;
   bool any = false;

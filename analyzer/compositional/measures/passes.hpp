@@ -31,9 +31,9 @@ class Passes {
   Way after(Pass pass);
   /// From where the thread begins.
   Way from_entry();
-  /// Whether each round passes one, or goes where none can come any more, and rounds come at a known pace.
+  /// Whether each round passes one, or goes where none can come any more, and rounds come at bounded inter-arrival times.
   bool every_round() const { return every_round_; }
-  /// Whether some way through a round comes home without one, where rounds come at a known pace.
+  /// Whether some way through a round comes home without one, where rounds come at bounded inter-arrival times.
   bool may_pass_by() const { return may_pass_by_; }
   /// With every_round: latest pass of a round, from the nominal instant of its source.
   const Sum& latest() const { return latest_; }

@@ -127,13 +127,13 @@ bool outlasts(const View& view, int thread, int reader) {
   if (thread == reader || view.steady) return true;
   if (starts_in_rounds(view, thread))
     return outlasts(view, view.problem.threads[static_cast<std::size_t>(thread)].parent, reader);
-  const auto behaviours = [&view](int of) { return view.behaviours.threads[static_cast<std::size_t>(of)]; };
+  const auto behaviour = [&view](int of) { return view.behaviours.threads[static_cast<std::size_t>(of)]; };
   if (!behaviour(thread).may_be_cancelled) return true;
   const Thread& lasting = view.problem.threads[static_cast<std::size_t>(thread)];
   const Thread& reads = view.problem.threads[static_cast<std::size_t>(reader)];
   // Blocks that end are over before those beside them are cancelled.
   if (lasting.can_end || !reads.can_end || !beside(view.problem, thread, reader)) return false;
-  return !behaviours(lasting.parent).may_be_cancelled;
+  return !behaviour(lasting.parent).may_be_cancelled;
 }
 
 const Sum& replaced(const View& view, const Passes& sets, int setter, int reader) {

@@ -7,7 +7,7 @@
 namespace pal::analyzer::compositional {
 namespace {
 
-struct Pace {
+struct InterArrival {
   Due gap{never};
   Due first{never};
 };
@@ -25,9 +25,9 @@ class Loop {
         index_(static_cast<int>(source)),
         of_(context.forest.sources[source]) {}
 
-  Pace run() const {
+  InterArrival run() const {
     if (!times_.trouble[static_cast<std::size_t>(of_.thread)].empty()) return {};
-    Pace pace{Due{0}, Due{0}};
+    InterArrival found{Due{0}, Due{0}};
     bool comes = false;
     Nanoseconds between = 0;
     for (const Source::Feed& feed : of_.feeds) {
@@ -35,21 +35,21 @@ class Loop {
       const Node& from = context_.node(feed.node);
       const Source::Kind by = context_.forest.sources[static_cast<std::size_t>(from.source)].kind;
       if (from.source == index_) {
-        raise(pace.gap, latest(feed));
+        raise(found.gap, latest(feed));
         comes = true;
       } else if (by == Source::Kind::start) {
-        raise(pace.first, latest(feed));
+        raise(found.first, latest(feed));
       } else if (by == Source::Kind::joined) {
-        pace.first = Due{never};
+        found.first = Due{never};
       } else {
         return {};
       }
       if (from.source != index_ && feed.wait >= 0) between = plus(between, put_off(feed));
     }
     if (!comes) return {};
-    back_at_wait(pace);
-    if (between > 0) pace.gap = Due{plus(pace.gap.at, between)};
-    return pace;
+    back_at_wait(found);
+    if (between > 0) found.gap = Due{plus(found.gap.at, between)};
+    return found;
   }
 
  private:
@@ -83,16 +83,16 @@ class Loop {
   }
 
   /// The thread itself must be back, too.
-  void back_at_wait(Pace& pace) const {
+  void back_at_wait(InterArrival& found) const {
     const int wait = context_.forest.segments[of_.segment].beginning.step;
     for (int n : context_.behaviour_of(of_.thread).nodes) {
       const Segment& segment = context_.segment(n);
       for (std::size_t w = 0; w < segment.waits.size(); ++w) {
         if (segment.waits[w].step != wait) continue;
         const Due arrival{times_.nodes[static_cast<std::size_t>(n)].arrivals[w], Due::By::arrival, n, wait};
-        if (context_.node(n).source == index_) raise(pace.gap, arrival);
-        if (context_.source(n).kind == Source::Kind::start) raise(pace.first, arrival);
-        if (context_.source(n).kind == Source::Kind::joined) pace.first = Due{never};
+        if (context_.node(n).source == index_) raise(found.gap, arrival);
+        if (context_.source(n).kind == Source::Kind::start) raise(found.first, arrival);
+        if (context_.source(n).kind == Source::Kind::joined) found.first = Due{never};
       }
     }
   }
@@ -137,17 +137,17 @@ void find_inter_arrivals(const AnalysisContext& context, Times& times) {
     const bool taken =
         event && of.roots.size() == 1 && take_in_time(context, times.nodes, of.roots.front(), 0);
     times.no_overrun.push_back(taken);
-    Pace pace;
+    InterArrival found;
     if (taken && of.regular) {
       const Nanoseconds ready =
           first_at_home(context, times.nodes, context.forest.thread_of(of.roots.front()));
-      pace = {Due{of.period, Due::By::source, -1, -1, of.period},
+      found = {Due{of.period, Due::By::source, -1, -1, of.period},
               Due{plus(ready, of.period), Due::By::home, -1, -1, of.period}};
     } else if (of.kind == Source::Kind::loop) {
-      pace = Loop(context, times, s).run();
+      found = Loop(context, times, s).run();
     }
-    times.longest_gap.push_back(pace.gap);
-    times.first.push_back(pace.first);
+    times.longest_gap.push_back(found.gap);
+    times.first.push_back(found.first);
   }
 }
 

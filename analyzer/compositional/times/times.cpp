@@ -83,7 +83,7 @@ class Solver : private AnalysisContext {
     NodeTimes& mine = times(n);
     const NodeTimes before = mine;
     mine.latest = std::max(mine.latest, latest_release(n));
-    // Later than what can pile up: something on the way does not keep pace.
+    // Later than what can pile up: something on the way does not keep up.
     if (mine.latest < never && mine.latest - mine.earliest > interference_.greatest_jitter(n))
       mine.latest = never;
     interference_.announce(n, mine);
@@ -169,7 +169,7 @@ class Solver : private AnalysisContext {
     }
   }
 
-  /// Tells the demand what does not overlap by now. `dirty`: where it is less than before, which may delay
+  /// Tells the interference what does not overlap by now. `dirty`: where it is less than before, which may delay
   /// anybody there.
   void find_overlaps(std::vector<int>& dirty) {
     std::vector<bool> home_again;
