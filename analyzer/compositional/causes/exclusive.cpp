@@ -18,7 +18,7 @@ int end_of_round(const AnalysisContext& context, int node) {
 }
 
 /// Whether a round that has passed `first` may come to another step.
-bool may_follow(const AnalysisContext& context, const Pass& first, int second) {
+bool may_follow(const AnalysisContext& context, const StepEffect& first, int second) {
   const int end = end_of_round(context, first.node);
   return follow(context.problem, context.step_at(first.step).next, [&](int at) {
     if (at == second) return Course::found;
@@ -57,13 +57,13 @@ bool any_in_round(const AnalysisContext& context, const Places& nodes_of) {
 
 }  // namespace
 
-bool are_exclusive(const AnalysisContext& context, const std::vector<Pass>& passes) {
+bool are_exclusive(const AnalysisContext& context, const std::vector<StepEffect>& occurrences) {
   Places steps_of;  // by node
   Places nodes_of;  // by step
-  for (const Pass& pass : passes) {
-    if (context.round_of(pass.node) != context.round_of(passes.front().node)) return false;
-    steps_of[pass.node].push_back(pass.step);
-    nodes_of[pass.step].push_back(pass.node);
+  for (const StepEffect& effect : occurrences) {
+    if (context.round_of(effect.node) != context.round_of(occurrences.front().node)) return false;
+    steps_of[effect.node].push_back(effect.step);
+    nodes_of[effect.step].push_back(effect.node);
   }
   return !any_in_node(context, steps_of) && !any_in_round(context, nodes_of);
 }

@@ -16,37 +16,38 @@ struct Besides {
 /// From an effect in one thread to the next.
 Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, Besides besides) {
   const auto t = static_cast<std::size_t>(thread);
-  Passes passes(view, thread, at);
+  StatementOccurrences occurrences(view, thread, at);
   const ThreadBehaviour& of = view.behaviours.threads[t];
   const bool rounds = of.home >= 0 || starts_in_rounds(view, thread);
   const bool stops = rounds && !view.reliable[t] && !goes_on(view, thread);
-  const Bound none{Sum::unbounded(), why_not_again(view, thread, passes, !stops)};
+  const Bound none{Sum::unbounded(), why_not_again(view, thread, occurrences, !stops)};
   // What has had an effect has begun.
   if (rounds ? stops : !view.lively[t]) return none;
-  Sum longest = besides.from_start ? passes.first_or_end(passes.latest()) : Sum();
+  Sum longest = besides.from_start ? occurrences.first_or_end(occurrences.latest()) : Sum();
   // Others may come to it when this thread does not any more.
-  const bool always = passes.every_round() && !passes.in_rounds().empty() && goes_on(view, thread);
+  const bool always =
+      occurrences.in_every_round() && !occurrences.in_rounds().empty() && goes_on(view, thread);
   if ((besides.from_start || besides.to_end) && !always) return none;
   Sum end;
   for (int n : of.nodes) {
     if (in_recurring_round(view, n)) end = greater(end, finish(view, n));
   }
-  const auto follow = [&](Pass pass, const Sum& apart, const Sum& over) {
-    const Way way = passes.after(pass);
-    if (way.lost || (way.home && !passes.every_round())) return Sum::unbounded();
+  const auto follow = [&](StepEffect effect, const Sum& apart, const Sum& over) {
+    const Way way = occurrences.after(effect);
+    if (way.lost || (way.home && !occurrences.in_every_round())) return Sum::unbounded();
     Sum next = way.latest;
-    if (way.home) next = greater(next, apart + passes.latest());
+    if (way.home) next = greater(next, apart + occurrences.latest());
     if (besides.to_end) next = greater(next, over);
     // What a cancelled block has begun it finishes.
     if (of.may_be_cancelled) next = greater(next, end);
-    return next - earliest(view, pass.node, pass.step);
+    return next - earliest(view, effect.node, effect.step);
   };
-  const Sum next_or_end = passes.next_or_end(passes.latest());
-  const Sum first_or_end = passes.first_or_end(passes.latest());
-  for (const Pass& pass : passes.in_rounds())
-    longest = greater(longest, follow(pass, passes.gap(), next_or_end));
-  for (const Pass& pass : passes.before_rounds())
-    longest = greater(longest, follow(pass, passes.first(), first_or_end));
+  const Sum next_or_end = occurrences.next_or_end(occurrences.latest());
+  const Sum first_or_end = occurrences.first_or_end(occurrences.latest());
+  for (const StepEffect& effect : occurrences.in_rounds())
+    longest = greater(longest, follow(effect, occurrences.gap(), next_or_end));
+  for (const StepEffect& effect : occurrences.before_rounds())
+    longest = greater(longest, follow(effect, occurrences.first(), first_or_end));
   return {longest, none.why};
 }
 
@@ -68,7 +69,7 @@ Bound greatest_interval(const View& view, const std::vector<bool>& at, bool to_e
 
 /// If each occurrence of one source brings one effect at most: from the latest in one round to the earliest
 /// in the next.
-Sum least_by_source(const View& view, const std::vector<Pass>& all) {
+Sum least_by_source(const View& view, const std::vector<StepEffect>& all) {
   if (all.empty()) return {};
   const int source = view.forest.nodes[static_cast<std::size_t>(all.front().node)].source;
   const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
@@ -76,9 +77,9 @@ Sum least_by_source(const View& view, const std::vector<Pass>& all) {
   Sum sooner = Sum::unbounded();
   Sum later;
   if (!are_exclusive({view.problem, view.forest, view.behaviours}, all)) return {};
-  for (const Pass& pass : all) {
-    sooner = less(sooner, earliest(view, pass.node, pass.step));
-    later = greater(later, latest(view, pass.node, pass.step));
+  for (const StepEffect& effect : all) {
+    sooner = less(sooner, earliest(view, effect.node, effect.step));
+    later = greater(later, latest(view, effect.node, effect.step));
   }
   if (!later.bounded()) return {};
   return greater(
@@ -103,7 +104,7 @@ Bound least_interval(const View& view, const Requirement& requirement) {
 Sum least_distance(const View& view, const std::vector<bool>& at) {
   const std::set<int> threads = owners(view, at);
   if (threads.size() != 1) return {};
-  std::vector<Pass> all;
+  std::vector<StepEffect> all;
   for (std::size_t s = 0; s < at.size(); ++s) {
     if (!at[s] || view.forest.segments.owner(static_cast<int>(s)) < 0) continue;
     for (int n : nodes_with(view, static_cast<int>(s))) all.push_back({n, static_cast<int>(s)});

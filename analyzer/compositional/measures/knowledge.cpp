@@ -11,7 +11,7 @@ namespace {
 using Kind = Step::Kind;
 using Release = Node::Release;
 
-constexpr int most_passes = 60;
+constexpr int most_iterations = 60;
 using Known = Knowledge::Known;
 
 /// `known`, if anything, so much earlier.
@@ -50,7 +50,7 @@ Knowledge::Knowledge(const View& view, const Requirement& requirement)
       latched_[static_cast<std::size_t>(owner)].insert(problem_.steps[s].condition);
   }
   if (requirement.condition < 0) find_setters();
-  for (int pass = 0; pass < most_passes; ++pass) {
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
     if (requirement.condition < 0) ages_.clear();  // samples on their way to conditions
     bool changed = false;
     for (std::size_t n = 0; n < begins_.size(); ++n) changed = visit(static_cast<int>(n)) || changed;
@@ -58,11 +58,11 @@ Knowledge::Knowledge(const View& view, const Requirement& requirement)
   }
 }
 
-Known Knowledge::at(Pass pass) const {
-  const Segment& segment = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(pass.node)]);
-  const auto& effects = effects_[static_cast<std::size_t>(pass.node)];
+Known Knowledge::at(StepEffect effect) const {
+  const Segment& segment = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(effect.node)]);
+  const auto& effects = effects_[static_cast<std::size_t>(effect.node)];
   for (std::size_t s = 0; s < segment.steps.size() && s < effects.size(); ++s) {
-    if (segment.steps[s].step == pass.step) return effects[s];
+    if (segment.steps[s].step == effect.step) return effects[s];
   }
   return std::nullopt;
 }
@@ -76,7 +76,7 @@ void Knowledge::find_setters() {
   }
   for (const auto& [condition, at] : set_at_) {
     for (int thread : owners(view_, at))
-      setters_[condition].push_back({thread, std::make_unique<Passes>(view_, thread, at)});
+      setters_[condition].push_back({thread, std::make_unique<StatementOccurrences>(view_, thread, at)});
   }
 }
 
@@ -301,24 +301,25 @@ Sum Knowledge::sample_age(int condition, int reader) const {
   Sum together = Sum::unbounded();  // both, of the one setter
   bool later = false;               // sets that are neither in rounds nor at the start
   for (const Setter& setter : found->second) {
-    const Passes& sets = *setter.sets;
-    const auto age = [&](Pass pass) {
-      const Known known = at(pass);
-      return known ? latest(view_, pass.node, pass.step) - *known : Sum::unbounded();
+    const StatementOccurrences& sets = *setter.sets;
+    const auto age = [&](StepEffect effect) {
+      const Known known = at(effect);
+      return known ? latest(view_, effect.node, effect.step) - *known : Sum::unbounded();
     };
     Sum soonest = Sum::unbounded();
     Known known = Sum::unbounded();
-    for (const Pass& pass : sets.in_rounds()) {
-      soonest = less(soonest, earliest(view_, pass.node, pass.step));
-      known = either(known, at(pass));
-      at_set = greater(at_set, age(pass));
+    for (const StepEffect& effect : sets.in_rounds()) {
+      soonest = less(soonest, earliest(view_, effect.node, effect.step));
+      known = either(known, at(effect));
+      at_set = greater(at_set, age(effect));
     }
-    for (const Pass& pass : sets.before_rounds()) {
-      const int source = view_.forest.nodes[static_cast<std::size_t>(pass.node)].source;
+    for (const StepEffect& effect : sets.before_rounds()) {
+      const int source = view_.forest.nodes[static_cast<std::size_t>(effect.node)].source;
       later = later || view_.forest.sources[static_cast<std::size_t>(source)].kind != Source::Kind::start;
-      at_set = greater(at_set, age(pass));
+      at_set = greater(at_set, age(effect));
     }
-    if (!sets.every_round() || sets.in_rounds().empty() || !outlasts(view_, setter.thread, reader)) continue;
+    if (!sets.in_every_round() || sets.in_rounds().empty() || !outlasts(view_, setter.thread, reader))
+      continue;
     const Sum& set_again = replaced(view_, sets, setter.thread, reader);
     const Sum next = sets.next_or_end(set_again);
     until_first = less(until_first, sets.first_or_end(set_again));

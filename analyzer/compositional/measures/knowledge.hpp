@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "analyzer/compositional/measures/passes.hpp"
+#include "analyzer/compositional/measures/statement_occurrences.hpp"
 
 namespace pal::analyzer::compositional {
 
@@ -23,7 +23,7 @@ class Knowledge {
   Knowledge(const View& view, const Requirement& requirement);
 
   /// At the effect of a step in a node.
-  Known at(Pass pass) const;
+  Known at(StepEffect effect) const;
 
  private:
   struct State {
@@ -32,7 +32,7 @@ class Knowledge {
   };
   struct Setter {
     int thread;
-    std::unique_ptr<Passes> sets;
+    std::unique_ptr<StatementOccurrences> sets;
   };
 
   void find_setters();

@@ -30,9 +30,9 @@ Bound frames_lost(const View& view, const Requirement& requirement, const pan::F
   std::string why = "nobody asks for frames for ever";
   const bool endless = std::any_of(threads.begin(), threads.end(), [&](int thread) {
     if (view.behaviours.threads[static_cast<std::size_t>(thread)].leaves) return false;
-    const Passes asks(view, thread, sends);
+    const StatementOccurrences asks(view, thread, sends);
     const bool on = view.lasts(thread) && goes_on(view, thread);
-    const bool asks_on = on && asks.every_round() && !asks.in_rounds().empty();
+    const bool asks_on = on && asks.in_every_round() && !asks.in_rounds().empty();
     if (!asks_on) why = why_not_again(view, thread, asks, on, "its request for a frame");
     return asks_on;
   });

@@ -7,8 +7,8 @@
 namespace pal::analyzer::compositional {
 namespace {
 
-Sum since_known(const Knowledge& knowledge, Pass pass, const Sum& until) {
-  const std::optional<Sum> known = knowledge.at(pass);
+Sum since_known(const Knowledge& knowledge, StepEffect effect, const Sum& until) {
+  const std::optional<Sum> known = knowledge.at(effect);
   return known ? until - *known : Sum::unbounded();
 }
 
@@ -23,22 +23,22 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
                 bool alone) {
   const auto t = static_cast<std::size_t>(thread);
   const std::string& name = view.problem.threads[t].name;
-  Passes passes(view, thread, requirement.at);
-  if (passes.in_rounds().empty()) {
+  StatementOccurrences occurrences(view, thread, requirement.at);
+  if (occurrences.in_rounds().empty()) {
     // Once each, at the start.
     const Bound none{Sum::unbounded(), "nothing bounds when " + name + " comes to it"};
-    const Way way = passes.from_entry();
+    const Way way = occurrences.from_entry();
     if (!alone || !view.lively[t] || !view.begun[t] || way.home || way.lost) return none;
     Sum longest = way.latest;
-    for (const Pass& pass : passes.before_rounds()) {
-      const Way next = passes.after(pass);
-      if (!of_start(view, pass.node) || next.home || next.lost) return none;
-      longest = greater(longest, since_known(knowledge, pass, next.latest));
+    for (const StepEffect& effect : occurrences.before_rounds()) {
+      const Way next = occurrences.after(effect);
+      if (!of_start(view, effect.node) || next.home || next.lost) return none;
+      longest = greater(longest, since_known(knowledge, effect, next.latest));
     }
     return {longest, none.why};
   }
-  if (!goes_on(view, thread) || !passes.every_round()) {
-    return {Sum::unbounded(), why_not_again(view, thread, passes, goes_on(view, thread))};
+  if (!goes_on(view, thread) || !occurrences.in_every_round()) {
+    return {Sum::unbounded(), why_not_again(view, thread, occurrences, goes_on(view, thread))};
   }
   // The first of all may come in a way that never comes home, and so may the next after any.
   const Bound none{Sum::unbounded(),
@@ -47,23 +47,25 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
     return way.lost ? Sum::unbounded() : greater(way.latest, round);
   };
   // Others may come to it until the skill has ended.
-  const Sum first = alone ? passes.first() + passes.latest() : passes.first_or_end(passes.latest());
-  const Sum next = alone ? passes.gap() + passes.latest() : passes.next_or_end(passes.latest());
+  const Sum first =
+      alone ? occurrences.first() + occurrences.latest() : occurrences.first_or_end(occurrences.latest());
+  const Sum next =
+      alone ? occurrences.gap() + occurrences.latest() : occurrences.next_or_end(occurrences.latest());
   // What is known before the rounds is no older than the skill.
-  Sum longest = before(passes.from_entry(), first);
-  for (const Pass& pass : passes.before_rounds()) {
-    const Sum until = before(passes.after(pass), Sum());
-    longest = greater(longest, of_start(view, pass.node) ? until : since_known(knowledge, pass, until));
+  Sum longest = before(occurrences.from_entry(), first);
+  for (const StepEffect& effect : occurrences.before_rounds()) {
+    const Sum until = before(occurrences.after(effect), Sum());
+    longest = greater(longest, of_start(view, effect.node) ? until : since_known(knowledge, effect, until));
   }
   Sum end;
   for (int n : view.behaviours.threads[t].nodes) {
     if (in_recurring_round(view, n)) end = greater(end, finish(view, n));
   }
-  for (const Pass& pass : passes.in_rounds()) {
-    longest = greater(longest, since_known(knowledge, pass, before(passes.after(pass), next)));
+  for (const StepEffect& effect : occurrences.in_rounds()) {
+    longest = greater(longest, since_known(knowledge, effect, before(occurrences.after(effect), next)));
     // A statement that a cancelled block finishes.
     if (view.behaviours.threads[t].may_be_cancelled)
-      longest = greater(longest, since_known(knowledge, pass, end));
+      longest = greater(longest, since_known(knowledge, effect, end));
   }
   return {longest, none.why};
 }
@@ -77,8 +79,8 @@ Bound known_age_bound(const View& view, const Requirement& requirement) {
   for (std::size_t s = 0; s < view.problem.steps.size(); ++s) {
     if (!requirement.at[s] || view.forest.segments.owner(static_cast<int>(s)) < 0) continue;
     for (int n : nodes_with(view, static_cast<int>(s))) {
-      const Pass pass{n, static_cast<int>(s)};
-      oldest = greater(oldest, since_known(knowledge, pass, latest(view, n, pass.step)));
+      const StepEffect effect{n, static_cast<int>(s)};
+      oldest = greater(oldest, since_known(knowledge, effect, latest(view, n, effect.step)));
       if (!oldest.bounded() && why.empty())
         why = since_trouble("nothing bounds how old the sample is that is known there", view,
                             view.forest.thread_of(n));

@@ -31,12 +31,12 @@ std::string since_trouble(const std::string& what, const View& view, int thread)
   return behind.empty() ? what : what + ", since " + behind;
 }
 
-std::string why_not_again(const View& view, int thread, const Passes& passes, bool goes_on,
+std::string why_not_again(const View& view, int thread, const StatementOccurrences& occurrences, bool goes_on,
                           const std::string& statement) {
   const auto t = static_cast<std::size_t>(thread);
   if (!view.times.trouble[t].empty()) return view.times.trouble[t];
   const std::string& name = view.problem.threads[t].name;
-  if (passes.may_pass_by()) return name + " need not come to " + statement + " in every round";
+  if (occurrences.may_skip()) return name + " need not come to " + statement + " in every round";
   const bool leaves = view.behaviours.threads[t].leaves;
   if (!goes_on && leaves && trouble_behind(view, thread).empty()) return name + " may leave its rounds";
   return since_trouble(goes_on ? "nothing bounds when " + name + " comes to " + statement

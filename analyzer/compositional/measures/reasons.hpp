@@ -1,7 +1,7 @@
 // What a verdict says where there is no bound.
 #pragma once
 
-#include "analyzer/compositional/measures/passes.hpp"
+#include "analyzer/compositional/measures/statement_occurrences.hpp"
 
 namespace pal::analyzer::compositional {
 
@@ -12,9 +12,9 @@ std::string trouble_behind(const View& view, int thread);
 /// `what`, and what that comes from, if trouble_behind() the thread is known.
 std::string since_trouble(const std::string& what, const View& view, int thread);
 
-/// Why it is not known when a thread comes to the statements of `passes` again, which are called
+/// Why it is not known when a thread comes to the statements of `occurrences` again, which are called
 /// `statement`; `goes_on`: it is known to go on with its rounds.
-std::string why_not_again(const View& view, int thread, const Passes& passes, bool goes_on,
+std::string why_not_again(const View& view, int thread, const StatementOccurrences& occurrences, bool goes_on,
                           const std::string& statement = "it");
 
 }  // namespace pal::analyzer::compositional

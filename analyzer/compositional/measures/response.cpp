@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "analyzer/compositional/causes/analysis_context.hpp"
-#include "analyzer/compositional/measures/passes.hpp"
 #include "analyzer/compositional/measures/pursuit.hpp"
+#include "analyzer/compositional/measures/statement_occurrences.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {

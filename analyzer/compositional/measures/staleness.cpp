@@ -62,19 +62,19 @@ class Staleness {
 
   Bound sets_apart(int setter) const {
     const std::string& name = problem_.threads[static_cast<std::size_t>(setter)].name;
-    const Passes passes(view_, setter, at_);
+    const StatementOccurrences occurrences(view_, setter, at_);
     const bool lasts = outlasts(view_, setter, reader_);
-    if (!lasts || !passes.every_round() || passes.in_rounds().empty())
-      return {Sum::unbounded(), why_not_again(view_, setter, passes, lasts, "a set of the condition")};
+    if (!lasts || !occurrences.in_every_round() || occurrences.in_rounds().empty())
+      return {Sum::unbounded(), why_not_again(view_, setter, occurrences, lasts, "a set of the condition")};
     Sum soonest = Sum::unbounded();
-    for (const Pass& pass : passes.in_rounds())
-      soonest = less(soonest, earliest(view_, pass.node, pass.step));
-    const Sum& set_again = replaced(view_, passes, setter, reader_);
-    const Sum next = passes.next_or_end(set_again);
+    for (const StepEffect& effect : occurrences.in_rounds())
+      soonest = less(soonest, earliest(view_, effect.node, effect.step));
+    const Sum& set_again = replaced(view_, occurrences, setter, reader_);
+    const Sum next = occurrences.next_or_end(set_again);
     if (!next.bounded())
       return {Sum::unbounded(),
               since_trouble("nothing says how long " + name + " may wait between two rounds", view_, setter)};
-    return {greater(next - soonest, until_first(setter, passes.first_or_end(set_again))),
+    return {greater(next - soonest, until_first(setter, occurrences.first_or_end(set_again))),
             "nothing bounds when " + name + " sets first"};
   }
 
@@ -136,7 +136,7 @@ bool outlasts(const View& view, int thread, int reader) {
   return !behaviour(lasting.parent).may_be_cancelled;
 }
 
-const Sum& replaced(const View& view, const Passes& sets, int setter, int reader) {
+const Sum& replaced(const View& view, const StatementOccurrences& sets, int setter, int reader) {
   const Thread& sets_it = view.problem.threads[static_cast<std::size_t>(setter)];
   const Thread& reads_it = view.problem.threads[static_cast<std::size_t>(reader)];
   const bool gives_way = sets_it.processor == reads_it.processor &&

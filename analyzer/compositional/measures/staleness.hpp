@@ -1,7 +1,7 @@
 // How long ago the value was set that a thread reads.
 #pragma once
 
-#include "analyzer/compositional/measures/passes.hpp"
+#include "analyzer/compositional/measures/statement_occurrences.hpp"
 
 namespace pal::analyzer::compositional {
 
@@ -14,6 +14,6 @@ bool outlasts(const View& view, int thread, int reader);
 /// Until when `reader` may read what was set in the round before, from the nominal instant of a round of
 /// `setter` on: until it is set again, or only until its segment is released, if the reader runs on the same
 /// processor, which is preemptive, and only when the setter has nothing to do (M. Dürr and others, 2019).
-const Sum& replaced(const View& view, const Passes& sets, int setter, int reader);
+const Sum& replaced(const View& view, const StatementOccurrences& sets, int setter, int reader);
 
 }  // namespace pal::analyzer::compositional

@@ -9,10 +9,10 @@
 namespace pal::analyzer::compositional {
 namespace {
 
-constexpr int most_passes = 20;
+constexpr int most_iterations = 20;
 
-/// Begins with the times from the nominal instants and lowers them: each pass follows the ways from bounds
-/// to bounds, so it may stop after any.
+/// Begins with the times from the nominal instants and lowers them: each iteration follows the ways from
+/// bounds to bounds, so it may stop after any.
 class SinceEvents : private AnalysisContext {
  public:
   SinceEvents(const AnalysisContext& context, const Times& times, const Interference& interference)
@@ -23,7 +23,7 @@ class SinceEvents : private AnalysisContext {
         releases_(*this, made_, times.nodes, interference) {}
 
   std::vector<NodeTimes> run() {
-    for (int pass = 0; pass < most_passes; ++pass) {
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
       bool changed = false;
       for (std::size_t i = 0; i < made_.size(); ++i) {
         const int n = static_cast<int>(i);

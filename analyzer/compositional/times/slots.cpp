@@ -95,7 +95,7 @@ Slots::Slots(const AnalysisContext& context) : context_(context), puts_(context.
         puts_[static_cast<std::size_t>(step.channels.front())].push_back({n, passed.step});
     }
   }
-  for (const std::vector<Pass>& puts : puts_) exclusive_.push_back(are_exclusive(context, puts));
+  for (const std::vector<StepEffect>& puts : puts_) exclusive_.push_back(are_exclusive(context, puts));
 }
 
 /// Whether every message of the channel is taken before the next is put.
@@ -109,19 +109,19 @@ bool Slots::is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) co
   if (context_.source(puts.front().node).period == never) return true;  // one message, ever
   Nanoseconds soonest = never;
   bool one_node = true;
-  for (const Pass& put : puts) {
+  for (const StepEffect& put : puts) {
     const Segment& segment = context_.segment(put.node);
     soonest = std::min(soonest, nodes[static_cast<std::size_t>(put.node)].earliest +
                                     segment.steps[place_of(segment, put.step)].best);
     one_node = one_node && put.node == puts.front().node;
   }
   return std::all_of(puts.begin(), puts.end(),
-                     [&](const Pass& put) { return is_taken_in_time(nodes, put, soonest, one_node); });
+                     [&](const StepEffect& put) { return is_taken_in_time(nodes, put, soonest, one_node); });
 }
 
 /// Whether a put of a round is taken before the round after it puts, at `soonest` at the earliest, or it is
 /// known what that waits for.
-bool Slots::is_taken_in_time(const std::vector<NodeTimes>& nodes, Pass put, Nanoseconds soonest,
+bool Slots::is_taken_in_time(const std::vector<NodeTimes>& nodes, StepEffect put, Nanoseconds soonest,
                              bool may_hold) const {
   bool known = false;
   for (int effect : context_.node(put.node).effects) {
@@ -134,14 +134,14 @@ bool Slots::is_taken_in_time(const std::vector<NodeTimes>& nodes, Pass put, Nano
 }
 
 /// Whether it is known what a wait for the slot does: the send ends its thread's only kind of round.
-bool Slots::may_be_held(const std::vector<NodeTimes>& nodes, Pass put, int taker) const {
+bool Slots::may_be_held(const std::vector<NodeTimes>& nodes, StepEffect put, int taker) const {
   const ThreadBehaviour& of = context_.behaviour_of(context_.forest.thread_of(put.node));
   return taken(nodes, taker) < never && of.rounds.size() == 1 && !of.waits_within &&
          context_.round_of(put.node) == of.rounds.front() &&
          context_.step_at(put.step).next.front() == of.home;
 }
 
-std::vector<int> Slots::takers_of(Pass put) const {
+std::vector<int> Slots::takers_of(StepEffect put) const {
   std::vector<int> threads;
   for (int effect : context_.node(put.node).effects) {
     if (sent_by(context_.node(effect), put.step)) threads.push_back(context_.forest.thread_of(effect));
@@ -153,7 +153,7 @@ std::vector<Slots::Trouble> Slots::trouble(const Times& times) const {
   std::vector<Trouble> found;
   for (std::size_t c = 0; c < puts_.size(); ++c) {
     if (is_free(times.nodes, c)) continue;
-    for (const Pass& put : puts_[c]) {
+    for (const StepEffect& put : puts_[c]) {
       const int statement = context_.step_at(put.step).statement;
       found.push_back(
           {context_.forest.thread_of(put.node), true,

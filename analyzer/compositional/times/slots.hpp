@@ -37,14 +37,14 @@ class Slots {
 
  private:
   bool is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) const;
-  bool is_taken_in_time(const std::vector<NodeTimes>& nodes, Pass put, Nanoseconds soonest,
+  bool is_taken_in_time(const std::vector<NodeTimes>& nodes, StepEffect put, Nanoseconds soonest,
                         bool may_hold) const;
-  std::vector<int> takers_of(Pass put) const;
-  bool may_be_held(const std::vector<NodeTimes>& nodes, Pass put, int taker) const;
+  std::vector<int> takers_of(StepEffect put) const;
+  bool may_be_held(const std::vector<NodeTimes>& nodes, StepEffect put, int taker) const;
 
   AnalysisContext context_;
-  std::vector<std::vector<Pass>> puts_;  // by channel
-  std::vector<bool> exclusive_;          // by channel: are_exclusive() of its puts
+  std::vector<std::vector<StepEffect>> puts_;  // by channel
+  std::vector<bool> exclusive_;                // by channel: are_exclusive() of its puts
 };
 
 }  // namespace pal::analyzer::compositional

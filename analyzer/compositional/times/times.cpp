@@ -15,7 +15,7 @@ namespace {
 
 using Kind = Step::Kind;
 
-constexpr int most_passes = 400;
+constexpr int most_iterations = 400;
 constexpr int everybody = std::numeric_limits<int>::max();
 constexpr int nobody = std::numeric_limits<int>::min();
 
@@ -42,9 +42,9 @@ std::vector<NodeTimes> unhindered(const AnalysisContext& context, const std::vec
   return nodes;
 }
 
-/// Raises all times together until they agree. Each pass derives the latest releases from the latest effects,
-/// and these from the work that the releases can pile up (J. C. Palencia, M. González Harbour 1998; the
-/// argument that the least solution bounds every run is in docs/compositional.md).
+/// Raises all times together until they agree. Each iteration derives the latest releases from the latest
+/// effects, and these from the work that the releases can pile up (J. C. Palencia, M. González Harbour 1998;
+/// the argument that the least solution bounds every run is in docs/compositional.md).
 class Solver : private AnalysisContext {
  public:
   Solver(const AnalysisContext& context, const std::vector<bool>& at, const std::function<bool()>& stop)
@@ -134,7 +134,7 @@ class Solver : private AnalysisContext {
     for (std::size_t n = 0; n < forest.nodes.size(); ++n)
       interference_.announce(static_cast<int>(n), nodes_[n]);
     std::vector<int> dirty(problem.processors.size(), everybody);  // by processor: delays_up_to()
-    for (int pass = 0; pass < most_passes; ++pass) {
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
       find_overlaps(dirty);
       std::vector<int> now = dirty;
       dirty.assign(dirty.size(), nobody);
@@ -169,8 +169,8 @@ class Solver : private AnalysisContext {
     }
   }
 
-  /// Tells the interference what does not overlap by now. `dirty`: where it is less than before, which may delay
-  /// anybody there.
+  /// Tells the interference what does not overlap by now. `dirty`: where it is less than before, which may
+  /// delay anybody there.
   void find_overlaps(std::vector<int>& dirty) {
     std::vector<bool> home_again;
     for (std::size_t t = 0; t < behaviours.threads.size(); ++t)

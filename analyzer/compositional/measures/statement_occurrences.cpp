@@ -1,4 +1,4 @@
-#include "analyzer/compositional/measures/passes.hpp"
+#include "analyzer/compositional/measures/statement_occurrences.hpp"
 
 #include <algorithm>
 
@@ -30,7 +30,7 @@ std::vector<bool> reaching(const Problem& problem, const std::vector<bool>& at) 
 
 }  // namespace
 
-Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
+StatementOccurrences::StatementOccurrences(const View& view, int thread, const std::vector<bool>& at)
     : view_(view),
       thread_(thread),
       at_(at),
@@ -53,18 +53,18 @@ Passes::Passes(const View& view, int thread, const std::vector<bool>& at)
     const bool begins = view.behaviours.round[static_cast<std::size_t>(n)] == n;
     if (begins && in_recurring_round(view, n)) merge(round, begun(n));
   }
-  every_round_ = !round.home && !round.lost;
-  may_pass_by_ = round.home;
+  in_every_round_ = !round.home && !round.lost;
+  may_skip_ = round.home;
   latest_ = round.latest;
   released_ = round.released;
   find_ends(source);
 }
 
-void Passes::find_ends(int source) {
+void StatementOccurrences::find_ends(int source) {
   const AnalysisContext context{view_.problem, view_.forest, view_.behaviours};
   const auto after_one = [&](int n) {
     for (; n >= 0; n = context.node(n).cause) {
-      if (view_.forest.thread_of(n) == thread_ && surely_passes(n)) return true;
+      if (view_.forest.thread_of(n) == thread_ && surely_occurs(n)) return true;
     }
     return false;
   };
@@ -79,16 +79,16 @@ void Passes::find_ends(int source) {
   instead(context.endings_before_first(source));
 }
 
-Sum Passes::next_or_end(const Sum& pass) const {
-  return greater(gap_ + greater(pass, ended_before_), ended_);
+Sum StatementOccurrences::next_or_end(const Sum& effect) const {
+  return greater(gap_ + greater(effect, ended_before_), ended_);
 }
 
-Sum Passes::first_or_end(const Sum& pass) const {
-  return greater(first_ + greater(pass, ended_before_), ended_at_start_);
+Sum StatementOccurrences::first_or_end(const Sum& effect) const {
+  return greater(first_ + greater(effect, ended_before_), ended_at_start_);
 }
 
 /// Whether all ways through the node's segment pass one.
-bool Passes::surely_passes(int node) const {
+bool StatementOccurrences::surely_occurs(int node) const {
   const std::optional<int> first = opening(node);
   return !first || !follow(view_.problem, {*first}, [this](int at) {
     const Step& step = view_.problem.steps[static_cast<std::size_t>(at)];
@@ -98,14 +98,14 @@ bool Passes::surely_passes(int node) const {
   });
 }
 
-void Passes::merge(Way& into, const Way& other) const {
+void StatementOccurrences::merge(Way& into, const Way& other) const {
   into.latest = greater(into.latest, other.latest);
   into.released = greater(into.released, other.released);
   into.home = into.home || other.home;
   into.lost = into.lost || other.lost || !other.latest.bounded();
 }
 
-std::optional<int> Passes::opening(int node) const {
+std::optional<int> StatementOccurrences::opening(int node) const {
   const Beginning& begins =
       view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(node)]).beginning;
   if (begins.kind == Beginning::Kind::entry)
@@ -117,14 +117,14 @@ std::optional<int> Passes::opening(int node) const {
   return gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)];
 }
 
-Way Passes::begun(int node) {
+Way StatementOccurrences::begun(int node) {
   const std::optional<int> first = opening(node);
   if (first) return from(node, *first);
   const int wait = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(node)]).beginning.step;
   return {compositional::latest(view_, node, wait), release(view_, node), false, false};
 }
 
-Way Passes::from_entry() {
+Way StatementOccurrences::from_entry() {
   Way way;
   bool any = false;
   for (int n : view_.behaviours.threads[static_cast<std::size_t>(thread_)].nodes) {
@@ -138,21 +138,21 @@ Way Passes::from_entry() {
   return way;
 }
 
-Way Passes::after(Pass pass) {
+Way StatementOccurrences::after(StepEffect effect) {
   Way way;
   const Beginning& begins =
-      view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(pass.node)]).beginning;
-  const Step& step = view_.problem.steps[static_cast<std::size_t>(pass.step)];
+      view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(effect.node)]).beginning;
+  const Step& step = view_.problem.steps[static_cast<std::size_t>(effect.step)];
   if (step.kind == Kind::wait) {
     const bool gives_up = begins.kind == Beginning::Kind::give_up;
-    return from(pass.node, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
+    return from(effect.node, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
   }
-  if (step.next.empty()) way = {finish(view_, pass.node), release(view_, pass.node), false, false};
-  for (int next : step.next) merge(way, from(pass.node, next));
+  if (step.next.empty()) way = {finish(view_, effect.node), release(view_, effect.node), false, false};
+  for (int next : step.next) merge(way, from(effect.node, next));
   return way;
 }
 
-Way Passes::from(int node, int at) {
+Way StatementOccurrences::from(int node, int at) {
   const auto leads_on = [&](int step) {
     const Kind kind = view_.problem.steps[static_cast<std::size_t>(step)].kind;
     const bool ends = kind == Kind::wait || kind == Kind::fork || !reachable_[static_cast<std::size_t>(step)];
@@ -165,7 +165,7 @@ Way Passes::from(int node, int at) {
   return known_.at({node, at});
 }
 
-Way Passes::way_from(int node, int at) {
+Way StatementOccurrences::way_from(int node, int at) {
   const Step& step = view_.problem.steps[static_cast<std::size_t>(at)];
   Way way;
   if (!reachable_[static_cast<std::size_t>(at)]) {
@@ -191,7 +191,7 @@ Way Passes::way_from(int node, int at) {
 }
 
 /// What the thread does when its wait, or its blocks, are over.
-Way Passes::beyond_wait(int node, int wait) {
+Way StatementOccurrences::beyond_wait(int node, int wait) {
   const ThreadBehaviour& of = view_.behaviours.threads[static_cast<std::size_t>(thread_)];
   if (wait == of.home) return {Sum(), Sum(), true, false};
   Way way;

@@ -20,34 +20,37 @@ struct Way {
 };
 
 /// The effects of the statements `at` in one thread, as long as it comes home from every round.
-class Passes {
+class StatementOccurrences {
  public:
-  Passes(const View& view, int thread, const std::vector<bool>& at);
+  StatementOccurrences(const View& view, int thread, const std::vector<bool>& at);
 
-  const std::vector<Pass>& in_rounds() const { return in_rounds_; }
-  const std::vector<Pass>& before_rounds() const { return before_rounds_; }
+  const std::vector<StepEffect>& in_rounds() const { return in_rounds_; }
+  const std::vector<StepEffect>& before_rounds() const { return before_rounds_; }
 
   /// After a pass.
-  Way after(Pass pass);
+  Way after(StepEffect effect);
   /// From where the thread begins.
   Way from_entry();
-  /// Whether each round passes one, or goes where none can come any more, and rounds come at bounded inter-arrival times.
-  bool every_round() const { return every_round_; }
-  /// Whether some way through a round comes home without one, where rounds come at bounded inter-arrival times.
-  bool may_pass_by() const { return may_pass_by_; }
-  /// With every_round: latest pass of a round, from the nominal instant of its source.
+  /// Whether each round passes one, or goes where none can come any more, and rounds come at bounded
+  /// inter-arrival times.
+  bool in_every_round() const { return in_every_round_; }
+  /// Whether some way through a round comes home without one, where rounds come at bounded inter-arrival
+  /// times.
+  bool may_skip() const { return may_skip_; }
+  /// With in_every_round: latest pass of a round, from the nominal instant of its source.
   const Sum& latest() const { return latest_; }
-  /// With every_round: latest release of the segment in which a round passes one. From then on the thread has
-  /// something to do until it does.
+  /// With in_every_round: latest release of the segment in which a round passes one. From then on the thread
+  /// has something to do until it does.
   const Sum& released() const { return released_; }
   /// Greatest distance of nominal instants of rounds, and of the first from time 0; unbounded: not known.
   const Sum& gap() const { return gap_; }
   const Sum& first() const { return first_; }
-  /// With every_round: from the nominal instant of a round that has passed one until the next has, by `pass`
-  /// of its own, or the skill has ended.
-  Sum next_or_end(const Sum& pass) const;
-  /// With every_round: from time 0 until the first round has passed one, by `pass`, or the skill has ended.
-  Sum first_or_end(const Sum& pass) const;
+  /// With in_every_round: from the nominal instant of a round that has passed one until the next has, by
+  /// `effect` of its own, or the skill has ended.
+  Sum next_or_end(const Sum& effect) const;
+  /// With in_every_round: from time 0 until the first round has passed one, by `effect`, or the skill has
+  /// ended.
+  Sum first_or_end(const Sum& effect) const;
 
  private:
   Way from(int node, int step);
@@ -58,7 +61,7 @@ class Passes {
   /// The first step of a node's segment behind the wait that begins it; nothing: that wait is one of the
   /// statements.
   std::optional<int> opening(int node) const;
-  bool surely_passes(int node) const;
+  bool surely_occurs(int node) const;
   void find_ends(int source);
   void merge(Way& into, const Way& other) const;
 
@@ -67,11 +70,11 @@ class Passes {
   const std::vector<bool>& at_;
   std::vector<bool> reachable_;  // by step: one of the statements can still come
   bool begins_again_;            // a block of a CONCURRENT that comes again
-  std::vector<Pass> in_rounds_;
-  std::vector<Pass> before_rounds_;
+  std::vector<StepEffect> in_rounds_;
+  std::vector<StepEffect> before_rounds_;
   std::map<std::pair<int, int>, Way> known_;
-  bool every_round_ = false;
-  bool may_pass_by_ = false;
+  bool in_every_round_ = false;
+  bool may_skip_ = false;
   Sum latest_;
   Sum released_;
   /// Latest end of the skill, or of a thread, in a round, and in one in which this thread has not surely
