@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/causes/analysis_context.hpp"
-#include "analyzer/compositional/measures/pursuit.hpp"
+#include "analyzer/compositional/measures/event_propagation.hpp"
 #include "analyzer/compositional/measures/statement_occurrences.hpp"
 
 namespace pal::analyzer::compositional {
@@ -55,10 +55,10 @@ Bound to_event(const View& view, const Requirement& requirement, int source) {
                    view.problem.devices[static_cast<std::size_t>(of.device)].name);
   const int root = of.roots.front();
   if (!view.times.no_overrun[static_cast<std::size_t>(source)]) return unknown(overrun(view, source));
-  Pursuit pursuit(view, requirement.at, Pursuit::Since::event);
-  const Sum answer = pursuit.node_value(root);
+  EventPropagation propagation(view, requirement.at, EventPropagation::Since::event);
+  const Sum answer = propagation.node_value(root);
   if (!answer.bounded())
-    return unknown(pursuit.why().empty() ? "an event may stay without a response" : pursuit.why());
+    return unknown(propagation.why().empty() ? "an event may stay without a response" : propagation.why());
   const Nanoseconds apart = of.period - of.jitter;
   if ((answer.value() >= apart || view.steady) && !in_order(view, requirement, source))
     return unknown("an event may be answered after the next one has come, by another way");
@@ -85,7 +85,7 @@ bool answered_in_turn(const View& view, const Requirement& requirement) {
 /// brings about. It must be answered before the next one can be put.
 Bound to_message(const View& view, const Requirement& requirement) {
   const std::vector<bool> sends = sends_of_events(view.problem, requirement);
-  Pursuit pursuit(view, requirement.at, Pursuit::Since::nominal);
+  EventPropagation propagation(view, requirement.at, EventPropagation::Since::nominal);
   Sum longest;
   for (std::size_t s = 0; s < sends.size(); ++s) {
     if (!sends[s]) continue;
@@ -95,9 +95,10 @@ Bound to_message(const View& view, const Requirement& requirement) {
       const bool event = view.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::event;
       if (event && !view.times.no_overrun[static_cast<std::size_t>(source)])
         return unknown(overrun(view, source));
-      const Sum answered = pursuit.sent_value(n, send);
+      const Sum answered = propagation.sent_value(n, send);
       if (!answered.bounded())
-        return unknown(pursuit.why().empty() ? "a message may stay without a response" : pursuit.why());
+        return unknown(propagation.why().empty() ? "a message may stay without a response"
+                                                 : propagation.why());
       longest = greater(longest, answered - earliest(view, n, send));
     }
   }
@@ -132,10 +133,10 @@ Bound response_bound(const View& view, const Requirement& requirement) {
 }
 
 bool always_comes(const View& view, int source, const std::vector<bool>& at) {
-  Pursuit pursuit(view, at, Pursuit::Since::event);
+  EventPropagation propagation(view, at, EventPropagation::Since::event);
   const auto& roots = view.forest.sources[static_cast<std::size_t>(source)].roots;
   return std::any_of(roots.begin(), roots.end(),
-                     [&](int root) { return pursuit.node_value(root).bounded(); });
+                     [&](int root) { return propagation.node_value(root).bounded(); });
 }
 
 Bound event_loss_bound(const View& view, const Requirement& requirement) {
@@ -144,8 +145,8 @@ Bound event_loss_bound(const View& view, const Requirement& requirement) {
   const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
   if (of.roots.empty()) return unknown("nobody waits for its events");
   if (!view.times.no_overrun[static_cast<std::size_t>(source)]) return unknown(overrun(view, source));
-  Pursuit pursuit(view, requirement.at, Pursuit::Since::event);
-  return pursuit.certain(of.roots.front()) ? Bound{Sum(), ""} : unknown(pursuit.why());
+  EventPropagation propagation(view, requirement.at, EventPropagation::Since::event);
+  return propagation.certain(of.roots.front()) ? Bound{Sum(), ""} : unknown(propagation.why());
 }
 
 }  // namespace pal::analyzer::compositional

@@ -1,4 +1,4 @@
-#include "analyzer/compositional/measures/pursuit.hpp"
+#include "analyzer/compositional/measures/event_propagation.hpp"
 
 #include <algorithm>
 
@@ -13,11 +13,11 @@ using Release = Node::Release;
 
 }  // namespace
 
-std::string Pursuit::trouble_of(int n) const {
+std::string EventPropagation::trouble_of(int n) const {
   return view_.times.trouble[static_cast<std::size_t>(view_.forest.thread_of(n))];
 }
 
-bool Pursuit::certain(int n) {
+bool EventPropagation::certain(int n) {
   const auto thread = static_cast<std::size_t>(view_.forest.thread_of(n));
   // A device is closed until somebody waits for its event.
   const bool opens = node(view_.behaviours.round[static_cast<std::size_t>(n)]).release == Release::root;
@@ -36,7 +36,7 @@ bool Pursuit::certain(int n) {
   return false;
 }
 
-Sum Pursuit::node_value(int n) {
+Sum EventPropagation::node_value(int n) {
   // A round may come back to a wait, and to this node, nobody knows how often.
   const auto [place, fresh] = nodes_.emplace(n, Sum::unbounded());
   if (!fresh) return place->second;
@@ -49,7 +49,7 @@ Sum Pursuit::node_value(int n) {
   return value;
 }
 
-Sum Pursuit::beginning_value(int n) {
+Sum EventPropagation::beginning_value(int n) {
   const Beginning& begins = segment(n).beginning;
   if (begins.kind == Beginning::Kind::entry)
     return step_value(n, problem_.threads[static_cast<std::size_t>(begins.thread)].entry);
@@ -60,7 +60,7 @@ Sum Pursuit::beginning_value(int n) {
   return step_value(n, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
 }
 
-Sum Pursuit::step_value(int n, int at) {
+Sum EventPropagation::step_value(int n, int at) {
   const auto known = [&](int step) { return steps_.contains({n, step}); };
   const auto leads_on = [&](int step) {
     const Kind kind = step_at(step).kind;
@@ -73,7 +73,7 @@ Sum Pursuit::step_value(int n, int at) {
   return steps_.at({n, at});
 }
 
-Sum Pursuit::value_of_step(int n, int at) {
+Sum EventPropagation::value_of_step(int n, int at) {
   const Step& step = step_at(at);
   Sum value = Sum::unbounded();
   if (step.kind == Kind::wait) {
@@ -94,14 +94,14 @@ Sum Pursuit::value_of_step(int n, int at) {
   return value;
 }
 
-bool Pursuit::is_put(int send) {
+bool EventPropagation::is_put(int send) {
   const int request = problem_.channels[static_cast<std::size_t>(step_at(send).channels.front())].answers;
   if (request < 0 || !view_.forest.withdrawn[static_cast<std::size_t>(request)]) return true;
   if (why_.empty()) why_ = "an answer may be discarded, since its request has been withdrawn";
   return false;
 }
 
-Sum Pursuit::sent_value(int n, int send) {
+Sum EventPropagation::sent_value(int n, int send) {
   const int channel = step_at(send).channels.front();
   if (problem_.channels[static_cast<std::size_t>(channel)].answer >= 0 && may_give_up(problem_, channel)) {
     if (why_.empty()) why_ = "a request may be withdrawn before it is taken";
@@ -120,7 +120,7 @@ Sum Pursuit::sent_value(int n, int send) {
   return node_value(taker);
 }
 
-Sum Pursuit::fork_value(int n, int fork) {
+Sum EventPropagation::fork_value(int n, int fork) {
   Sum value = Sum::unbounded();
   for (int effect : node(n).effects) {
     if (node(effect).release == Release::fork && node(effect).cause_step == fork)
@@ -129,7 +129,7 @@ Sum Pursuit::fork_value(int n, int fork) {
   return value;
 }
 
-Sum Pursuit::wait_value(int n, int wait) {
+Sum EventPropagation::wait_value(int n, int wait) {
   const int thread = view_.forest.thread_of(n);
   if (wait == view_.behaviours.threads[static_cast<std::size_t>(thread)].home) return Sum::unbounded();
   Sum value = no_way();

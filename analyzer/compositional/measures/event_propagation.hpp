@@ -12,12 +12,12 @@ namespace pal::analyzer::compositional {
 
 /// Follows what begins with a node from thread to thread, as far as every run must carry it: until it comes
 /// to one of the statements `at`, or the skill has ended.
-class Pursuit {
+class EventPropagation {
  public:
   /// What the values count from.
   enum class Since { event, nominal };
 
-  Pursuit(const View& view, const std::vector<bool>& at, Since since)
+  EventPropagation(const View& view, const std::vector<bool>& at, Since since)
       : view_(view), problem_(view.problem), at_(at), since_(since) {}
 
   /// When the first statement has had its effect at the latest, if a message begins this node.
