@@ -1,14 +1,14 @@
 // Samples and reactions: how old what a thread knows can be where it is used, and until something newer is.
 #include <algorithm>
 
-#include "analyzer/compositional/measures/knowledge.hpp"
+#include "analyzer/compositional/measures/data_freshness.hpp"
 #include "analyzer/compositional/measures/reasons.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
 
-Sum since_known(const Knowledge& knowledge, StepEffect effect, const Sum& until) {
-  const std::optional<Sum> known = knowledge.at(effect);
+Sum since_known(const DataFreshness& freshness, StepEffect effect, const Sum& until) {
+  const std::optional<Sum> known = freshness.at(effect);
   return known ? until - *known : Sum::unbounded();
 }
 
@@ -19,7 +19,7 @@ bool of_start(const View& view, int node) {
 
 /// From what one effect reflects to the next effect of the same thread.
 /// `alone`: no other thread comes to it, so that nothing goes on once this one does not any more.
-Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement& requirement, int thread,
+Bound in_thread(const View& view, const DataFreshness& freshness, const Requirement& requirement, int thread,
                 bool alone) {
   const auto t = static_cast<std::size_t>(thread);
   const std::string& name = view.problem.threads[t].name;
@@ -33,7 +33,7 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
     for (const StepEffect& effect : occurrences.before_rounds()) {
       const Way next = occurrences.after(effect);
       if (!of_start(view, effect.node) || next.home || next.lost) return none;
-      longest = greater(longest, since_known(knowledge, effect, next.latest));
+      longest = greater(longest, since_known(freshness, effect, next.latest));
     }
     return {longest, none.why};
   }
@@ -55,17 +55,17 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
   Sum longest = before(occurrences.from_entry(), first);
   for (const StepEffect& effect : occurrences.before_rounds()) {
     const Sum until = before(occurrences.after(effect), Sum());
-    longest = greater(longest, of_start(view, effect.node) ? until : since_known(knowledge, effect, until));
+    longest = greater(longest, of_start(view, effect.node) ? until : since_known(freshness, effect, until));
   }
   Sum end;
   for (int n : view.behaviours.threads[t].nodes) {
     if (in_recurring_round(view, n)) end = greater(end, finish(view, n));
   }
   for (const StepEffect& effect : occurrences.in_rounds()) {
-    longest = greater(longest, since_known(knowledge, effect, before(occurrences.after(effect), next)));
+    longest = greater(longest, since_known(freshness, effect, before(occurrences.after(effect), next)));
     // A statement that a cancelled block finishes.
     if (view.behaviours.threads[t].may_be_cancelled)
-      longest = greater(longest, since_known(knowledge, effect, end));
+      longest = greater(longest, since_known(freshness, effect, end));
   }
   return {longest, none.why};
 }
@@ -73,14 +73,14 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
 }  // namespace
 
 Bound known_age_bound(const View& view, const Requirement& requirement) {
-  const Knowledge knowledge(view, requirement);
+  const DataFreshness freshness(view, requirement);
   Sum oldest;
   std::string why;
   for (std::size_t s = 0; s < view.problem.steps.size(); ++s) {
     if (!requirement.at[s] || view.forest.segments.owner(static_cast<int>(s)) < 0) continue;
     for (int n : nodes_with(view, static_cast<int>(s))) {
       const StepEffect effect{n, static_cast<int>(s)};
-      oldest = greater(oldest, since_known(knowledge, effect, latest(view, n, effect.step)));
+      oldest = greater(oldest, since_known(freshness, effect, latest(view, n, effect.step)));
       if (!oldest.bounded() && why.empty())
         why = since_trouble("nothing bounds how old the sample is that is known there", view,
                             view.forest.thread_of(n));
@@ -91,7 +91,7 @@ Bound known_age_bound(const View& view, const Requirement& requirement) {
 
 Bound reaction_bound(const View& view, const Requirement& requirement) {
   const std::set<int> threads = owners(view, requirement.at);
-  const Knowledge knowledge(view, requirement);
+  const DataFreshness freshness(view, requirement);
   Bound least{Sum::unbounded(), threads.empty() ? "no thread comes to it"
                                                 : "none of the threads that come to it surely goes on"};
   for (int thread : threads) {
@@ -99,7 +99,7 @@ Bound reaction_bound(const View& view, const Requirement& requirement) {
     const auto t = static_cast<std::size_t>(thread);
     const ThreadBehaviour& of = view.behaviours.threads[t];
     if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || !goes_on(view, thread))) continue;
-    const Bound bound = in_thread(view, knowledge, requirement, thread, threads.size() == 1);
+    const Bound bound = in_thread(view, freshness, requirement, thread, threads.size() == 1);
     if (bound.sum.value() < least.sum.value() || !least.known()) least = bound;
   }
   return least;

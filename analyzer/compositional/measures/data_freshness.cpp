@@ -1,4 +1,4 @@
-#include "analyzer/compositional/measures/knowledge.hpp"
+#include "analyzer/compositional/measures/data_freshness.hpp"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ using Kind = Step::Kind;
 using Release = Node::Release;
 
 constexpr int most_iterations = 60;
-using Known = Knowledge::Known;
+using Known = DataFreshness::Known;
 
 /// `known`, if anything, so much earlier.
 Known earlier(const Known& known, const Sum& by) {
@@ -34,7 +34,7 @@ bool same(const Known& one, const Known& other) {
 
 }  // namespace
 
-Knowledge::Knowledge(const View& view, const Requirement& requirement)
+DataFreshness::DataFreshness(const View& view, const Requirement& requirement)
     : view_(view),
       problem_(view.problem),
       requirement_(requirement),
@@ -58,7 +58,7 @@ Knowledge::Knowledge(const View& view, const Requirement& requirement)
   }
 }
 
-Known Knowledge::at(StepEffect effect) const {
+Known DataFreshness::at(StepEffect effect) const {
   const Segment& segment = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(effect.node)]);
   const auto& effects = effects_[static_cast<std::size_t>(effect.node)];
   for (std::size_t s = 0; s < segment.steps.size() && s < effects.size(); ++s) {
@@ -67,7 +67,7 @@ Known Knowledge::at(StepEffect effect) const {
   return std::nullopt;
 }
 
-void Knowledge::find_setters() {
+void DataFreshness::find_setters() {
   for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
     if (problem_.steps[s].kind != Kind::set) continue;
     auto& at = set_at_[problem_.steps[s].condition];
@@ -81,7 +81,7 @@ void Knowledge::find_setters() {
 }
 
 /// Follows the node's ways; true: something more is known than before.
-bool Knowledge::visit(int node) {
+bool DataFreshness::visit(int node) {
   const auto n = static_cast<std::size_t>(node);
   const Segment& segment = view_.forest.segment_of(view_.forest.nodes[n]);
   const Beginning& begins = segment.beginning;
@@ -125,7 +125,7 @@ bool Knowledge::visit(int node) {
   return more;
 }
 
-Knowledge::State Knowledge::begin(int node) const {
+DataFreshness::State DataFreshness::begin(int node) const {
   const auto n = static_cast<std::size_t>(node);
   const Node& of = view_.forest.nodes[n];
   State state;
@@ -159,7 +159,7 @@ Knowledge::State Knowledge::begin(int node) const {
 }
 
 /// Last set by the blocks that have ended when a node begins.
-Known Knowledge::set_by_blocks(const Node& joined) const {
+Known DataFreshness::set_by_blocks(const Node& joined) const {
   Known latest;
   for (int block : problem_.steps[static_cast<std::size_t>(joined.cause_step)].threads) {
     if (!problem_.threads[static_cast<std::size_t>(block)].can_end) continue;
@@ -178,7 +178,7 @@ Known Knowledge::set_by_blocks(const Node& joined) const {
 }
 
 /// From the round before; the first round begins with what is younger than the skill.
-Knowledge::State Knowledge::before_home(int node) const {
+DataFreshness::State DataFreshness::before_home(int node) const {
   const int thread = view_.forest.thread_of(node);
   const int source = recurring_source(view_, thread);
   if (source < 0 || !regular_[static_cast<std::size_t>(thread)]) return {};
@@ -206,13 +206,13 @@ Knowledge::State Knowledge::before_home(int node) const {
   return {since(state.known), since(state.set)};
 }
 
-bool Knowledge::sampled(int channel) const {
+bool DataFreshness::sampled(int channel) const {
   const auto& samples = requirement_.samples;
   return std::find(samples.begin(), samples.end(), channel) != samples.end();
 }
 
 /// By the message that begins the node.
-Known Knowledge::told(int node) const {
+Known DataFreshness::told(int node) const {
   if (requirement_.condition >= 0) return std::nullopt;
   const Node& of = view_.forest.nodes[static_cast<std::size_t>(node)];
   const Source& source = view_.forest.sources[static_cast<std::size_t>(of.source)];
@@ -226,7 +226,7 @@ Known Knowledge::told(int node) const {
 }
 
 /// A message carries what its sender knows; a device's answer says what was so after the request.
-Known Knowledge::told_by(int sender, const std::vector<int>& sends, int device) const {
+Known DataFreshness::told_by(int sender, const std::vector<int>& sends, int device) const {
   Known known = Sum::unbounded();
   for (int send : sends) {
     if (device < 0) {
@@ -241,7 +241,7 @@ Known Knowledge::told_by(int sender, const std::vector<int>& sends, int device) 
 }
 
 /// By what leads to the next round of a loop.
-Known Knowledge::told_in_loop(const Source& source, int index) const {
+Known DataFreshness::told_in_loop(const Source& source, int index) const {
   Known known = Sum::unbounded();
   for (const Source::Feed& feed : source.feeds) {
     if (feed.node < 0 || feed.sends.empty()) return std::nullopt;
@@ -256,14 +256,14 @@ Known Knowledge::told_in_loop(const Source& source, int index) const {
 }
 
 /// Whether a step surely reads a condition, or has read it before for this very test.
-bool Knowledge::surely_read(int step, int condition) const {
+bool DataFreshness::surely_read(int step, int condition) const {
   const Step& of = problem_.steps[static_cast<std::size_t>(step)];
   if (of.kind == Kind::read) return of.condition == condition;
   const auto thread = static_cast<std::size_t>(view_.forest.segments.owner(step));
   return tests(of, condition) && !latched_[thread].contains(condition);
 }
 
-void Knowledge::transfer(int node, int step, State& state) {
+void DataFreshness::transfer(int node, int step, State& state) {
   const Step& of = problem_.steps[static_cast<std::size_t>(step)];
   const int thread = view_.forest.thread_of(node);
   const Sum now = earliest(view_, node, step);
@@ -281,7 +281,7 @@ void Knowledge::transfer(int node, int step, State& state) {
   }
 }
 
-Sum Knowledge::age_when_read(int condition, int reader) {
+Sum DataFreshness::age_when_read(int condition, int reader) {
   const auto [place, fresh] = ages_.emplace(std::pair{condition, reader}, Sum::unbounded());
   if (fresh) {
     place->second =
@@ -292,7 +292,7 @@ Sum Knowledge::age_when_read(int condition, int reader) {
 
 /// Greatest time since the sample that a condition carries when it is read. Before the first set of a round
 /// it is no longer than the skill has run.
-Sum Knowledge::sample_age(int condition, int reader) const {
+Sum DataFreshness::sample_age(int condition, int reader) const {
   const auto found = setters_.find(condition);
   if (found == setters_.end()) return Sum::unbounded();
   Sum at_set;                    // age of the sample at any set

@@ -15,12 +15,12 @@ namespace pal::analyzer::compositional {
 ///
 /// M. Günzel and others, Timing analysis of asynchronized distributed cause-effect chains, 2021: the chains
 /// are followed backward, from the statement to what it was told last.
-class Knowledge {
+class DataFreshness {
  public:
   /// The instant known; nothing: none is.
   using Known = std::optional<Sum>;
 
-  Knowledge(const View& view, const Requirement& requirement);
+  DataFreshness(const View& view, const Requirement& requirement);
 
   /// At the effect of a step in a node.
   Known at(StepEffect effect) const;
