@@ -1,6 +1,6 @@
 #include "analyzer/compositional/compositional.hpp"
 
-#include "analyzer/compositional/account.hpp"
+#include "analyzer/compositional/breakdown.hpp"
 #include "analyzer/compositional/causes/apart.hpp"
 #include "analyzer/compositional/measures/measures.hpp"
 
@@ -95,7 +95,7 @@ Analysis analyze_compositionally(const Problem& skill, const Options& options) {
         const Bound known = bound.known() ? bound : until_left(view, endurance, requirement, bound_of);
         judge(known, analysis.verdicts[r]);
         if (options.addends && analysis.verdicts[r].bound && requirement.measure != Measure::loss)
-          analysis.verdicts[r].addends = account_of(view, known.sum);
+          analysis.verdicts[r].addends = breakdown_of(view, known.sum);
       }
     }
     analysis.statistics.states = forest.nodes.size();

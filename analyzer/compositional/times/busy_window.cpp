@@ -359,29 +359,30 @@ Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nan
   return critical(transaction, task, part, blocking, since).finish;
 }
 
-Account BusyWindows::account(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
-                             Since since) const {
+FinishBreakdown BusyWindows::breakdown(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+                                       Since since) const {
   const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
   const Task& self = of.tasks[static_cast<std::size_t>(task)];
   const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
   const Critical worst = critical(transaction, task, part, blocking, since);
-  Account account;
-  account.blocking = blocking;
-  of_others(groups, transaction, &self, self.priority, worst.length, &account.others);
+  FinishBreakdown breakdown;
+  breakdown.blocking = blocking;
+  of_others(groups, transaction, &self, self.priority, worst.length, &breakdown.others);
   if (worst.scenario < 0) {
-    of_siblings(transaction, task, &account.others);
-    return account;
+    of_siblings(transaction, task, &breakdown.others);
+    return breakdown;
   }
   const Nanoseconds due = phase(of, of.tasks[static_cast<std::size_t>(worst.scenario)], self.offset);
   const Nanoseconds earlier = worst.job - 1 + (self.jitter + due) / of.period;
   const Group& own = *group_of(transaction, self.processor);
   const Asked asked{&self, task, true, due + (worst.job - 1) * of.period - self.offset,
                     drifts_from(own, task)};
-  of_scenario(own, worst.scenario, asked, self.priority, worst.length, &account.others);
-  account.others.push_back({transaction, task, earlier, earlier * self.cost});
+  of_scenario(own, worst.scenario, asked, self.priority, worst.length, &breakdown.others);
+  breakdown.others.push_back({transaction, task, earlier, earlier * self.cost});
   const Nanoseconds released = due + (worst.job - 1) * of.period;
-  account.done_before = since == Since::release ? std::max<Nanoseconds>(0, released) : released + self.jitter;
-  return account;
+  breakdown.done_before =
+      since == Since::release ? std::max<Nanoseconds>(0, released) : released + self.jitter;
+  return breakdown;
 }
 
 const BusyWindows::Group* BusyWindows::group_of(int transaction, int processor) const {

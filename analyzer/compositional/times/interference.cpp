@@ -270,9 +270,9 @@ Nanoseconds Interference::finish(int node, Nanoseconds part, Nanoseconds blockin
                          since);
 }
 
-Account Interference::account(int node, Nanoseconds part, Since since) const {
-  return windows_.account(context_.node(node).source, task_[static_cast<std::size_t>(node)], part,
-                          blocking(node), since);
+FinishBreakdown Interference::breakdown(int node, Nanoseconds part, Since since) const {
+  return windows_.breakdown(context_.node(node).source, task_[static_cast<std::size_t>(node)], part,
+                            blocking(node), since);
 }
 
 Nanoseconds stops_within(const Problem& problem, const BusyWindows& windows, int block) {

@@ -39,7 +39,7 @@ class Interference {
   /// is done at the latest.
   Nanoseconds finish(int node, Nanoseconds part, Nanoseconds blocking, Since since = Since::occurrence) const;
   /// What goes into finish() besides the latest release and the work itself.
-  Account account(int node, Nanoseconds part, Since since = Since::occurrence) const;
+  FinishBreakdown breakdown(int node, Nanoseconds part, Since since = Since::occurrence) const;
   /// The thread of lower priority that blocks the node longest.
   int blocking_thread(int node) const;
   int node_of(int transaction, int task) const {

@@ -1,4 +1,4 @@
-#include "analyzer/compositional/account.hpp"
+#include "analyzer/compositional/breakdown.hpp"
 
 #include <algorithm>
 
@@ -202,15 +202,15 @@ class Writer {
 
   /// What keeps the node from its processor.
   void window(const Clock& clock, int node, Nanoseconds part) {
-    const Account account = view_.times.interference->account(node, part, clock.since);
-    if (out_.size() + account.others.size() > most_addends) return out_.resize(most_addends + 1);
+    const FinishBreakdown breakdown = view_.times.interference->breakdown(node, part, clock.since);
+    if (out_.size() + breakdown.others.size() > most_addends) return out_.resize(most_addends + 1);
     const std::string& name = actor(node);
-    if (account.blocking > 0) {
+    if (breakdown.blocking > 0) {
       const int thread = view_.times.interference->blocking_thread(node);
-      say(account.blocking, name,
+      say(breakdown.blocking, name,
           "is kept from its processor by " + thread_name(thread) + ", which cannot be preempted");
     }
-    for (const Share& share : account.others) {
+    for (const Share& share : breakdown.others) {
       const int other = view_.times.interference->node_of(share.transaction, share.task);
       const std::string times = share.jobs == 1 ? "" : ", " + std::to_string(share.jobs) + " times";
       const bool itself = view_.forest.thread_of(other) == view_.forest.thread_of(node);
@@ -218,7 +218,7 @@ class Writer {
           (itself ? "does other work first" : "is kept from its processor by " + actor(other)) + times,
           statement_of(other));
     }
-    say(-account.done_before, name, "of all that, so much is over before it is released");
+    say(-breakdown.done_before, name, "of all that, so much is over before it is released");
   }
 
   /// The actions on the longest way to `part` of the node's work.
@@ -298,7 +298,7 @@ class Writer {
 
 }  // namespace
 
-std::vector<Addend> account_of(const View& view, const Sum& bound) {
+std::vector<Addend> breakdown_of(const View& view, const Sum& bound) {
   return Writer(view).run(bound);
 }
 
