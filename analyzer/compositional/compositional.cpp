@@ -1,7 +1,7 @@
 #include "analyzer/compositional/compositional.hpp"
 
 #include "analyzer/compositional/breakdown.hpp"
-#include "analyzer/compositional/causes/apart.hpp"
+#include "analyzer/compositional/causes/cloned_blocks.hpp"
 #include "analyzer/compositional/measures/measures.hpp"
 
 namespace pal::analyzer {
@@ -67,7 +67,7 @@ std::vector<bool> asked_for(const Problem& problem) {
 
 Analysis analyze_compositionally(const Problem& skill, const Options& options) {
   const double begun = options.clock ? options.clock() : 0;
-  const Problem problem = apart(skill);
+  const Problem problem = clone_shared_blocks(skill);
   Analysis analysis;
   for (const Requirement& requirement : problem.requirements) {
     Verdict& verdict = analysis.verdicts.emplace_back();

@@ -205,11 +205,11 @@ class Planter {
     }
     std::vector<std::vector<int>> all;
     for (auto& [channel, sends] : by_channel) {
-      bool apart = true;
+      bool alternatives = true;
       for (int first : sends) {
-        for (int second : sends) apart = apart && !comes_after(problem_, segment, first, second);
+        for (int second : sends) distance = distance && !comes_after(problem_, segment, first, second);
       }
-      if (apart) {
+      if (distance) {
         all.push_back(std::move(sends));
       } else {
         for (int send : sends) all.push_back({send});

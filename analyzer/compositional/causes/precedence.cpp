@@ -16,7 +16,7 @@ class Precedence {
       : context_(context),
         stop_(stop),
         later_(context.forest.nodes.size()),
-        apart_(context.forest.nodes.size()) {}
+        never_overlapping_(context.forest.nodes.size()) {}
 
   Order run() {
     in_programs();
@@ -25,8 +25,8 @@ class Precedence {
     in_life();
     for (std::size_t s = 0; s < context_.forest.sources.size(); ++s) in_circle(static_cast<int>(s));
     sort(later_);
-    sort(apart_);
-    return {std::move(later_), std::move(apart_)};
+    sort(never_overlapping_);
+    return {std::move(later_), std::move(never_overlapping_)};
   }
 
  private:
@@ -54,12 +54,12 @@ class Precedence {
 
   /// Blocks have ended, or stopped, when what comes after them begins, and begin again only after it.
   void by_blocks() {
-    for (std::size_t n = 0; n < apart_.size() && !is_over(); ++n) {
+    for (std::size_t n = 0; n < never_overlapping_.size() && !is_over(); ++n) {
       const Beginning& begins = context_.segment(static_cast<int>(n)).beginning;
       if (begins.kind != Beginning::Kind::joined) continue;
-      for (std::size_t other = 0; other < apart_.size(); ++other) {
+      for (std::size_t other = 0; other < never_overlapping_.size(); ++other) {
         if (is_below(context_.forest.thread_of(static_cast<int>(other)), begins.step))
-          apart_[n].push_back(static_cast<int>(other));
+          never_overlapping_[n].push_back(static_cast<int>(other));
       }
     }
   }
@@ -80,7 +80,7 @@ class Precedence {
         const auto cause = static_cast<std::size_t>(context_.node(at).cause);
         if (!ends_with_cause(context_.problem, context_.forest, at)) continue;
         later_[cause].push_back(static_cast<int>(n));
-        apart_[n].push_back(static_cast<int>(cause));
+        never_overlapping_[n].push_back(static_cast<int>(cause));
       }
     }
   }
@@ -96,7 +96,7 @@ class Precedence {
       for (int before : before_source(static_cast<int>(s), {})) {
         auto& later = later_[static_cast<std::size_t>(before)];
         later.insert(later.end(), nodes_of[s].begin(), nodes_of[s].end());
-        for (int n : nodes_of[s]) apart_[static_cast<std::size_t>(n)].push_back(before);
+        for (int n : nodes_of[s]) never_overlapping_[static_cast<std::size_t>(n)].push_back(before);
       }
     }
   }
@@ -122,7 +122,7 @@ class Precedence {
     }
     for (int node : circle) {
       for (int other : circle) {
-        if (other != node) apart_[static_cast<std::size_t>(node)].push_back(other);
+        if (other != node) never_overlapping_[static_cast<std::size_t>(node)].push_back(other);
       }
     }
   }
@@ -184,7 +184,7 @@ class Precedence {
   const AnalysisContext& context_;
   const std::function<bool()>& stop_;
   std::vector<std::vector<int>> later_;
-  std::vector<std::vector<int>> apart_;
+  std::vector<std::vector<int>> never_overlapping_;
 };
 
 }  // namespace

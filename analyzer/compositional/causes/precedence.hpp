@@ -15,7 +15,7 @@ struct Order {
   /// Nodes each of whose jobs is either done before a job of this one is released, or comes after it is done:
   /// what has brought it about, the blocks that it comes after, and what goes round with it if there is one
   /// message only that goes round.
-  std::vector<std::vector<int>> apart;
+  std::vector<std::vector<int>> never_overlapping;
 };
 
 /// Once `stop` says so, it is what is known by then.

@@ -193,9 +193,10 @@ class Ageing {
           return Sum::unbounded();
         if (from.rounds == 0) {
           if (a == b) {
-            const Sum apart = later - sooner;
+            const Sum distance = later - sooner;
             const bool held = may_be_held(b, statement);
-            longest = greater(longest, held ? apart : less(apart, without_pause(a, from.step, statement)));
+            longest =
+                greater(longest, held ? distance : less(distance, without_pause(a, from.step, statement)));
           } else if (same) {
             longest = greater(longest, later - sooner);
           }
@@ -203,8 +204,8 @@ class Ageing {
         }
         if (!in_round(view_, b)) continue;
         if (from.rounds > 1 || !in_turn(thread)) return Sum::unbounded();
-        const Sum apart = in_round(view_, a) ? gap(view_, source) : first(view_, source);
-        longest = greater(longest, apart + later - sooner);
+        const Sum distance = in_round(view_, a) ? gap(view_, source) : first(view_, source);
+        longest = greater(longest, distance + later - sooner);
       }
     }
     return longest;

@@ -197,11 +197,11 @@ DataFreshness::State DataFreshness::before_home(int node) const {
       state.set = either(state.set, there.set);
     }
   }
-  const Sum apart = gap(view_, source);
+  const Sum distance = gap(view_, source);
   const Sum begin = first(view_, source);
   const auto since = [&](const Known& before) -> Known {
     if (before && !before->bounded()) return std::nullopt;  // it never comes home
-    return either(earlier(before, apart), earlier(Sum(), begin));
+    return either(earlier(before, distance), earlier(Sum(), begin));
   };
   return {since(state.known), since(state.set)};
 }
@@ -249,8 +249,8 @@ Known DataFreshness::told_in_loop(const Source& source, int index) const {
     const bool own = from == index;
     if (!own && view_.forest.sources[static_cast<std::size_t>(from)].kind != Source::Kind::start)
       return std::nullopt;
-    const Sum apart = own ? gap(view_, index) : first(view_, index);
-    known = either(known, earlier(told_by(feed.node, feed.sends, feed.device), apart));
+    const Sum distance = own ? gap(view_, index) : first(view_, index);
+    known = either(known, earlier(told_by(feed.node, feed.sends, feed.device), distance));
   }
   return known && known->bounded() ? known : std::nullopt;
 }
@@ -295,8 +295,8 @@ Sum DataFreshness::age_when_read(int condition, int reader) {
 Sum DataFreshness::sample_age(int condition, int reader) const {
   const auto found = setters_.find(condition);
   if (found == setters_.end()) return Sum::unbounded();
-  Sum at_set;                    // age of the sample at any set
-  Sum apart = Sum::unbounded();  // sets
+  Sum at_set;                       // age of the sample at any set
+  Sum distance = Sum::unbounded();  // sets
   Sum until_first = Sum::unbounded();
   Sum together = Sum::unbounded();  // both, of the one setter
   bool later = false;               // sets that are neither in rounds nor at the start
@@ -323,10 +323,10 @@ Sum DataFreshness::sample_age(int condition, int reader) const {
     const Sum& set_again = replaced(view_, sets, setter.thread, reader);
     const Sum next = sets.next_or_end(set_again);
     until_first = less(until_first, sets.first_or_end(set_again));
-    apart = less(apart, next - soonest);
+    distance = less(distance, next - soonest);
     if (known) together = next - *known;
   }
-  if (found->second.size() > 1 || later) together = apart + at_set;
+  if (found->second.size() > 1 || later) together = distance + at_set;
   return greater(together, until_first);
 }
 

@@ -32,11 +32,11 @@ Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, Bes
   for (int n : of.nodes) {
     if (in_recurring_round(view, n)) end = greater(end, finish(view, n));
   }
-  const auto follow = [&](StepEffect effect, const Sum& apart, const Sum& over) {
+  const auto follow = [&](StepEffect effect, const Sum& distance, const Sum& over) {
     const Way way = occurrences.after(effect);
     if (way.lost || (way.home && !occurrences.in_every_round())) return Sum::unbounded();
     Sum next = way.latest;
-    if (way.home) next = greater(next, apart + occurrences.latest());
+    if (way.home) next = greater(next, distance + occurrences.latest());
     if (besides.to_end) next = greater(next, over);
     // What a cancelled block has begun it finishes.
     if (of.may_be_cancelled) next = greater(next, end);

@@ -37,9 +37,9 @@ Bound frames_lost(const View& view, const Requirement& requirement, const pan::F
     return asks_on;
   });
   if (!endless || view.steady) return {Sum::unbounded(), why};
-  const Bound apart = pause_bound(view, sends);
-  if (!apart.known()) return apart;
-  const Nanoseconds lost = apart.sum.value() / frames.period.count();
+  const Bound distance = pause_bound(view, sends);
+  if (!distance.known()) return distance;
+  const Nanoseconds lost = distance.sum.value() / frames.period.count();
   return {Sum::number(requirement.in - requirement.in / (lost + 1)), ""};
 }
 

@@ -59,8 +59,8 @@ Bound to_event(const View& view, const Requirement& requirement, int source) {
   const Sum answer = propagation.node_value(root);
   if (!answer.bounded())
     return unknown(propagation.why().empty() ? "an event may stay without a response" : propagation.why());
-  const Nanoseconds apart = of.period - of.jitter;
-  if ((answer.value() >= apart || view.steady) && !in_order(view, requirement, source))
+  const Nanoseconds distance = of.period - of.jitter;
+  if ((answer.value() >= distance || view.steady) && !in_order(view, requirement, source))
     return unknown("an event may be answered after the next one has come, by another way");
   return {greater(Sum(), answer), ""};
 }

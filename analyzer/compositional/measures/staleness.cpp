@@ -29,7 +29,7 @@ class Staleness {
 
   Bound run() const {
     if (setters_.empty()) return {Sum::unbounded(), "nobody sets the condition"};
-    if (setters_.size() == 1) return sets_apart(*setters_.begin());
+    if (setters_.size() == 1) return distance_of_sets(*setters_.begin());
     return several_setters();
   }
 
@@ -57,10 +57,10 @@ class Staleness {
     if (block < 0 || setters_.size() != 2) return none;
     if (!setters_.contains(problem_.threads[static_cast<std::size_t>(block)].parent)) return none;
     // What the parent sets after its blocks only makes values younger, as does what it sets before.
-    return sets_apart(block);
+    return distance_of_sets(block);
   }
 
-  Bound sets_apart(int setter) const {
+  Bound distance_of_sets(int setter) const {
     const std::string& name = problem_.threads[static_cast<std::size_t>(setter)].name;
     const StatementOccurrences occurrences(view_, setter, at_);
     const bool lasts = outlasts(view_, setter, reader_);

@@ -122,11 +122,11 @@ void Interference::exclude(int node, bool home_again, bool in_turn) {
     return (once_with(other) && brings_about(context_, node, other)) ||
            std::binary_search(order_.later[n].begin(), order_.later[n].end(), other);
   };
-  const auto is_apart = [&](int other) {
+  const auto never_overlap = [&](int other) {
     return (home_again && context_.forest.thread_of(other) == thread) ||
            (once_with(other) && context_.round_of(other) == context_.round_of(node)) ||
            (in_turn && std::binary_search(never_together_[n].begin(), never_together_[n].end(), other)) ||
-           std::binary_search(order_.apart[n].begin(), order_.apart[n].end(), other);
+           std::binary_search(order_.never_overlapping[n].begin(), order_.never_overlapping[n].end(), other);
   };
   const auto& here = nodes_on_[static_cast<std::size_t>(mine.processor)];
   const bool preemptive = context_.problem.processors[static_cast<std::size_t>(mine.processor)].preemptive;
@@ -134,12 +134,12 @@ void Interference::exclude(int node, bool home_again, bool in_turn) {
   for (int other : here) {
     const int priority = context_.thread_of(other).priority;
     const bool works = other != node && context_.segment(other).worst > 0 && priority >= mine.priority;
-    if (works && !comes_later(other) && !is_apart(other)) nearest = std::min(nearest, priority);
+    if (works && !comes_later(other) && !never_overlap(other)) nearest = std::min(nearest, priority);
   }
   std::vector<std::pair<int, int>> without;
   for (int other : here) {
     if (other == node) continue;
-    if (comes_later(other) || (is_apart(other) && context_.thread_of(other).priority < nearest))
+    if (comes_later(other) || (never_overlap(other) && context_.thread_of(other).priority < nearest))
       without.emplace_back(context_.node(other).source, task_[static_cast<std::size_t>(other)]);
   }
   std::sort(without.begin(), without.end());

@@ -1,13 +1,13 @@
-#include "analyzer/compositional/causes/apart.hpp"
+#include "analyzer/compositional/causes/cloned_blocks.hpp"
 
 #include <map>
 
 namespace pal::analyzer::compositional {
 namespace {
 
-class Parting {
+class BlockCloner {
  public:
-  explicit Parting(const Problem& problem)
+  explicit BlockCloner(const Problem& problem)
       : made_(problem), begun_(problem.threads.size()), owner_(problem.steps.size(), -1) {
     for (std::size_t t = 0; t < problem.threads.size(); ++t) own(static_cast<int>(t));
   }
@@ -79,8 +79,8 @@ class Parting {
 
 }  // namespace
 
-Problem apart(const Problem& problem) {
-  return Parting(problem).run();
+Problem clone_shared_blocks(const Problem& problem) {
+  return BlockCloner(problem).run();
 }
 
 }  // namespace pal::analyzer::compositional
