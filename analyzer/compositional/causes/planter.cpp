@@ -207,9 +207,9 @@ class Planter {
     for (auto& [channel, sends] : by_channel) {
       bool alternatives = true;
       for (int first : sends) {
-        for (int second : sends) distance = distance && !comes_after(problem_, segment, first, second);
+        for (int second : sends) alternatives = alternatives && !comes_after(problem_, segment, first, second);
       }
-      if (distance) {
+      if (alternatives) {
         all.push_back(std::move(sends));
       } else {
         for (int send : sends) all.push_back({send});

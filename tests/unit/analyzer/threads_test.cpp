@@ -118,7 +118,7 @@ TEST_CASE("kept apart, each CONCURRENT begins blocks of its own") {
   for (std::size_t s = 0; s < cloned.steps.size(); ++s) {
     const int statement = cloned.steps[s].statement;
     const bool works =
-        statement >= 0 && distance.statements[static_cast<std::size_t>(statement)].text == "work";
+        statement >= 0 && cloned.statements[static_cast<std::size_t>(statement)].text == "work";
     CHECK(cloned.requirements.front().at[s] == works);
   }
   // Where nothing is shared nothing is copied.
