@@ -83,11 +83,11 @@ class Writer {
         if (each.amount == nominal_.times(term.node).latest) return release(nominal_, term.node);
         return say(each.amount, actor(term.node), "begins at the latest", statement_of(term.node));
       case Term::Kind::gap:
-        return round(term.source, view_.times.longest_gap[static_cast<std::size_t>(term.source)], each.amount,
-                     false);
+        return inter_arrival(term.source, view_.times.longest_gap[static_cast<std::size_t>(term.source)],
+                             each.amount, false);
       case Term::Kind::first:
-        return round(term.source, view_.times.first[static_cast<std::size_t>(term.source)], each.amount,
-                     true);
+        return inter_arrival(term.source, view_.times.first[static_cast<std::size_t>(term.source)],
+                             each.amount, true);
       case Term::Kind::said:
         if (term.node >= 0) return say(each.amount, actor(term.node), term.what, statement(term));
         return say(each.amount, term.source < 0 ? "" : source_name(term.source), term.what);
@@ -95,7 +95,7 @@ class Writer {
   }
 
   /// To a source's next occurrence, or the first.
-  void round(int source, const Due& next, Nanoseconds amount, bool first) {
+  void inter_arrival(int source, const Due& next, Nanoseconds amount, bool first) {
     const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
     const std::string& name = source_name(source);
     if (of.kind == Source::Kind::event) {
@@ -273,7 +273,7 @@ class Writer {
       case By::held:
         say(at, name, "was held in the round before");
         break;
-      case By::home:
+      case By::idle:
         say(at, name, "comes to its first wait");
         break;
       case By::blocks:

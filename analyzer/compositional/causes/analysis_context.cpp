@@ -54,7 +54,7 @@ Nanoseconds earliest_release(const AnalysisContext& context, int n, const std::v
 
 }  // namespace
 
-std::vector<int> AnalysisContext::endings_before_home(int thread) const {
+std::vector<int> AnalysisContext::endings_before_idle(int thread) const {
   std::vector<int> found;
   std::set<int> seen;
   for (int t = thread; t >= 0; t = thread_at(t).parent) {
@@ -67,7 +67,7 @@ std::vector<int> AnalysisContext::endings_before_home(int thread) const {
 std::vector<int> AnalysisContext::endings_before_first(int loop) const {
   const Source& of = forest.sources[static_cast<std::size_t>(loop)];
   if (of.kind != Source::Kind::loop) return {};
-  std::vector<int> found = endings_before_home(of.thread);
+  std::vector<int> found = endings_before_idle(of.thread);
   for (const Source::Feed& feed : of.feeds) {
     if (feed.node < 0 || source(feed.node).kind != Source::Kind::start) continue;
     const std::vector<int>& endings = behaviours.endings[static_cast<std::size_t>(node(feed.node).source)];

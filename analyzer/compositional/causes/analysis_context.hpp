@@ -28,7 +28,7 @@ struct AnalysisContext {
   }
   /// Nodes that may end the skill, or a thread, on behalf of what `thread`, or the one whose block it is,
   /// does before it is at home: their own, and those of whom they wait for.
-  std::vector<int> endings_before_home(int thread) const;
+  std::vector<int> endings_before_idle(int thread) const;
   /// The same, on behalf of what leads to the first round of a loop. Of an event there are none.
   std::vector<int> endings_before_first(int loop) const;
   int sent_channel(int n) const { return step_at(node(n).sends.front()).channels.front(); }

@@ -14,7 +14,7 @@ int end_of_round(const AnalysisContext& context, int node) {
   const int round = context.round_of(node);
   const Beginning& begins = context.segment(round).beginning;
   if (begins.kind != Beginning::Kind::arm || context.step_at(begins.step).within) return -1;
-  return begins.step == context.behaviour_of(begins.thread).home ? begins.step : -1;
+  return begins.step == context.behaviour_of(begins.thread).idle_wait ? begins.step : -1;
 }
 
 /// Whether a round that has passed `first` may come to another step.

@@ -156,21 +156,21 @@ Nanoseconds least_round(const Problem& problem, const Beginning& beginning) {
   if (may_start_again(problem, beginning.thread)) return 0;
   const bool gives_up = beginning.kind == Beginning::Kind::give_up;
   if (beginning.kind != Beginning::Kind::arm && !gives_up) return 0;
-  const Step& home = problem.steps[static_cast<std::size_t>(beginning.step)];
-  const std::size_t branch = gives_up ? home.channels.size() : static_cast<std::size_t>(beginning.arm);
+  const Step& idle_wait = problem.steps[static_cast<std::size_t>(beginning.step)];
+  const std::size_t branch = gives_up ? idle_wait.channels.size() : static_cast<std::size_t>(beginning.arm);
   // A round begins when the wait ends: with its receive, or with the test that gives up.
-  const Nanoseconds into = gives_up ? home.give_up_cost.best : home.cost.best;
+  const Nanoseconds into = gives_up ? idle_wait.give_up_cost.best : idle_wait.cost.best;
   Shortest shortest(problem);
   const Nanoseconds around =
-      shortest.way(home.next[branch], into, 0, [&](int step) { return step == beginning.step; });
+      shortest.way(idle_wait.next[branch], into, 0, [&](int step) { return step == beginning.step; });
   if (around >= never) return never;
-  if (gives_up) return later(around, home.within.value_or(0));
-  const int answer = home.channels[branch];
+  if (gives_up) return later(around, idle_wait.within.value_or(0));
+  const int answer = idle_wait.channels[branch];
   const int request = problem.channels[static_cast<std::size_t>(answer)].answers;
   if (request < 0) return around;
   // A block of the thread may ask, too, sooner.
-  if (shortest.reaches_unasked(home.next[branch], beginning.step, request)) return around;
-  const Nanoseconds asked = shortest.way(home.next[branch], into, 0, [&](int index) {
+  if (shortest.reaches_unasked(idle_wait.next[branch], beginning.step, request)) return around;
+  const Nanoseconds asked = shortest.way(idle_wait.next[branch], into, 0, [&](int index) {
     const Step& step = problem.steps[static_cast<std::size_t>(index)];
     return step.kind == Kind::send && step.channels.front() == request;
   });
@@ -182,10 +182,10 @@ namespace {
 /// Longest work of a thread from a step to its home; `never`: it may wait on the way, or go round elsewhere.
 class Straight {
  public:
-  Straight(const Problem& problem, int home) : problem_(problem), home_(home) {}
+  Straight(const Problem& problem, int idle_wait) : problem_(problem), idle_wait_(idle_wait) {}
 
-  Nanoseconds home_from(int step) {
-    const auto leads_on = [this](int at) { return at != home_ && !stops(at) && !known_.contains(at); };
+  Nanoseconds idle_from(int step) {
+    const auto leads_on = [this](int at) { return at != idle_wait_ && !stops(at) && !known_.contains(at); };
     backwards(problem_, step, leads_on, [this](int at) { known_.emplace(at, from(at)); });
     return known_.at(step);
   }
@@ -198,7 +198,7 @@ class Straight {
 
   /// From one step, if it is known of those that follow; of who goes round it is not.
   Nanoseconds from(int step) const {
-    if (step == home_) return 0;
+    if (step == idle_wait_) return 0;
     if (stops(step)) return never;
     const Step& of = problem_.steps[static_cast<std::size_t>(step)];
     Nanoseconds longest = 0;
@@ -210,25 +210,25 @@ class Straight {
   }
 
   const Problem& problem_;
-  int home_;
+  int idle_wait_;
   std::map<int, Nanoseconds> known_;
 };
 
 }  // namespace
 
-bool waits_at_home(const Problem& problem, const Beginning& round, const std::vector<bool>& owned) {
-  const Step& home = problem.steps[static_cast<std::size_t>(round.step)];
-  if (round.kind == Beginning::Kind::give_up) return home.within.value_or(0) > 0;
-  if (round.kind != Beginning::Kind::arm) return false;
-  const int answer = home.channels[static_cast<std::size_t>(round.arm)];
+bool waits_between_jobs(const Problem& problem, const Beginning& job, const std::vector<bool>& owned) {
+  const Step& idle_wait = problem.steps[static_cast<std::size_t>(job.step)];
+  if (job.kind == Beginning::Kind::give_up) return idle_wait.within.value_or(0) > 0;
+  if (job.kind != Beginning::Kind::arm) return false;
+  const int answer = idle_wait.channels[static_cast<std::size_t>(job.arm)];
   const int request = problem.channels[static_cast<std::size_t>(answer)].answers;
   if (request < 0) return false;
   const Nanoseconds soonest = Shortest(problem).answer(answer, 0);
-  Straight straight(problem, round.step);
+  Straight straight(problem, job.step);
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
     const Step& step = problem.steps[s];
     if (!owned[s] || step.kind != Kind::send || step.channels.front() != request) continue;
-    if (straight.home_from(step.next.front()) >= soonest) return false;
+    if (straight.idle_from(step.next.front()) >= soonest) return false;
   }
   return true;
 }

@@ -24,7 +24,7 @@ Nanoseconds least_round(const Problem& problem, const Beginning& beginning);
 /// it gives up only after some time, or is there sooner after each request than the answer can be. It
 /// need not keep up with others for that: what it asks, it asks while it has its processor. `owned`: its
 /// steps.
-bool waits_at_home(const Problem& problem, const Beginning& round, const std::vector<bool>& owned);
+bool waits_between_jobs(const Problem& problem, const Beginning& job, const std::vector<bool>& owned);
 
 /// Least time between two effects of the steps `at` of one thread, by the shortest way; 0: its blocks begin
 /// again and again.

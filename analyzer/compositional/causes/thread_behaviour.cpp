@@ -26,8 +26,8 @@ class Observer {
       made_.threads[static_cast<std::size_t>(forest_.thread_of(static_cast<int>(n)))].nodes.push_back(
           static_cast<int>(n));
     }
-    for (std::size_t t = 0; t < problem_.threads.size(); ++t) homes(static_cast<int>(t));
-    for (std::size_t n = 0; n < nodes; ++n) rounds(static_cast<int>(n));
+    for (std::size_t t = 0; t < problem_.threads.size(); ++t) find_idle_wait(static_cast<int>(t));
+    for (std::size_t n = 0; n < nodes; ++n) find_job_start(static_cast<int>(n));
     for (std::size_t n = 0; n < nodes && !(stop && stop()); ++n) order(static_cast<int>(n));
     for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
       leftovers(static_cast<int>(t));
@@ -65,21 +65,21 @@ class Observer {
     return node(index).release == Release::message && forest_.cause_in(index, begins.thread) < 0;
   }
 
-  void homes(int t) {
+  void find_idle_wait(int t) {
     ThreadBehaviour& of = thread(t);
     for (int n : of.nodes) {
       if (!unasked(n)) continue;
       const int wait = beginning(n).step;
-      if (of.home >= 0 && of.home != wait) {
-        of.trouble = problem_.threads[static_cast<std::size_t>(t)].name + " waits at " + text(of.home) +
+      if (of.idle_wait >= 0 && of.idle_wait != wait) {
+        of.trouble = problem_.threads[static_cast<std::size_t>(t)].name + " waits at " + text(of.idle_wait) +
                      " and at " + text(wait) + " for what comes by itself";
       }
-      of.home = wait;
+      of.idle_wait = wait;
     }
   }
 
   /// Causes stand before their effects, so a node's round is known when it is needed.
-  void rounds(int n) {
+  void find_job_start(int n) {
     const Beginning& begins = beginning(n);
     ThreadBehaviour& of = thread(begins.thread);
     int& round = made_.round[static_cast<std::size_t>(n)];
@@ -96,7 +96,7 @@ class Observer {
         break;
       case Release::message: {
         const int before = forest_.cause_in(n, begins.thread);
-        const bool begins_round = before < 0 || begins.step == of.home;
+        const bool begins_round = before < 0 || begins.step == of.idle_wait;
         round = begins_round ? n : made_.round[static_cast<std::size_t>(before)];
         break;
       }
@@ -164,7 +164,7 @@ class Observer {
       const int at = open.back();
       open.pop_back();
       const Step& step = step_at(at);
-      if (at == thread(t).home || from.contains(at) || (step.kind == Kind::end && again)) return false;
+      if (at == thread(t).idle_wait || from.contains(at) || (step.kind == Kind::end && again)) return false;
       if (!seen.insert(at).second) continue;
       bool waits = false;
       for (std::size_t i = 0; i < step.next.size(); ++i) {
@@ -187,7 +187,7 @@ class Observer {
          block = problem_.threads[static_cast<std::size_t>(block)].parent) {
       of.may_be_cancelled = of.may_be_cancelled || is_cancelled(block);
     }
-    if (of.home < 0) return;
+    if (of.idle_wait < 0) return;
     const std::string& name = problem_.threads[static_cast<std::size_t>(t)].name;
     // What is for it waits while it is not there.
     if (recurrent(problem_, {Beginning::Kind::entry, t, -1, -1}))
@@ -197,7 +197,7 @@ class Observer {
       const Segment& segment = forest_.segment_of(node(n));
       const bool again = in_round(forest_, made_, n);
       for (const Segment::Arrival& wait : segment.waits) {
-        if (wait.step == of.home) continue;
+        if (wait.step == of.idle_wait) continue;
         const bool limited = step_at(wait.step).within.has_value();
         if (again) of.waits_within = true;
         if (!limited && !waited_for_.contains({round, wait.step})) {
@@ -245,7 +245,7 @@ class Observer {
   bool ends_within(int fork) {
     const std::vector<int>& blocks = step_at(fork).threads;
     return std::all_of(blocks.begin(), blocks.end(), [this](int block) {
-      return problem_.threads[static_cast<std::size_t>(block)].can_end && thread(block).home < 0 &&
+      return problem_.threads[static_cast<std::size_t>(block)].can_end && thread(block).idle_wait < 0 &&
              ends_straight(problem_, block);
     });
   }
@@ -271,7 +271,7 @@ class Observer {
     if (latency(problem_, channel, forest_.thread_of(node(n).cause), forest_.thread_of(n)).worst > 0)
       return false;
     const std::vector<int>& waits = waits_[static_cast<std::size_t>(channel)];
-    return std::all_of(waits.begin(), waits.end(), [&of](int wait) { return wait == of.home; });
+    return std::all_of(waits.begin(), waits.end(), [&of](int wait) { return wait == of.idle_wait; });
   }
 
   void protocol() {
@@ -327,14 +327,15 @@ class Observer {
     for (int n : of.nodes) {
       const Segment& segment = forest_.segment_of(node(n));
       for (const Segment::Arrival& wait : segment.waits) {
-        if (wait.step != of.home) continue;
+        if (wait.step != of.idle_wait) continue;
         // The answer is the last thing on the way home.
         bool answered = false;
         for (const Segment::Passed& passed : segment.steps) {
           const Step& step = step_at(passed.step);
-          const bool leads_home = std::find(step.next.begin(), step.next.end(), of.home) != step.next.end();
+          const bool ends_job =
+              std::find(step.next.begin(), step.next.end(), of.idle_wait) != step.next.end();
           const bool answers = step.kind == Kind::send && step.channels.front() == channel.answer;
-          if (leads_home && !answers) return;
+          if (ends_job && !answers) return;
           answered = answered || answers;
         }
         if (in_round(forest_, made_, n) && !answered) return;

@@ -11,7 +11,7 @@
 namespace pal::analyzer::compositional {
 
 struct ThreadBehaviour {
-  int home = -1;              // the wait at which its rounds begin and end; -1: it has no rounds
+  int idle_wait = -1;         // the wait at which its rounds begin and end; -1: it has no rounds
   std::vector<int> rounds;    // nodes with which a round begins
   std::vector<int> nodes;     // all
   bool one_round = false;     // each occurrence of their one source begins one of them at most

@@ -63,7 +63,7 @@ class Ageing {
 
   struct Place {
     int step;
-    int rounds;  // how often the way from here to the statement comes home
+    int jobs;  // how often the way from here to the statement comes home
     auto operator<=>(const Place&) const = default;
   };
 
@@ -72,13 +72,13 @@ class Ageing {
   template <class Visit, class Begin>
   void back(Place from, const Visit& visit, const Begin& begin) const {
     const int thread = owner(from.step);
-    const int home = behaviour(thread).home;
+    const int idle_wait = behaviour(thread).idle_wait;
     std::set<Place> seen;
     std::vector<Place> open;
     const auto leave = [&](Place at) {
-      const int rounds = at.rounds + (at.step == home ? 1 : 0);
-      if (problem_.threads[static_cast<std::size_t>(thread)].entry == at.step) begin(rounds);
-      for (int step : before_[static_cast<std::size_t>(at.step)]) open.push_back({step, std::min(rounds, 3)});
+      const int jobs = at.rounds + (at.step == idle_wait ? 1 : 0);
+      if (problem_.threads[static_cast<std::size_t>(thread)].entry == at.step) begin(jobs);
+      for (int step : before_[static_cast<std::size_t>(at.step)]) open.push_back({step, std::min(jobs, 3)});
     };
     leave(from);
     while (!open.empty()) {
@@ -133,9 +133,9 @@ class Ageing {
             oldest = greater(oldest, elsewhere ? Sum::unbounded() : distance(at, statement));
             return false;
           },
-          [&](int rounds) {
+          [&](int jobs) {
             const bool block = problem_.threads[static_cast<std::size_t>(thread)].parent >= 0;
-            oldest = greater(oldest, block ? Sum::unbounded() : from_start(statement, rounds));
+            oldest = greater(oldest, block ? Sum::unbounded() : from_start(statement, jobs));
           });
       return oldest;
     }
@@ -152,8 +152,8 @@ class Ageing {
     return source_of_rounds(view_, thread) >= 0 && regular(view_, thread) && in_order(view_, thread);
   }
 
-  Sum from_start(int statement, int rounds) {
-    if (rounds > 0 && troubled(owner(statement))) return Sum::unbounded();
+  Sum from_start(int statement, int jobs) {
+    if (jobs > 0 && troubled(owner(statement))) return Sum::unbounded();
     Sum longest;
     const int source = source_of_rounds(view_, owner(statement));
     for (int n : nodes_with(view_, statement)) {
@@ -161,8 +161,8 @@ class Ageing {
       const bool anew =
           view_.forest.sources[static_cast<std::size_t>(node(n).source)].kind == Source::Kind::joined;
       if (!in_round(view_, n)) {
-        longest = greater(longest, rounds > 0 ? Sum() : anew ? Sum::unbounded() : effect);
-      } else if (rounds <= 1 && in_turn(owner(statement))) {
+        longest = greater(longest, jobs > 0 ? Sum() : anew ? Sum::unbounded() : effect);
+      } else if (jobs <= 1 && in_turn(owner(statement))) {
         longest = greater(longest, first(view_, source) + effect);
       } else {
         longest = Sum::unbounded();
@@ -175,7 +175,7 @@ class Ageing {
   Sum distance(Place from, int statement) {
     const int thread = owner(statement);
     if (from.step == statement && from.rounds == 0) return {};
-    if (from.rounds > 0 && troubled(thread)) return Sum::unbounded();
+    if (from.jobs > 0 && troubled(thread)) return Sum::unbounded();
     const int source = source_of_rounds(view_, thread);
     Sum longest;
     for (int a : nodes_with(view_, from.step)) {
@@ -203,7 +203,7 @@ class Ageing {
           continue;
         }
         if (!in_round(view_, b)) continue;
-        if (from.rounds > 1 || !in_turn(thread)) return Sum::unbounded();
+        if (from.jobs > 1 || !in_turn(thread)) return Sum::unbounded();
         const Sum distance = in_round(view_, a) ? gap(view_, source) : first(view_, source);
         longest = greater(longest, distance + later - sooner);
       }

@@ -145,7 +145,7 @@ DataFreshness::State DataFreshness::begin(int node) const {
   } else if (of.release == Release::fork && of.cause >= 0) {
     state = arrived(of.cause, of.cause_step);
   } else if (in_recurring_round(view_, node)) {
-    state = before_home(node);
+    state = before_idle(node);
   }
   if (of.release == Release::fork && view_.forest.segment_of(of).beginning.kind == Beginning::Kind::joined)
     state.set = both(state.set, set_by_blocks(of));
@@ -178,7 +178,7 @@ Known DataFreshness::set_by_blocks(const Node& joined) const {
 }
 
 /// From the round before; the first round begins with what is younger than the skill.
-DataFreshness::State DataFreshness::before_home(int node) const {
+DataFreshness::State DataFreshness::before_idle(int node) const {
   const int thread = view_.forest.thread_of(node);
   const int source = recurring_source(view_, thread);
   if (source < 0 || !regular_[static_cast<std::size_t>(thread)]) return {};
@@ -190,8 +190,8 @@ DataFreshness::State DataFreshness::before_home(int node) const {
     const auto& arrivals = arrivals_[static_cast<std::size_t>(other)];
     const Segment& segment = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(other)]);
     for (const Segment::Arrival& wait : segment.waits) {
-      if (wait.step != of.home) continue;
-      const auto found = arrivals.find(of.home);
+      if (wait.step != of.idle_wait) continue;
+      const auto found = arrivals.find(of.idle_wait);
       const State there = found == arrivals.end() ? State{} : found->second;
       state.known = either(state.known, there.known);
       state.set = either(state.set, there.set);

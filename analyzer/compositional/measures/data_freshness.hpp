@@ -38,7 +38,7 @@ class DataFreshness {
   void find_setters();
   bool visit(int node);
   State begin(int node) const;
-  State before_home(int node) const;
+  State before_idle(int node) const;
   Known set_by_blocks(const Node& joined) const;
   Known told(int node) const;
   Known told_by(int sender, const std::vector<int>& sends, int device) const;

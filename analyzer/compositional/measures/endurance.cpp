@@ -29,7 +29,7 @@ class Ending {
                     {within, {Term::Kind::said, -1, -1, -1, "cancelled blocks finish what they have begun"}});
         continue;
       }
-      if (behaviours_.threads[b].home >= 0 || !lively_[b] || !ends_straight(problem_, block))
+      if (behaviours_.threads[b].idle_wait >= 0 || !lively_[b] || !ends_straight(problem_, block))
         return Sum::unbounded();
       for (int n : behaviours_.threads[b].nodes) {
         const Node& node = forest_.nodes[static_cast<std::size_t>(n)];

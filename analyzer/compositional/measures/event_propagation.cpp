@@ -131,7 +131,7 @@ Sum EventPropagation::fork_value(int n, int fork) {
 
 Sum EventPropagation::wait_value(int n, int wait) {
   const int thread = view_.forest.thread_of(n);
-  if (wait == view_.behaviours.threads[static_cast<std::size_t>(thread)].home) return Sum::unbounded();
+  if (wait == view_.behaviours.threads[static_cast<std::size_t>(thread)].idle_wait) return Sum::unbounded();
   Sum value = no_way();
   bool any = false;
   for (int other : view_.behaviours.threads[static_cast<std::size_t>(thread)].nodes) {

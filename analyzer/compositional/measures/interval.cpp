@@ -18,11 +18,11 @@ Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, Bes
   const auto t = static_cast<std::size_t>(thread);
   StatementOccurrences occurrences(view, thread, at);
   const ThreadBehaviour& of = view.behaviours.threads[t];
-  const bool rounds = of.home >= 0 || starts_in_rounds(view, thread);
-  const bool stops = rounds && !view.reliable[t] && !goes_on(view, thread);
+  const bool has_jobs = of.idle_wait >= 0 || starts_in_rounds(view, thread);
+  const bool stops = has_jobs && !view.reliable[t] && !goes_on(view, thread);
   const Bound none{Sum::unbounded(), why_not_again(view, thread, occurrences, !stops)};
   // What has had an effect has begun.
-  if (rounds ? stops : !view.lively[t]) return none;
+  if (has_jobs ? stops : !view.lively[t]) return none;
   Sum longest = besides.from_start ? occurrences.first_or_end(occurrences.latest()) : Sum();
   // Others may come to it when this thread does not any more.
   const bool always =
@@ -34,9 +34,9 @@ Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, Bes
   }
   const auto follow = [&](StepEffect effect, const Sum& distance, const Sum& over) {
     const Way way = occurrences.after(effect);
-    if (way.lost || (way.home && !occurrences.in_every_round())) return Sum::unbounded();
+    if (way.lost || (way.ends_job && !occurrences.in_every_round())) return Sum::unbounded();
     Sum next = way.latest;
-    if (way.home) next = greater(next, distance + occurrences.latest());
+    if (way.ends_job) next = greater(next, distance + occurrences.latest());
     if (besides.to_end) next = greater(next, over);
     // What a cancelled block has begun it finishes.
     if (of.may_be_cancelled) next = greater(next, end);

@@ -28,11 +28,11 @@ Bound in_thread(const View& view, const DataFreshness& freshness, const Requirem
     // Once each, at the start.
     const Bound none{Sum::unbounded(), "nothing bounds when " + name + " comes to it"};
     const Way way = occurrences.from_entry();
-    if (!alone || !view.lively[t] || !view.begun[t] || way.home || way.lost) return none;
+    if (!alone || !view.lively[t] || !view.begun[t] || way.ends_job || way.lost) return none;
     Sum longest = way.latest;
     for (const StepEffect& effect : occurrences.before_rounds()) {
       const Way next = occurrences.after(effect);
-      if (!of_start(view, effect.node) || next.home || next.lost) return none;
+      if (!of_start(view, effect.node) || next.ends_job || next.lost) return none;
       longest = greater(longest, since_known(freshness, effect, next.latest));
     }
     return {longest, none.why};
@@ -43,8 +43,8 @@ Bound in_thread(const View& view, const DataFreshness& freshness, const Requirem
   // The first of all may come in a way that never comes home, and so may the next after any.
   const Bound none{Sum::unbounded(),
                    since_trouble("nothing bounds how old what " + name + " knows can be", view, thread)};
-  const auto before = [&](const Way& way, const Sum& round) {
-    return way.lost ? Sum::unbounded() : greater(way.latest, round);
+  const auto before = [&](const Way& way, const Sum& job) {
+    return way.lost ? Sum::unbounded() : greater(way.latest, job);
   };
   // Others may come to it until the skill has ended.
   const Sum first =

@@ -33,8 +33,8 @@ class Reliability {
       const bool goes_on = servers(thread, relies[t]) && joins(thread, relies[t]);
       made_.lively[t] = times_.trouble[t].empty() && goes_on;
       made_.begun[t] = comes_to_begin(thread, begins_by[t]);
-      made_.reliable[t] =
-          made_.lively[t] && comes_home(thread) && (!of.leaves || (steady_ && may_leave(problem_, thread)));
+      made_.reliable[t] = made_.lively[t] && returns_to_idle_wait(thread) &&
+                          (!of.leaves || (steady_ && may_leave(problem_, thread)));
     }
     for (bool changed = true; changed;) {
       changed = false;
@@ -47,13 +47,13 @@ class Reliability {
         const int parent = problem_.threads[t].parent;
         const bool begun = made_.begun[t] && std::all_of(begins_by[t].begin(), begins_by[t].end(), serve) &&
                            (parent < 0 || made_.begun[static_cast<std::size_t>(parent)]);
-        const bool home = made_.reliable[t] && sound && (!steady_ || lasts(static_cast<int>(t)));
-        if (made_.lively[t] == (made_.lively[t] && sound) && made_.reliable[t] == home &&
+        const bool returns = made_.reliable[t] && sound && (!steady_ || lasts(static_cast<int>(t)));
+        if (made_.lively[t] == (made_.lively[t] && sound) && made_.reliable[t] == returns &&
             made_.begun[t] == begun)
           continue;
         made_.lively[t] = made_.lively[t] && sound;
         made_.begun[t] = begun;
-        made_.reliable[t] = home;
+        made_.reliable[t] = returns;
         changed = true;
       }
     }
@@ -83,11 +83,11 @@ class Reliability {
   }
 
   /// Whether no way through a thread ends, or comes to blocks that never do, before it has come home.
-  bool comes_home(int thread) const {
-    const int home = behaviours_.threads[static_cast<std::size_t>(thread)].home;
-    if (home < 0) return false;
+  bool returns_to_idle_wait(int thread) const {
+    const int idle_wait = behaviours_.threads[static_cast<std::size_t>(thread)].idle_wait;
+    if (idle_wait < 0) return false;
     return !follow(problem_, {entry_of(thread)}, [&](int at) {
-      if (at == home) return Course::ends;
+      if (at == idle_wait) return Course::ends;
       return is_last(step_at(at)) ? Course::found : Course::goes_on;
     });
   }
@@ -111,12 +111,12 @@ class Reliability {
     const int parent = problem_.threads[static_cast<std::size_t>(thread)].parent;
     if (parent < 0) return true;
     const int fork = fork_of(problem_, thread);
-    const int home = behaviours_.threads[static_cast<std::size_t>(parent)].home;
+    const int idle_wait = behaviours_.threads[static_cast<std::size_t>(parent)].idle_wait;
     std::set<int> before;
     const bool passed_by = follow(problem_, {entry_of(parent)}, [&](int at) {
       if (at == fork) return Course::ends;
       before.insert(at);
-      return at == home || is_last(step_at(at)) ? Course::found : Course::goes_on;
+      return at == idle_wait || is_last(step_at(at)) ? Course::found : Course::goes_on;
     });
     if (passed_by) return false;
     for (int n : behaviours_.threads[static_cast<std::size_t>(parent)].nodes) {
@@ -168,7 +168,7 @@ class Reliability {
       if (!problem_.threads[b].can_end) continue;
       if (!ends_straight(problem_, block) || !times_.trouble[b].empty()) return false;
       // What comes by itself need not come.
-      if (behaviours_.threads[b].home >= 0) return false;
+      if (behaviours_.threads[b].idle_wait >= 0) return false;
       if (!servers(block, relies) || !joins(block, relies)) return false;
     }
     return true;
@@ -194,7 +194,7 @@ class Reliability {
       }
     }
     return std::all_of(waits.begin(), waits.end(), [&](int wait) {
-      return (wait == of.home && !goes_on_by_itself(of)) || comes(thread, wait, relies);
+      return (wait == of.idle_wait && !goes_on_by_itself(of)) || comes(thread, wait, relies);
     });
   }
 
@@ -241,7 +241,8 @@ class Reliability {
       if (std::find(step.channels.begin(), step.channels.end(), request) == step.channels.end()) continue;
       const int owner = forest_.segments.owner(static_cast<int>(s));
       if (owner < 0) continue;
-      if (server >= 0 || behaviours_.threads[static_cast<std::size_t>(owner)].home != static_cast<int>(s))
+      if (server >= 0 ||
+          behaviours_.threads[static_cast<std::size_t>(owner)].idle_wait != static_cast<int>(s))
         return -1;
       server = owner;
     }

@@ -23,7 +23,7 @@ int source_of_rounds(const View& view, int thread) {
 bool starts_in_rounds(const View& view, int thread) {
   const ThreadBehaviour& of = view.behaviours.threads[static_cast<std::size_t>(thread)];
   const Thread& block = view.problem.threads[static_cast<std::size_t>(thread)];
-  return block.parent >= 0 && of.home < 0 && !of.nodes.empty() &&
+  return block.parent >= 0 && of.idle_wait < 0 && !of.nodes.empty() &&
          std::all_of(of.nodes.begin(), of.nodes.end(), [&](int n) {
            const Node& node = view.forest.nodes[static_cast<std::size_t>(n)];
            return view.forest.sources[static_cast<std::size_t>(node.source)].period < never;
@@ -67,7 +67,7 @@ bool regular(const View& view, int thread) {
   });
   if (source.kind == Source::Kind::loop && itself) return true;
   std::vector<bool> at(view.problem.steps.size());
-  at[static_cast<std::size_t>(of.home >= 0 ? of.home : fork_of(view.problem, thread))] = true;
+  at[static_cast<std::size_t>(of.idle_wait >= 0 ? of.idle_wait : fork_of(view.problem, thread))] = true;
   if (source.kind == Source::Kind::loop) return source.roots.size() == 1 && always_comes(view, recurring, at);
   if (source.kind != Source::Kind::event) return false;
   Requirement comes;

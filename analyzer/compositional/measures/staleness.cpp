@@ -100,7 +100,7 @@ class Staleness {
     if (!soonest.bounded() || !first.bounded() || !sets_before_rounds(above)) return first;
     // Or the skill ends before the first of them.
     const AnalysisContext context{problem_, view_.forest, view_.behaviours};
-    for (int n : context.endings_before_home(above)) last = greater(last, finish(view_, n));
+    for (int n : context.endings_before_idle(above)) last = greater(last, finish(view_, n));
     return greater(last, first - soonest);
   }
 
@@ -108,7 +108,8 @@ class Staleness {
   bool sets_before_rounds(int thread) const {
     return !follow(problem_, {problem_.threads[static_cast<std::size_t>(thread)].entry}, [&](int at) {
       if (sets(at)) return Course::ends;
-      return at == behaviour(thread).home || step_at(at).kind == Kind::fork ? Course::found : Course::goes_on;
+      return at == behaviour(thread).idle_wait || step_at(at).kind == Kind::fork ? Course::found
+                                                                                 : Course::goes_on;
     });
   }
 

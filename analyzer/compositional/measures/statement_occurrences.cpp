@@ -48,15 +48,15 @@ StatementOccurrences::StatementOccurrences(const View& view, int thread, const s
   if (source < 0 || !regular(view, thread)) return;
   gap_ = compositional::gap(view, source);
   first_ = compositional::first(view, source);
-  Way round;
+  Way job;
   for (int n : of.nodes) {
     const bool begins = view.behaviours.round[static_cast<std::size_t>(n)] == n;
-    if (begins && in_recurring_round(view, n)) merge(round, begun(n));
+    if (begins && in_recurring_round(view, n)) merge(job, begun(n));
   }
-  in_every_round_ = !round.home && !round.lost;
-  may_skip_ = round.home;
-  latest_ = round.latest;
-  released_ = round.released;
+  in_every_round_ = !job.ends_job && !job.lost;
+  may_skip_ = job.ends_job;
+  latest_ = job.latest;
+  released_ = job.released;
   find_ends(source);
 }
 
@@ -75,7 +75,7 @@ void StatementOccurrences::find_ends(int source) {
   const auto instead = [&](const std::vector<int>& endings) {
     for (int n : endings) ended_at_start_ = greater(ended_at_start_, finish(view_, n));
   };
-  instead(context.endings_before_home(thread_));
+  instead(context.endings_before_idle(thread_));
   instead(context.endings_before_first(source));
 }
 
@@ -101,7 +101,7 @@ bool StatementOccurrences::surely_occurs(int node) const {
 void StatementOccurrences::merge(Way& into, const Way& other) const {
   into.latest = greater(into.latest, other.latest);
   into.released = greater(into.released, other.released);
-  into.home = into.home || other.home;
+  into.ends_job = into.ends_job || other.ends_job;
   into.lost = into.lost || other.lost || !other.latest.bounded();
 }
 
@@ -170,7 +170,7 @@ Way StatementOccurrences::way_from(int node, int at) {
   Way way;
   if (!reachable_[static_cast<std::size_t>(at)]) {
     if (begins_again_) {
-      way.home = true;
+      way.ends_job = true;
     } else {
       way = {finish(view_, node), release(view_, node), false, false};
     }
@@ -193,7 +193,7 @@ Way StatementOccurrences::way_from(int node, int at) {
 /// What the thread does when its wait, or its blocks, are over.
 Way StatementOccurrences::beyond_wait(int node, int wait) {
   const ThreadBehaviour& of = view_.behaviours.threads[static_cast<std::size_t>(thread_)];
-  if (wait == of.home) return {Sum(), Sum(), true, false};
+  if (wait == of.idle_wait) return {Sum(), Sum(), true, false};
   Way way;
   bool any = false;
   for (int other : of.nodes) {

@@ -13,10 +13,10 @@ namespace pal::analyzer::compositional {
 
 /// The ways on from a place: until one of the statements has had its effect, or none can come any more.
 struct Way {
-  Sum latest;         // from the nominal instant of the source, of those ways that get there
-  Sum released;       // the same, of the release of the segment in which they get there
-  bool home = false;  // some way comes home first
-  bool lost = false;  // nothing is known of some way
+  Sum latest;             // from the nominal instant of the source, of those ways that get there
+  Sum released;           // the same, of the release of the segment in which they get there
+  bool ends_job = false;  // some way ends the job first
+  bool lost = false;      // nothing is known of some way
 };
 
 /// The effects of the statements `at` in one thread, as long as it comes home from every round.

@@ -105,7 +105,7 @@ class Loop {
 
 }  // namespace
 
-Nanoseconds first_at_home(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread) {
+Nanoseconds first_idle(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread) {
   const ThreadBehaviour& of = context.behaviour_of(thread);
   Nanoseconds latest = 0;
   for (int n : of.nodes) {
@@ -113,10 +113,10 @@ Nanoseconds first_at_home(const AnalysisContext& context, const std::vector<Node
     // What an event brings about, or comes after blocks that end in some round or other, has no instant that
     // rounds of other sources could be compared with.
     const bool known = context.source(n).kind == Source::Kind::start;
-    latest = std::max(latest, known ? latest_arrival(context, nodes, n, of.home) : never);
+    latest = std::max(latest, known ? latest_arrival(context, nodes, n, of.idle_wait) : never);
   }
   // Who waits for it waits until the skill has ended instead.
-  for (int n : context.endings_before_home(thread))
+  for (int n : context.endings_before_idle(thread))
     latest = std::max(latest, nodes[static_cast<std::size_t>(n)].finish);
   return latest;
 }
@@ -139,10 +139,9 @@ void find_inter_arrivals(const AnalysisContext& context, Times& times) {
     times.no_overrun.push_back(taken);
     InterArrival found;
     if (taken && of.regular) {
-      const Nanoseconds ready =
-          first_at_home(context, times.nodes, context.forest.thread_of(of.roots.front()));
+      const Nanoseconds ready = first_idle(context, times.nodes, context.forest.thread_of(of.roots.front()));
       found = {Due{of.period, Due::By::source, -1, -1, of.period},
-              Due{plus(ready, of.period), Due::By::home, -1, -1, of.period}};
+               Due{plus(ready, of.period), Due::By::idle, -1, -1, of.period}};
     } else if (of.kind == Source::Kind::loop) {
       found = Loop(context, times, s).run();
     }

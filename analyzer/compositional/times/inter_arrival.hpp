@@ -7,7 +7,7 @@
 namespace pal::analyzer::compositional {
 
 /// When a thread is at home for the first time, or the skill has ended instead, at the latest.
-Nanoseconds first_at_home(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread);
+Nanoseconds first_idle(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread);
 
 /// Latest arrival at a wait or a fork that a node leads to.
 Nanoseconds latest_arrival(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,

@@ -11,7 +11,7 @@
 namespace pal::analyzer::compositional {
 namespace {
 
-constexpr int most_rounds = 1'000;
+constexpr int most_iterations = 1'000;
 
 std::vector<bool> preemptive(const Problem& problem) {
   std::vector<bool> all;
@@ -82,7 +82,7 @@ bool Interference::pauses(int thread) const {
     owned.resize(context_.problem.steps.size());
     for (std::size_t s = 0; s < owned.size(); ++s)
       owned[s] = context_.forest.segments.owner(static_cast<int>(s)) == thread;
-    if (!waits_at_home(context_.problem, context_.segment(n).beginning, owned)) return false;
+    if (!waits_between_jobs(context_.problem, context_.segment(n).beginning, owned)) return false;
   }
   return true;
 }
@@ -110,7 +110,7 @@ void Interference::precede(const AnalysisContext& context, int node,
 /// A thread's own segments are one after the other. Those of the node's round are over when it is released.
 /// Another round may still be at work then, also in what occurs once: its thread was sent something else
 /// before, or serves a request that was withdrawn.
-void Interference::exclude(int node, bool home_again, bool in_turn) {
+void Interference::exclude(int node, bool done_before_next, bool in_turn) {
   const Thread& mine = context_.thread_of(node);
   const auto n = static_cast<std::size_t>(node);
   const int thread = context_.forest.thread_of(node);
@@ -123,7 +123,7 @@ void Interference::exclude(int node, bool home_again, bool in_turn) {
            std::binary_search(order_.later[n].begin(), order_.later[n].end(), other);
   };
   const auto never_overlap = [&](int other) {
-    return (home_again && context_.forest.thread_of(other) == thread) ||
+    return (done_before_next && context_.forest.thread_of(other) == thread) ||
            (once_with(other) && context_.round_of(other) == context_.round_of(node)) ||
            (in_turn && std::binary_search(never_together_[n].begin(), never_together_[n].end(), other)) ||
            std::binary_search(order_.never_overlapping[n].begin(), order_.never_overlapping[n].end(), other);
@@ -146,17 +146,17 @@ void Interference::exclude(int node, bool home_again, bool in_turn) {
   windows_.set_without(context_.node(node).source, task_[n], std::move(without));
 }
 
-void Interference::find_order(const std::vector<bool>& home_again, const std::vector<bool>& in_turn,
+void Interference::find_order(const std::vector<bool>& done_before_next, const std::vector<bool>& in_turn,
                               const std::function<bool()>& stop) {
   for (std::size_t n = 0; n < task_.size(); ++n) {
     if (stop && stop()) return;
     const auto thread = static_cast<std::size_t>(context_.forest.thread_of(static_cast<int>(n)));
     const auto source = static_cast<std::size_t>(context_.node(static_cast<int>(n)).source);
-    const bool known = !home_again_.empty() && home_again_[thread] == home_again[thread] &&
+    const bool known = !done_before_next_.empty() && done_before_next_[thread] == done_before_next[thread] &&
                        in_turn_[source] == in_turn[source];
-    if (!known) exclude(static_cast<int>(n), home_again[thread], in_turn[source]);
+    if (!known) exclude(static_cast<int>(n), done_before_next[thread], in_turn[source]);
   }
-  home_again_ = home_again;
+  done_before_next_ = done_before_next;
   in_turn_ = in_turn;
 }
 
@@ -196,13 +196,13 @@ void Interference::announce(int node, const NodeTimes& times) {
 
 /// Who was held in a send may find what it asked for before that when it comes home, and go on for one round
 /// more.
-void Interference::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& home_again,
+void Interference::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& done_before_next,
                                const std::vector<bool>& blocked) {
   burst_.assign(context_.problem.threads.size(), 0);
   for (std::size_t t = 0; t < burst_.size(); ++t) {
     const int processor = context_.problem.threads[t].processor;
     if (context_.problem.processors[static_cast<std::size_t>(processor)].preemptive) continue;
-    const Nanoseconds found = burst(static_cast<int>(t), nodes, home_again[t] && pauses_[t]);
+    const Nanoseconds found = burst(static_cast<int>(t), nodes, done_before_next[t] && pauses_[t]);
     burst_[t] = blocked[t] ? plus(found, found) : found;
   }
 }
@@ -228,17 +228,18 @@ Nanoseconds Interference::work_of_thread(int thread, const JobsOf& jobs_of) cons
 }
 
 /// A thread goes on without a pause as long as it finds messages.
-Nanoseconds Interference::burst(int thread, const std::vector<NodeTimes>& nodes, bool home_again) const {
+Nanoseconds Interference::burst(int thread, const std::vector<NodeTimes>& nodes,
+                                bool done_before_next) const {
   const Nanoseconds once =
       work_of_thread(thread, [](const Transaction&, Nanoseconds) { return Nanoseconds{1}; });
-  if (once == 0 || home_again) return once;
+  if (once == 0 || done_before_next) return once;
   Nanoseconds late = 0;
   for (int n : context_.behaviour_of(thread).nodes) {
     const NodeTimes& times = nodes[static_cast<std::size_t>(n)];
     late = std::max(late, times.finish >= never ? never : times.finish - times.earliest);
   }
   Nanoseconds length = once;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const Nanoseconds next = work_of_thread(thread, [&](const Transaction& of, Nanoseconds jitter) {
       return releases(of.period, jitter, plus(length, late));
     });

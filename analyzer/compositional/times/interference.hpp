@@ -23,15 +23,15 @@ class Interference {
   /// The same of alternatives taken together, whose ways have slots and threads of their own and in common.
   Nanoseconds piled_up(const std::vector<int>& alternatives) const;
   /// Says, as releases are announced, of which threads no round is due before the one before is over
-  /// (`home_again`): rounds of one thread do not delay one another then; and of which sources all that an
-  /// occurrence brings about is over before the next one (`in_turn`): what comes one after the other, or one
-  /// in place of the other, does not, either.
-  void find_order(const std::vector<bool>& home_again, const std::vector<bool>& in_turn,
+  /// (`done_before_next`): rounds of one thread do not delay one another then; and of which sources all that
+  /// an occurrence brings about is over before the next one (`in_turn`): what comes one after the other, or
+  /// one in place of the other, does not, either.
+  void find_order(const std::vector<bool>& done_before_next, const std::vector<bool>& in_turn,
                   const std::function<bool()>& stop);
   /// How long threads keep a processor that is not preemptive once they have it, as releases are announced.
-  /// By thread: `home_again`, no round is due before the one before is over; `blocked`, it may have to wait
-  /// in a send.
-  void find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& home_again,
+  /// By thread: `done_before_next`, no round is due before the one before is over; `blocked`, it may have to
+  /// wait in a send.
+  void find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& done_before_next,
                    const std::vector<bool>& blocked);
   /// The longest that threads of lower priority keep the node's processor, if it is not preemptive.
   Nanoseconds blocking(int node) const;
@@ -51,10 +51,10 @@ class Interference {
 
  private:
   void precede(const AnalysisContext& context, int node, std::vector<Transaction>& transactions) const;
-  void exclude(int node, bool home_again, bool in_turn);
+  void exclude(int node, bool done_before_next, bool in_turn);
   template <class JobsOf>
   Nanoseconds work_of_thread(int thread, const JobsOf& jobs_of) const;
-  Nanoseconds burst(int thread, const std::vector<NodeTimes>& nodes, bool home_again) const;
+  Nanoseconds burst(int thread, const std::vector<NodeTimes>& nodes, bool done_before_next) const;
   bool pauses(int thread) const;
 
   AnalysisContext context_;
@@ -66,7 +66,7 @@ class Interference {
   std::vector<Nanoseconds> burst_;            // by thread
   Order order_;
   std::vector<std::vector<int>> never_together_;  // by node
-  std::vector<bool> home_again_;                  // by thread, as it was told
+  std::vector<bool> done_before_next_;            // by thread, as it was told
   std::vector<bool> in_turn_;                     // by source, as it was told
   std::vector<bool> pauses_;  // by thread: if it goes on by itself, it surely has to wait in each round
 };

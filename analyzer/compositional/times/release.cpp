@@ -74,8 +74,8 @@ Due Releases::of_message(int n) const {
   const auto& previous = behaviours.previous[static_cast<std::size_t>(n)];
   if (previous.empty()) {
     if (round_of(n) != n) return {never};
-    const Due home{first_at_home(*this, nominal_, thread), By::home};
-    return later(later(sent, home), {held_back(thread), By::held});
+    const Due idle{first_idle(*this, nominal_, thread), By::idle};
+    return later(later(sent, idle), {held_back(thread), By::held});
   }
   Due latest = sent;
   const int wait = segment(n).beginning.step;
@@ -95,7 +95,7 @@ Nanoseconds Releases::blocks_over(const Node& joined, const std::vector<std::str
       continue;
     }
     const bool troubled = !trouble[b].empty() || blocked[b];
-    if (troubled || behaviour_of(block).home >= 0 || !ends_straight(problem, block)) return never;
+    if (troubled || behaviour_of(block).idle_wait >= 0 || !ends_straight(problem, block)) return never;
     for (int n : behaviour_of(block).nodes) {
       const Node& begun = node(round_of(n));
       if (begun.cause == joined.cause && segment(n).ends)

@@ -20,7 +20,7 @@ bool waits_for_others(const AnalysisContext& context, int thread) {
     return context.in_round(n) &&
            (!segment.forks.empty() ||
             std::any_of(segment.waits.begin(), segment.waits.end(), [&](const Segment::Arrival& wait) {
-              return wait.step != of.home && !context.step_at(wait.step).within;
+              return wait.step != of.idle_wait && !context.step_at(wait.step).within;
             }));
   });
 }
@@ -37,7 +37,7 @@ bool take_in_time(const AnalysisContext& context, const std::vector<NodeTimes>& 
   return taken(nodes, node) < (period == never ? never : plus(period, put));
 }
 
-bool at_home_again(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread) {
+bool is_done_before_next(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread) {
   const ThreadBehaviour& behaviours = context.behaviour_of(thread);
   if (behaviours.rounds.empty()) return true;
   if (!behaviours.one_round) return false;
@@ -138,7 +138,7 @@ bool Slots::may_be_held(const std::vector<NodeTimes>& nodes, StepEffect put, int
   const ThreadBehaviour& of = context_.behaviour_of(context_.forest.thread_of(put.node));
   return taken(nodes, taker) < never && of.rounds.size() == 1 && !of.waits_within &&
          context_.round_of(put.node) == of.rounds.front() &&
-         context_.step_at(put.step).next.front() == of.home;
+         context_.step_at(put.step).next.front() == of.idle_wait;
 }
 
 std::vector<int> Slots::takers_of(StepEffect put) const {
@@ -169,7 +169,7 @@ std::vector<Slots::Trouble> Slots::trouble(const Times& times) const {
     if (!of.one_round) {
       found.push_back(
           {static_cast<int>(t), false, "begins rounds for several reasons, and waits within them", {}});
-    } else if (!at_home_again(context_, times.nodes, static_cast<int>(t))) {
+    } else if (!is_done_before_next(context_, times.nodes, static_cast<int>(t))) {
       found.push_back(
           {static_cast<int>(t), false, "may still be waiting within one round when the next is due", {}});
     }

@@ -12,7 +12,7 @@ bool take_in_time(const AnalysisContext& context, const std::vector<NodeTimes>& 
 
 /// Whether the work of a thread's round is over before the next one is asked for. The thread may still wait
 /// for the slot of its last send.
-bool at_home_again(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread);
+bool is_done_before_next(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread);
 
 /// Latest end of a send by which the node comes straight to `wait`; 0: there is none.
 Nanoseconds sent_before(const AnalysisContext& context, const NodeTimes& times, int node, int wait);

@@ -172,9 +172,9 @@ class Solver : private AnalysisContext {
   /// Tells the interference what does not overlap by now. `dirty`: where it is less than before, which may
   /// delay anybody there.
   void find_overlaps(std::vector<int>& dirty) {
-    std::vector<bool> home_again;
+    std::vector<bool> done_before_next;
     for (std::size_t t = 0; t < behaviours.threads.size(); ++t)
-      home_again.push_back(at_home_again(*this, nodes_, static_cast<int>(t)));
+      done_before_next.push_back(is_done_before_next(*this, nodes_, static_cast<int>(t)));
     std::vector<bool> in_turn(forest.sources.size(), true);
     for (std::size_t n = 0; n < forest.nodes.size(); ++n) {
       const auto source = static_cast<std::size_t>(forest.nodes[n].source);
@@ -186,8 +186,8 @@ class Solver : private AnalysisContext {
       const auto processor = static_cast<std::size_t>(thread_of(static_cast<int>(n)).processor);
       if (in_turn_[source] != in_turn[source]) dirty[processor] = everybody;
     }
-    interference_.find_order(home_again, in_turn, stop_);
-    interference_.find_bursts(nodes_, home_again, times_.blocked);
+    interference_.find_order(done_before_next, in_turn, stop_);
+    interference_.find_bursts(nodes_, done_before_next, times_.blocked);
     in_turn_ = in_turn;
   }
 

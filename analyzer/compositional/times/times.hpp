@@ -26,13 +26,13 @@ struct NodeTimes {
 /// What an instant is due to: it is that of what is waited for, and `after` more.
 struct Due {
   enum class By {
-    source,   // the nominal instant of its source
-    held,     // its thread was held in the last send of its round
-    home,     // its thread comes home for the first time
-    arrival,  // `node` arrives at the wait or CONCURRENT `step`
-    blocks,   // the blocks that `node` has started at `step` are over
-    message,  // `node` has sent by `step`
-    put,      // `node` has come to where `step` puts, or waits for its slot
+    source,     // the nominal instant of its source
+    held,       // its thread was held in the last send of its round
+    idle_wait,  // its thread comes home for the first time
+    arrival,    // `node` arrives at the wait or CONCURRENT `step`
+    blocks,     // the blocks that `node` has started at `step` are over
+    message,    // `node` has sent by `step`
+    put,        // `node` has come to where `step` puts, or waits for its slot
   };
   Nanoseconds at = 0;  // `never`: no bound
   By by = By::source;
