@@ -261,7 +261,7 @@ class Writer {
   void release(const Clock& asked, int node) {
     const Nanoseconds at = asked.times(node).latest;
     const Clock& clock = at == nominal_.times(node).latest ? nominal_ : asked;
-    const Due latest = clock.releases.latest(node, view_.times.trouble, view_.times.blocked);
+    const Due latest = clock.releases.latest(node, view_.times.unbounded_reason, view_.times.blocked);
     const Node& of = context_.node(node);
     const std::string& name = actor(node);
     if (latest.at != at || deep_ > 200) return say(at, name, "begins so late", statement_of(node));

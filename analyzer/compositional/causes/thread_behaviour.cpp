@@ -71,8 +71,8 @@ class Observer {
       if (!unasked(n)) continue;
       const int wait = beginning(n).step;
       if (of.idle_wait >= 0 && of.idle_wait != wait) {
-        of.trouble = problem_.threads[static_cast<std::size_t>(t)].name + " waits at " + text(of.idle_wait) +
-                     " and at " + text(wait) + " for what comes by itself";
+        of.unbounded_reason = problem_.threads[static_cast<std::size_t>(t)].name + " waits at " +
+                              text(of.idle_wait) + " and at " + text(wait) + " for what comes by itself";
       }
       of.idle_wait = wait;
     }
@@ -122,11 +122,11 @@ class Observer {
     const int channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
     const bool again = forest_.sources[static_cast<std::size_t>(node(n).source)].period < never;
     if (again && problem_.channels[static_cast<std::size_t>(channel)].answers < 0)
-      thread(begins.thread).trouble = waits + " in its rounds for what answers no request";
+      thread(begins.thread).unbounded_reason = waits + " in its rounds for what answers no request";
     const auto known = arrivals_.find({made_.round[static_cast<std::size_t>(n)], begins.step});
     if (known != arrivals_.end()) previous = known->second;
     if (previous.empty())
-      thread(begins.thread).trouble = waits + " for something that another round brings about";
+      thread(begins.thread).unbounded_reason = waits + " for something that another round brings about";
     waited_for_.insert({made_.round[static_cast<std::size_t>(n)], begins.step});
   }
 
@@ -146,9 +146,9 @@ class Observer {
     for (const auto& [channel, from] : origins) {
       if (is_taken(t, channel, from)) continue;
       const Thread& of = problem_.threads[static_cast<std::size_t>(t)];
-      thread(t).trouble = of.name + " may leave " +
-                          problem_.channels[static_cast<std::size_t>(channel)].message +
-                          ", which it brings about, to a later round";
+      thread(t).unbounded_reason = of.name + " may leave " +
+                                   problem_.channels[static_cast<std::size_t>(channel)].message +
+                                   ", which it brings about, to a later round";
     }
   }
 
@@ -191,7 +191,7 @@ class Observer {
     const std::string& name = problem_.threads[static_cast<std::size_t>(t)].name;
     // What is for it waits while it is not there.
     if (recurrent(problem_, {Beginning::Kind::entry, t, -1, -1}))
-      of.trouble = name + " is started again and again";
+      of.unbounded_reason = name + " is started again and again";
     for (int n : of.nodes) {
       const int round = made_.round[static_cast<std::size_t>(n)];
       const Segment& segment = forest_.segment_of(node(n));
@@ -201,7 +201,7 @@ class Observer {
         const bool limited = step_at(wait.step).within.has_value();
         if (again) of.waits_within = true;
         if (!limited && !waited_for_.contains({round, wait.step})) {
-          of.trouble =
+          of.unbounded_reason =
               name + " waits at " + text(wait.step) + " for something that its round does not bring about";
         }
       }
@@ -209,7 +209,7 @@ class Observer {
       for (const Segment::Arrival& fork : segment.forks) {
         if (!again) continue;
         of.waits_within = true;
-        if (!ends_within(fork.step)) of.trouble = name + " starts blocks again and again";
+        if (!ends_within(fork.step)) of.unbounded_reason = name + " starts blocks again and again";
       }
     }
   }

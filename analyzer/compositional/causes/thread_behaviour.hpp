@@ -21,7 +21,7 @@ struct ThreadBehaviour {
   bool asked_by_one =
       false;  // all rounds answer the requests of one client, which asks again only afterwards
   /// Why nothing is known of when it goes on; empty if it is.
-  std::string trouble;
+  std::string unbounded_reason;
 };
 
 struct StartEnding {

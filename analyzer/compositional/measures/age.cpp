@@ -145,7 +145,9 @@ class Ageing {
   }
 
   /// A thread in trouble may be anywhere in what it began before, also after it has come home.
-  bool troubled(int thread) const { return !view_.times.trouble[static_cast<std::size_t>(thread)].empty(); }
+  bool unbounded(int thread) const {
+    return !view_.times.unbounded_reason[static_cast<std::size_t>(thread)].empty();
+  }
 
   /// Whether the next round of a thread is that of the next occurrence of their source.
   bool in_turn(int thread) const {
@@ -153,7 +155,7 @@ class Ageing {
   }
 
   Sum from_start(int statement, int jobs) {
-    if (jobs > 0 && troubled(owner(statement))) return Sum::unbounded();
+    if (jobs > 0 && unbounded(owner(statement))) return Sum::unbounded();
     Sum longest;
     const int source = source_of_rounds(view_, owner(statement));
     for (int n : nodes_with(view_, statement)) {
@@ -175,7 +177,7 @@ class Ageing {
   Sum distance(Place from, int statement) {
     const int thread = owner(statement);
     if (from.step == statement && from.rounds == 0) return {};
-    if (from.jobs > 0 && troubled(thread)) return Sum::unbounded();
+    if (from.jobs > 0 && unbounded(thread)) return Sum::unbounded();
     const int source = source_of_rounds(view_, thread);
     Sum longest;
     for (int a : nodes_with(view_, from.step)) {

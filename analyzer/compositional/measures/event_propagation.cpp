@@ -13,8 +13,8 @@ using Release = Node::Release;
 
 }  // namespace
 
-std::string EventPropagation::trouble_of(int n) const {
-  return view_.times.trouble[static_cast<std::size_t>(view_.forest.thread_of(n))];
+std::string EventPropagation::unbounded_reason_of(int n) const {
+  return view_.times.unbounded_reason[static_cast<std::size_t>(view_.forest.thread_of(n))];
 }
 
 bool EventPropagation::certain(int n) {
@@ -30,7 +30,7 @@ bool EventPropagation::certain(int n) {
     return true;
   }
   if (why_.empty()) {
-    why_ = view_.times.trouble[thread];
+    why_ = view_.times.unbounded_reason[thread];
     if (why_.empty()) why_ = problem_.threads[thread].name + " may leave its round, or wait in it for ever";
   }
   return false;
@@ -43,7 +43,7 @@ Sum EventPropagation::node_value(int n) {
   Sum value = Sum::unbounded();
   if (certain(n)) {
     value = beginning_value(n);
-    if (!value.bounded() && why_.empty()) why_ = trouble_of(n);
+    if (!value.bounded() && why_.empty()) why_ = unbounded_reason_of(n);
   }
   place->second = value;
   return value;

@@ -43,7 +43,7 @@ class EventPropagation {
   Sum finished(int n) const {
     return since_ == Since::event ? finish_since_event(view_, n) : finish(view_, n);
   }
-  std::string trouble_of(int n) const;
+  std::string unbounded_reason_of(int n) const;
   /// Whether what is sent is put, and not withdrawn before it is taken. A message that is not has no
   /// response; one that should carry an event leaves it without.
   bool is_put(int send);

@@ -41,8 +41,9 @@ Bound in_thread(const View& view, const DataFreshness& freshness, const Requirem
     return {Sum::unbounded(), why_not_again(view, thread, occurrences, goes_on(view, thread))};
   }
   // The first of all may come in a way that never comes home, and so may the next after any.
-  const Bound none{Sum::unbounded(),
-                   since_trouble("nothing bounds how old what " + name + " knows can be", view, thread)};
+  const Bound none{
+      Sum::unbounded(),
+      with_unbounded_reason("nothing bounds how old what " + name + " knows can be", view, thread)};
   const auto before = [&](const Way& way, const Sum& job) {
     return way.lost ? Sum::unbounded() : greater(way.latest, job);
   };
@@ -82,8 +83,8 @@ Bound known_age_bound(const View& view, const Requirement& requirement) {
       const StepEffect effect{n, static_cast<int>(s)};
       oldest = greater(oldest, since_known(freshness, effect, latest(view, n, effect.step)));
       if (!oldest.bounded() && why.empty())
-        why = since_trouble("nothing bounds how old the sample is that is known there", view,
-                            view.forest.thread_of(n));
+        why = with_unbounded_reason("nothing bounds how old the sample is that is known there", view,
+                                    view.forest.thread_of(n));
     }
   }
   return {oldest, why};

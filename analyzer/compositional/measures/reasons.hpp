@@ -7,10 +7,10 @@ namespace pal::analyzer::compositional {
 
 /// The trouble of the nearest thread among those that bring about what `thread` does, itself first; empty:
 /// none of them is in trouble.
-std::string trouble_behind(const View& view, int thread);
+std::string unbounded_reason_behind(const View& view, int thread);
 
-/// `what`, and what that comes from, if trouble_behind() the thread is known.
-std::string since_trouble(const std::string& what, const View& view, int thread);
+/// `what`, and what that comes from, if unbounded_reason_behind() the thread is known.
+std::string with_unbounded_reason(const std::string& what, const View& view, int thread);
 
 /// Why it is not known when a thread comes to the statements of `occurrences` again, which are called
 /// `statement`; `goes_on`: it is known to go on with its rounds.

@@ -31,7 +31,7 @@ class Reliability {
       const int thread = static_cast<int>(t);
       const ThreadBehaviour& of = behaviours_.threads[t];
       const bool goes_on = servers(thread, relies[t]) && joins(thread, relies[t]);
-      made_.lively[t] = times_.trouble[t].empty() && goes_on;
+      made_.lively[t] = times_.unbounded_reason[t].empty() && goes_on;
       made_.begun[t] = comes_to_begin(thread, begins_by[t]);
       made_.reliable[t] = made_.lively[t] && returns_to_idle_wait(thread) &&
                           (!of.leaves || (steady_ && may_leave(problem_, thread)));
@@ -166,7 +166,7 @@ class Reliability {
     for (int block : step_at(fork).threads) {
       const auto b = static_cast<std::size_t>(block);
       if (!problem_.threads[b].can_end) continue;
-      if (!ends_straight(problem_, block) || !times_.trouble[b].empty()) return false;
+      if (!ends_straight(problem_, block) || !times_.unbounded_reason[b].empty()) return false;
       // What comes by itself need not come.
       if (behaviours_.threads[b].idle_wait >= 0) return false;
       if (!servers(block, relies) || !joins(block, relies)) return false;

@@ -41,8 +41,9 @@ bool in_order(const View& view, const Requirement& requirement, int source) {
 std::string overrun(const View& view, int source) {
   const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
   for (int root : of.roots) {
-    const std::string& trouble = view.times.trouble[static_cast<std::size_t>(view.forest.thread_of(root))];
-    if (!trouble.empty()) return trouble;
+    const std::string& unbounded_reason =
+        view.times.unbounded_reason[static_cast<std::size_t>(view.forest.thread_of(root))];
+    if (!unbounded_reason.empty()) return unbounded_reason;
   }
   return "nothing shows that an event of " + view.problem.devices[static_cast<std::size_t>(of.device)].name +
          " is taken before the next one comes";

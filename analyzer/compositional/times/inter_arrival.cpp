@@ -26,7 +26,7 @@ class Loop {
         of_(context.forest.sources[source]) {}
 
   InterArrival run() const {
-    if (!times_.trouble[static_cast<std::size_t>(of_.thread)].empty()) return {};
+    if (!times_.unbounded_reason[static_cast<std::size_t>(of_.thread)].empty()) return {};
     InterArrival found{Due{0}, Due{0}};
     bool comes = false;
     Nanoseconds between = 0;

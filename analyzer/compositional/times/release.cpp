@@ -22,20 +22,21 @@ Nanoseconds Releases::arrival(int node, int step) const {
   return latest_arrival(*this, nodes_, node, step);
 }
 
-Due Releases::latest(int n, const std::vector<std::string>& trouble, const std::vector<bool>& blocked) const {
+Due Releases::latest(int n, const std::vector<std::string>& unbounded_reason,
+                     const std::vector<bool>& blocked) const {
   const Node& of = node(n);
   const auto thread = static_cast<std::size_t>(forest.thread_of(n));
   const Due none{never};
   if (blocked[thread]) return none;
   const Beginning& begins = segment(n).beginning;
-  if (!behaviours.early[static_cast<std::size_t>(n)] && !trouble[thread].empty()) return none;
+  if (!behaviours.early[static_cast<std::size_t>(n)] && !unbounded_reason[thread].empty()) return none;
   switch (of.release) {
     case Node::Release::root:
       return source(n).kind == Source::Kind::event ? of_event(n) : Due{};
     case Node::Release::fork: {
       const Due begun{arrival(of.cause, of.cause_step), By::arrival, of.cause, of.cause_step};
       if (begins.kind != Beginning::Kind::joined) return begun;
-      return later(begun, {blocks_over(of, trouble, blocked), By::blocks, of.cause, of.cause_step});
+      return later(begun, {blocks_over(of, unbounded_reason, blocked), By::blocks, of.cause, of.cause_step});
     }
     case Node::Release::limit: {
       const Nanoseconds limit = step_at(of.cause_step).within.value_or(0);
@@ -84,7 +85,7 @@ Due Releases::of_message(int n) const {
 }
 
 /// When all blocks that a node's cause has started have ended or stopped.
-Nanoseconds Releases::blocks_over(const Node& joined, const std::vector<std::string>& trouble,
+Nanoseconds Releases::blocks_over(const Node& joined, const std::vector<std::string>& unbounded_reason,
                                   const std::vector<bool>& blocked) const {
   Nanoseconds latest = 0;
   Nanoseconds stopping = 0;
@@ -94,8 +95,8 @@ Nanoseconds Releases::blocks_over(const Node& joined, const std::vector<std::str
       stopping = std::max(stopping, stops_within(problem, interference_.windows(), block));
       continue;
     }
-    const bool troubled = !trouble[b].empty() || blocked[b];
-    if (troubled || behaviour_of(block).idle_wait >= 0 || !ends_straight(problem, block)) return never;
+    const bool unbounded = !unbounded_reason[b].empty() || blocked[b];
+    if (unbounded || behaviour_of(block).idle_wait >= 0 || !ends_straight(problem, block)) return never;
     for (int n : behaviour_of(block).nodes) {
       const Node& begun = node(round_of(n));
       if (begun.cause == joined.cause && segment(n).ends)

@@ -19,13 +19,14 @@ class Releases : private AnalysisContext {
            const std::vector<NodeTimes>& nominal, const Interference& interference)
       : AnalysisContext(context), nodes_(since_event), nominal_(nominal), interference_(interference) {}
 
-  /// `trouble` and `blocked` as in Times.
-  Due latest(int node, const std::vector<std::string>& trouble, const std::vector<bool>& blocked) const;
+  /// `unbounded_reason` and `blocked` as in Times.
+  Due latest(int node, const std::vector<std::string>& unbounded_reason,
+             const std::vector<bool>& blocked) const;
 
  private:
   Due of_event(int node) const;
   Due of_message(int node) const;
-  Nanoseconds blocks_over(const Node& joined, const std::vector<std::string>& trouble,
+  Nanoseconds blocks_over(const Node& joined, const std::vector<std::string>& unbounded_reason,
                           const std::vector<bool>& blocked) const;
   Nanoseconds held_back(int thread) const;
   Nanoseconds arrival(int node, int step) const;

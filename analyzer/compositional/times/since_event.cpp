@@ -41,7 +41,7 @@ class SinceEvents : private AnalysisContext {
     NodeTimes& mine = made_[static_cast<std::size_t>(n)];
     const NodeTimes before = mine;
     const Segment& of = segment(n);
-    mine.latest = std::min(mine.latest, releases_.latest(n, times_.trouble, times_.blocked).at);
+    mine.latest = std::min(mine.latest, releases_.latest(n, times_.unbounded_reason, times_.blocked).at);
     const auto done = [&](Nanoseconds part) { return plus(mine.latest, from_release(n, part)); };
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
       if (mine.effects[s] == NodeTimes::unknown) continue;

@@ -149,8 +149,8 @@ std::vector<int> Slots::takers_of(StepEffect put) const {
   return threads;
 }
 
-std::vector<Slots::Trouble> Slots::trouble(const Times& times) const {
-  std::vector<Trouble> found;
+std::vector<Slots::UnboundedThread> Slots::unbounded_threads(const Times& times) const {
+  std::vector<UnboundedThread> found;
   for (std::size_t c = 0; c < puts_.size(); ++c) {
     if (is_free(times.nodes, c)) continue;
     for (const StepEffect& put : puts_[c]) {

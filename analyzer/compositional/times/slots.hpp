@@ -26,14 +26,14 @@ class Slots {
  public:
   explicit Slots(const AnalysisContext& context);
 
-  struct Trouble {
+  struct UnboundedThread {
     int thread = -1;
     bool blocked = false;  // it may have to wait in a send
     std::string why;
     std::vector<int> takers;  // the threads that may not make room for it
   };
   /// The threads of which nothing bounds when they go on, by these times.
-  std::vector<Trouble> trouble(const Times& times) const;
+  std::vector<UnboundedThread> unbounded_threads(const Times& times) const;
 
  private:
   bool is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) const;

@@ -55,17 +55,17 @@ class Solver : private AnalysisContext {
         releases_(*this, nodes_, interference_) {}
 
   Times run() {
-    times_.trouble.resize(problem.threads.size());
+    times_.unbounded_reason.resize(problem.threads.size());
     times_.blocked.assign(problem.threads.size(), false);
     for (std::size_t t = 0; t < problem.threads.size(); ++t)
-      times_.trouble[t] = behaviours.threads[t].trouble;
+      times_.unbounded_reason[t] = behaviours.threads[t].unbounded_reason;
     since_.assign(problem.threads.size(), -1);
     const Slots slots(*this);
     do {
       solve();
       times_.nodes = nodes_;
       if (times_.interrupted) return std::move(times_);
-    } while (finds_trouble(slots));
+    } while (finds_unbounded_threads(slots));
     name_roots();
     find_inter_arrivals(*this, times_);
     times_.since_event = since_events(*this, times_, interference_);
@@ -77,7 +77,9 @@ class Solver : private AnalysisContext {
  private:
   NodeTimes& times(int n) { return nodes_[static_cast<std::size_t>(n)]; }
 
-  Nanoseconds latest_release(int n) const { return releases_.latest(n, times_.trouble, times_.blocked).at; }
+  Nanoseconds latest_release(int n) const {
+    return releases_.latest(n, times_.unbounded_reason, times_.blocked).at;
+  }
 
   bool update(int n) {
     NodeTimes& mine = times(n);
@@ -192,23 +194,23 @@ class Solver : private AnalysisContext {
   }
 
   /// Whether something is found that the times do not count with yet.
-  bool finds_trouble(const Slots& slots) {
+  bool finds_unbounded_threads(const Slots& slots) {
     bool found = false;
-    const auto trouble = [this](int thread) -> std::string& {
-      return times_.trouble[static_cast<std::size_t>(thread)];
+    const auto unbounded_reason = [this](int thread) -> std::string& {
+      return times_.unbounded_reason[static_cast<std::size_t>(thread)];
     };
-    std::vector<Slots::Trouble> fresh;
-    for (Slots::Trouble& each : slots.trouble(times_)) {
+    std::vector<Slots::UnboundedThread> fresh;
+    for (Slots::UnboundedThread& each : slots.unbounded_threads(times_)) {
       const auto thread = static_cast<std::size_t>(each.thread);
-      found = found || trouble(each.thread).empty() || (each.blocked && !times_.blocked[thread]);
+      found = found || unbounded_reason(each.thread).empty() || (each.blocked && !times_.blocked[thread]);
       if (each.blocked) times_.blocked[thread] = true;
-      if (!trouble(each.thread).empty()) continue;
-      trouble(each.thread) = thread_at(each.thread).name + " " + each.why;
+      if (!unbounded_reason(each.thread).empty()) continue;
+      unbounded_reason(each.thread) = thread_at(each.thread).name + " " + each.why;
       fresh.push_back(std::move(each));
     }
-    for (const Slots::Trouble& each : fresh) {
+    for (const Slots::UnboundedThread& each : fresh) {
       for (int taker : each.takers) {
-        if (taker != each.thread && !trouble(taker).empty())
+        if (taker != each.thread && !unbounded_reason(taker).empty())
           since_[static_cast<std::size_t>(each.thread)] = taker;
       }
     }
@@ -217,14 +219,15 @@ class Solver : private AnalysisContext {
 
   /// Adds to each trouble the one that it comes from in the end.
   void name_roots() {
-    const std::vector<std::string> own = times_.trouble;
+    const std::vector<std::string> own = times_.unbounded_reason;
     for (std::size_t t = 0; t < own.size(); ++t) {
       std::set<int> seen{static_cast<int>(t)};
       int at = static_cast<int>(t);
       for (int next = since_[t]; next >= 0 && seen.insert(next).second;
            next = since_[static_cast<std::size_t>(next)])
         at = next;
-      if (at != static_cast<int>(t)) times_.trouble[t] += ", since " + own[static_cast<std::size_t>(at)];
+      if (at != static_cast<int>(t))
+        times_.unbounded_reason[t] += ", since " + own[static_cast<std::size_t>(at)];
     }
   }
 

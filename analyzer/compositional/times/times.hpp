@@ -49,7 +49,7 @@ struct Times {
   /// brings about they are those of `nodes`.
   std::vector<NodeTimes> since_event;
   /// By thread, why nothing bounds when it goes on; empty if something does.
-  std::vector<std::string> trouble;
+  std::vector<std::string> unbounded_reason;
   std::vector<bool> blocked;  // by thread: it may have to wait in a send
   /// By source: its events are all taken before the next can come.
   std::vector<bool> no_overrun;
