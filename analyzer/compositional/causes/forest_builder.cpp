@@ -15,9 +15,9 @@ namespace {
 
 using Kind = Step::Kind;
 
-class Planter {
+class ForestBuilder {
  public:
-  Planter(const Problem& problem, Forest& forest, const std::function<bool()>& stop)
+  ForestBuilder(const Problem& problem, Forest& forest, const std::function<bool()>& stop)
       : problem_(problem),
         forest_(forest),
         stop_(stop),
@@ -207,7 +207,8 @@ class Planter {
     for (auto& [channel, sends] : by_channel) {
       bool alternatives = true;
       for (int first : sends) {
-        for (int second : sends) alternatives = alternatives && !comes_after(problem_, segment, first, second);
+        for (int second : sends)
+          alternatives = alternatives && !comes_after(problem_, segment, first, second);
       }
       if (alternatives) {
         all.push_back(std::move(sends));
@@ -368,7 +369,7 @@ class Planter {
 
 Forest forest_of(const Problem& problem, const std::function<bool()>& stop) {
   Forest forest(problem);
-  Planter(problem, forest, stop).plant();
+  ForestBuilder(problem, forest, stop).plant();
   return forest;
 }
 
