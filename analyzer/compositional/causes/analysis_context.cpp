@@ -59,7 +59,7 @@ std::vector<int> AnalysisContext::endings_before_idle(int thread) const {
   std::set<int> seen;
   for (int t = thread; t >= 0; t = thread_at(t).parent) {
     for (const StartEnding& of : behaviours.start_endings[static_cast<std::size_t>(t)])
-      if (seen.insert(of.node).second && !in_round(of.own)) found.push_back(of.node);
+      if (seen.insert(of.node).second && !in_job(of.own)) found.push_back(of.node);
   }
   return found;
 }

@@ -19,8 +19,8 @@ struct AnalysisContext {
   const ThreadBehaviour& behaviour_of(int thread) const {
     return behaviours.threads[static_cast<std::size_t>(thread)];
   }
-  int round_of(int n) const { return behaviours.round[static_cast<std::size_t>(n)]; }
-  bool in_round(int n) const { return compositional::in_round(forest, behaviours, n); }
+  int job_start_of(int n) const { return behaviours.job_start[static_cast<std::size_t>(n)]; }
+  bool in_job(int n) const { return compositional::in_job(forest, behaviours, n); }
   /// The node, if it is one of a thread, or the nearest of its causes that is; -1: it does not come of the
   /// thread.
   int nearest(int n, int thread) const {

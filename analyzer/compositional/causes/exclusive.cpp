@@ -10,16 +10,16 @@ namespace {
 
 /// The wait that a round cannot pass without the next one having begun; -1: there is none. Who gives up there
 /// goes on in the same round.
-int end_of_round(const AnalysisContext& context, int node) {
-  const int round = context.round_of(node);
-  const Beginning& begins = context.segment(round).beginning;
+int end_of_job(const AnalysisContext& context, int node) {
+  const int job_start = context.job_start_of(node);
+  const Beginning& begins = context.segment(job_start).beginning;
   if (begins.kind != Beginning::Kind::arm || context.step_at(begins.step).within) return -1;
   return begins.step == context.behaviour_of(begins.thread).idle_wait ? begins.step : -1;
 }
 
 /// Whether a round that has passed `first` may come to another step.
 bool may_follow(const AnalysisContext& context, const StepEffect& first, int second) {
-  const int end = end_of_round(context, first.node);
+  const int end = end_of_job(context, first.node);
   return follow(context.problem, context.step_at(first.step).next, [&](int at) {
     if (at == second) return Course::found;
     return at == end ? Course::ends : Course::goes_on;
@@ -45,7 +45,7 @@ bool any_in_node(const AnalysisContext& context, const Places& steps_of) {
 }
 
 /// Whether a run of the round passes a step in one node and then one in another.
-bool any_in_round(const AnalysisContext& context, const Places& nodes_of) {
+bool any_in_job(const AnalysisContext& context, const Places& nodes_of) {
   for (const auto& [first, nodes] : nodes_of) {
     for (const auto& [second, others] : nodes_of) {
       const bool one_node = nodes.size() == 1 && others == nodes;
@@ -61,11 +61,11 @@ bool are_exclusive(const AnalysisContext& context, const std::vector<StepEffect>
   Places steps_of;  // by node
   Places nodes_of;  // by step
   for (const StepEffect& effect : occurrences) {
-    if (context.round_of(effect.node) != context.round_of(occurrences.front().node)) return false;
+    if (context.job_start_of(effect.node) != context.job_start_of(occurrences.front().node)) return false;
     steps_of[effect.node].push_back(effect.step);
     nodes_of[effect.step].push_back(effect.node);
   }
-  return !any_in_node(context, steps_of) && !any_in_round(context, nodes_of);
+  return !any_in_node(context, steps_of) && !any_in_job(context, nodes_of);
 }
 
 }  // namespace pal::analyzer::compositional

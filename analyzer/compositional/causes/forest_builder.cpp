@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "analyzer/compositional/causes/job_distance.hpp"
 #include "analyzer/compositional/causes/protocol.hpp"
 #include "analyzer/compositional/causes/refusal.hpp"
-#include "analyzer/compositional/causes/rounds.hpp"
 #include "analyzer/compositional/causes/sequence.hpp"
 #include "analyzer/compositional/causes/takers.hpp"
 #include "analyzer/problem/flow.hpp"
@@ -60,12 +60,12 @@ class ForestBuilder {
         continue;
       if (stop_ && stop_()) forest_.refusal = "it was interrupted";
       if (!forest_.refusal.empty()) return;
-      limited_[s] = !goes_round_by_limits(static_cast<int>(s));
+      limited_[s] = !loops_by_limits(static_cast<int>(s));
     }
   }
 
   /// Whether the thread can come back to a wait by way of waits with limits alone.
-  bool goes_round_by_limits(int wait) const {
+  bool loops_by_limits(int wait) const {
     return follow(problem_, step_at(wait).next, [&](int at) {
       if (at == wait) return Course::found;
       return step_at(at).kind == Kind::wait && !step_at(at).within ? Course::ends : Course::goes_on;
@@ -106,7 +106,7 @@ class ForestBuilder {
       source.kind = Source::Kind::loop;
       source.segment = segment;
       source.thread = forest_.segments[segment].beginning.thread;
-      source.period = least_round(problem_, forest_.segments[segment].beginning);
+      source.period = least_job_distance(problem_, forest_.segments[segment].beginning);
       if (source.period == 0) {
         forest_.refusal = "nothing says how long a round of module " +
                           problem_.threads[static_cast<std::size_t>(source.thread)].name + " takes at least";

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "analyzer/compositional/causes/job_distance.hpp"
 #include "analyzer/compositional/causes/protocol.hpp"
-#include "analyzer/compositional/causes/rounds.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -21,7 +21,7 @@ bool is_nested(const Problem& problem, int thread) {
 }
 
 /// Blocks that are started again before nobody knows when, or stopped in each round.
-bool starts_rounds_again(const Problem& problem, int fork, int thread) {
+bool starts_loops_again(const Problem& problem, int fork, int thread) {
   const std::vector<int>& blocks = problem.steps[static_cast<std::size_t>(fork)].threads;
   const bool straight = std::all_of(blocks.begin(), blocks.end(), [&problem](int block) {
     return problem.threads[static_cast<std::size_t>(block)].can_end && ends_straight(problem, block);
@@ -55,7 +55,7 @@ int taken_anywhere(const Problem& problem, const Segments& segments) {
 std::string refusal_of_step(const Problem& problem, int index, int thread) {
   const Step& step = problem.steps[static_cast<std::size_t>(index)];
   const std::string& who = name_of(problem, thread);
-  if (step.kind == Step::Kind::fork && starts_rounds_again(problem, index, thread))
+  if (step.kind == Step::Kind::fork && starts_loops_again(problem, index, thread))
     return who + " starts blocks again and again of which some go round";
   if (talks_or_sets(step) && is_nested(problem, thread))
     return who + " waits, sends or sets in a block within a block";

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "analyzer/compositional/causes/alternatives.hpp"
-#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
 #include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {
@@ -20,7 +20,7 @@ class Observer {
   ThreadBehaviours run(const std::function<bool()>& stop) {
     const std::size_t nodes = forest_.nodes.size();
     made_.threads.resize(problem_.threads.size());
-    made_.round.assign(nodes, -1);
+    made_.job_start.assign(nodes, -1);
     made_.previous.resize(nodes);
     for (std::size_t n = 0; n < nodes; ++n) {
       made_.threads[static_cast<std::size_t>(forest_.thread_of(static_cast<int>(n)))].nodes.push_back(
@@ -39,7 +39,7 @@ class Observer {
     for (std::size_t n = 0; n < nodes; ++n) made_.drains.push_back(drains(static_cast<int>(n)));
     protocol();
     for (ThreadBehaviour& thread : made_.threads) {
-      thread.one_round = are_alternatives(problem_, forest_, thread.rounds);
+      thread.one_job = are_alternatives(problem_, forest_, thread.job_starts);
       servers(thread);
     }
     made_.alternatives = alternatives_of(problem_, forest_, stop);
@@ -82,33 +82,34 @@ class Observer {
   void find_job_start(int n) {
     const Beginning& begins = beginning(n);
     ThreadBehaviour& of = thread(begins.thread);
-    int& round = made_.round[static_cast<std::size_t>(n)];
+    int& job_start = made_.job_start[static_cast<std::size_t>(n)];
     switch (node(n).release) {
       case Release::root:
-        round = n;
+        job_start = n;
         break;
       case Release::fork:
-        round =
-            begins.kind == Beginning::Kind::joined ? made_.round[static_cast<std::size_t>(node(n).cause)] : n;
+        job_start = begins.kind == Beginning::Kind::joined
+                        ? made_.job_start[static_cast<std::size_t>(node(n).cause)]
+                        : n;
         break;
       case Release::limit:
-        round = made_.round[static_cast<std::size_t>(node(n).cause)];
+        job_start = made_.job_start[static_cast<std::size_t>(node(n).cause)];
         break;
       case Release::message: {
         const int before = forest_.cause_in(n, begins.thread);
-        const bool begins_round = before < 0 || begins.step == of.idle_wait;
-        round = begins_round ? n : made_.round[static_cast<std::size_t>(before)];
+        const bool begins_job = before < 0 || begins.step == of.idle_wait;
+        job_start = begins_job ? n : made_.job_start[static_cast<std::size_t>(before)];
         break;
       }
     }
     const bool waited = begins.kind == Beginning::Kind::arm || begins.kind == Beginning::Kind::give_up;
-    if (round == n && waited) of.rounds.push_back(n);
+    if (job_start == n && waited) of.job_starts.push_back(n);
     for (const Segment::Arrival& wait : forest_.segment_of(node(n)).waits)
-      arrivals_[{round, wait.step}].push_back(n);
+      arrivals_[{job_start, wait.step}].push_back(n);
   }
 
   void order(int n) {
-    if (made_.round[static_cast<std::size_t>(n)] == n) return;
+    if (made_.job_start[static_cast<std::size_t>(n)] == n) return;
     auto& previous = made_.previous[static_cast<std::size_t>(n)];
     if (node(n).release != Release::message) {
       previous.push_back(node(n).cause);
@@ -123,11 +124,11 @@ class Observer {
     const bool again = forest_.sources[static_cast<std::size_t>(node(n).source)].period < never;
     if (again && problem_.channels[static_cast<std::size_t>(channel)].answers < 0)
       thread(begins.thread).unbounded_reason = waits + " in its rounds for what answers no request";
-    const auto known = arrivals_.find({made_.round[static_cast<std::size_t>(n)], begins.step});
+    const auto known = arrivals_.find({made_.job_start[static_cast<std::size_t>(n)], begins.step});
     if (known != arrivals_.end()) previous = known->second;
     if (previous.empty())
       thread(begins.thread).unbounded_reason = waits + " for something that another round brings about";
-    waited_for_.insert({made_.round[static_cast<std::size_t>(n)], begins.step});
+    waited_for_.insert({made_.job_start[static_cast<std::size_t>(n)], begins.step});
   }
 
   /// What a round brings about it must also take: else a later round finds it in the slot, and takes it for
@@ -135,7 +136,7 @@ class Observer {
   void leftovers(int t) {
     std::map<int, std::set<int>> origins;  // by channel of what comes back: sends, and forks to who sends
     for (int n : thread(t).nodes) {
-      if (node(n).release != Release::message || made_.round[static_cast<std::size_t>(n)] == n) continue;
+      if (node(n).release != Release::message || made_.job_start[static_cast<std::size_t>(n)] == n) continue;
       int first = n;  // of what the thread brings about on the way
       while (forest_.thread_of(node(first).cause) != t) first = node(first).cause;
       const Beginning& begins = beginning(n);
@@ -193,14 +194,14 @@ class Observer {
     if (recurrent(problem_, {Beginning::Kind::entry, t, -1, -1}))
       of.unbounded_reason = name + " is started again and again";
     for (int n : of.nodes) {
-      const int round = made_.round[static_cast<std::size_t>(n)];
+      const int job_start = made_.job_start[static_cast<std::size_t>(n)];
       const Segment& segment = forest_.segment_of(node(n));
-      const bool again = in_round(forest_, made_, n);
+      const bool again = in_job(forest_, made_, n);
       for (const Segment::Arrival& wait : segment.waits) {
         if (wait.step == of.idle_wait) continue;
         const bool limited = step_at(wait.step).within.has_value();
         if (again) of.waits_within = true;
-        if (!limited && !waited_for_.contains({round, wait.step})) {
+        if (!limited && !waited_for_.contains({job_start, wait.step})) {
           of.unbounded_reason =
               name + " waits at " + text(wait.step) + " for something that its round does not bring about";
         }
@@ -221,7 +222,7 @@ class Observer {
     const bool again = recurrent(problem_, {Beginning::Kind::entry, t, -1, -1});
     std::set<int> late;
     std::vector<int> waits;
-    for (int n : of.rounds) waits.push_back(beginning(n).step);
+    for (int n : of.job_starts) waits.push_back(beginning(n).step);
     follow(problem_, waits, [&late](int at) {
       late.insert(at);
       return Course::goes_on;
@@ -265,7 +266,8 @@ class Observer {
   bool drains(int n) {
     const ThreadBehaviour& of = thread(forest_.thread_of(n));
     if (node(n).release != Release::message || node(n).device >= 0 || of.waits_within) return false;
-    if (made_.round[static_cast<std::size_t>(n)] != n || !made_.previous[static_cast<std::size_t>(n)].empty())
+    if (made_.job_start[static_cast<std::size_t>(n)] != n ||
+        !made_.previous[static_cast<std::size_t>(n)].empty())
       return false;
     const int channel = step_at(node(n).sends.front()).channels.front();
     if (latency(problem_, channel, forest_.thread_of(node(n).cause), forest_.thread_of(n)).worst > 0)
@@ -306,9 +308,9 @@ class Observer {
   /// A server whose rounds wait may still be at work when somebody asks, unless there is one client, who
   /// waits for each answer without limit, and nothing is left to do after it.
   void servers(ThreadBehaviour& of) {
-    if (of.rounds.empty()) return;
+    if (of.job_starts.empty()) return;
     int request = -1;
-    for (int n : of.rounds) {
+    for (int n : of.job_starts) {
       const Beginning& begins = beginning(n);
       if (begins.kind != Beginning::Kind::arm) return;
       const int channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
@@ -338,7 +340,7 @@ class Observer {
           if (ends_job && !answers) return;
           answered = answered || answers;
         }
-        if (in_round(forest_, made_, n) && !answered) return;
+        if (in_job(forest_, made_, n) && !answered) return;
       }
     }
     of.asked_by_one = true;
@@ -354,11 +356,11 @@ class Observer {
 
 }  // namespace
 
-bool in_round(const Forest& forest, const ThreadBehaviours& behaviours, int node) {
-  const std::vector<int>& rounds =
-      behaviours.threads[static_cast<std::size_t>(forest.thread_of(node))].rounds;
-  return std::find(rounds.begin(), rounds.end(), behaviours.round[static_cast<std::size_t>(node)]) !=
-         rounds.end();
+bool in_job(const Forest& forest, const ThreadBehaviours& behaviours, int node) {
+  const std::vector<int>& job_starts =
+      behaviours.threads[static_cast<std::size_t>(forest.thread_of(node))].job_starts;
+  return std::find(job_starts.begin(), job_starts.end(),
+                   behaviours.job_start[static_cast<std::size_t>(node)]) != job_starts.end();
 }
 
 ThreadBehaviours thread_behaviours_of(const Problem& problem, const Forest& forest,

@@ -11,12 +11,12 @@
 namespace pal::analyzer::compositional {
 
 struct ThreadBehaviour {
-  int idle_wait = -1;         // the wait at which its rounds begin and end; -1: it has no rounds
-  std::vector<int> rounds;    // nodes with which a round begins
-  std::vector<int> nodes;     // all
-  bool one_round = false;     // each occurrence of their one source begins one of them at most
-  bool waits_within = false;  // a round waits for something before it ends
-  bool leaves = false;        // a round may end elsewhere, the skill going on
+  int idle_wait = -1;           // the wait at which its rounds begin and end; -1: it has no rounds
+  std::vector<int> job_starts;  // nodes with which a round begins
+  std::vector<int> nodes;       // all
+  bool one_job = false;         // each occurrence of their one source begins one of them at most
+  bool waits_within = false;    // a round waits for something before it ends
+  bool leaves = false;          // a round may end elsewhere, the skill going on
   bool may_be_cancelled = false;
   bool asked_by_one =
       false;  // all rounds answer the requests of one client, which asks again only afterwards
@@ -32,7 +32,7 @@ struct StartEnding {
 struct ThreadBehaviours {
   std::vector<ThreadBehaviour> threads;
   /// By node: the node that began its round, or the thread.
-  std::vector<int> round;
+  std::vector<int> job_start;
   /// By node: the nodes of its thread after which it comes; none for those that begin rounds or threads.
   std::vector<std::vector<int>> previous;
   /// By node: it comes before its thread, which begins once, can have begun a round. Trouble with rounds is
@@ -52,7 +52,7 @@ struct ThreadBehaviours {
 };
 
 /// Whether a node belongs to one of its thread's rounds, not to what the thread does before them.
-bool in_round(const Forest& forest, const ThreadBehaviours& behaviours, int node);
+bool in_job(const Forest& forest, const ThreadBehaviours& behaviours, int node);
 
 /// Once `stop` says so, it is of no use.
 ThreadBehaviours thread_behaviours_of(const Problem& problem, const Forest& forest,

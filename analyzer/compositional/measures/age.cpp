@@ -76,7 +76,7 @@ class Ageing {
     std::set<Place> seen;
     std::vector<Place> open;
     const auto leave = [&](Place at) {
-      const int jobs = at.rounds + (at.step == idle_wait ? 1 : 0);
+      const int jobs = at.job_starts + (at.step == idle_wait ? 1 : 0);
       if (problem_.threads[static_cast<std::size_t>(thread)].entry == at.step) begin(jobs);
       for (int step : before_[static_cast<std::size_t>(at.step)]) open.push_back({step, std::min(jobs, 3)});
     };
@@ -129,7 +129,7 @@ class Ageing {
           [&](Place at) {
             if (!sets(at.step)) return oldest.bounded();
             // A set before itself, in a loop elsewhere than at home: nobody knows how long that takes.
-            const bool elsewhere = at.step == statement && at.rounds == 0;
+            const bool elsewhere = at.step == statement && at.job_starts == 0;
             oldest = greater(oldest, elsewhere ? Sum::unbounded() : distance(at, statement));
             return false;
           },
@@ -151,18 +151,18 @@ class Ageing {
 
   /// Whether the next round of a thread is that of the next occurrence of their source.
   bool in_turn(int thread) const {
-    return source_of_rounds(view_, thread) >= 0 && regular(view_, thread) && in_order(view_, thread);
+    return source_of_jobs(view_, thread) >= 0 && regular(view_, thread) && in_order(view_, thread);
   }
 
   Sum from_start(int statement, int jobs) {
     if (jobs > 0 && unbounded(owner(statement))) return Sum::unbounded();
     Sum longest;
-    const int source = source_of_rounds(view_, owner(statement));
+    const int source = source_of_jobs(view_, owner(statement));
     for (int n : nodes_with(view_, statement)) {
       const Sum effect = latest(view_, n, statement);
       const bool anew =
           view_.forest.sources[static_cast<std::size_t>(node(n).source)].kind == Source::Kind::joined;
-      if (!in_round(view_, n)) {
+      if (!in_job(view_, n)) {
         longest = greater(longest, jobs > 0 ? Sum() : anew ? Sum::unbounded() : effect);
       } else if (jobs <= 1 && in_turn(owner(statement))) {
         longest = greater(longest, first(view_, source) + effect);
@@ -176,24 +176,24 @@ class Ageing {
   /// From the effect of a step to that of the statement, in one thread.
   Sum distance(Place from, int statement) {
     const int thread = owner(statement);
-    if (from.step == statement && from.rounds == 0) return {};
+    if (from.step == statement && from.job_starts == 0) return {};
     if (from.jobs > 0 && unbounded(thread)) return Sum::unbounded();
-    const int source = source_of_rounds(view_, thread);
+    const int source = source_of_jobs(view_, thread);
     Sum longest;
     for (int a : nodes_with(view_, from.step)) {
       for (int b : nodes_with(view_, statement)) {
         const Sum sooner = earliest(view_, a, from.step);
         const Sum later = latest(view_, b, statement);
         if (!later.bounded()) return later;
-        const bool same = view_.behaviours.round[static_cast<std::size_t>(a)] ==
-                          view_.behaviours.round[static_cast<std::size_t>(b)];
+        const bool same = view_.behaviours.job_start[static_cast<std::size_t>(a)] ==
+                          view_.behaviours.job_start[static_cast<std::size_t>(b)];
         // Nobody knows how long the blocks of a CONCURRENT between the two went on.
         const auto anew = [this](int n) {
           return view_.forest.sources[static_cast<std::size_t>(node(n).source)].kind == Source::Kind::joined;
         };
-        if (from.rounds == 0 && node(a).source != node(b).source && (anew(a) || anew(b)))
+        if (from.job_starts == 0 && node(a).source != node(b).source && (anew(a) || anew(b)))
           return Sum::unbounded();
-        if (from.rounds == 0) {
+        if (from.job_starts == 0) {
           if (a == b) {
             const Sum distance = later - sooner;
             const bool held = may_be_held(b, statement);
@@ -204,9 +204,9 @@ class Ageing {
           }
           continue;
         }
-        if (!in_round(view_, b)) continue;
+        if (!in_job(view_, b)) continue;
         if (from.jobs > 1 || !in_turn(thread)) return Sum::unbounded();
-        const Sum distance = in_round(view_, a) ? gap(view_, source) : first(view_, source);
+        const Sum distance = in_job(view_, a) ? gap(view_, source) : first(view_, source);
         longest = greater(longest, distance + later - sooner);
       }
     }

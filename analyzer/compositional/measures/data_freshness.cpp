@@ -144,7 +144,7 @@ DataFreshness::State DataFreshness::begin(int node) const {
     }
   } else if (of.release == Release::fork && of.cause >= 0) {
     state = arrived(of.cause, of.cause_step);
-  } else if (in_recurring_round(view_, node)) {
+  } else if (in_recurring_job(view_, node)) {
     state = before_idle(node);
   }
   if (of.release == Release::fork && view_.forest.segment_of(of).beginning.kind == Beginning::Kind::joined)
@@ -165,8 +165,8 @@ Known DataFreshness::set_by_blocks(const Node& joined) const {
     if (!problem_.threads[static_cast<std::size_t>(block)].can_end) continue;
     Known soonest = Sum::unbounded();
     for (int n : view_.behaviours.threads[static_cast<std::size_t>(block)].nodes) {
-      const int round = view_.behaviours.round[static_cast<std::size_t>(n)];
-      if (view_.forest.nodes[static_cast<std::size_t>(round)].cause != joined.cause) continue;
+      const int job_start = view_.behaviours.job_start[static_cast<std::size_t>(n)];
+      if (view_.forest.nodes[static_cast<std::size_t>(job_start)].cause != joined.cause) continue;
       for (const auto& [step, state] : arrivals_[static_cast<std::size_t>(n)]) {
         if (problem_.steps[static_cast<std::size_t>(step)].kind == Kind::end)
           soonest = either(soonest, state.set);
@@ -186,7 +186,7 @@ DataFreshness::State DataFreshness::before_idle(int node) const {
   const ThreadBehaviour& of = view_.behaviours.threads[static_cast<std::size_t>(thread)];
   State state{Sum::unbounded(), Sum::unbounded()};
   for (int other : of.nodes) {
-    if (!in_recurring_round(view_, other)) continue;
+    if (!in_recurring_job(view_, other)) continue;
     const auto& arrivals = arrivals_[static_cast<std::size_t>(other)];
     const Segment& segment = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(other)]);
     for (const Segment::Arrival& wait : segment.waits) {
@@ -308,18 +308,17 @@ Sum DataFreshness::sample_age(int condition, int reader) const {
     };
     Sum soonest = Sum::unbounded();
     Known known = Sum::unbounded();
-    for (const StepEffect& effect : sets.in_rounds()) {
+    for (const StepEffect& effect : sets.in_jobs()) {
       soonest = less(soonest, earliest(view_, effect.node, effect.step));
       known = either(known, at(effect));
       at_set = greater(at_set, age(effect));
     }
-    for (const StepEffect& effect : sets.before_rounds()) {
+    for (const StepEffect& effect : sets.before_jobs()) {
       const int source = view_.forest.nodes[static_cast<std::size_t>(effect.node)].source;
       later = later || view_.forest.sources[static_cast<std::size_t>(source)].kind != Source::Kind::start;
       at_set = greater(at_set, age(effect));
     }
-    if (!sets.in_every_round() || sets.in_rounds().empty() || !outlasts(view_, setter.thread, reader))
-      continue;
+    if (!sets.in_every_job() || sets.in_jobs().empty() || !outlasts(view_, setter.thread, reader)) continue;
     const Sum& set_again = replaced(view_, sets, setter.thread, reader);
     const Sum next = sets.next_or_end(set_again);
     until_first = less(until_first, sets.first_or_end(set_again));

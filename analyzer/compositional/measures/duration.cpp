@@ -1,7 +1,7 @@
 // How long a skill runs.
 #include <algorithm>
 
-#include "analyzer/compositional/measures/round_view.hpp"
+#include "analyzer/compositional/measures/job_view.hpp"
 
 namespace pal::analyzer::compositional {
 

@@ -1,7 +1,7 @@
 // How long threads go on, and how long after the first that leaves its rounds.
 #include <algorithm>
 
-#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
 #include "analyzer/compositional/measures/reliable.hpp"
 
 namespace pal::analyzer::compositional {

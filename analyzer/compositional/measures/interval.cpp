@@ -1,7 +1,7 @@
 // How far apart effects of statements can be, and how near.
 #include <algorithm>
 
-#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
 #include "analyzer/compositional/measures/reasons.hpp"
 
 namespace pal::analyzer::compositional {
@@ -18,23 +18,22 @@ Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, Bes
   const auto t = static_cast<std::size_t>(thread);
   StatementOccurrences occurrences(view, thread, at);
   const ThreadBehaviour& of = view.behaviours.threads[t];
-  const bool has_jobs = of.idle_wait >= 0 || starts_in_rounds(view, thread);
+  const bool has_jobs = of.idle_wait >= 0 || starts_in_jobs(view, thread);
   const bool stops = has_jobs && !view.reliable[t] && !goes_on(view, thread);
   const Bound none{Sum::unbounded(), why_not_again(view, thread, occurrences, !stops)};
   // What has had an effect has begun.
   if (has_jobs ? stops : !view.lively[t]) return none;
   Sum longest = besides.from_start ? occurrences.first_or_end(occurrences.latest()) : Sum();
   // Others may come to it when this thread does not any more.
-  const bool always =
-      occurrences.in_every_round() && !occurrences.in_rounds().empty() && goes_on(view, thread);
+  const bool always = occurrences.in_every_job() && !occurrences.in_jobs().empty() && goes_on(view, thread);
   if ((besides.from_start || besides.to_end) && !always) return none;
   Sum end;
   for (int n : of.nodes) {
-    if (in_recurring_round(view, n)) end = greater(end, finish(view, n));
+    if (in_recurring_job(view, n)) end = greater(end, finish(view, n));
   }
   const auto follow = [&](StepEffect effect, const Sum& distance, const Sum& over) {
     const Way way = occurrences.after(effect);
-    if (way.lost || (way.ends_job && !occurrences.in_every_round())) return Sum::unbounded();
+    if (way.lost || (way.ends_job && !occurrences.in_every_job())) return Sum::unbounded();
     Sum next = way.latest;
     if (way.ends_job) next = greater(next, distance + occurrences.latest());
     if (besides.to_end) next = greater(next, over);
@@ -44,9 +43,9 @@ Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, Bes
   };
   const Sum next_or_end = occurrences.next_or_end(occurrences.latest());
   const Sum first_or_end = occurrences.first_or_end(occurrences.latest());
-  for (const StepEffect& effect : occurrences.in_rounds())
+  for (const StepEffect& effect : occurrences.in_jobs())
     longest = greater(longest, follow(effect, occurrences.gap(), next_or_end));
-  for (const StepEffect& effect : occurrences.before_rounds())
+  for (const StepEffect& effect : occurrences.before_jobs())
     longest = greater(longest, follow(effect, occurrences.first(), first_or_end));
   return {longest, none.why};
 }
@@ -88,7 +87,7 @@ Sum least_by_source(const View& view, const std::vector<StepEffect>& all) {
 
 /// What the shortest way through the program takes.
 Sum by_the_way(const View& view, const std::vector<bool>& at, int thread) {
-  return {least_way(view.problem, thread, at),
+  return {least_effect_distance(view.problem, thread, at),
           {Term::Kind::said, -1, -1, -1, "what lies on the shortest way from one to the next"}};
 }
 

@@ -1,7 +1,7 @@
 // Skills that end when a block leaves its rounds.
 #include <algorithm>
 
-#include "analyzer/compositional/measures/round_view.hpp"
+#include "analyzer/compositional/measures/job_view.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {

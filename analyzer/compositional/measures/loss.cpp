@@ -32,7 +32,7 @@ Bound frames_lost(const View& view, const Requirement& requirement, const pan::F
     if (view.behaviours.threads[static_cast<std::size_t>(thread)].leaves) return false;
     const StatementOccurrences asks(view, thread, sends);
     const bool on = view.lasts(thread) && goes_on(view, thread);
-    const bool asks_on = on && asks.in_every_round() && !asks.in_rounds().empty();
+    const bool asks_on = on && asks.in_every_job() && !asks.in_jobs().empty();
     if (!asks_on) why = why_not_again(view, thread, asks, on, "its request for a frame");
     return asks_on;
   });

@@ -24,20 +24,20 @@ Bound in_thread(const View& view, const DataFreshness& freshness, const Requirem
   const auto t = static_cast<std::size_t>(thread);
   const std::string& name = view.problem.threads[t].name;
   StatementOccurrences occurrences(view, thread, requirement.at);
-  if (occurrences.in_rounds().empty()) {
+  if (occurrences.in_jobs().empty()) {
     // Once each, at the start.
     const Bound none{Sum::unbounded(), "nothing bounds when " + name + " comes to it"};
     const Way way = occurrences.from_entry();
     if (!alone || !view.lively[t] || !view.begun[t] || way.ends_job || way.lost) return none;
     Sum longest = way.latest;
-    for (const StepEffect& effect : occurrences.before_rounds()) {
+    for (const StepEffect& effect : occurrences.before_jobs()) {
       const Way next = occurrences.after(effect);
       if (!of_start(view, effect.node) || next.ends_job || next.lost) return none;
       longest = greater(longest, since_known(freshness, effect, next.latest));
     }
     return {longest, none.why};
   }
-  if (!goes_on(view, thread) || !occurrences.in_every_round()) {
+  if (!goes_on(view, thread) || !occurrences.in_every_job()) {
     return {Sum::unbounded(), why_not_again(view, thread, occurrences, goes_on(view, thread))};
   }
   // The first of all may come in a way that never comes home, and so may the next after any.
@@ -54,15 +54,15 @@ Bound in_thread(const View& view, const DataFreshness& freshness, const Requirem
       alone ? occurrences.gap() + occurrences.latest() : occurrences.next_or_end(occurrences.latest());
   // What is known before the rounds is no older than the skill.
   Sum longest = before(occurrences.from_entry(), first);
-  for (const StepEffect& effect : occurrences.before_rounds()) {
+  for (const StepEffect& effect : occurrences.before_jobs()) {
     const Sum until = before(occurrences.after(effect), Sum());
     longest = greater(longest, of_start(view, effect.node) ? until : since_known(freshness, effect, until));
   }
   Sum end;
   for (int n : view.behaviours.threads[t].nodes) {
-    if (in_recurring_round(view, n)) end = greater(end, finish(view, n));
+    if (in_recurring_job(view, n)) end = greater(end, finish(view, n));
   }
-  for (const StepEffect& effect : occurrences.in_rounds()) {
+  for (const StepEffect& effect : occurrences.in_jobs()) {
     longest = greater(longest, since_known(freshness, effect, before(occurrences.after(effect), next)));
     // A statement that a cancelled block finishes.
     if (view.behaviours.threads[t].may_be_cancelled)

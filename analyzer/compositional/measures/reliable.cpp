@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
 #include "analyzer/compositional/measures/measures.hpp"
 #include "analyzer/compositional/times/interference.hpp"
 #include "analyzer/problem/flow.hpp"
@@ -225,7 +225,7 @@ class Reliability {
   }
 
   bool goes_on_by_itself(const ThreadBehaviour& of) const {
-    return std::any_of(of.rounds.begin(), of.rounds.end(), [&](int n) {
+    return std::any_of(of.job_starts.begin(), of.job_starts.end(), [&](int n) {
       const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
       return forest_.sources[static_cast<std::size_t>(node.source)].kind == Source::Kind::loop &&
              node.cause < 0;

@@ -29,7 +29,7 @@ bool in_order(const View& view, const Requirement& requirement, int source) {
     if (view.forest.nodes[i].source != source) continue;
     const int n = static_cast<int>(i);
     const int thread = view.forest.thread_of(n);
-    if (view.behaviours.threads[static_cast<std::size_t>(thread)].rounds.size() != 1) return false;
+    if (view.behaviours.threads[static_cast<std::size_t>(thread)].job_starts.size() != 1) return false;
     for (const Segment::Passed& passed : view.forest.segment_of(view.forest.nodes[i]).steps) {
       if (requirement.at[static_cast<std::size_t>(passed.step)]) answering.insert(thread);
     }

@@ -64,10 +64,10 @@ class Staleness {
     const std::string& name = problem_.threads[static_cast<std::size_t>(setter)].name;
     const StatementOccurrences occurrences(view_, setter, at_);
     const bool lasts = outlasts(view_, setter, reader_);
-    if (!lasts || !occurrences.in_every_round() || occurrences.in_rounds().empty())
+    if (!lasts || !occurrences.in_every_job() || occurrences.in_jobs().empty())
       return {Sum::unbounded(), why_not_again(view_, setter, occurrences, lasts, "a set of the condition")};
     Sum soonest = Sum::unbounded();
-    for (const StepEffect& effect : occurrences.in_rounds())
+    for (const StepEffect& effect : occurrences.in_jobs())
       soonest = less(soonest, earliest(view_, effect.node, effect.step));
     const Sum& set_again = replaced(view_, occurrences, setter, reader_);
     const Sum next = occurrences.next_or_end(set_again);
@@ -89,7 +89,7 @@ class Staleness {
       const int source = view_.forest.nodes[static_cast<std::size_t>(n)].source;
       const bool at_start =
           view_.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::start;
-      if (!at_start || in_round(view_, n)) continue;
+      if (!at_start || in_job(view_, n)) continue;
       for (const Segment::Passed& passed : segment(n).steps) {
         if (!sets(passed.step)) continue;
         const Sum effect = latest(view_, n, passed.step);
@@ -98,7 +98,7 @@ class Staleness {
         last = greater(last, effect);
       }
     }
-    if (!soonest.bounded() || !first.bounded() || !sets_before_rounds(above)) return first;
+    if (!soonest.bounded() || !first.bounded() || !sets_before_jobs(above)) return first;
     // Or the skill ends before the first of them.
     const AnalysisContext context{problem_, view_.forest, view_.behaviours};
     for (int n : context.endings_before_idle(above)) last = greater(last, finish(view_, n));
@@ -106,7 +106,7 @@ class Staleness {
   }
 
   /// Every way from the beginning of a module to its first home or CONCURRENT sets the condition.
-  bool sets_before_rounds(int thread) const {
+  bool sets_before_jobs(int thread) const {
     return !follow(problem_, {problem_.threads[static_cast<std::size_t>(thread)].entry}, [&](int at) {
       if (sets(at)) return Course::ends;
       return at == behaviour(thread).idle_wait || step_at(at).kind == Kind::fork ? Course::found
@@ -127,7 +127,7 @@ class Staleness {
 bool outlasts(const View& view, int thread, int reader) {
   if (!goes_on(view, thread)) return false;
   if (thread == reader || view.steady) return true;
-  if (starts_in_rounds(view, thread))
+  if (starts_in_jobs(view, thread))
     return outlasts(view, view.problem.threads[static_cast<std::size_t>(thread)].parent, reader);
   const auto behaviour = [&view](int of) { return view.behaviours.threads[static_cast<std::size_t>(of)]; };
   if (!behaviour(thread).may_be_cancelled) return true;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/causes/analysis_context.hpp"
-#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
 #include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {
@@ -41,7 +41,7 @@ StatementOccurrences::StatementOccurrences(const View& view, int thread, const s
     for (const Segment::Passed& passed :
          view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(n)]).steps) {
       if (!at[static_cast<std::size_t>(passed.step)]) continue;
-      (in_recurring_round(view, n) ? in_rounds_ : before_rounds_).push_back({n, passed.step});
+      (in_recurring_job(view, n) ? in_jobs_ : before_jobs_).push_back({n, passed.step});
     }
   }
   const int source = recurring_source(view, thread);
@@ -50,10 +50,10 @@ StatementOccurrences::StatementOccurrences(const View& view, int thread, const s
   first_ = compositional::first(view, source);
   Way job;
   for (int n : of.nodes) {
-    const bool begins = view.behaviours.round[static_cast<std::size_t>(n)] == n;
-    if (begins && in_recurring_round(view, n)) merge(job, begun(n));
+    const bool begins = view.behaviours.job_start[static_cast<std::size_t>(n)] == n;
+    if (begins && in_recurring_job(view, n)) merge(job, begun(n));
   }
-  in_every_round_ = !job.ends_job && !job.lost;
+  in_every_job_ = !job.ends_job && !job.lost;
   may_skip_ = job.ends_job;
   latest_ = job.latest;
   released_ = job.released;

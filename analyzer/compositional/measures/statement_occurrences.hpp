@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analyzer/compositional/causes/exclusive.hpp"
-#include "analyzer/compositional/measures/round_view.hpp"
+#include "analyzer/compositional/measures/job_view.hpp"
 
 namespace pal::analyzer::compositional {
 
@@ -24,8 +24,8 @@ class StatementOccurrences {
  public:
   StatementOccurrences(const View& view, int thread, const std::vector<bool>& at);
 
-  const std::vector<StepEffect>& in_rounds() const { return in_rounds_; }
-  const std::vector<StepEffect>& before_rounds() const { return before_rounds_; }
+  const std::vector<StepEffect>& in_jobs() const { return in_jobs_; }
+  const std::vector<StepEffect>& before_jobs() const { return before_jobs_; }
 
   /// After a pass.
   Way after(StepEffect effect);
@@ -33,22 +33,22 @@ class StatementOccurrences {
   Way from_entry();
   /// Whether each round passes one, or goes where none can come any more, and rounds come at bounded
   /// inter-arrival times.
-  bool in_every_round() const { return in_every_round_; }
+  bool in_every_job() const { return in_every_job_; }
   /// Whether some way through a round comes home without one, where rounds come at bounded inter-arrival
   /// times.
   bool may_skip() const { return may_skip_; }
-  /// With in_every_round: latest pass of a round, from the nominal instant of its source.
+  /// With in_every_job: latest pass of a round, from the nominal instant of its source.
   const Sum& latest() const { return latest_; }
-  /// With in_every_round: latest release of the segment in which a round passes one. From then on the thread
+  /// With in_every_job: latest release of the segment in which a round passes one. From then on the thread
   /// has something to do until it does.
   const Sum& released() const { return released_; }
   /// Greatest distance of nominal instants of rounds, and of the first from time 0; unbounded: not known.
   const Sum& gap() const { return gap_; }
   const Sum& first() const { return first_; }
-  /// With in_every_round: from the nominal instant of a round that has passed one until the next has, by
+  /// With in_every_job: from the nominal instant of a round that has passed one until the next has, by
   /// `effect` of its own, or the skill has ended.
   Sum next_or_end(const Sum& effect) const;
-  /// With in_every_round: from time 0 until the first round has passed one, by `effect`, or the skill has
+  /// With in_every_job: from time 0 until the first round has passed one, by `effect`, or the skill has
   /// ended.
   Sum first_or_end(const Sum& effect) const;
 
@@ -70,10 +70,10 @@ class StatementOccurrences {
   const std::vector<bool>& at_;
   std::vector<bool> reachable_;  // by step: one of the statements can still come
   bool begins_again_;            // a block of a CONCURRENT that comes again
-  std::vector<StepEffect> in_rounds_;
-  std::vector<StepEffect> before_rounds_;
+  std::vector<StepEffect> in_jobs_;
+  std::vector<StepEffect> before_jobs_;
   std::map<std::pair<int, int>, Way> known_;
-  bool in_every_round_ = false;
+  bool in_every_job_ = false;
   bool may_skip_ = false;
   Sum latest_;
   Sum released_;

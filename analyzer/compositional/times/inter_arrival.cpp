@@ -56,10 +56,10 @@ class Loop {
   /// How much later the wait gives up if what comes once is taken there before: a round goes by, and the
   /// limit counts anew.
   Nanoseconds put_off(const Source::Feed& feed) const {
-    if (!context_.in_round(feed.node)) return 0;
+    if (!context_.in_job(feed.node)) return 0;
     const Nanoseconds back = latest(feed).at;
-    const int round = context_.round_of(feed.node);
-    return back >= never ? never : back - times_.nodes[static_cast<std::size_t>(round)].earliest;
+    const int job_start = context_.job_start_of(feed.node);
+    return back >= never ? never : back - times_.nodes[static_cast<std::size_t>(job_start)].earliest;
   }
 
   /// When what leads to the next round is there.
@@ -109,7 +109,7 @@ Nanoseconds first_idle(const AnalysisContext& context, const std::vector<NodeTim
   const ThreadBehaviour& of = context.behaviour_of(thread);
   Nanoseconds latest = 0;
   for (int n : of.nodes) {
-    if (context.in_round(n)) continue;
+    if (context.in_job(n)) continue;
     // What an event brings about, or comes after blocks that end in some round or other, has no instant that
     // rounds of other sources could be compared with.
     const bool known = context.source(n).kind == Source::Kind::start;

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "analyzer/compositional/causes/alternatives.hpp"
-#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -76,7 +76,7 @@ bool Interference::pauses(int thread) const {
   const Thread& of = context_.thread_at(thread);
   if (context_.problem.processors[static_cast<std::size_t>(of.processor)].preemptive) return true;
   std::vector<bool> owned;
-  for (int n : context_.behaviour_of(thread).rounds) {
+  for (int n : context_.behaviour_of(thread).job_starts) {
     const Source& source = context_.source(n);
     if (source.kind != Source::Kind::loop || source.thread != thread || context_.node(n).cause >= 0) continue;
     owned.resize(context_.problem.steps.size());
@@ -124,7 +124,7 @@ void Interference::exclude(int node, bool done_before_next, bool in_turn) {
   };
   const auto never_overlap = [&](int other) {
     return (done_before_next && context_.forest.thread_of(other) == thread) ||
-           (once_with(other) && context_.round_of(other) == context_.round_of(node)) ||
+           (once_with(other) && context_.job_start_of(other) == context_.job_start_of(node)) ||
            (in_turn && std::binary_search(never_together_[n].begin(), never_together_[n].end(), other)) ||
            std::binary_search(order_.never_overlapping[n].begin(), order_.never_overlapping[n].end(), other);
   };

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
 #include "analyzer/compositional/times/inter_arrival.hpp"
 #include "analyzer/compositional/times/slots.hpp"
 
@@ -74,7 +74,7 @@ Due Releases::of_message(int n) const {
   sent.at = plus(sent.at, sent.after);
   const auto& previous = behaviours.previous[static_cast<std::size_t>(n)];
   if (previous.empty()) {
-    if (round_of(n) != n) return {never};
+    if (job_start_of(n) != n) return {never};
     const Due idle{first_idle(*this, nominal_, thread), By::idle};
     return later(later(sent, idle), {held_back(thread), By::held});
   }
@@ -98,7 +98,7 @@ Nanoseconds Releases::blocks_over(const Node& joined, const std::vector<std::str
     const bool unbounded = !unbounded_reason[b].empty() || blocked[b];
     if (unbounded || behaviour_of(block).idle_wait >= 0 || !ends_straight(problem, block)) return never;
     for (int n : behaviour_of(block).nodes) {
-      const Node& begun = node(round_of(n));
+      const Node& begun = node(job_start_of(n));
       if (begun.cause == joined.cause && segment(n).ends)
         latest = std::max(latest, nodes_[static_cast<std::size_t>(n)].finish);
     }

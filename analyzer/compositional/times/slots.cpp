@@ -17,7 +17,7 @@ bool waits_for_others(const AnalysisContext& context, int thread) {
   const ThreadBehaviour& of = context.behaviour_of(thread);
   return std::any_of(of.nodes.begin(), of.nodes.end(), [&](int n) {
     const Segment& segment = context.segment(n);
-    return context.in_round(n) &&
+    return context.in_job(n) &&
            (!segment.forks.empty() ||
             std::any_of(segment.waits.begin(), segment.waits.end(), [&](const Segment::Arrival& wait) {
               return wait.step != of.idle_wait && !context.step_at(wait.step).within;
@@ -39,22 +39,23 @@ bool take_in_time(const AnalysisContext& context, const std::vector<NodeTimes>& 
 
 bool is_done_before_next(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread) {
   const ThreadBehaviour& behaviours = context.behaviour_of(thread);
-  if (behaviours.rounds.empty()) return true;
-  if (!behaviours.one_round) return false;
-  const Source& of = context.source(behaviours.rounds.front());
-  const bool itself = context.node(behaviours.rounds.front()).cause < 0;
+  if (behaviours.job_starts.empty()) return true;
+  if (!behaviours.one_job) return false;
+  const Source& of = context.source(behaviours.job_starts.front());
+  const bool itself = context.node(behaviours.job_starts.front()).cause < 0;
   if (of.kind == Source::Kind::loop && of.thread == thread && itself) return true;
   if (of.period == never) return true;
   Nanoseconds soonest = never;
   Nanoseconds last = 0;
-  for (int n : behaviours.rounds) soonest = std::min(soonest, nodes[static_cast<std::size_t>(n)].earliest);
+  for (int n : behaviours.job_starts)
+    soonest = std::min(soonest, nodes[static_cast<std::size_t>(n)].earliest);
   for (int n : behaviours.nodes) {
-    if (context.in_round(n)) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
+    if (context.in_job(n)) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
   }
   if (!waits_for_others(context, thread)) return last < plus(of.period, soonest);
   // Whom it has set to work, and who ends the skill, may leave it waiting till then.
-  for (int n :
-       context.behaviours.endings[static_cast<std::size_t>(context.node(behaviours.rounds.front()).source)]) {
+  for (int n : context.behaviours
+                   .endings[static_cast<std::size_t>(context.node(behaviours.job_starts.front()).source)]) {
     if (context.nearest(n, thread) >= 0) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
   }
   return last < plus(of.period, soonest);
@@ -136,8 +137,8 @@ bool Slots::is_taken_in_time(const std::vector<NodeTimes>& nodes, StepEffect put
 /// Whether it is known what a wait for the slot does: the send ends its thread's only kind of round.
 bool Slots::may_be_held(const std::vector<NodeTimes>& nodes, StepEffect put, int taker) const {
   const ThreadBehaviour& of = context_.behaviour_of(context_.forest.thread_of(put.node));
-  return taken(nodes, taker) < never && of.rounds.size() == 1 && !of.waits_within &&
-         context_.round_of(put.node) == of.rounds.front() &&
+  return taken(nodes, taker) < never && of.job_starts.size() == 1 && !of.waits_within &&
+         context_.job_start_of(put.node) == of.job_starts.front() &&
          context_.step_at(put.step).next.front() == of.idle_wait;
 }
 
@@ -165,8 +166,8 @@ std::vector<Slots::UnboundedThread> Slots::unbounded_threads(const Times& times)
   }
   for (std::size_t t = 0; t < context_.problem.threads.size(); ++t) {
     const ThreadBehaviour& of = context_.behaviours.threads[t];
-    if (!of.waits_within || of.rounds.empty() || of.asked_by_one) continue;
-    if (!of.one_round) {
+    if (!of.waits_within || of.job_starts.empty() || of.asked_by_one) continue;
+    if (!of.one_job) {
       found.push_back(
           {static_cast<int>(t), false, "begins rounds for several reasons, and waits within them", {}});
     } else if (!is_done_before_next(context_, times.nodes, static_cast<int>(t))) {

@@ -1,4 +1,4 @@
-#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
 
 #include <algorithm>
 #include <queue>
@@ -152,7 +152,7 @@ class Shortest {
 
 }  // namespace
 
-Nanoseconds least_round(const Problem& problem, const Beginning& beginning) {
+Nanoseconds least_job_distance(const Problem& problem, const Beginning& beginning) {
   if (may_start_again(problem, beginning.thread)) return 0;
   const bool gives_up = beginning.kind == Beginning::Kind::give_up;
   if (beginning.kind != Beginning::Kind::arm && !gives_up) return 0;
@@ -233,7 +233,7 @@ bool waits_between_jobs(const Problem& problem, const Beginning& job, const std:
   return true;
 }
 
-Nanoseconds least_way(const Problem& problem, int thread, const std::vector<bool>& at) {
+Nanoseconds least_effect_distance(const Problem& problem, int thread, const std::vector<bool>& at) {
   if (may_start_again(problem, thread)) return 0;
   Shortest shortest(problem);
   std::set<int> seen;

@@ -6,13 +6,13 @@
 namespace pal::analyzer::compositional {
 
 /// Whether a node belongs to one of its thread's rounds, not to what the thread does before them.
-bool in_round(const View& view, int node);
+bool in_job(const View& view, int node);
 
 /// The one source of a thread's rounds; -1: it has none, or several.
-int source_of_rounds(const View& view, int thread);
+int source_of_jobs(const View& view, int thread);
 
 /// Whether a thread is a block that its parent starts in each of its rounds: these are its rounds, too.
-bool starts_in_rounds(const View& view, int thread);
+bool starts_in_jobs(const View& view, int thread);
 
 /// Whether a thread begins, and goes on with its rounds, however the run, as long as it is not cancelled.
 bool goes_on(const View& view, int thread);
@@ -21,7 +21,7 @@ bool goes_on(const View& view, int thread);
 int recurring_source(const View& view, int thread);
 
 /// Whether a node belongs to a round of that source.
-bool in_recurring_round(const View& view, int node);
+bool in_recurring_job(const View& view, int node);
 
 /// Whether every occurrence of the paced source of a thread's rounds brings one about, as long as the thread
 /// is at home.

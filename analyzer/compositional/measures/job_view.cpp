@@ -1,18 +1,18 @@
-#include "analyzer/compositional/measures/round_view.hpp"
+#include "analyzer/compositional/measures/job_view.hpp"
 
 #include <algorithm>
 
-#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
 
 namespace pal::analyzer::compositional {
 
-bool in_round(const View& view, int node) {
-  return in_round(view.forest, view.behaviours, node);
+bool in_job(const View& view, int node) {
+  return in_job(view.forest, view.behaviours, node);
 }
 
-int source_of_rounds(const View& view, int thread) {
+int source_of_jobs(const View& view, int thread) {
   int source = -1;
-  for (int n : view.behaviours.threads[static_cast<std::size_t>(thread)].rounds) {
+  for (int n : view.behaviours.threads[static_cast<std::size_t>(thread)].job_starts) {
     const int of = view.forest.nodes[static_cast<std::size_t>(n)].source;
     if (source >= 0 && source != of) return -1;
     source = of;
@@ -20,7 +20,7 @@ int source_of_rounds(const View& view, int thread) {
   return source;
 }
 
-bool starts_in_rounds(const View& view, int thread) {
+bool starts_in_jobs(const View& view, int thread) {
   const ThreadBehaviour& of = view.behaviours.threads[static_cast<std::size_t>(thread)];
   const Thread& block = view.problem.threads[static_cast<std::size_t>(thread)];
   return block.parent >= 0 && of.idle_wait < 0 && !of.nodes.empty() &&
@@ -34,14 +34,14 @@ bool goes_on(const View& view, int thread) {
   const auto t = static_cast<std::size_t>(thread);
   if (view.reliable[t]) return view.begun[t];
   // What cannot end may be stopped in each round, before it has done anything.
-  return view.lively[t] && view.problem.threads[t].can_end && starts_in_rounds(view, thread) &&
+  return view.lively[t] && view.problem.threads[t].can_end && starts_in_jobs(view, thread) &&
          goes_on(view, view.problem.threads[t].parent);
 }
 
 int recurring_source(const View& view, int thread) {
   const ThreadBehaviour& of = view.behaviours.threads[static_cast<std::size_t>(thread)];
   int source = -1;
-  for (int n : starts_in_rounds(view, thread) ? of.nodes : of.rounds) {
+  for (int n : starts_in_jobs(view, thread) ? of.nodes : of.job_starts) {
     const int from = view.forest.nodes[static_cast<std::size_t>(n)].source;
     if (view.forest.sources[static_cast<std::size_t>(from)].period == never) continue;
     if (source >= 0 && source != from) return -1;
@@ -50,10 +50,10 @@ int recurring_source(const View& view, int thread) {
   return source;
 }
 
-bool in_recurring_round(const View& view, int node) {
+bool in_recurring_job(const View& view, int node) {
   const int thread = view.forest.thread_of(node);
   const int source = view.forest.nodes[static_cast<std::size_t>(node)].source;
-  return (in_round(view, node) || starts_in_rounds(view, thread)) && source == recurring_source(view, thread);
+  return (in_job(view, node) || starts_in_jobs(view, thread)) && source == recurring_source(view, thread);
 }
 
 bool regular(const View& view, int thread) {
@@ -61,7 +61,7 @@ bool regular(const View& view, int thread) {
   const int recurring = recurring_source(view, thread);
   if (recurring < 0) return false;
   const Source& source = view.forest.sources[static_cast<std::size_t>(recurring)];
-  const bool itself = std::any_of(of.rounds.begin(), of.rounds.end(), [&](int n) {
+  const bool itself = std::any_of(of.job_starts.begin(), of.job_starts.end(), [&](int n) {
     const Node& node = view.forest.nodes[static_cast<std::size_t>(n)];
     return node.source == recurring && node.cause < 0;
   });
@@ -78,8 +78,9 @@ bool regular(const View& view, int thread) {
 }
 
 bool in_order(const View& view, int thread) {
-  const auto& rounds = view.behaviours.threads[static_cast<std::size_t>(thread)].rounds;
-  return std::count_if(rounds.begin(), rounds.end(), [&](int n) { return in_recurring_round(view, n); }) <= 1;
+  const auto& job_starts = view.behaviours.threads[static_cast<std::size_t>(thread)].job_starts;
+  return std::count_if(job_starts.begin(), job_starts.end(),
+                       [&](int n) { return in_recurring_job(view, n); }) <= 1;
 }
 
 std::vector<int> nodes_with(const View& view, int step) {

@@ -18,7 +18,7 @@ int fork_of(const Problem& problem, int block);
 bool ends_straight(const Problem& problem, int block);
 
 /// Least time between two beginnings of a segment of one thread.
-Nanoseconds least_round(const Problem& problem, const Beginning& beginning);
+Nanoseconds least_job_distance(const Problem& problem, const Beginning& beginning);
 
 /// Whether a thread that goes on by itself, with rounds that begin so, surely has to wait when it comes home:
 /// it gives up only after some time, or is there sooner after each request than the answer can be. It
@@ -28,6 +28,6 @@ bool waits_between_jobs(const Problem& problem, const Beginning& job, const std:
 
 /// Least time between two effects of the steps `at` of one thread, by the shortest way; 0: its blocks begin
 /// again and again.
-Nanoseconds least_way(const Problem& problem, int thread, const std::vector<bool>& at);
+Nanoseconds least_effect_distance(const Problem& problem, int thread, const std::vector<bool>& at);
 
 }  // namespace pal::analyzer::compositional
