@@ -1,4 +1,4 @@
-// The arithmetic of a bound, as a person would write it down.
+// The breakdown of a bound into its addends.
 #pragma once
 
 #include "analyzer/compositional/measures/measures.hpp"
@@ -6,9 +6,9 @@
 
 namespace pal::analyzer::compositional {
 
-/// What adds up to a bound, to the nanosecond: actions, interference, waits and messages on the way to the
-/// latest instants that it is made of, each with its place in the text; what is known of the earliest
-/// instants is taken away. Nothing if there are more than a person would read.
+/// The addends of a bound; they add up to the nanosecond. They are the actions, interference, waits and
+/// messages on the way to its latest instants, each with its place in the text, less the earliest instants
+/// that it subtracts. Empty if there are too many to read.
 std::vector<Addend> breakdown_of(const View& view, const Sum& bound);
 
 }  // namespace pal::analyzer::compositional

@@ -1,4 +1,4 @@
-// What the times of a problem are reckoned from.
+// What all stages of the time analysis read: the problem, its forest of causes, and how its threads behave.
 #pragma once
 
 #include "analyzer/compositional/causes/thread_behaviour.hpp"
@@ -21,31 +21,30 @@ struct AnalysisContext {
   }
   int job_start_of(int n) const { return behaviours.job_start[static_cast<std::size_t>(n)]; }
   bool in_job(int n) const { return compositional::in_job(forest, behaviours, n); }
-  /// The node, if it is one of a thread, or the nearest of its causes that is; -1: it does not come of the
-  /// thread.
+  /// The node itself or its nearest cause that belongs to `thread`; -1: there is none.
   int nearest(int n, int thread) const {
     return forest.thread_of(n) == thread ? n : forest.cause_in(n, thread);
   }
-  /// Nodes that may end the skill, or a thread, on behalf of what `thread`, or the one whose block it is,
-  /// does before it is at home: their own, and those of whom they wait for.
+  /// Nodes that may end the skill or a thread before `thread` is idle for the first time: those of `thread`,
+  /// of its parents, and of the threads they wait for.
   std::vector<int> endings_before_idle(int thread) const;
-  /// The same, on behalf of what leads to the first round of a loop. Of an event there are none.
+  /// The same before the first job of a loop. An event has none.
   std::vector<int> endings_before_first(int loop) const;
   int sent_channel(int n) const { return step_at(node(n).sends.front()).channels.front(); }
 
-  /// Distance from a request's effect to its answer, once the device is free.
+  /// Time from a request to its answer when the device is free.
   Range device_time(int device) const;
-  /// Distance from the send to where the node's message, or the device's answer to it, can be taken.
+  /// Time from the send until the node's message, or the device's answer to it, can be received.
   Range way(int n) const;
-  /// How long a request may wait for a device that answers on request; `never`: nothing bounds it.
+  /// How long a request may queue at a device that answers on request; `never`: unbounded.
   Nanoseconds answer_queue(int device, int request) const;
 };
 
-/// Whether somebody may give up waiting for the answer to a request.
+/// Whether a wait for the answer to a request may time out.
 bool may_give_up(const Problem& problem, int request);
 
-/// The earliest that each node can be released, from the nominal instant of its source. Once `stop` says so,
-/// no later than that.
+/// The earliest release of each node after the nominal instant of its source. After `stop` has returned true,
+/// a lower bound of it.
 std::vector<Nanoseconds> earliest_releases(const AnalysisContext& context, const std::function<bool()>& stop);
 
 }  // namespace pal::analyzer::compositional

@@ -8,8 +8,8 @@
 namespace pal::analyzer::compositional {
 namespace {
 
-/// The wait that a round cannot pass without the next one having begun; -1: there is none. Who gives up there
-/// goes on in the same round.
+/// The wait that a job cannot pass without the next one having begun; -1: there is none. Who gives up there
+/// goes on in the same job.
 int end_of_job(const AnalysisContext& context, int node) {
   const int job_start = context.job_start_of(node);
   const Beginning& begins = context.segment(job_start).beginning;
@@ -17,7 +17,7 @@ int end_of_job(const AnalysisContext& context, int node) {
   return begins.step == context.behaviour_of(begins.thread).idle_wait ? begins.step : -1;
 }
 
-/// Whether a round that has passed `first` may come to another step.
+/// Whether a job that has passed `first` may come to another step.
 bool may_follow(const AnalysisContext& context, const StepEffect& first, int second) {
   const int end = end_of_job(context, first.node);
   return follow(context.problem, context.step_at(first.step).next, [&](int at) {
@@ -44,7 +44,7 @@ bool any_in_node(const AnalysisContext& context, const Places& steps_of) {
   return false;
 }
 
-/// Whether a run of the round passes a step in one node and then one in another.
+/// Whether a run of the job passes a step in one node and then one in another.
 bool any_in_job(const AnalysisContext& context, const Places& nodes_of) {
   for (const auto& [first, nodes] : nodes_of) {
     for (const auto& [second, others] : nodes_of) {

@@ -1,4 +1,4 @@
-// What comes at most once in each round.
+// Step effects that exclude one another within a job.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@ struct StepEffect {
   int step = -1;
 };
 
-/// Whether all stand in one round of one thread, and no run of it passes two of them. So an occurrence of the
-/// round's source brings about one of them at most.
+/// Whether all belong to one job of one thread and no run of the job has two of them. So an occurrence of the
+/// job's source has at most one of them.
 bool are_exclusive(const AnalysisContext& context, const std::vector<StepEffect>& occurrences);
 
 }  // namespace pal::analyzer::compositional

@@ -1,4 +1,4 @@
-// How a forest is planted: each source, and what it brings about, as far as that goes on to something new.
+// Builds the forest of causes: each source, and whatever it triggers, until nothing new is triggered.
 #include "analyzer/compositional/causes/forest.hpp"
 
 #include <algorithm>
@@ -187,7 +187,7 @@ class ForestBuilder {
     }
   }
 
-  /// What comes after a CONCURRENT, once in a skill's life, of which a block ends in some round or other.
+  /// What comes after a CONCURRENT, once in a skill's life, of which a block ends in an unknown job.
   bool begins_anew(int fork) const {
     const Step& step = step_at(fork);
     if (step.kind != Kind::fork) return false;
@@ -223,7 +223,7 @@ class ForestBuilder {
     const std::optional<std::set<int>> known = takers_of(link, channel);
     for (const Taker& taker : takers_.of(channel)) {
       if (known && !known->contains(taker.step)) continue;
-      // Such waits are counted by their own threads' rounds.
+      // Such waits are counted by their own threads' jobs.
       if (limited_[static_cast<std::size_t>(taker.step)]) continue;
       effect(link, {Beginning::Kind::arm, taker.thread, taker.step, taker.arm});
     }
@@ -331,7 +331,7 @@ class ForestBuilder {
            !std::all_of(circle.begin(), circle.end(), [this](int index) { return takes_request(index); });
   }
 
-  /// The segment of a circle of causes that its rounds are counted at: one of a thread that in this circle
+  /// The segment of a circle of causes that its jobs are counted at: one of a thread that in this circle
   /// only waits for what it asked for, if there is one.
   int cut(const std::vector<int>& circle) {
     const auto asks_only = [this](int index) {

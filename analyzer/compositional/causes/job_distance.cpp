@@ -158,7 +158,7 @@ Nanoseconds least_job_distance(const Problem& problem, const Beginning& beginnin
   if (beginning.kind != Beginning::Kind::arm && !gives_up) return 0;
   const Step& idle_wait = problem.steps[static_cast<std::size_t>(beginning.step)];
   const std::size_t branch = gives_up ? idle_wait.channels.size() : static_cast<std::size_t>(beginning.arm);
-  // A round begins when the wait ends: with its receive, or with the test that gives up.
+  // A job begins when the wait ends: with its receive, or with the test that gives up.
   const Nanoseconds into = gives_up ? idle_wait.give_up_cost.best : idle_wait.cost.best;
   Shortest shortest(problem);
   const Nanoseconds around =
@@ -179,7 +179,7 @@ Nanoseconds least_job_distance(const Problem& problem, const Beginning& beginnin
 
 namespace {
 
-/// Longest work of a thread from a step to its home; `never`: it may wait on the way, or go round elsewhere.
+/// Longest work of a thread from a step to its idle wait; `never`: it may wait on the way, or loop elsewhere.
 class Straight {
  public:
   Straight(const Problem& problem, int idle_wait) : problem_(problem), idle_wait_(idle_wait) {}
@@ -196,7 +196,7 @@ class Straight {
     return kind == Kind::wait || kind == Kind::fork;
   }
 
-  /// From one step, if it is known of those that follow; of who goes round it is not.
+  /// From one step, by the results of those that follow; unbounded in a loop.
   Nanoseconds from(int step) const {
     if (step == idle_wait_) return 0;
     if (stops(step)) return never;

@@ -85,7 +85,7 @@ class Precedence {
     }
   }
 
-  /// What begins anew, or goes round, after something that comes once.
+  /// What starts again, or loops, after something that happens once.
   void in_life() {
     const auto& sources = context_.forest.sources;
     std::vector<std::vector<int>> nodes_of(sources.size());
@@ -101,8 +101,8 @@ class Precedence {
     }
   }
 
-  /// The nodes on the way round of a loop of which one message goes round: brought about once, from outside,
-  /// and in each round by one of them.
+  /// The nodes of a cycle in which one message circulates: triggered once from outside, and then in each turn
+  /// by one of them.
   void in_circle(int source) {
     const Source& of = context_.forest.sources[static_cast<std::size_t>(source)];
     if (of.kind != Source::Kind::loop || of.feeds.size() != 2) return;

@@ -14,13 +14,13 @@ const std::string& name_of(const Problem& problem, int thread) {
   return problem.threads[static_cast<std::size_t>(thread)].name;
 }
 
-/// When a block within a block is there depends on rounds of several threads.
+/// The times of a block within a block depend on jobs of several threads.
 bool is_nested(const Problem& problem, int thread) {
   const int parent = problem.threads[static_cast<std::size_t>(thread)].parent;
   return parent >= 0 && problem.threads[static_cast<std::size_t>(parent)].parent >= 0;
 }
 
-/// Blocks that are started again before nobody knows when, or stopped in each round.
+/// Blocks that start repeatedly at unknown times, or are stopped in each job.
 bool starts_loops_again(const Problem& problem, int fork, int thread) {
   const std::vector<int>& blocks = problem.steps[static_cast<std::size_t>(fork)].threads;
   const bool straight = std::all_of(blocks.begin(), blocks.end(), [&problem](int block) {

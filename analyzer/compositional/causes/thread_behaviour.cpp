@@ -78,7 +78,7 @@ class Observer {
     }
   }
 
-  /// Causes stand before their effects, so a node's round is known when it is needed.
+  /// Causes stand before their effects, so a node's job is known when it is needed.
   void find_job_start(int n) {
     const Beginning& begins = beginning(n);
     ThreadBehaviour& of = thread(begins.thread);
@@ -118,7 +118,7 @@ class Observer {
     const Beginning& begins = beginning(n);
     const std::string waits =
         problem_.threads[static_cast<std::size_t>(begins.thread)].name + " waits at " + text(begins.step);
-    // It may come twice for what the round has sent; then the next round takes what this one has brought
+    // It may come twice for what the job has sent; then the next job takes what this one has brought
     // about.
     const int channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
     const bool again = forest_.sources[static_cast<std::size_t>(node(n).source)].period < never;
@@ -131,7 +131,7 @@ class Observer {
     waited_for_.insert({made_.job_start[static_cast<std::size_t>(n)], begins.step});
   }
 
-  /// What a round brings about it must also take: else a later round finds it in the slot, and takes it for
+  /// What a job brings about it must also take: else a later job finds it in the slot, and takes it for
   /// its own.
   void leftovers(int t) {
     std::map<int, std::set<int>> origins;  // by channel of what comes back: sends, and forks to who sends
@@ -154,7 +154,7 @@ class Observer {
   }
 
   /// Whether a thread that has passed one of the steps `from` takes a message, or withdraws it, before it
-  /// passes another, comes home, or ends and may begin again.
+  /// passes another, returns to its idle wait, or ends and may begin again.
   bool is_taken(int t, int channel, const std::set<int>& from) {
     const bool answer = problem_.channels[static_cast<std::size_t>(channel)].answers >= 0;
     const bool again = recurrent(problem_, {Beginning::Kind::entry, t, -1, -1});
@@ -181,7 +181,7 @@ class Observer {
     return true;
   }
 
-  /// A round ends at home, after waits for what it brought about itself.
+  /// A job ends at the idle wait, and waits before only for what it has triggered itself.
   void returns(int t) {
     ThreadBehaviour& of = thread(t);
     for (int block = t; problem_.threads[static_cast<std::size_t>(block)].parent >= 0;
@@ -215,7 +215,7 @@ class Observer {
     }
   }
 
-  /// ThreadBehaviours::early: no way leads from a wait at which a round begins to where the node begins, and
+  /// ThreadBehaviours::early: no way leads from a wait at which a job begins to where the node begins, and
   /// the thread begins once.
   void find_early(int t) {
     const ThreadBehaviour& of = thread(t);
@@ -242,7 +242,7 @@ class Observer {
     });
   }
 
-  /// Whether all blocks of a CONCURRENT end without rounds of their own.
+  /// Whether all blocks of a CONCURRENT end without jobs of their own.
   bool ends_within(int fork) {
     const std::vector<int>& blocks = step_at(fork).threads;
     return std::all_of(blocks.begin(), blocks.end(), [this](int block) {
@@ -261,8 +261,8 @@ class Observer {
     }
   }
 
-  /// ThreadBehaviours::drains: the one thread that takes the message never waits for anything else than its
-  /// home.
+  /// ThreadBehaviours::drains: the only thread that receives the message waits for nothing but at its idle
+  /// wait.
   bool drains(int n) {
     const ThreadBehaviour& of = thread(forest_.thread_of(n));
     if (node(n).release != Release::message || node(n).device >= 0 || of.waits_within) return false;
@@ -305,7 +305,7 @@ class Observer {
     }
   }
 
-  /// A server whose rounds wait may still be at work when somebody asks, unless there is one client, who
+  /// A server whose jobs wait may still be at work when somebody asks, unless there is one client, who
   /// waits for each answer without limit, and nothing is left to do after it.
   void servers(ThreadBehaviour& of) {
     if (of.job_starts.empty()) return;
@@ -330,7 +330,7 @@ class Observer {
       const Segment& segment = forest_.segment_of(node(n));
       for (const Segment::Arrival& wait : segment.waits) {
         if (wait.step != of.idle_wait) continue;
-        // The answer is the last thing on the way home.
+        // The answer is the last thing on the way to the idle wait.
         bool answered = false;
         for (const Segment::Passed& passed : segment.steps) {
           const Step& step = step_at(passed.step);
@@ -349,9 +349,9 @@ class Observer {
   const Problem& problem_;
   const Forest& forest_;
   ThreadBehaviours made_;
-  std::map<std::pair<int, int>, std::vector<int>> arrivals_;  // by round and wait
+  std::map<std::pair<int, int>, std::vector<int>> arrivals_;  // by job and wait
   std::vector<std::vector<int>> waits_;                       // by channel, that take from it
-  std::set<std::pair<int, int>> waited_for_;                  // round and wait
+  std::set<std::pair<int, int>> waited_for_;                  // job and wait
 };
 
 }  // namespace

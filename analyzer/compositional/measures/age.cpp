@@ -63,7 +63,7 @@ class Ageing {
 
   struct Place {
     int step;
-    int jobs;  // how often the way from here to the statement comes home
+    int jobs;  // how many jobs end on the way from here to the statement
     auto operator<=>(const Place&) const = default;
   };
 
@@ -128,7 +128,7 @@ class Ageing {
           read,
           [&](Place at) {
             if (!sets(at.step)) return oldest.bounded();
-            // A set before itself, in a loop elsewhere than at home: nobody knows how long that takes.
+            // A set before itself, in a loop away from the idle wait: its time is unbounded.
             const bool elsewhere = at.step == statement && at.job_starts == 0;
             oldest = greater(oldest, elsewhere ? Sum::unbounded() : distance(at, statement));
             return false;
@@ -144,12 +144,12 @@ class Ageing {
     return age.sum + distance(read, statement);
   }
 
-  /// A thread in trouble may be anywhere in what it began before, also after it has come home.
+  /// An unbounded thread may still be in what it began before its idle wait.
   bool unbounded(int thread) const {
     return !view_.times.unbounded_reason[static_cast<std::size_t>(thread)].empty();
   }
 
-  /// Whether the next round of a thread is that of the next occurrence of their source.
+  /// Whether the next job of a thread is that of the next occurrence of their source.
   bool in_turn(int thread) const {
     return source_of_jobs(view_, thread) >= 0 && regular(view_, thread) && in_order(view_, thread);
   }

@@ -177,7 +177,7 @@ Known DataFreshness::set_by_blocks(const Node& joined) const {
   return latest;
 }
 
-/// From the round before; the first round begins with what is younger than the skill.
+/// From the previous job; the first job begins with what is younger than the skill.
 DataFreshness::State DataFreshness::before_idle(int node) const {
   const int thread = view_.forest.thread_of(node);
   const int source = recurring_source(view_, thread);
@@ -200,7 +200,7 @@ DataFreshness::State DataFreshness::before_idle(int node) const {
   const Sum distance = gap(view_, source);
   const Sum begin = first(view_, source);
   const auto since = [&](const Known& before) -> Known {
-    if (before && !before->bounded()) return std::nullopt;  // it never comes home
+    if (before && !before->bounded()) return std::nullopt;  // it never returns to its idle wait
     return either(earlier(before, distance), earlier(Sum(), begin));
   };
   return {since(state.known), since(state.set)};
@@ -240,7 +240,7 @@ Known DataFreshness::told_by(int sender, const std::vector<int>& sends, int devi
   return known && known->bounded() ? known : std::nullopt;
 }
 
-/// By what leads to the next round of a loop.
+/// By what leads to the next job of a loop.
 Known DataFreshness::told_in_loop(const Source& source, int index) const {
   Known known = Sum::unbounded();
   for (const Source::Feed& feed : source.feeds) {
@@ -290,7 +290,7 @@ Sum DataFreshness::age_when_read(int condition, int reader) {
   return place->second;
 }
 
-/// Greatest time since the sample that a condition carries when it is read. Before the first set of a round
+/// Greatest time since the sample that a condition carries when it is read. Before the first set of a job
 /// it is no longer than the skill has run.
 Sum DataFreshness::sample_age(int condition, int reader) const {
   const auto found = setters_.find(condition);
@@ -299,7 +299,7 @@ Sum DataFreshness::sample_age(int condition, int reader) const {
   Sum distance = Sum::unbounded();  // sets
   Sum until_first = Sum::unbounded();
   Sum together = Sum::unbounded();  // both, of the one setter
-  bool later = false;               // sets that are neither in rounds nor at the start
+  bool later = false;               // sets that are neither in jobs nor at the start
   for (const Setter& setter : found->second) {
     const StatementOccurrences& sets = *setter.sets;
     const auto age = [&](StepEffect effect) {

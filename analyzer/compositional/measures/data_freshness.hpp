@@ -1,4 +1,5 @@
-// What threads surely know, of a device's samples or of the sets of a condition.
+// How fresh the data of a thread are: the least recent sample of a device, or set of a condition, that it may
+// work with.
 #pragma once
 
 #include <memory>
@@ -8,16 +9,16 @@
 
 namespace pal::analyzer::compositional {
 
-/// Knowledge grows: what a thread knew it still knows, and reads and messages can only make it newer. So each
-/// way by which it must come gives a lower bound of the instant known, which counts here from the nominal
-/// instant of the node's source. Where the source's nominal instant plus the bound is at or before time 0 the
-/// thread may know nothing yet; whatever it knows is younger than the skill.
+/// Data only get fresher: a read or a message never replaces data of a thread by older ones. So each path by
+/// which data must arrive gives a lower bound of the instant of their sample. It counts from the nominal
+/// instant of the node's source. Where that instant plus the bound is not after time 0, the thread may have
+/// no data yet; data that it has are younger than the skill.
 ///
 /// M. Günzel and others, Timing analysis of asynchronized distributed cause-effect chains, 2021: the chains
-/// are followed backward, from the statement to what it was told last.
+/// are followed backward, from the statement to the last message or read before it.
 class DataFreshness {
  public:
-  /// The instant known; nothing: none is.
+  /// The instant of the sample; nothing: there is none.
   using Known = std::optional<Sum>;
 
   DataFreshness(const View& view, const Requirement& requirement);
@@ -28,7 +29,7 @@ class DataFreshness {
  private:
   struct State {
     Known known;
-    Known set;  // the last set of the condition, as far as the thread's way says
+    Known set;  // the last set of the condition on the thread's own path
   };
   struct Setter {
     int thread;

@@ -1,4 +1,4 @@
-// How long threads go on, and how long after the first that leaves its rounds.
+// How long threads go on, and how long after the first that leaves its loop.
 #include <algorithm>
 
 #include "analyzer/compositional/causes/job_distance.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using Kind = Step::Kind;
 
-/// From the end of a block's rounds to the end of the skill.
+/// From the end of a block's jobs to the end of the skill.
 class Ending {
  public:
   Ending(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours, const Times& times,

@@ -37,7 +37,7 @@ bool EventPropagation::certain(int n) {
 }
 
 Sum EventPropagation::node_value(int n) {
-  // A round may come back to a wait, and to this node, nobody knows how often.
+  // A job may come back to a wait, and to this node, an unknown number of times.
   const auto [place, fresh] = nodes_.emplace(n, Sum::unbounded());
   if (!fresh) return place->second;
   Sum value = Sum::unbounded();
@@ -115,7 +115,7 @@ Sum EventPropagation::sent_value(int n, int send) {
     taker = effect;
   }
   if (taker < 0 || view_.forest.thread_of(taker) == view_.forest.thread_of(n)) return Sum::unbounded();
-  // What comes back to a thread in the middle of its round is followed there.
+  // What comes back to a thread in the middle of its job is followed there.
   if (!view_.behaviours.previous[static_cast<std::size_t>(taker)].empty()) return Sum::unbounded();
   return node_value(taker);
 }

@@ -10,27 +10,27 @@
 
 namespace pal::analyzer::compositional {
 
-/// Follows what begins with a node from thread to thread, as far as every run must carry it: until it comes
-/// to one of the statements `at`, or the skill has ended.
+/// Follows an event, or a message, from node to node and thread to thread, as far as every run must propagate
+/// it: until one of the statements `at` takes effect or the skill ends.
 class EventPropagation {
  public:
-  /// What the values count from.
+  /// What times count from.
   enum class Since { event, nominal };
 
   EventPropagation(const View& view, const std::vector<bool>& at, Since since)
       : view_(view), problem_(view.problem), at_(at), since_(since) {}
 
-  /// When the first statement has had its effect at the latest, if a message begins this node.
+  /// Latest first effect of a statement, if a message triggers this node.
   Sum node_value(int n);
-  /// The same of the message that `n` sends by `send` to the one thread that takes it.
+  /// The same for the message that `n` sends by `send` to its only receiver.
   Sum sent_value(int n, int send);
-  /// Whether the thread of the node goes on in every run, as long as the skill lasts.
+  /// Whether the thread of the node makes progress in every run, as long as the skill lasts.
   bool certain(int n);
-  /// Why a value is not bounded; empty if there is nothing to say.
+  /// Why a value is unbounded; empty if no reason was found.
   const std::string& why() const { return why_; }
 
  private:
-  /// No way leads from here to an answer, nor to anything else.
+  /// No path leads from here to an answer, nor to anything else.
   static Sum no_way() { return Sum::number(-1); }
 
   const Node& node(int n) const { return view_.forest.nodes[static_cast<std::size_t>(n)]; }
@@ -44,14 +44,14 @@ class EventPropagation {
     return since_ == Since::event ? finish_since_event(view_, n) : finish(view_, n);
   }
   std::string unbounded_reason_of(int n) const;
-  /// Whether what is sent is put, and not withdrawn before it is taken. A message that is not has no
-  /// response; one that should carry an event leaves it without.
+  /// Whether the message is put and not withdrawn before it is received. Otherwise it has no response, and
+  /// does not propagate its event.
   bool is_put(int send);
   Sum beginning_value(int n);
   Sum step_value(int n, int at);
-  /// The same, if it is known of the steps that follow.
+  /// The same from the results of the steps that follow.
   Sum value_of_step(int n, int at);
-  /// Each block carries the event, as does its parent when they are over.
+  /// Each block propagates the event, and so does its parent after they have ended.
   Sum fork_value(int n, int fork);
   Sum wait_value(int n, int wait);
 

@@ -1,4 +1,4 @@
-// How far apart effects of statements can be, and how near.
+// Greatest and least interval between effects of statements.
 #include <algorithm>
 
 #include "analyzer/compositional/causes/job_distance.hpp"
@@ -66,7 +66,7 @@ Bound greatest_interval(const View& view, const std::vector<bool>& at, bool to_e
   return least;
 }
 
-/// If each occurrence of one source brings one effect at most: from the latest in one round to the earliest
+/// If each occurrence of one source brings one effect at most: from the latest in one job to the earliest
 /// in the next.
 Sum least_by_source(const View& view, const std::vector<StepEffect>& all) {
   if (all.empty()) return {};

@@ -33,7 +33,7 @@ bool starts_in_jobs(const View& view, int thread) {
 bool goes_on(const View& view, int thread) {
   const auto t = static_cast<std::size_t>(thread);
   if (view.reliable[t]) return view.begun[t];
-  // What cannot end may be stopped in each round, before it has done anything.
+  // What cannot end may be stopped in each job, before it has done anything.
   return view.lively[t] && view.problem.threads[t].can_end && starts_in_jobs(view, thread) &&
          goes_on(view, view.problem.threads[t].parent);
 }

@@ -1,35 +1,34 @@
-// What is known of a thread's rounds, asked by several measures.
+// Properties of a thread's jobs that several measures need.
 #pragma once
 
 #include "analyzer/compositional/measures/measures.hpp"
 
 namespace pal::analyzer::compositional {
 
-/// Whether a node belongs to one of its thread's rounds, not to what the thread does before them.
+/// Whether a node belongs to a job of its thread. What a thread does before its first job does not.
 bool in_job(const View& view, int node);
 
-/// The one source of a thread's rounds; -1: it has none, or several.
+/// The source of a thread's jobs; -1: there is none, or there are several.
 int source_of_jobs(const View& view, int thread);
 
-/// Whether a thread is a block that its parent starts in each of its rounds: these are its rounds, too.
+/// Whether a thread is a block that its parent starts in each of its jobs. Each start is then a job of the
+/// block.
 bool starts_in_jobs(const View& view, int thread);
 
-/// Whether a thread begins, and goes on with its rounds, however the run, as long as it is not cancelled.
+/// Whether a thread begins and continues with its jobs in every run, as long as it is not cancelled.
 bool goes_on(const View& view, int thread);
 
-/// The one source of a thread's rounds that occurs again and again; -1: there is none, or there are several.
+/// The recurring source of a thread's jobs; -1: there is none, or there are several.
 int recurring_source(const View& view, int thread);
 
-/// Whether a node belongs to a round of that source.
+/// Whether a node belongs to a job of the recurring source.
 bool in_recurring_job(const View& view, int node);
 
-/// Whether every occurrence of the paced source of a thread's rounds brings one about, as long as the thread
-/// is at home.
+/// Whether every occurrence of the recurring source triggers a job, as long as the thread is idle.
 bool regular(const View& view, int thread);
 
-/// Whether a thread's rounds come in the order of what its paced source brings about: in one way only. Of
-/// several ways a later one may be the faster, and overtake: then the next round is not that of the next
-/// occurrence.
+/// Whether a thread's jobs come in the order of the occurrences of its recurring source: there is only one
+/// path from the source to the job. On one of several paths a later occurrence may overtake an earlier one.
 bool in_order(const View& view, int thread);
 
 /// Nodes of the step's thread that contain it.

@@ -40,7 +40,7 @@ Bound in_thread(const View& view, const DataFreshness& freshness, const Requirem
   if (!goes_on(view, thread) || !occurrences.in_every_job()) {
     return {Sum::unbounded(), why_not_again(view, thread, occurrences, goes_on(view, thread))};
   }
-  // The first of all may come in a way that never comes home, and so may the next after any.
+  // The first may come on a path that never returns to the idle wait, and so may the next after any.
   const Bound none{
       Sum::unbounded(),
       with_unbounded_reason("nothing bounds how old what " + name + " knows can be", view, thread)};
@@ -52,7 +52,7 @@ Bound in_thread(const View& view, const DataFreshness& freshness, const Requirem
       alone ? occurrences.first() + occurrences.latest() : occurrences.first_or_end(occurrences.latest());
   const Sum next =
       alone ? occurrences.gap() + occurrences.latest() : occurrences.next_or_end(occurrences.latest());
-  // What is known before the rounds is no older than the skill.
+  // What is known before the jobs is no older than the skill.
   Sum longest = before(occurrences.from_entry(), first);
   for (const StepEffect& effect : occurrences.before_jobs()) {
     const Sum until = before(occurrences.after(effect), Sum());

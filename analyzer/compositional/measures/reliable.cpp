@@ -14,7 +14,7 @@ using Kind = Step::Kind;
 
 class Reliability {
  public:
-  /// `steady`: as long as no block has left its rounds.
+  /// `steady`: as long as no block has left its loop.
   Reliability(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
               const Times& times, bool steady)
       : problem_(problem), forest_(forest), behaviours_(behaviours), times_(times), steady_(steady) {}
@@ -63,7 +63,7 @@ class Reliability {
  private:
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
 
-  /// Whether the thread is not cancelled; in the steady state, before another block has left its rounds.
+  /// Whether the thread is not cancelled; in the steady state, before another block has left its loop.
   bool lasts(int thread) const {
     if (!behaviours_.threads[static_cast<std::size_t>(thread)].may_be_cancelled) return true;
     if (!steady_) return false;
@@ -82,7 +82,8 @@ class Reliability {
     return true;
   }
 
-  /// Whether no way through a thread ends, or comes to blocks that never do, before it has come home.
+  /// Whether no way through a thread ends, or comes to blocks that never do, before it has returned to its
+  /// idle wait.
   bool returns_to_idle_wait(int thread) const {
     const int idle_wait = behaviours_.threads[static_cast<std::size_t>(thread)].idle_wait;
     if (idle_wait < 0) return false;
@@ -105,7 +106,7 @@ class Reliability {
     });
   }
 
-  /// Whether a thread begins at the start of the skill, or on every way of its parent before that has rounds,
+  /// Whether a thread begins at the start of the skill, or on every path of its parent before its first job,
   /// if those that it relies on go on.
   bool comes_to_begin(int thread, std::vector<int>& relies) const {
     const int parent = problem_.threads[static_cast<std::size_t>(thread)].parent;
@@ -151,7 +152,7 @@ class Reliability {
     return true;
   }
 
-  /// Whether the blocks that a thread starts all come to their end, on the way to its home.
+  /// Whether the blocks that a thread starts all come to their end, on the way to its idle wait.
   bool joins(int thread, std::vector<int>& relies) const {
     for (int n : behaviours_.threads[static_cast<std::size_t>(thread)].nodes) {
       const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
@@ -232,7 +233,7 @@ class Reliability {
     });
   }
 
-  /// The one thread that takes a request, at home; -1: there is none.
+  /// The only thread that receives a request, and at its idle wait; -1: there is none.
   int taker_of(int request) const {
     int server = -1;
     for (std::size_t s = 0; s < problem_.steps.size(); ++s) {

@@ -22,7 +22,7 @@ int source_of(const View& view, int device) {
 }
 
 /// Whether events cannot overtake one another although several are on their way: every thread that they
-/// meet serves them alone, in one round each, and one thread answers.
+/// meet serves them alone, in one job each, and one thread answers.
 bool in_order(const View& view, const Requirement& requirement, int source) {
   std::set<int> answering;
   for (std::size_t i = 0; i < view.forest.nodes.size(); ++i) {
@@ -82,7 +82,7 @@ bool answered_in_turn(const View& view, const Requirement& requirement) {
   return true;
 }
 
-/// Each message is put at some instant of a round of its sender, and answered at another that the same source
+/// Each message is put at some instant of a job of its sender, and answered at another that the same source
 /// brings about. It must be answered before the next one can be put.
 Bound to_message(const View& view, const Requirement& requirement) {
   const std::vector<bool> sends = sends_of_events(view.problem, requirement);

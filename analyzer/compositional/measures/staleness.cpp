@@ -79,7 +79,7 @@ class Staleness {
             "nothing bounds when " + name + " sets first"};
   }
 
-  /// Until the first set in a round a value is as old as the skill, or as what was set before the rounds.
+  /// Until the first set in a job a value is as old as the skill, or as what was set before the jobs.
   Sum until_first(int setter, const Sum& first) const {
     const int parent = problem_.threads[static_cast<std::size_t>(setter)].parent;
     const int above = parent < 0 ? setter : parent;
@@ -105,7 +105,7 @@ class Staleness {
     return greater(last, first - soonest);
   }
 
-  /// Every way from the beginning of a module to its first home or CONCURRENT sets the condition.
+  /// Every way from the beginning of a module to its first idle wait or CONCURRENT sets the condition.
   bool sets_before_jobs(int thread) const {
     return !follow(problem_, {problem_.threads[static_cast<std::size_t>(thread)].entry}, [&](int at) {
       if (sets(at)) return Course::ends;

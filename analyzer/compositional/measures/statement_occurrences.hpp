@@ -1,4 +1,4 @@
-// When statements come in one thread, round after round.
+// When the statements of a requirement take effect in one thread, job after job.
 #pragma once
 
 #include <map>
@@ -11,15 +11,15 @@
 
 namespace pal::analyzer::compositional {
 
-/// The ways on from a place: until one of the statements has had its effect, or none can come any more.
+/// The paths onward from a place, until one of the statements takes effect or none is reachable.
 struct Way {
-  Sum latest;             // from the nominal instant of the source, of those ways that get there
-  Sum released;           // the same, of the release of the segment in which they get there
-  bool ends_job = false;  // some way ends the job first
-  bool lost = false;      // nothing is known of some way
+  Sum latest;             // after the nominal instant of the source, over the paths that reach a statement
+  Sum released;           // the same for the release of the segment that contains it
+  bool ends_job = false;  // some path ends the job first
+  bool lost = false;      // some path is unbounded
 };
 
-/// The effects of the statements `at` in one thread, as long as it comes home from every round.
+/// The effects of the statements `at` in one thread that returns to its idle wait after every job.
 class StatementOccurrences {
  public:
   StatementOccurrences(const View& view, int thread, const std::vector<bool>& at);
@@ -27,34 +27,32 @@ class StatementOccurrences {
   const std::vector<StepEffect>& in_jobs() const { return in_jobs_; }
   const std::vector<StepEffect>& before_jobs() const { return before_jobs_; }
 
-  /// After a pass.
+  /// After an effect.
   Way after(StepEffect effect);
-  /// From where the thread begins.
+  /// From the entry of the thread.
   Way from_entry();
-  /// Whether each round passes one, or goes where none can come any more, and rounds come at bounded
-  /// inter-arrival times.
+  /// Whether each job has one, or leads to where none is reachable, and the inter-arrival time of jobs is
+  /// bounded.
   bool in_every_job() const { return in_every_job_; }
-  /// Whether some way through a round comes home without one, where rounds come at bounded inter-arrival
-  /// times.
+  /// Whether some path through a job has none, and the inter-arrival time of jobs is bounded.
   bool may_skip() const { return may_skip_; }
-  /// With in_every_job: latest pass of a round, from the nominal instant of its source.
+  /// With in_every_job: latest effect in a job after the nominal instant of its source.
   const Sum& latest() const { return latest_; }
-  /// With in_every_job: latest release of the segment in which a round passes one. From then on the thread
-  /// has something to do until it does.
+  /// With in_every_job: latest release of the segment with the effect. The thread is busy from then until the
+  /// effect.
   const Sum& released() const { return released_; }
-  /// Greatest distance of nominal instants of rounds, and of the first from time 0; unbounded: not known.
+  /// Greatest inter-arrival time of jobs, between nominal instants, and of the first from time 0.
   const Sum& gap() const { return gap_; }
   const Sum& first() const { return first_; }
-  /// With in_every_job: from the nominal instant of a round that has passed one until the next has, by
-  /// `effect` of its own, or the skill has ended.
+  /// With in_every_job: from the nominal instant of one job to the effect in the next one, which comes by
+  /// `effect` after its own nominal instant, or to the end of the skill.
   Sum next_or_end(const Sum& effect) const;
-  /// With in_every_job: from time 0 until the first round has passed one, by `effect`, or the skill has
-  /// ended.
+  /// With in_every_job: from time 0 to the effect in the first job, or to the end of the skill.
   Sum first_or_end(const Sum& effect) const;
 
  private:
   Way from(int node, int step);
-  /// The same, if it is known of the steps that follow; of a circle of steps it is not.
+  /// The same from the results of the steps that follow. Unbounded in a cycle of steps.
   Way way_from(int node, int step);
   Way beyond_wait(int node, int wait);
   Way begun(int node);
@@ -77,8 +75,8 @@ class StatementOccurrences {
   bool may_skip_ = false;
   Sum latest_;
   Sum released_;
-  /// Latest end of the skill, or of a thread, in a round, and in one in which this thread has not surely
-  /// passed one; before the first round.
+  /// Latest end of the skill or of a thread: in a job; in a job where the effect may not have come yet;
+  /// before the first job.
   Sum ended_;
   Sum ended_before_;
   Sum ended_at_start_;

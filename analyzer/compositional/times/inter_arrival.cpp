@@ -16,7 +16,7 @@ void raise(Due& at, const Due& to) {
   if (to.at > at.at) at = to;
 }
 
-/// The rounds of a thread that goes on by itself: all that leads from one to the next.
+/// The jobs of a free-running thread: all that leads from one to the next.
 class Loop {
  public:
   Loop(const AnalysisContext& context, const Times& times, std::size_t source)
@@ -53,7 +53,7 @@ class Loop {
   }
 
  private:
-  /// How much later the wait gives up if what comes once is taken there before: a round goes by, and the
+  /// How much later the wait gives up if what comes once is taken there before: a job goes by, and the
   /// limit counts anew.
   Nanoseconds put_off(const Source::Feed& feed) const {
     if (!context_.in_job(feed.node)) return 0;
@@ -62,7 +62,7 @@ class Loop {
     return back >= never ? never : back - times_.nodes[static_cast<std::size_t>(job_start)].earliest;
   }
 
-  /// When what leads to the next round is there.
+  /// When what leads to the next job is there.
   Due latest(const Source::Feed& feed) const {
     if (feed.wait >= 0) {
       const Nanoseconds limit = context_.step_at(feed.wait).within.value_or(0);
@@ -110,8 +110,8 @@ Nanoseconds first_idle(const AnalysisContext& context, const std::vector<NodeTim
   Nanoseconds latest = 0;
   for (int n : of.nodes) {
     if (context.in_job(n)) continue;
-    // What an event brings about, or comes after blocks that end in some round or other, has no instant that
-    // rounds of other sources could be compared with.
+    // What an event brings about, or comes after blocks that end in an unknown job, has no instant that
+    // jobs of other sources could be compared with.
     const bool known = context.source(n).kind == Source::Kind::start;
     latest = std::max(latest, known ? latest_arrival(context, nodes, n, of.idle_wait) : never);
   }

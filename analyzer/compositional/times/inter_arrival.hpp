@@ -1,4 +1,4 @@
-// How far apart occurrences of sources can be.
+// Inter-arrival times of sources.
 #pragma once
 
 #include "analyzer/compositional/causes/analysis_context.hpp"
@@ -6,10 +6,10 @@
 
 namespace pal::analyzer::compositional {
 
-/// When a thread is at home for the first time, or the skill has ended instead, at the latest.
+/// The latest instant at which a thread is idle for the first time, or the skill has ended.
 Nanoseconds first_idle(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread);
 
-/// Latest arrival at a wait or a fork that a node leads to.
+/// Latest arrival of a node at a wait or a fork.
 Nanoseconds latest_arrival(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,
                            int step);
 

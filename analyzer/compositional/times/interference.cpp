@@ -71,7 +71,8 @@ Interference::Interference(const AnalysisContext& context, const std::vector<Nod
     pauses_.push_back(pauses(static_cast<int>(t)));
 }
 
-/// A thread that asks for what begins its next round may find it there when it comes home, and go on.
+/// A thread that asks for what begins its next job may find it there when it returns to its idle wait, and go
+/// on.
 bool Interference::pauses(int thread) const {
   const Thread& of = context_.thread_at(thread);
   if (context_.problem.processors[static_cast<std::size_t>(of.processor)].preemptive) return true;
@@ -107,8 +108,8 @@ void Interference::precede(const AnalysisContext& context, int node,
 /// processor nothing that counts was waiting, so a window that begins when it ends has all that can delay the
 /// node.
 ///
-/// A thread's own segments are one after the other. Those of the node's round are over when it is released.
-/// Another round may still be at work then, also in what occurs once: its thread was sent something else
+/// A thread's own segments are one after the other. Those of the node's job are over when it is released.
+/// Another job may still be at work then, also in what occurs once: its thread was sent something else
 /// before, or serves a request that was withdrawn.
 void Interference::exclude(int node, bool done_before_next, bool in_turn) {
   const Thread& mine = context_.thread_of(node);
@@ -194,8 +195,8 @@ void Interference::announce(int node, const NodeTimes& times) {
                       greatest_jitter(node));
 }
 
-/// Who was held in a send may find what it asked for before that when it comes home, and go on for one round
-/// more.
+/// Who was held in a send may find what it asked for before that when it returns to its idle wait, and go on
+/// for one job more.
 void Interference::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& done_before_next,
                                const std::vector<bool>& blocked) {
   burst_.assign(context_.problem.threads.size(), 0);

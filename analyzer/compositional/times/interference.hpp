@@ -1,4 +1,4 @@
-// The work that nodes bring to their processors.
+// Interference: the work of other nodes that delays a node on its processor.
 #pragma once
 
 #include "analyzer/compositional/causes/analysis_context.hpp"
@@ -10,30 +10,29 @@ namespace pal::analyzer::compositional {
 
 class Interference {
  public:
-  /// Registers each node as a task of its source's transaction, released at its earliest.
-  /// Once `stop` says so, it is of no use.
+  /// Registers each node as a task of its source's transaction; the offset is its earliest release. Must not
+  /// be used after `stop` has returned true.
   Interference(const AnalysisContext& context, const std::vector<NodeTimes>& nodes,
                const std::function<bool()>& stop);
 
-  /// Tells the windows how late the node may be released after its earliest.
+  /// Sets the release jitter of the node.
   void announce(int node, const NodeTimes& times);
-  /// However late a node's causes are: what can have piled up on the way to it is one message a slot and one
-  /// a thread.
+  /// A bound of the release jitter however late a node's causes are: one message in each slot and one in each
+  /// thread can be queued on the way to it.
   Nanoseconds greatest_jitter(int node) const;
-  /// The same of alternatives taken together, whose ways have slots and threads of their own and in common.
+  /// The same for alternatives taken together, whose paths may share slots and threads.
   Nanoseconds piled_up(const std::vector<int>& alternatives) const;
-  /// Says, as releases are announced, of which threads no round is due before the one before is over
-  /// (`done_before_next`): rounds of one thread do not delay one another then; and of which sources all that
-  /// an occurrence brings about is over before the next one (`in_turn`): what comes one after the other, or
-  /// one in place of the other, does not, either.
+  /// Removes interference between nodes that never overlap. `done_before_next`, by thread: each job ends
+  /// before the next is released, so jobs of the thread do not delay one another. `in_turn`, by source: all
+  /// that an occurrence triggers ends before the next occurrence, so its nodes that follow or exclude one
+  /// another do not delay one another.
   void find_order(const std::vector<bool>& done_before_next, const std::vector<bool>& in_turn,
                   const std::function<bool()>& stop);
-  /// How long threads keep a processor that is not preemptive once they have it, as releases are announced.
-  /// By thread: `done_before_next`, no round is due before the one before is over; `blocked`, it may have to
-  /// wait in a send.
+  /// How long threads occupy a processor that is not preemptive once they have it. By thread:
+  /// `done_before_next`, each job ends before the next is released; `blocked`, it may be blocked in a send.
   void find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& done_before_next,
                    const std::vector<bool>& blocked);
-  /// The longest that threads of lower priority keep the node's processor, if it is not preemptive.
+  /// The longest blocking of the node by threads of lower priority, if its processor is not preemptive.
   Nanoseconds blocking(int node) const;
   /// How long after the source's nominal instant, or the node's release, the first `part` of the node's work
   /// is done at the latest.
@@ -46,7 +45,7 @@ class Interference {
     return nodes_of_[static_cast<std::size_t>(transaction)][static_cast<std::size_t>(task)];
   }
   const BusyWindows& windows() const { return windows_; }
-  /// Its numbers are known: nobody is asked whether to stop any more.
+  /// Its numbers are final: `stop` is not asked any more.
   void go_on() { windows_.go_on(); }
 
  private:
@@ -66,12 +65,12 @@ class Interference {
   std::vector<Nanoseconds> burst_;            // by thread
   Order order_;
   std::vector<std::vector<int>> never_together_;  // by node
-  std::vector<bool> done_before_next_;            // by thread, as it was told
-  std::vector<bool> in_turn_;                     // by source, as it was told
-  std::vector<bool> pauses_;  // by thread: if it goes on by itself, it surely has to wait in each round
+  std::vector<bool> done_before_next_;            // by thread, as given
+  std::vector<bool> in_turn_;                     // by source, as given
+  std::vector<bool> pauses_;  // by thread: it is not free-running, or always waits in each job
 };
 
-/// A block that is cancelled finishes what it has begun, as do its own: how long that may take.
+/// How long a cancelled block, and the blocks that it has started, may take to finish what they have begun.
 Nanoseconds stops_within(const Problem& problem, const BusyWindows& windows, int block);
 
 }  // namespace pal::analyzer::compositional

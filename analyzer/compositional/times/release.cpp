@@ -48,7 +48,7 @@ Due Releases::latest(int n, const std::vector<std::string>& unbounded_reason,
   return none;
 }
 
-/// The device is closed until its one taker is at home.
+/// The device is closed until its one taker is idle.
 Due Releases::of_event(int n) const {
   const Nanoseconds jitter = &nodes_ == &nominal_ ? source(n).jitter : 0;
   const Due late{jitter, By::source, -1, -1, jitter};
@@ -106,7 +106,7 @@ Nanoseconds Releases::blocks_over(const Node& joined, const std::vector<std::str
   return plus(latest, stopping);
 }
 
-/// A thread that was held in the last send of its round is at home that much later.
+/// A thread that was held in the last send of its job is idle that much later.
 Nanoseconds Releases::held_back(int thread) const {
   Nanoseconds latest = 0;
   for (int n : behaviour_of(thread).nodes) {

@@ -1,4 +1,4 @@
-// When a node is released at the latest, and what it waits for until then.
+// The latest release of a node, and what it waits for until then.
 #pragma once
 
 #include "analyzer/compositional/causes/analysis_context.hpp"
@@ -7,7 +7,7 @@
 
 namespace pal::analyzer::compositional {
 
-/// Reads the times as they are known while they are still rising.
+/// Reads the times of the current iteration.
 class Releases : private AnalysisContext {
  public:
   Releases(const AnalysisContext& context, const std::vector<NodeTimes>& nodes,
@@ -32,7 +32,7 @@ class Releases : private AnalysisContext {
   Nanoseconds arrival(int node, int step) const;
 
   const std::vector<NodeTimes>& nodes_;
-  const std::vector<NodeTimes>& nominal_;  // what has to do with other rounds counts from nominal instants
+  const std::vector<NodeTimes>& nominal_;  // what concerns other jobs counts from nominal instants
   const Interference& interference_;
 };
 

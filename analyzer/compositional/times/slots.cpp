@@ -12,7 +12,7 @@ Nanoseconds taken(const std::vector<NodeTimes>& nodes, int node) {
   return nodes[static_cast<std::size_t>(node)].effects.front();
 }
 
-/// Whether a thread waits without a limit in its rounds.
+/// Whether a thread waits without a limit in its jobs.
 bool waits_for_others(const AnalysisContext& context, int thread) {
   const ThreadBehaviour& of = context.behaviour_of(thread);
   return std::any_of(of.nodes.begin(), of.nodes.end(), [&](int n) {
@@ -120,7 +120,7 @@ bool Slots::is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) co
                      [&](const StepEffect& put) { return is_taken_in_time(nodes, put, soonest, one_node); });
 }
 
-/// Whether a put of a round is taken before the round after it puts, at `soonest` at the earliest, or it is
+/// Whether a put of a job is taken before the job after it puts, at `soonest` at the earliest, or it is
 /// known what that waits for.
 bool Slots::is_taken_in_time(const std::vector<NodeTimes>& nodes, StepEffect put, Nanoseconds soonest,
                              bool may_hold) const {
@@ -134,7 +134,7 @@ bool Slots::is_taken_in_time(const std::vector<NodeTimes>& nodes, StepEffect put
   return known;
 }
 
-/// Whether it is known what a wait for the slot does: the send ends its thread's only kind of round.
+/// Whether it is known what a wait for the slot does: the send ends its thread's only kind of job.
 bool Slots::may_be_held(const std::vector<NodeTimes>& nodes, StepEffect put, int taker) const {
   const ThreadBehaviour& of = context_.behaviour_of(context_.forest.thread_of(put.node));
   return taken(nodes, taker) < never && of.job_starts.size() == 1 && !of.waits_within &&

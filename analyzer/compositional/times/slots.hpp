@@ -1,4 +1,4 @@
-// What the times rest on: that slots are free when messages are put, and threads at home when they are due.
+// Two assumptions of the times: slots are free when messages are put, and threads are idle when they are due.
 #pragma once
 
 #include "analyzer/compositional/causes/exclusive.hpp"
@@ -6,18 +6,18 @@
 
 namespace pal::analyzer::compositional {
 
-/// Whether the node's message is taken before the next one is put, if it is put at `put` at the earliest.
+/// Whether the node's message is received before the next one is put, at `put` at the earliest.
 bool take_in_time(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,
                   Nanoseconds put);
 
-/// Whether the work of a thread's round is over before the next one is asked for. The thread may still wait
-/// for the slot of its last send.
+/// Whether each job of a thread is done before the next one is requested. The thread may still be blocked in
+/// its last send.
 bool is_done_before_next(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread);
 
 /// Latest end of a send by which the node comes straight to `wait`; 0: there is none.
 Nanoseconds sent_before(const AnalysisContext& context, const NodeTimes& times, int node, int wait);
 
-/// Until when a send may have to wait for its slot: the message before it is taken a period earlier than its
+/// Until when a send may be blocked on its slot: the previous message is received a period earlier than its
 /// own.
 Nanoseconds held_until(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,
                        int send);
@@ -28,11 +28,11 @@ class Slots {
 
   struct UnboundedThread {
     int thread = -1;
-    bool blocked = false;  // it may have to wait in a send
+    bool blocked = false;  // it may be blocked in a send
     std::string why;
-    std::vector<int> takers;  // the threads that may not make room for it
+    std::vector<int> takers;  // the receivers that may not empty its slot
   };
-  /// The threads of which nothing bounds when they go on, by these times.
+  /// The threads that are unbounded by these times.
   std::vector<UnboundedThread> unbounded_threads(const Times& times) const;
 
  private:

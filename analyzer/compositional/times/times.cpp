@@ -217,7 +217,7 @@ class Solver : private AnalysisContext {
     return found;
   }
 
-  /// Adds to each trouble the one that it comes from in the end.
+  /// Adds the original reason to each reason that follows from another.
   void name_roots() {
     const std::vector<std::string> own = times_.unbounded_reason;
     for (std::size_t t = 0; t < own.size(); ++t) {
@@ -237,7 +237,7 @@ class Solver : private AnalysisContext {
   Releases releases_;
   Times times_;
   std::vector<bool> in_turn_;  // by source, as it was last found
-  std::vector<int> since_;     // by thread: the one whose trouble brought about its own; -1: none
+  std::vector<int> since_;     // by thread: the thread that makes it unbounded; -1: none
 };
 
 }  // namespace
