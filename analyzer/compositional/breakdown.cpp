@@ -103,7 +103,7 @@ class Writer {
       return say(next.after, name, first ? "comes for the first time" : "comes again");
     }
     if (amount != next.at || next.node < 0)
-      return say(amount, name, first ? "comes to its first round" : "comes to the next round");
+      return say(amount, name, first ? "comes to its first job" : "comes to its next job");
     wait_for(nominal_, next, name, feed_device(of, next));
   }
 
@@ -190,7 +190,7 @@ class Writer {
     }
     // A send waits for its slot.
     const bool sends = step >= 0 && context_.step_at(step).kind == Step::Kind::send;
-    say(done - released, actor(node), sends ? "is held at " + text(step) : "is held in its last send",
+    say(done - released, actor(node), sends ? "is blocked at " + text(step) : "is blocked in its last send",
         step < 0 ? -1 : context_.step_at(step).statement);
   }
 
@@ -271,7 +271,7 @@ class Writer {
         say(latest.after, source_name(of.source), "comes so late");
         break;
       case By::held:
-        say(at, name, "was held in the round before");
+        say(at, name, "was blocked in its previous job");
         break;
       case By::idle:
         say(at, name, "comes to its first wait");

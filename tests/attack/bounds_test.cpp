@@ -302,7 +302,7 @@ TEST_CASE("what comes after an answer comes also if a block took its request") {
 }
 
 TEST_CASE(
-    "why there is no bound: a thread that comes to its statement in every round is not said to pass it by") {
+    "why there is no bound: a thread that comes to its statement in every job is not said to pass it by") {
   // The sensor is asked as soon as the last value is filtered. As far as the bounds know rounds may come as
   // fast as with the least filtering, and each take the most: nothing bounds when one is over.
   const auto skill = test::meaningful_skill(program("polled"));
@@ -322,16 +322,16 @@ TEST_CASE("why there is no bound: a thread that may pass its statement by is sai
   const Analysis analysis = analyze_compositionally(*skill->problem);
   const std::string& why = analysis.verdicts.front().explanation;
   INFO(why);
-  CHECK(why.find("SD1 need not come to it in every round") != std::string::npos);
+  CHECK(why.find("SD1 need not come to it in every job") != std::string::npos);
 }
 
-TEST_CASE("why there is no bound: a block that passes its statement in every round may leave them") {
+TEST_CASE("why there is no bound: a block that passes its statement in every job may leave them") {
   const auto skill = test::meaningful_skill(program("leaves"));
   const Analysis analysis = analyze_compositionally(*skill->problem);
-  CHECK(analysis.verdicts.front().explanation.find("SM1.1 may leave its rounds") != std::string::npos);
+  CHECK(analysis.verdicts.front().explanation.find("SM1.1 may leave its loop") != std::string::npos);
 }
 
-TEST_CASE("why there is no bound: the trouble of who keeps a thread waiting is named") {
+TEST_CASE("why there is no bound: the unbounded thread that keeps another waiting is named") {
   const auto skill = test::meaningful_skill(test::project_file("tests/attack/served/by_module.pal"));
   const Analysis analysis = analyze_compositionally(*skill->problem);
   const auto says = [](const Verdict& verdict) {

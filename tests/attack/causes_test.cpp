@@ -40,5 +40,5 @@ TEST_CASE("no run of a skill with tangled causes exceeds what either analysis pr
 TEST_CASE("a round that begins with blocks is not said to take no time") {
   const auto skill = test::meaningful_skill(test::project_file("tests/attack/causes/begins_with_blocks.pal"));
   CHECK(compositional::forest_of(*skill->problem, {}).refusal ==
-        "nothing says how long a round of module SM1 takes at least");
+        "nothing says how long a job of module SM1 takes at least");
 }

@@ -108,7 +108,7 @@ class ForestBuilder {
       source.thread = forest_.segments[segment].beginning.thread;
       source.period = least_job_distance(problem_, forest_.segments[segment].beginning);
       if (source.period == 0) {
-        forest_.refusal = "nothing says how long a round of module " +
+        forest_.refusal = "nothing says how long a job of module " +
                           problem_.threads[static_cast<std::size_t>(source.thread)].name + " takes at least";
       }
       forest_.sources.push_back(source);
@@ -260,7 +260,7 @@ class ForestBuilder {
     const int segment = forest_.segments.find(beginning);
     if (forest_.segments[segment].spins) {
       forest_.refusal = "module " + problem_.threads[static_cast<std::size_t>(beginning.thread)].name +
-                        " has a loop that may go round without waiting, as often as it likes";
+                        " has a loop that may repeat without waiting, any number of times";
       return;
     }
     if (cuts_.contains(segment)) {

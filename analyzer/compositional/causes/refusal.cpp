@@ -56,7 +56,7 @@ std::string refusal_of_step(const Problem& problem, int index, int thread) {
   const Step& step = problem.steps[static_cast<std::size_t>(index)];
   const std::string& who = name_of(problem, thread);
   if (step.kind == Step::Kind::fork && starts_loops_again(problem, index, thread))
-    return who + " starts blocks again and again of which some go round";
+    return who + " starts blocks again and again, some of which loop";
   if (talks_or_sets(step) && is_nested(problem, thread))
     return who + " waits, sends or sets in a block within a block";
   // The limit counts anew when what the thread is about to take is withdrawn, and others may take it, too.

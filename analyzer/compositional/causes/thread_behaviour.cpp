@@ -123,11 +123,11 @@ class Observer {
     const int channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
     const bool again = forest_.sources[static_cast<std::size_t>(node(n).source)].period < never;
     if (again && problem_.channels[static_cast<std::size_t>(channel)].answers < 0)
-      thread(begins.thread).unbounded_reason = waits + " in its rounds for what answers no request";
+      thread(begins.thread).unbounded_reason = waits + " within its jobs for what answers no request";
     const auto known = arrivals_.find({made_.job_start[static_cast<std::size_t>(n)], begins.step});
     if (known != arrivals_.end()) previous = known->second;
     if (previous.empty())
-      thread(begins.thread).unbounded_reason = waits + " for something that another round brings about";
+      thread(begins.thread).unbounded_reason = waits + " for something that another job triggers";
     waited_for_.insert({made_.job_start[static_cast<std::size_t>(n)], begins.step});
   }
 
@@ -149,7 +149,7 @@ class Observer {
       const Thread& of = problem_.threads[static_cast<std::size_t>(t)];
       thread(t).unbounded_reason = of.name + " may leave " +
                                    problem_.channels[static_cast<std::size_t>(channel)].message +
-                                   ", which it brings about, to a later round";
+                                   ", which it triggers, to a later job";
     }
   }
 
@@ -203,7 +203,7 @@ class Observer {
         if (again) of.waits_within = true;
         if (!limited && !waited_for_.contains({job_start, wait.step})) {
           of.unbounded_reason =
-              name + " waits at " + text(wait.step) + " for something that its round does not bring about";
+              name + " waits at " + text(wait.step) + " for something that its job does not trigger";
         }
       }
       if (again && segment.ends) of.leaves = true;

@@ -25,7 +25,7 @@ Bound duration_bound(const View& view, const Requirement& requirement) {
     }
   }
   if (!any) return {Sum::unbounded(), "nothing completes the skill with this code"};
-  return {longest, "nothing bounds in which round the skill is completed"};
+  return {longest, "nothing bounds in which job the skill is completed"};
 }
 
 }  // namespace pal::analyzer::compositional

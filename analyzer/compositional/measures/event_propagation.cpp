@@ -31,7 +31,7 @@ bool EventPropagation::certain(int n) {
   }
   if (why_.empty()) {
     why_ = view_.times.unbounded_reason[thread];
-    if (why_.empty()) why_ = problem_.threads[thread].name + " may leave its round, or wait in it for ever";
+    if (why_.empty()) why_ = problem_.threads[thread].name + " may leave its job, or wait in it for ever";
   }
   return false;
 }

@@ -94,7 +94,7 @@ Sum by_the_way(const View& view, const std::vector<bool>& at, int thread) {
 Bound least_interval(const View& view, const Requirement& requirement) {
   const Sum least = least_distance(view, requirement.at);
   if (!least.bounded()) return {Sum::unbounded(), "it comes once at most"};
-  if (least.value() == 0) return {Sum::unbounded(), "nothing keeps two passes apart"};
+  if (least.value() == 0) return {Sum::unbounded(), "nothing separates two occurrences"};
   return {least, ""};
 }
 

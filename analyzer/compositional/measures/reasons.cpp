@@ -36,12 +36,12 @@ std::string why_not_again(const View& view, int thread, const StatementOccurrenc
   const auto t = static_cast<std::size_t>(thread);
   if (!view.times.unbounded_reason[t].empty()) return view.times.unbounded_reason[t];
   const std::string& name = view.problem.threads[t].name;
-  if (occurrences.may_skip()) return name + " need not come to " + statement + " in every round";
+  if (occurrences.may_skip()) return name + " need not come to " + statement + " in every job";
   const bool leaves = view.behaviours.threads[t].leaves;
   if (!goes_on && leaves && unbounded_reason_behind(view, thread).empty())
-    return name + " may leave its rounds";
+    return name + " may leave its loop";
   return with_unbounded_reason(goes_on ? "nothing bounds when " + name + " comes to " + statement
-                                       : "nothing shows that " + name + " goes on with its rounds",
+                                       : "nothing shows that " + name + " continues with its jobs",
                                view, thread);
 }
 

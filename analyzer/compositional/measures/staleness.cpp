@@ -73,7 +73,7 @@ class Staleness {
     const Sum next = occurrences.next_or_end(set_again);
     if (!next.bounded())
       return {Sum::unbounded(),
-              with_unbounded_reason("nothing says how long " + name + " may wait between two rounds", view_,
+              with_unbounded_reason("nothing says how long " + name + " may wait between two jobs", view_,
                                     setter)};
     return {greater(next - soonest, until_first(setter, occurrences.first_or_end(set_again))),
             "nothing bounds when " + name + " sets first"};

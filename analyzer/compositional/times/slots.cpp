@@ -169,10 +169,10 @@ std::vector<Slots::UnboundedThread> Slots::unbounded_threads(const Times& times)
     if (!of.waits_within || of.job_starts.empty() || of.asked_by_one) continue;
     if (!of.one_job) {
       found.push_back(
-          {static_cast<int>(t), false, "begins rounds for several reasons, and waits within them", {}});
+          {static_cast<int>(t), false, "begins jobs for several reasons, and waits within them", {}});
     } else if (!is_done_before_next(context_, times.nodes, static_cast<int>(t))) {
       found.push_back(
-          {static_cast<int>(t), false, "may still be waiting within one round when the next is due", {}});
+          {static_cast<int>(t), false, "may still be waiting within one job when the next is due", {}});
     }
   }
   return found;
