@@ -1,27 +1,27 @@
-#include "analyzer/runs/clockwork.hpp"
+#include "analyzer/runs/concrete_run.hpp"
 
 #include <algorithm>
 
 namespace pal::analyzer {
 
-Clockwork::Clockwork(const Machine& machine, bool record)
+ConcreteRun::ConcreteRun(const Machine& machine, bool record)
     : machine_(machine),
       record_(record),
       timers_(static_cast<std::size_t>(machine.timer_count())),
       serials_(machine.problem().channels.size()),
       current_(machine.problem().channels.size()) {}
 
-Nanoseconds Clockwork::worked(int timer, Nanoseconds when) const {
+Nanoseconds ConcreteRun::worked(int timer, Nanoseconds when) const {
   const Timer& of = timers_[static_cast<std::size_t>(timer)];
   return of.frozen ? of.worked : of.worked + (when - of.since);
 }
 
-void Clockwork::begin(Choices& choices) {
+void ConcreteRun::begin(Choices& choices) {
   outcome_ = machine_.initial(choices, record_);
   apply(-1);
 }
 
-bool Clockwork::fire(int timer, Nanoseconds now, Choices& choices) {
+bool ConcreteRun::fire(int timer, Nanoseconds now, Choices& choices) {
   Outcome outcome;
   if (!machine_.fire(state_, timer, choices, record_, outcome)) return false;
   outgrown_ = outgrown_ || outcome.too_many;
@@ -32,7 +32,7 @@ bool Clockwork::fire(int timer, Nanoseconds now, Choices& choices) {
   return true;
 }
 
-void Clockwork::apply(int fired) {
+void ConcreteRun::apply(int fired) {
   started_.clear();
   if (fired >= 0) timers_[static_cast<std::size_t>(fired)] = {};
   for (const TimerChange& change : outcome_.changes) {
@@ -70,7 +70,7 @@ void Clockwork::apply(int fired) {
   state_ = outcome_.state;
 }
 
-void Clockwork::record() {
+void ConcreteRun::record() {
   for (trace::Event event : outcome_.events) {
     event.time_ns = now_;
     const auto channel = static_cast<std::size_t>(event.subject < 0 ? 0 : event.subject);
@@ -107,7 +107,7 @@ trace::Trace empty_trace(const Problem& problem) {
 }
 
 /// Behind all events of the instant, but before the device's next frame.
-std::size_t Clockwork::place_of_end(int device, Nanoseconds at) const {
+std::size_t ConcreteRun::place_of_end(int device, Nanoseconds at) const {
   const auto later = [](Nanoseconds time, const trace::Event& event) { return time < event.time_ns; };
   const auto behind = std::upper_bound(events_.begin(), events_.end(), at, later);
   auto place = behind;
@@ -118,7 +118,7 @@ std::size_t Clockwork::place_of_end(int device, Nanoseconds at) const {
   return static_cast<std::size_t>(place - events_.begin());
 }
 
-trace::Trace Clockwork::trace() const {
+trace::Trace ConcreteRun::trace() const {
   trace::Trace trace = empty_trace(machine_.problem());
   // A frame that nobody wanted is collected all the same; the machine does not follow it.
   std::vector<std::pair<std::size_t, trace::Event>> ends;  // each before the event of this number

@@ -23,9 +23,10 @@ struct ScriptedFiring {
   Nanoseconds at = 0;
 };
 
-/// Keeps what a run is made of. Who runs it (a script, a simulation) says which timer fires when; the
-/// clockwork checks nothing but keeps exact account of the work that each timer has done.
-class Clockwork {
+/// One run with concrete times, instant by instant. Its driver (a script, a simulation) chooses which timer
+/// fires when. The run does not check that choice, but keeps exact count of the work that each timer has
+/// done.
+class ConcreteRun {
  public:
   struct Timer {
     bool active = false;
@@ -36,7 +37,7 @@ class Clockwork {
     Nanoseconds since = 0;
   };
 
-  explicit Clockwork(const Machine& machine, bool record = true);
+  explicit ConcreteRun(const Machine& machine, bool record = true);
 
   /// Time 0. The timers that this starts are in started().
   void begin(Choices& choices);
