@@ -1,4 +1,4 @@
-// Ends what somebody else's code is at.
+// Interrupts a solver from another thread once it has to stop.
 #pragma once
 
 #include <atomic>
@@ -9,21 +9,21 @@
 
 namespace pal::analyzer {
 
-/// For a solver that knows nothing of signals and deadlines. While it lives, a thread of its own asks `stop`
-/// fifty times a second, and calls `interrupt` each time that it says true; nobody else may ask `stop`
+/// For a solver that cannot ask for signals and deadlines itself. While it lives, a thread of its own asks
+/// `stop` fifty times a second, and calls `interrupt` each time that it says true; nobody else may ask `stop`
 /// meanwhile. Without a `stop` it does nothing.
-class Overseer {
+class Interrupter {
  public:
-  Overseer(std::function<bool()> stop, std::function<void()> interrupt);
-  ~Overseer();
-  Overseer(const Overseer&) = delete;
-  Overseer& operator=(const Overseer&) = delete;
+  Interrupter(std::function<bool()> stop, std::function<void()> interrupt);
+  ~Interrupter();
+  Interrupter(const Interrupter&) = delete;
+  Interrupter& operator=(const Interrupter&) = delete;
 
   /// `interrupt` was called.
   bool interrupted() const { return interrupted_; }
 
  private:
-  void oversee();
+  void watch();
 
   const std::function<bool()> stop_;
   const std::function<void()> interrupt_;

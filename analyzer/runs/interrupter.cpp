@@ -1,16 +1,16 @@
-#include "analyzer/runs/overseer.hpp"
+#include "analyzer/runs/interrupter.hpp"
 
 #include <chrono>
 #include <utility>
 
 namespace pal::analyzer {
 
-Overseer::Overseer(std::function<bool()> stop, std::function<void()> interrupt)
+Interrupter::Interrupter(std::function<bool()> stop, std::function<void()> interrupt)
     : stop_(std::move(stop)), interrupt_(std::move(interrupt)) {
-  if (stop_) thread_ = std::thread([this] { oversee(); });
+  if (stop_) thread_ = std::thread([this] { watch(); });
 }
 
-Overseer::~Overseer() {
+Interrupter::~Interrupter() {
   {
     const std::lock_guard lock(mutex_);
     ended_ = true;
@@ -19,7 +19,7 @@ Overseer::~Overseer() {
   if (thread_.joinable()) thread_.join();
 }
 
-void Overseer::oversee() {
+void Interrupter::watch() {
   std::unique_lock lock(mutex_);
   while (!end_.wait_for(lock, std::chrono::milliseconds(20), [this] { return ended_; })) {
     if (!stop_()) continue;
