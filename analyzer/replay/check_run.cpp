@@ -96,12 +96,12 @@ Ruling check_run(const Problem& problem, const Requirement* requirement, const t
   } catch (const Broken& rule) {
     ruling.broken = "at " + std::to_string(referee.now()) + " ns: " + rule.what();
   }
-  ruling.measured = referee.gauge().measured();
-  ruling.failed = referee.gauge().failed();
+  ruling.measured = referee.monitor().measured();
+  ruling.failed = referee.monitor().failed();
   using Measure = Requirement::Measure;
   const bool passes = requirement != nullptr && (requirement->measure == Measure::reaction ||
                                                  requirement->measure == Measure::interval);
-  if (!passes || referee.may_come(requirement->at)) ruling.growing_since = referee.gauge().growing_since();
+  if (!passes || referee.may_come(requirement->at)) ruling.growing_since = referee.monitor().growing_since();
   return ruling;
 }
 

@@ -17,7 +17,7 @@ Referee::Referee(const Problem& problem, const Requirement* requirement, const s
       holders_(problem.processors.size(), -1),
       preempted_(problem.processors.size(), -1),
       conditions_(problem.conditions.size()),
-      gauge_(problem, requirement, busy_from) {
+      monitor_(problem, requirement, busy_from) {
   events_of_.resize(problem.threads.size() + problem.devices.size());
   for (std::size_t e = 0; e < events.size(); ++e) {
     if (events[e].actor >= 0) events_of_[static_cast<std::size_t>(events[e].actor)].push_back(e);
@@ -48,7 +48,7 @@ bool Referee::follow(std::optional<Nanoseconds> until, const std::function<bool(
       passed_.clear();
     }
     now_ = event.time_ns;
-    gauge_.at(now_);
+    monitor_.at(now_);
     ++with_;
     handle(event);
   }

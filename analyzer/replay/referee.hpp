@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "analyzer/replay/check_run.hpp"
-#include "analyzer/replay/gauge.hpp"
+#include "analyzer/replay/requirement_monitor.hpp"
 
 namespace pal::analyzer::rules {
 
@@ -30,7 +30,7 @@ class Referee {
   bool follow(std::optional<Nanoseconds> until, const std::function<bool()>& stop);
 
   Nanoseconds now() const { return now_; }
-  const Gauge& gauge() const { return gauge_; }
+  const RequirementMonitor& monitor() const { return monitor_; }
   /// Whether one of the steps `at` can still come, now.
   bool may_come(const std::vector<bool>& at) const;
 
@@ -243,7 +243,7 @@ class Referee {
   std::vector<std::pair<int, int>>
       passed_;  // at this instant: threads and statements of CONCURRENTs that were over at once
 
-  Gauge gauge_;
+  RequirementMonitor monitor_;
 };
 
 }  // namespace pal::analyzer::rules

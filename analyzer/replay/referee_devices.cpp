@@ -34,7 +34,7 @@ void Referee::device_event(const Event& event, int device) {
         demand(of.busy && of.busy_since == now_, described.name, " takes a request outside its time");
         demand(of.served.empty() || std::holds_alternative<pan::FrameDevice>(described.behaviour),
                described.name, " serves two at once");
-        gauge_.serves(event.subject, of.served.empty());
+        monitor_.serves(event.subject, of.served.empty());
         of.served.insert(event.subject);
       }
       empty(event.subject);
@@ -49,10 +49,10 @@ void Referee::device_event(const Event& event, int device) {
       demand(wanted(event.subject), "a message that nobody wants is put");
       if (event.kind == Kind::overrun) {
         answered_in_vain(event.subject);
-        gauge_.answers(event.subject, true);
+        monitor_.answers(event.subject, true);
       } else {
         of.any_put = true;
-        gauge_.answers(event.subject, false);
+        monitor_.answers(event.subject, false);
         fill(event.subject, -1);
       }
       delivered(device, event.subject);
@@ -71,7 +71,7 @@ void Referee::delivered(int device, int channel) {
   const int request = channel_of(channel).answers;
   Outside& of = devices_[static_cast<std::size_t>(device)];
   demand(of.answers.erase(request) == 1, "a device answers what it was not asked");
-  if (of.answers.empty()) gauge_.served(device, !of.any_put);
+  if (of.answers.empty()) monitor_.served(device, !of.any_put);
 }
 
 /// One more of a series with the given period, each up to `late` after it is due: narrows when the first was.
@@ -106,7 +106,7 @@ void Referee::occurrence(int device, int channel, bool overrun) {
     fill(channel, -1);
     asks(channel, Asked::device);
   }
-  gauge_.event(device, channel, overrun);
+  monitor_.event(device, channel, overrun);
 }
 
 void Referee::busy(int device) {
@@ -117,7 +117,7 @@ void Referee::busy(int device) {
   of.busy_since = now_;
   if (const auto* frames = std::get_if<pan::FrameDevice>(&described.behaviour)) {
     due(device, frames->period.count(), 0);
-    if (!serves_somebody(device)) gauge_.frame_for_nobody(device);
+    if (!serves_somebody(device)) monitor_.frame_for_nobody(device);
   } else {
     demand(std::holds_alternative<pan::RequestDevice>(described.behaviour), described.name,
            " serves nothing");
@@ -155,7 +155,7 @@ void Referee::idle(int device) {
   of.any_put = false;
   of.answers = std::move(of.served);
   of.served.clear();
-  for (int request : of.answers) gauge_.is_due(request);
+  for (int request : of.answers) monitor_.is_due(request);
 }
 
 /// A request that is to be withdrawn from its slot: a device that is idle has taken it before.

@@ -101,7 +101,7 @@ void Referee::put(const Event& event) {
   if (of.mode != Mode::sending) check_work(thread);
   of.acted = true;
   if (of.mode == Mode::running) midway_ = thread;
-  gauge_.puts(thread, event.subject);
+  monitor_.puts(thread, event.subject);
   fill(event.subject, thread_of(thread).processor);
   asks(event.subject, thread);
 }
@@ -112,7 +112,7 @@ void Referee::take(const Event& event) {
   demand(step_of(event.actor).kind == Step::Kind::wait && !of.gives_up && !of.acted && !of.withdrawn &&
              of.claim == event.subject && slot(event.subject).full,
          name(event.actor), " takes a message that is not its own");
-  gauge_.takes(event.actor, event.subject);
+  monitor_.takes(event.actor, event.subject);
   of.acted = true;
   midway_ = event.actor;
   empty(event.subject);
@@ -126,7 +126,7 @@ void Referee::empty(int channel) {
   of.full = of.claimed = of.answers = of.to_be_dropped = false;
   of.from = -1;
   of.emptied_by = at_;
-  gauge_.empties(channel);
+  monitor_.empties(channel);
 }
 
 /// By a thread: its message is not wanted. By nobody: somebody withdraws the message in the slot.
@@ -166,7 +166,7 @@ void Referee::drop(const Event& event) {
     }
   }
   // A thread that has not begun to receive it yet still has its turn, and comes to the wait again then.
-  gauge_.withdrawn(channel);
+  monitor_.withdrawn(channel);
   if (channel == request) slot(request).asked.pop_back();
   empty(channel);
 }

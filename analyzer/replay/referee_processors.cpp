@@ -7,13 +7,13 @@ namespace pal::analyzer::rules {
 
 void Referee::hold(int thread) {
   holder(thread) = thread;
-  gauge_.busy(thread_of(thread).processor);
+  monitor_.busy(thread_of(thread).processor);
 }
 
 void Referee::release(int thread) {
   if (holder(thread) == thread) {
     holder(thread) = -1;
-    gauge_.idle(thread_of(thread).processor);
+    monitor_.idle(thread_of(thread).processor);
   }
   std::erase_if(queue_, [thread](const Queued& queued) { return queued.thread == thread; });
 }

@@ -46,7 +46,7 @@ void Referee::reach(int thread, int step) {
   if (at.kind == Step::Kind::end) {
     release(thread);
     of = {};
-    gauge_.ends(thread);
+    monitor_.ends(thread);
     if (thread_of(thread).parent >= 0) {
       hands_over(thread, thread_of(thread).parent);
       block_over(thread_of(thread).parent);
@@ -72,7 +72,7 @@ void Referee::begin_blocks(int thread) {
   for (int block : blocks) {
     party(block) = {};
     party(block).mode = Mode::arrived;
-    gauge_.begins(block, thread);
+    monitor_.begins(block, thread);
   }
   const int fork = party(thread).step;
   for (int block : blocks) {
@@ -192,15 +192,15 @@ void Referee::done(const Event& event) {
     case Step::Kind::end:
       broken("an effect where there is none");
   }
-  gauge_.passes(thread, of.step);
+  monitor_.passes(thread, of.step);
   if (completes || completed_) {
     demand(completes && completed_, "the skill completes where it does not, or does not where it does");
     const int code = step.kind == Step::Kind::complete ? step.code : problem_.error_code;
     const Event& before = events_[at_ - 1];
     demand(before.kind == Kind::complete && before.actor == thread && before.value == code,
            "the skill completes with another code");
-    gauge_.completes(thread, of.step, code);
-    gauge_.skill_ends();
+    monitor_.completes(thread, of.step, code);
+    monitor_.skill_ends();
     ended_ = true;
     return;
   }
@@ -270,7 +270,7 @@ void Referee::condition(const Event& event) {
     demand(!step.value || *step.value == value, name(event.actor), " sets another value");
     conditions_[condition] = value;
     of.acted = true;
-    gauge_.sets(event.actor, event.subject);
+    monitor_.sets(event.actor, event.subject);
     return;
   }
   demand(conditions_[condition] == value, name(event.actor), " reads another value than was set");
@@ -284,7 +284,7 @@ void Referee::condition(const Event& event) {
     demand(!of.reads.contains(event.subject), name(event.actor), " reads a condition twice");
     of.reads[event.subject] = value;
   }
-  gauge_.reads(event.actor, event.subject);
+  monitor_.reads(event.actor, event.subject);
 }
 
 void Referee::cancelled(const Event& event) {
@@ -304,7 +304,7 @@ void Referee::cancelled(const Event& event) {
   release(thread);
   abandon(thread);
   of = {};
-  gauge_.ends(thread);
+  monitor_.ends(thread);
   const bool withdraws =
       std::any_of(slots_.begin(), slots_.end(), [](const Slot& each) { return each.to_be_dropped; });
   withdrawing_ = withdraws || dropped_at_ == now_;

@@ -1,4 +1,4 @@
-// What a run shows of a requirement, kept by the referee while it follows the run.
+// Measures a requirement while the referee follows a run.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@ namespace pal::analyzer::rules {
 /// Told of everything that may count, in the order of the run. What is measured is in
 /// docs/execution-model.md. Births (of events, of samples, of values of a condition) are numbered as they
 /// come.
-class Gauge {
+class RequirementMonitor {
  public:
   /// Without a requirement, or of a load, nothing is measured.
-  Gauge(const Problem& problem, const Requirement* requirement, BusyFrom busy_from);
+  RequirementMonitor(const Problem& problem, const Requirement* requirement, BusyFrom busy_from);
 
   void at(Nanoseconds now) { now_ = now; }
 

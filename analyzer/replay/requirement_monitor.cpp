@@ -1,10 +1,11 @@
-#include "analyzer/replay/gauge.hpp"
+#include "analyzer/replay/requirement_monitor.hpp"
 
 #include <algorithm>
 
 namespace pal::analyzer::rules {
 
-Gauge::Gauge(const Problem& problem, const Requirement* requirement, BusyFrom busy_from)
+RequirementMonitor::RequirementMonitor(const Problem& problem, const Requirement* requirement,
+                                       BusyFrom busy_from)
     : problem_(problem),
       requirement_(requirement),
       busy_from_(busy_from),
@@ -23,43 +24,43 @@ Gauge::Gauge(const Problem& problem, const Requirement* requirement, BusyFrom bu
   reference_ = 0;
 }
 
-bool Gauge::of_condition(int condition) const {
+bool RequirementMonitor::of_condition(int condition) const {
   return requirement_ != nullptr && requirement_->condition == condition;
 }
 
-bool Gauge::of_samples() const {
+bool RequirementMonitor::of_samples() const {
   return requirement_ != nullptr && !requirement_->samples.empty();
 }
 
-bool Gauge::is_sample(int channel) const {
+bool RequirementMonitor::is_sample(int channel) const {
   return of_samples() && std::find(requirement_->samples.begin(), requirement_->samples.end(), channel) !=
                              requirement_->samples.end();
 }
 
-bool Gauge::is_event(int channel) const {
+bool RequirementMonitor::is_event(int channel) const {
   return is(Measure::response) && requirement_->is_event(channel);
 }
 
-int Gauge::birth() {
+int RequirementMonitor::birth() {
   births_.push_back(now_);
   answered_.push_back(false);
   return static_cast<int>(births_.size()) - 1;
 }
 
-void Gauge::show(Nanoseconds born, int step) {
+void RequirementMonitor::show(Nanoseconds born, int step) {
   const int statement = step < 0 ? -1 : problem_.steps[static_cast<std::size_t>(step)].statement;
   measured_.push_back({now_ - born, born, now_, statement});
 }
 
-void Gauge::begins(int block, int parent) {
+void RequirementMonitor::begins(int block, int parent) {
   thread(block) = thread(parent);
 }
 
-void Gauge::ends(int index) {
+void RequirementMonitor::ends(int index) {
   thread(index) = none;
 }
 
-void Gauge::passes(int index, int step) {
+void RequirementMonitor::passes(int index, int step) {
   if (requirement_ == nullptr || requirement_->at.empty()) return;
   if (!requirement_->at[static_cast<std::size_t>(step)]) return;
   switch (requirement_->measure) {
@@ -79,7 +80,7 @@ void Gauge::passes(int index, int step) {
   }
 }
 
-void Gauge::respond(int index, int step) {
+void RequirementMonitor::respond(int index, int step) {
   const int event = thread(index);
   if (event == none || answered_[static_cast<std::size_t>(event)]) return;
   for (int earlier = 0; earlier < event; ++earlier) {
@@ -90,33 +91,33 @@ void Gauge::respond(int index, int step) {
 }
 
 /// What changes just after the last value that was reflected is reflected by a later one.
-void Gauge::react(int index, int step) {
+void RequirementMonitor::react(int index, int step) {
   if (reference_ == none || thread(index) <= reference_) return;
   show(births_[static_cast<std::size_t>(reference_)], step);
   reference_ = thread(index);
 }
 
-void Gauge::completes(int, int step, int code) {
+void RequirementMonitor::completes(int, int step, int code) {
   if (is(Measure::duration) && requirement_->code == code) show(0, step);
 }
 
-void Gauge::skill_ends() {
+void RequirementMonitor::skill_ends() {
   for (std::size_t p = 0; p < busy_since_.size(); ++p) idle(static_cast<int>(p));
   ended_ = true;
 }
 
-void Gauge::sets(int index, int condition) {
+void RequirementMonitor::sets(int index, int condition) {
   if (of_condition(condition)) conditions_[static_cast<std::size_t>(condition)] = birth();
   if (of_samples()) conditions_[static_cast<std::size_t>(condition)] = thread(index);
 }
 
-void Gauge::reads(int index, int condition) {
+void RequirementMonitor::reads(int index, int condition) {
   const int known = conditions_[static_cast<std::size_t>(condition)];
   if (of_condition(condition)) thread(index) = known;
   if (of_samples()) thread(index) = std::max(thread(index), known);
 }
 
-void Gauge::busy(int processor) {
+void RequirementMonitor::busy(int processor) {
   const auto index = static_cast<std::size_t>(processor);
   if (!is(Measure::busy) || working_[index]) return;
   working_[index] = true;
@@ -126,7 +127,7 @@ void Gauge::busy(int processor) {
   if (anew) since.push_back(now_);
 }
 
-void Gauge::idle(int processor) {
+void RequirementMonitor::idle(int processor) {
   const std::vector<int>& watched = requirement_ == nullptr ? std::vector<int>() : requirement_->processors;
   if (!is(Measure::busy) || std::find(watched.begin(), watched.end(), processor) == watched.end()) return;
   const auto index = static_cast<std::size_t>(processor);
@@ -136,14 +137,14 @@ void Gauge::idle(int processor) {
   paused_[index] = now_;
 }
 
-void Gauge::puts(int index, int to) {
+void RequirementMonitor::puts(int index, int to) {
   const int carried = is(Measure::response) || of_samples() ? thread(index) : none;
   const bool answered =
       is(Measure::response) && carried != none && answered_[static_cast<std::size_t>(carried)];
   channel(to) = is_event(to) ? birth() : answered ? none : carried;
 }
 
-void Gauge::takes(int index, int from) {
+void RequirementMonitor::takes(int index, int from) {
   const int carried = channel(from);
   if (is(Measure::response)) {
     if (carried != none && !answered_[static_cast<std::size_t>(carried)]) thread(index) = carried;
@@ -152,12 +153,12 @@ void Gauge::takes(int index, int from) {
   }
 }
 
-void Gauge::empties(int of) {
+void RequirementMonitor::empties(int of) {
   channel(of) = none;
   occurrence_[static_cast<std::size_t>(of)] = none;
 }
 
-void Gauge::serves(int request, bool first) {
+void RequirementMonitor::serves(int request, bool first) {
   int& carried = serving_[static_cast<std::size_t>(request)];
   carried = is(Measure::response) ? channel(request) : none;
   const int answer = problem_.channels[static_cast<std::size_t>(request)].answer;
@@ -167,11 +168,11 @@ void Gauge::serves(int request, bool first) {
   if (reference_ == none) reference_ = carried;
 }
 
-void Gauge::is_due(int request) {
+void RequirementMonitor::is_due(int request) {
   due_[static_cast<std::size_t>(request)] = serving_[static_cast<std::size_t>(request)];
 }
 
-void Gauge::event(int device, int of, bool lost) {
+void RequirementMonitor::event(int device, int of, bool lost) {
   const bool responds = is_event(of);
   if (lost) {
     failed_ = failed_ || responds;
@@ -184,7 +185,7 @@ void Gauge::event(int device, int of, bool lost) {
   occurrence(device, false);
 }
 
-void Gauge::answers(int of, bool lost) {
+void RequirementMonitor::answers(int of, bool lost) {
   if (lost) {
     failed_ = failed_ || is_event(of);
     return;
@@ -194,22 +195,22 @@ void Gauge::answers(int of, bool lost) {
   occurrence_[static_cast<std::size_t>(of)] = static_cast<int>(lost_.size());
 }
 
-void Gauge::served(int device, bool lost) {
+void RequirementMonitor::served(int device, bool lost) {
   occurrence(device, lost);
 }
 
-void Gauge::frame_for_nobody(int device) {
+void RequirementMonitor::frame_for_nobody(int device) {
   if (!lost_.empty()) occurrence(device, true);
 }
 
-void Gauge::occurrence(int device, bool lost) {
+void RequirementMonitor::occurrence(int device, bool lost) {
   if (!is(Measure::loss) || requirement_->device != device) return;
   lost_.push_back(lost);
   show_losses();
 }
 
 /// A message that was put is taken out of its slot unused. One that awaited a response does so no more.
-void Gauge::withdrawn(int of) {
+void RequirementMonitor::withdrawn(int of) {
   if (is_event(of) && channel(of) != none) answered_[static_cast<std::size_t>(channel(of))] = true;
   const int index = occurrence_[static_cast<std::size_t>(of)];
   if (!is(Measure::loss) ||
@@ -223,7 +224,7 @@ void Gauge::withdrawn(int of) {
 }
 
 /// The most in any row of so many, as far back as one that was withdrawn now can have lain.
-void Gauge::show_losses() {
+void RequirementMonitor::show_losses() {
   const auto in = static_cast<std::size_t>(requirement_->in);
   const std::size_t first = lost_.size() < 2 * in - 1 ? 0 : lost_.size() - (2 * in - 1);
   Nanoseconds most = 0;
@@ -235,7 +236,7 @@ void Gauge::show_losses() {
   measured_.push_back({most, now_, now_, -1});
 }
 
-std::optional<Nanoseconds> Gauge::growing_since() const {
+std::optional<Nanoseconds> RequirementMonitor::growing_since() const {
   if (requirement_ == nullptr || ended_) return std::nullopt;
   switch (requirement_->measure) {
     case Measure::response:
