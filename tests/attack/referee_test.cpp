@@ -1,7 +1,7 @@
 // Runs that cannot be, told event by event: the referee refuses them.
 #include <catch2/catch.hpp>
 
-#include "analyzer/replay/check_run.hpp"
+#include "analyzer/run_checker/check_run.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/project_file.hpp"

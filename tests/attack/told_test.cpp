@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "analyzer/exact/exact.hpp"
-#include "analyzer/replay/check_run.hpp"
+#include "analyzer/run_checker/check_run.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/odd_skill.hpp"

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/exact/exact.hpp"
-#include "analyzer/replay/check_run.hpp"
+#include "analyzer/run_checker/check_run.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "tests/support/confirm.hpp"
 #include "tests/support/project_file.hpp"

@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "analyzer/exact/exact.hpp"
-#include "analyzer/replay/check_run.hpp"
-#include "analyzer/replay/witness_file.hpp"
+#include "analyzer/run_checker/check_run.hpp"
+#include "analyzer/run_checker/witness_file.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "tests/support/confirm.hpp"
 #include "tests/support/mutant.hpp"

@@ -1,7 +1,7 @@
 // Messages: slots, latencies, and requests that are withdrawn.
 #include <algorithm>
 
-#include "analyzer/replay/referee.hpp"
+#include "analyzer/run_checker/referee.hpp"
 
 namespace pal::analyzer::rules {
 

@@ -1,7 +1,7 @@
 // Devices: events, answers and frames.
 #include <algorithm>
 
-#include "analyzer/replay/referee.hpp"
+#include "analyzer/run_checker/referee.hpp"
 
 namespace pal::analyzer::rules {
 

@@ -1,4 +1,4 @@
-#include "analyzer/replay/witness_file.hpp"
+#include "analyzer/run_checker/witness_file.hpp"
 
 #include <istream>
 #include <limits>

@@ -1,5 +1,5 @@
 // The run, event by event, and what must be so whenever time goes on.
-#include "analyzer/replay/referee.hpp"
+#include "analyzer/run_checker/referee.hpp"
 
 #include <algorithm>
 

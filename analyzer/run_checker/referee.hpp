@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/replay/check_run.hpp"
-#include "analyzer/replay/requirement_monitor.hpp"
+#include "analyzer/run_checker/check_run.hpp"
+#include "analyzer/run_checker/requirement_monitor.hpp"
 
 namespace pal::analyzer::rules {
 

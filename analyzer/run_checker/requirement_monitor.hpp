@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "analyzer/replay/check_run.hpp"
+#include "analyzer/run_checker/check_run.hpp"
 
 namespace pal::analyzer::rules {
 

@@ -1,5 +1,5 @@
 // Threads, statement by statement.
-#include "analyzer/replay/referee.hpp"
+#include "analyzer/run_checker/referee.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Who has the processors, and who waits for them.
-#include "analyzer/replay/referee.hpp"
+#include "analyzer/run_checker/referee.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Requests between their put and the take of their answer, and how they are withdrawn.
 #include <algorithm>
 
-#include "analyzer/replay/referee.hpp"
+#include "analyzer/run_checker/referee.hpp"
 
 namespace pal::analyzer::rules {
 

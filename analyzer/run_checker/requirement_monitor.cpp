@@ -1,4 +1,4 @@
-#include "analyzer/replay/requirement_monitor.hpp"
+#include "analyzer/run_checker/requirement_monitor.hpp"
 
 #include <algorithm>
 
