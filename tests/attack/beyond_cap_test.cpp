@@ -3,7 +3,7 @@
 
 #include "analyzer/analysis.hpp"
 #include "analyzer/exact/growth.hpp"
-#include "analyzer/exact/standstill.hpp"
+#include "analyzer/exact/zeno_run.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "tests/attack/by_hand.hpp"
 #include "tests/support/any_skill.hpp"
@@ -79,7 +79,7 @@ TEST_CASE("values beyond the cap are found beyond it, and no others") {
     const auto skill = test::any_skill(text);
     if (!skill->problem) continue;
     // Where time may stand still nothing is said of what grows.
-    if (!standstill(*skill->problem, {3'000, {}}).excluded) continue;
+    if (!find_zeno_run(*skill->problem, {3'000, {}}).excluded) continue;
     INFO("seed " << seed << "\n" << text);
     for (const Requirement& requirement : skill->problem->requirements)
       compared += compare(*skill->problem, requirement);
@@ -127,11 +127,11 @@ TEST_CASE("classes explored for what grows are counted") {
 }
 
 TEST_CASE("what has grown when time stands still breaks nothing") {
-  const auto skill = test::any_skill(test::program("beyond_cap/grown_at_standstill"));
+  const auto skill = test::any_skill(test::program("beyond_cap/grown_in_zeno_run"));
   REQUIRE(skill->problem);
   for (const auto choice : {AnalysisChoice::exact, AnalysisChoice::automatic}) {
     const Analysis analysis = analyze(*skill->problem, choice, {});
-    CHECK(analysis.standstill);
+    CHECK(analysis.zeno_run);
     CHECK(analysis.verdicts.front().state == Verdict::State::undecided);
   }
 }

@@ -74,7 +74,7 @@ void attack(const std::string& text, std::uint64_t seed, Tally& tally) {
   Options options;
   options.max_states = setting("PAL_CLASSES", 2'000);
   const Analysis analysis = analyze(problem, options);
-  if (analysis.standstill) return;
+  if (analysis.zeno_run) return;
   ++tally.skills;
   const Watch nothing;
   const trace::Trace empty = simulate(Machine(problem, nothing), {}).trace;

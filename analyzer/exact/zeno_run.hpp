@@ -1,4 +1,4 @@
-// Runs in which no time passes any more although things go on happening.
+// Zeno runs: infinitely many events happen in no time.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,14 @@
 
 namespace pal::analyzer {
 
-struct StandstillSearch {
-  /// A way round on which nothing can take any time, that some run gets to.
-  std::optional<Standstill> found = {};
+struct ZenoSearch {
+  /// A reachable cycle on which no time can pass.
+  std::optional<ZenoRun> found = {};
   /// None was found because there is none; otherwise a search with wider limits may find one.
   bool excluded = false;
 };
 
 /// Costs next to nothing where each loop of each thread takes some time.
-StandstillSearch standstill(const Problem& problem, const Limits& limits);
+ZenoSearch find_zeno_run(const Problem& problem, const Limits& limits);
 
 }  // namespace pal::analyzer

@@ -1,4 +1,4 @@
-#include "analyzer/exact/standstill.hpp"
+#include "analyzer/exact/zeno_run.hpp"
 
 #include <algorithm>
 #include <set>
@@ -73,7 +73,7 @@ std::vector<int> statements_of(const Problem& problem, const ZoneGraph& graph, c
 
 }  // namespace
 
-StandstillSearch standstill(const Problem& problem, const Limits& limits) {
+ZenoSearch find_zeno_run(const Problem& problem, const Limits& limits) {
   if (!possible(problem)) return {.excluded = true};
   if (!fits_exploration(problem)) return {};
   const Watch nothing;
@@ -82,7 +82,7 @@ StandstillSearch standstill(const Problem& problem, const Limits& limits) {
   const bool complete = graph.explore(limits);
   const std::vector<int> way = way_round(graph);
   if (way.empty()) return {.excluded = complete};
-  return {.found = Standstill{statements_of(problem, graph, way)}};
+  return {.found = ZenoRun{statements_of(problem, graph, way)}};
 }
 
 }  // namespace pal::analyzer
