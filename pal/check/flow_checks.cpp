@@ -3,7 +3,7 @@
 
 #include "pal/check/families.hpp"
 #include "pal/check/report.hpp"
-#include "pal/check/silence.hpp"
+#include "pal/check/zero_time.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
@@ -13,11 +13,11 @@ namespace {
 
 class FlowCheck {
  public:
-  FlowCheck(const pan::Network& network, const pan::Flow& flow, const Silence& silence, pan::ModuleId module,
-            Diagnostics& diagnostics)
+  FlowCheck(const pan::Network& network, const pan::Flow& flow, const ZeroTimePaths& zero_time,
+            pan::ModuleId module, Diagnostics& diagnostics)
       : network_(network),
         flow_(flow),
-        silence_(silence),
+        zero_time_(zero_time),
         module_(module),
         nodes_(network.modules[module.index()].body.nodes),
         diagnostics_(diagnostics) {}
@@ -82,8 +82,8 @@ class FlowCheck {
         report_spinning(loop, until, from);
         return;
       }
-      if (!silence_.silent(module_, here)) continue;
-      for (const auto to : silence_.next(module_, here)) {
+      if (!zero_time_.takes_no_time(module_, here)) continue;
+      for (const auto to : zero_time_.next(module_, here)) {
         if (to < loop || to > until || seen[to.index()]) continue;
         seen[to.index()] = true;
         from[to.index()] = here;
@@ -109,7 +109,7 @@ class FlowCheck {
 
   const pan::Network& network_;
   const pan::Flow& flow_;
-  const Silence& silence_;
+  const ZeroTimePaths& zero_time_;
   pan::ModuleId module_;
   const std::vector<pan::Node>& nodes_;
   Diagnostics& diagnostics_;
@@ -118,10 +118,10 @@ class FlowCheck {
 }  // namespace
 
 void check_flow(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics) {
-  const Silence silence(network, flow);
+  const ZeroTimePaths zero_time(network, flow);
   for (std::size_t i = 0; i < network.modules.size(); ++i) {
     if (network.modules[i].body.empty()) continue;
-    FlowCheck(network, flow, silence, pan::ModuleId(i), diagnostics).check();
+    FlowCheck(network, flow, zero_time, pan::ModuleId(i), diagnostics).check();
   }
 }
 

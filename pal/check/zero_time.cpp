@@ -1,10 +1,10 @@
-#include "pal/check/silence.hpp"
+#include "pal/check/zero_time.hpp"
 
 #include <set>
 
 namespace pal::frontend {
 
-Silence::Silence(const pan::Network& network, const pan::Flow& flow)
+ZeroTimePaths::ZeroTimePaths(const pan::Network& network, const pan::Flow& flow)
     : network_(network), flow_(flow), modules_(network.modules.size(), false) {
   for (const auto& module : network.modules) forks_.emplace_back(module.body.nodes.size(), false);
   for (const auto module : pan::executed_first(network)) {
@@ -19,7 +19,7 @@ Silence::Silence(const pan::Network& network, const pan::Flow& flow)
   }
 }
 
-bool Silence::silent(pan::ModuleId module, pan::NodeId id) const {
+bool ZeroTimePaths::takes_no_time(pan::ModuleId module, pan::NodeId id) const {
   const auto& content = network_.modules[module.index()].body[id].content;
   if (const auto* execute = std::get_if<pan::Execute>(&content)) return modules_[execute->module.index()];
   if (std::holds_alternative<pan::Fork>(content)) return forks_[module.index()][id.index()];
@@ -27,20 +27,20 @@ bool Silence::silent(pan::ModuleId module, pan::NodeId id) const {
          !std::holds_alternative<pan::Send>(content) && !std::holds_alternative<pan::Perform>(content);
 }
 
-std::vector<pan::NodeId> Silence::next(pan::ModuleId module, pan::NodeId id) const {
+std::vector<pan::NodeId> ZeroTimePaths::next(pan::ModuleId module, pan::NodeId id) const {
   const auto& node = network_.modules[module.index()].body[id];
   if (std::holds_alternative<pan::Fork>(node.content)) return {node.mate};
   return flow_.next(module, id);
 }
 
-bool Silence::passes(pan::ModuleId module, pan::NodeId from, pan::NodeId end) const {
+bool ZeroTimePaths::passes(pan::ModuleId module, pan::NodeId from, pan::NodeId end) const {
   std::set<pan::NodeId> seen{from};
   std::vector<pan::NodeId> open{from};
   while (!open.empty()) {
     const auto at = open.back();
     open.pop_back();
     if (at == end) return true;
-    if (!silent(module, at)) continue;
+    if (!takes_no_time(module, at)) continue;
     for (const auto to : next(module, at)) {
       if (seen.insert(to).second) open.push_back(to);
     }
@@ -48,7 +48,7 @@ bool Silence::passes(pan::ModuleId module, pan::NodeId from, pan::NodeId end) co
   return false;
 }
 
-bool Silence::fork_passes(pan::ModuleId module, pan::NodeId fork) const {
+bool ZeroTimePaths::fork_passes(pan::ModuleId module, pan::NodeId fork) const {
   bool any = false;
   for (const auto first : network_.modules[module.index()].body[fork].out) {
     if (!flow_.block_can_end(module, first)) continue;

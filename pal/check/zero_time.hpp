@@ -1,4 +1,4 @@
-// What a thread can pass without waiting for anything and without doing an activity.
+// Paths of a thread that take no time: no wait and no activity.
 #pragma once
 
 #include <vector>
@@ -9,15 +9,15 @@
 namespace pal::frontend {
 
 /// The statements of a network on which nothing pauses. Nothing is assumed of conditions, as in Flow.
-class Silence {
+class ZeroTimePaths {
  public:
-  Silence(const pan::Network& network, const pan::Flow& flow);
+  ZeroTimePaths(const pan::Network& network, const pan::Flow& flow);
 
-  /// Takes no time and lets nobody else go on. A CONCURRENT can pass in silence if each of its blocks that
-  /// can end can do so, an Execute if its module has a silent way from its start to its end.
-  bool silent(pan::ModuleId module, pan::NodeId node) const;
+  /// Takes no time and gives no other thread the processor. A CONCURRENT can take no time if each of its
+  /// blocks that can end can do so, an Execute if its module has a zero-time path from its start to its end.
+  bool takes_no_time(pan::ModuleId module, pan::NodeId node) const;
 
-  /// Nodes that can come after a silent one, the blocks of a CONCURRENT left out.
+  /// Nodes that can come after one that takes no time, the blocks of a CONCURRENT left out.
   std::vector<pan::NodeId> next(pan::ModuleId module, pan::NodeId node) const;
 
  private:
@@ -26,7 +26,7 @@ class Silence {
 
   const pan::Network& network_;
   const pan::Flow& flow_;
-  std::vector<bool> modules_;             // by module: it has a silent way
+  std::vector<bool> modules_;             // by module: it has a zero-time path
   std::vector<std::vector<bool>> forks_;  // by module and node
 };
 
