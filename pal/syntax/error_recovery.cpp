@@ -1,4 +1,4 @@
-#include "pal/syntax/recovery.hpp"
+#include "pal/syntax/error_recovery.hpp"
 
 #include <optional>
 #include <string>
@@ -119,8 +119,8 @@ void report_too_many(Diagnostics& diagnostics, SourceSpan where) {
                      "correct the first of them, and see that this file is PAL");
 }
 
-Diagnostic* Recovery::report(antlr4::Parser* parser, const antlr4::Token* at, std::string message,
-                             std::string hint) {
+Diagnostic* ErrorRecovery::report(antlr4::Parser* parser, const antlr4::Token* at, std::string message,
+                                  std::string hint) {
   beginErrorCondition(parser);
   ++reported_;
   if (reported_ > most_reports + 1) return nullptr;
@@ -136,7 +136,7 @@ Diagnostic* Recovery::report(antlr4::Parser* parser, const antlr4::Token* at, st
   return &diagnostics_.report(Code::PAL0101, tokens_.span(at), std::move(message), std::move(hint));
 }
 
-bool Recovery::report_missing_end(antlr4::Parser* parser, const antlr4::Token* at) {
+bool ErrorRecovery::report_missing_end(antlr4::Parser* parser, const antlr4::Token* at) {
   const auto* context = parser->getContext();
   if (!is_boundary(at->getType()) && !tokens_.first_on_line(at)) return false;
   const auto& atn = parser->getATN();
@@ -171,7 +171,7 @@ bool Recovery::report_missing_end(antlr4::Parser* parser, const antlr4::Token* a
   return false;
 }
 
-void Recovery::reportNoViableAlternative(antlr4::Parser* parser, const antlr4::NoViableAltException& e) {
+void ErrorRecovery::reportNoViableAlternative(antlr4::Parser* parser, const antlr4::NoViableAltException& e) {
   const auto* at = e.getOffendingToken();
   if (report_missing_end(parser, at)) return;
   antlr4::misc::IntervalSet expected;
@@ -183,20 +183,20 @@ void Recovery::reportNoViableAlternative(antlr4::Parser* parser, const antlr4::N
   report_unexpected(parser, at, spelling(expected));
 }
 
-void Recovery::reportInputMismatch(antlr4::Parser* parser, const antlr4::InputMismatchException& e) {
+void ErrorRecovery::reportInputMismatch(antlr4::Parser* parser, const antlr4::InputMismatchException& e) {
   const auto* at = e.getOffendingToken();
   if (report_missing_end(parser, at)) return;
   report_unexpected(parser, at, spelling(e.getExpectedTokens()));
 }
 
-void Recovery::reportUnwantedToken(antlr4::Parser* parser) {
+void ErrorRecovery::reportUnwantedToken(antlr4::Parser* parser) {
   if (inErrorRecoveryMode(parser)) return;
   const auto* at = parser->getCurrentToken();
   report_unexpected(parser, at, spelling(getExpectedTokens(parser)));
 }
 
-void Recovery::report_unexpected(antlr4::Parser* parser, const antlr4::Token* at,
-                                 const std::string& expected) {
+void ErrorRecovery::report_unexpected(antlr4::Parser* parser, const antlr4::Token* at,
+                                      const std::string& expected) {
   // What is missing at the end of a line is missing there, not on the next one.
   const auto* before = tokens_.before(at);
   if (before != nullptr && tokens_.first_on_line(at) && !expected.empty() &&
@@ -212,7 +212,7 @@ void Recovery::report_unexpected(antlr4::Parser* parser, const antlr4::Token* at
   }
 }
 
-void Recovery::reportMissingToken(antlr4::Parser* parser) {
+void ErrorRecovery::reportMissingToken(antlr4::Parser* parser) {
   if (inErrorRecoveryMode(parser)) return;
   const auto* at = parser->getCurrentToken();
   if (report_missing_end(parser, at)) return;
@@ -225,13 +225,13 @@ void Recovery::reportMissingToken(antlr4::Parser* parser) {
   }
 }
 
-antlr4::Token* Recovery::singleTokenDeletion(antlr4::Parser* parser) {
+antlr4::Token* ErrorRecovery::singleTokenDeletion(antlr4::Parser* parser) {
   // A reserved word is rarely too many: rather it belongs to the next statement.
   if (is_reserved(parser->getCurrentToken()->getType())) return nullptr;
   return DefaultErrorStrategy::singleTokenDeletion(parser);
 }
 
-bool Recovery::goes_on_at(antlr4::Parser* parser, const antlr4::misc::IntervalSet& follow) {
+bool ErrorRecovery::goes_on_at(antlr4::Parser* parser, const antlr4::misc::IntervalSet& follow) {
   const auto* token = parser->getCurrentToken();
   const auto type = token->getType();
   if (type == antlr4::Token::EOF) return true;
@@ -239,7 +239,7 @@ bool Recovery::goes_on_at(antlr4::Parser* parser, const antlr4::misc::IntervalSe
   return is_boundary(type) || tokens_.first_on_line(token);
 }
 
-void Recovery::recover(antlr4::Parser* parser, std::exception_ptr error) {
+void ErrorRecovery::recover(antlr4::Parser* parser, std::exception_ptr error) {
   if (!recovers(parser->getContext()->getRuleIndex())) std::rethrow_exception(error);
   const auto here = static_cast<int>(parser->getInputStream()->index());
   const auto state = static_cast<ssize_t>(parser->getState());
@@ -261,7 +261,7 @@ void Recovery::recover(antlr4::Parser* parser, std::exception_ptr error) {
   }
 }
 
-void Recovery::skip_in_parentheses(antlr4::Parser* parser, bool with_the_last) {
+void ErrorRecovery::skip_in_parentheses(antlr4::Parser* parser, bool with_the_last) {
   while (true) {
     const auto* token = parser->getCurrentToken();
     const auto type = token->getType();
@@ -274,7 +274,7 @@ void Recovery::skip_in_parentheses(antlr4::Parser* parser, bool with_the_last) {
   }
 }
 
-void Recovery::sync(antlr4::Parser* parser) {
+void ErrorRecovery::sync(antlr4::Parser* parser) {
   const auto repeated = repeated_by(parser->getContext()->getRuleIndex());
   if (!repeated) return;
   const auto& atn = parser->getATN();

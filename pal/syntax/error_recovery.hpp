@@ -22,10 +22,10 @@ void report_too_many(Diagnostics& diagnostics, SourceSpan where);
 /// - Otherwise the statement is given up, and the next line that can go on here is looked for. A reserved
 /// word that
 ///   belongs to a statement around this one is left to it: a forgotten END CASE costs that statement only.
-class Recovery : public antlr4::DefaultErrorStrategy {
+class ErrorRecovery : public antlr4::DefaultErrorStrategy {
  public:
   /// `reported` mistakes of this file were told before; after `most_reports` of them no more are.
-  Recovery(const Tokens& tokens, Diagnostics& diagnostics, std::size_t reported = 0)
+  ErrorRecovery(const Tokens& tokens, Diagnostics& diagnostics, std::size_t reported = 0)
       : tokens_(tokens), diagnostics_(diagnostics), reported_(reported) {}
 
   void recover(antlr4::Parser* parser, std::exception_ptr error) override;

@@ -1,4 +1,4 @@
-#include "pal/check/recover.hpp"
+#include "pal/check/to_unit.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,9 +13,9 @@ syntax::Name named(const std::string& text) {
   return {text, {}};
 }
 
-class Recovery {
+class UnitBuilder {
  public:
-  Recovery(const pan::Network& network, const pan::Module& module)
+  UnitBuilder(const pan::Network& network, const pan::Module& module)
       : network_(network), nodes_(module.body.nodes) {}
 
   /// The statements that stand at [begin, end) in the order of the text.
@@ -178,7 +178,7 @@ syntax::ModuleUnit to_unit(const pan::Network& network, pan::ModuleId module) {
   unit.descriptions = it.descriptions;
   unit.sensor = {slot(it.drivers), it.methods, slot(it.returns), {}};
   unit.has_body = !it.body.empty();
-  if (unit.has_body) unit.body = Recovery(network, it).statements(0, it.body.nodes.size());
+  if (unit.has_body) unit.body = UnitBuilder(network, it).statements(0, it.body.nodes.size());
   return unit;
 }
 
