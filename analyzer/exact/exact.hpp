@@ -40,6 +40,6 @@ struct Analysis {
   std::optional<ZenoRun> zeno_run = {};
 };
 
-Analysis analyze(const Problem& problem, const Options& options = {});
+Analysis analyze_exactly(const Problem& problem, const Options& options = {});
 
 }  // namespace pal::analyzer

@@ -111,7 +111,7 @@ class Search {
 Decision by_analysis(const Problem& problem, std::size_t requirement, const Options& options) {
   Problem alone = problem;
   alone.requirements = {problem.requirements[requirement]};
-  Verdict verdict = std::move(analyze(alone, options).verdicts.front());
+  Verdict verdict = std::move(analyze_exactly(alone, options).verdicts.front());
   const bool fails = verdict.state == Is::fails;
   const bool grows = verdict.witness && verdict.witness->grows && !verdict.witness->failed;
   return {verdict.state == Is::never ? Is::holds : verdict.state,

@@ -15,7 +15,7 @@ std::string program(const std::string& name) {
 std::int64_t bound(const std::string& text) {
   INFO(text);
   const auto skill = meaningful_skill(text);
-  const analyzer::Analysis analysis = analyzer::analyze(*skill->problem);
+  const analyzer::Analysis analysis = analyzer::analyze_exactly(*skill->problem);
   const analyzer::Verdict& verdict = analysis.verdicts.front();
   INFO(verdict.explanation);
   CHECK(verdict.exact);

@@ -92,7 +92,7 @@ class Comparison {
     if (effort.only_bounded) leave_bounded(problem);
     Options options;
     options.max_states = effort.classes;
-    exact_ = analyze(problem, options);
+    exact_ = analyze_exactly(problem, options);
   }
 
   Compared result() {

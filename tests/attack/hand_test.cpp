@@ -12,7 +12,7 @@ using pal::test::program;
 namespace {
 
 Verdict first_verdict(const std::string& name) {
-  return analyze(*meaningful_skill(program(name))->problem).verdicts.front();
+  return analyze_exactly(*meaningful_skill(program(name))->problem).verdicts.front();
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ std::string on_one_processor(const std::string& items) {
 
 Analysis analysis_of(const std::string& text) {
   INFO(text);
-  return analyze(*meaningful_skill(text)->problem);
+  return analyze_exactly(*meaningful_skill(text)->problem);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ Known known(const Problem& problem) {
   Options options;
   options.max_states = setting("PAL_CLASSES", 3'000);
   Known all;
-  for (const Verdict& verdict : analyze(problem, options).verdicts) {
+  for (const Verdict& verdict : analyze_exactly(problem, options).verdicts) {
     if (verdict.measure == Requirement::Measure::load) continue;
     auto& of = all[verdict.requirement];
     if (verdict.exact) of = verdict.bound ? verdict.bound->count() : -1;

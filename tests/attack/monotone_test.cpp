@@ -28,7 +28,7 @@ Analysis exactly(const Problem& problem) {
   Options options;
   options.max_states = setting("PAL_CLASSES", 1'500);
   options.threads = 1;
-  return analyze(problem, options);
+  return analyze_exactly(problem, options);
 }
 
 std::string claim(const Verdict& verdict) {

@@ -78,7 +78,7 @@ void attack(std::uint64_t seed, Tally& tally) {
   ++tally.skills;
   Options options;
   options.max_states = setting("PAL_CLASSES", 3'000);
-  const Analysis analysis = analyze(*problem, options);
+  const Analysis analysis = analyze_exactly(*problem, options);
   const Duration unit = test::grain(network, environment);
   if (unit < millisecond / 1000) return;
   for (const test::Wanted& wanted : test::wanted(network, environment)) {

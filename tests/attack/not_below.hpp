@@ -14,7 +14,7 @@ namespace pal::test {
 /// The exact bound of the first requirement of a skill. The compositional analysis must have none below it.
 inline std::int64_t exact_and_not_below(const std::string& text) {
   const auto skill = meaningful_skill(text);
-  const analyzer::Verdict exact = analyzer::analyze(*skill->problem).verdicts.front();
+  const analyzer::Verdict exact = analyzer::analyze_exactly(*skill->problem).verdicts.front();
   REQUIRE(exact.exact);
   REQUIRE(exact.bound);
   const analyzer::Verdict bound = analyzer::analyze_compositionally(*skill->problem).verdicts.front();

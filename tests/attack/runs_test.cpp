@@ -79,7 +79,7 @@ void attack(const std::string& text, std::uint64_t seed, Tally& tally) {
   const pan::Environment& environment = skill->specification.environments.front();
   Options options;
   options.max_states = setting("PAL_CLASSES", 4'000);
-  const Analysis analysis = analyze(*skill->problem, options);
+  const Analysis analysis = analyze_exactly(*skill->problem, options);
   for (const test::Wanted& wanted : test::wanted(network, environment)) {
     const auto found = std::find_if(analysis.verdicts.begin(), analysis.verdicts.end(),
                                     [&](const Verdict& each) { return each.requirement == wanted.name; });

@@ -73,7 +73,7 @@ void attack(const std::string& text, std::uint64_t seed, Tally& tally) {
   const Problem& problem = *skill->problem;
   Options options;
   options.max_states = setting("PAL_CLASSES", 2'000);
-  const Analysis analysis = analyze(problem, options);
+  const Analysis analysis = analyze_exactly(problem, options);
   if (analysis.zeno_run) return;
   ++tally.skills;
   const Watch nothing;

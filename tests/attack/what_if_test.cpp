@@ -70,7 +70,7 @@ class Tight {
     Diagnostics diagnostics;
     const auto problem = make_problem(alone, environment, diagnostics);
     if (!problem || problem->requirements.size() != 1) return;
-    const Verdict verdict = analyze(*problem, few_states()).verdicts.front();
+    const Verdict verdict = analyze_exactly(*problem, few_states()).verdicts.front();
     if (!verdict.bound || !verdict.exact || verdict.state == Verdict::State::never) return;
     const bool timed = verdict.measure != Requirement::Measure::loss &&
                        verdict.measure != Requirement::Measure::interval &&

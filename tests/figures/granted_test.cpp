@@ -20,7 +20,7 @@ void has_none(const std::string& text) {
   const auto skill = pal::test::meaningful_skill(text);
   const auto compositional = pal::analyzer::analyze_compositionally(*skill->problem);
   CHECK_FALSE(compositional.verdicts.front().bound);
-  const auto exact = pal::analyzer::analyze(*skill->problem);
+  const auto exact = pal::analyzer::analyze_exactly(*skill->problem);
   CHECK(exact.verdicts.front().state != pal::analyzer::VerdictState::holds);
 }
 
@@ -28,7 +28,8 @@ void has_none(const std::string& text) {
 void has_age(const std::string& text, int exact_value) {
   const auto skill = pal::test::meaningful_skill(text);
   CHECK_FALSE(pal::analyzer::analyze_compositionally(*skill->problem).verdicts.front().bound);
-  CHECK(pal::test::milliseconds(pal::analyzer::analyze(*skill->problem).verdicts.front()) == exact_value);
+  CHECK(pal::test::milliseconds(pal::analyzer::analyze_exactly(*skill->problem).verdicts.front()) ==
+        exact_value);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ constexpr VerdictState fails = VerdictState::fails;
 
 TEST_CASE("case 3: asking after interpreting, every second frame is lost, one result each 156 ms") {
   const auto skill = sound_skill(test::range_finder(asks_after, "10 TO 15 ms", losses_and_pace));
-  const Analysis analysis = analyze(*skill->problem);
+  const Analysis analysis = analyze_exactly(*skill->problem);
   check_exact(analysis, "each", 1ns, fails);
   check_exact(analysis, "second", 1ns, holds);
   check_exact(analysis, "take.least", 156ms, holds);
@@ -75,7 +75,7 @@ TEST_CASE("case 3: asking after interpreting, every second frame is lost, one re
 
 TEST_CASE("case 3: asking before interpreting, none is lost, one result each 78 ms") {
   const auto skill = sound_skill(test::range_finder(asks_before, "10 TO 15 ms", losses_and_pace));
-  const Analysis analysis = analyze(*skill->problem);
+  const Analysis analysis = analyze_exactly(*skill->problem);
   check_exact(analysis, "each", 0ns, holds);
   check_exact(analysis, "take.least", 78ms, holds);
   check_exact(analysis, "take.most", 78ms, holds);
@@ -85,10 +85,10 @@ TEST_CASE("case 3: asking before interpreting, none is lost, one result each 78 
 
 TEST_CASE("case 3: an interpretation of 78 ms still loses none, a longer one does") {
   const char* const loss = "  REQUIREMENT each : LOSS OF finder NONE\n";
-  check_exact(analyze(*sound_skill(test::range_finder(asks_before, "10 TO 78 ms", loss))->problem), "each",
-              0ns, holds);
-  check_exact(analyze(*sound_skill(test::range_finder(asks_before, "10 TO 79 ms", loss))->problem), "each",
-              1ns, fails);
+  check_exact(analyze_exactly(*sound_skill(test::range_finder(asks_before, "10 TO 78 ms", loss))->problem),
+              "each", 0ns, holds);
+  check_exact(analyze_exactly(*sound_skill(test::range_finder(asks_before, "10 TO 79 ms", loss))->problem),
+              "each", 1ns, fails);
 }
 
 TEST_CASE(
@@ -99,11 +99,12 @@ TEST_CASE(
   REQUIREMENT busy     : BUSY PERIOD OF P1 AT MOST 15 ms
 )";
   const Analysis before =
-      analyze(*sound_skill(test::range_finder(asks_before, "10 TO 15 ms", ages))->problem);
+      analyze_exactly(*sound_skill(test::range_finder(asks_before, "10 TO 15 ms", ages))->problem);
   check_exact(before, "fresh", 91ms, holds);
   check_exact(before, "reaction", 169ms, holds);  // 78 + 76 + 15
   check_exact(before, "busy", 15ms, holds);
-  const Analysis after = analyze(*sound_skill(test::range_finder(asks_after, "10 TO 15 ms", ages))->problem);
+  const Analysis after =
+      analyze_exactly(*sound_skill(test::range_finder(asks_after, "10 TO 15 ms", ages))->problem);
   check_exact(after, "fresh", 91ms, holds);
   check_exact(after, "reaction", 247ms, fails);  // 2 · 78 + 76 + 15
 }
@@ -111,7 +112,7 @@ TEST_CASE(
 TEST_CASE("case 3: the referee confirms the runs behind all of this") {
   for (const char* body : {asks_after, asks_before}) {
     const auto skill = sound_skill(test::range_finder(body, "10 TO 15 ms", losses_and_pace));
-    CHECK(test::unconfirmed(*skill->problem, analyze(*skill->problem)) == "");
+    CHECK(test::unconfirmed(*skill->problem, analyze_exactly(*skill->problem)) == "");
   }
 }
 
@@ -120,7 +121,8 @@ TEST_CASE("the skill may end whenever the robot stops it, and never with an erro
   REQUIREMENT normal : DURATION TO COMPLETION 0 AT MOST 1 s
   REQUIREMENT error  : DURATION TO COMPLETION 1 AT MOST 1 s
 )";
-  const Analysis analysis = analyze(*sound_skill(test::range_finder(asks_before, "15 ms", ends))->problem);
+  const Analysis analysis =
+      analyze_exactly(*sound_skill(test::range_finder(asks_before, "15 ms", ends))->problem);
   const Verdict& normal = verdict(analysis, "normal");
   CHECK(normal.state == fails);
   CHECK_FALSE(normal.bound);

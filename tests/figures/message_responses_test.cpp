@@ -97,7 +97,7 @@ TEST_CASE("a response to a message counts from its sending, whoever sends it") {
     TXM( motion to MC1 )
 )",
                                          "1 TO 2 ms"));
-  const Analysis analysis = analyze(*skill->problem);
+  const Analysis analysis = analyze_exactly(*skill->problem);
   check_exact(*skill->problem, analysis, 0, 10500us);  // 1 + 0.25 + 0.5 + 6 + 0.25 + 2 + 0.5
   check_exact(*skill->problem, analysis, 1, 2000us);   // 1 + 0.25 + 0.25 + 0.5
   check_exact(*skill->problem, analysis, 2, 2250us);   // 0.25 + 2
@@ -126,7 +126,7 @@ TEST_CASE("a request that is withdrawn before it is taken awaits no response") {
     decide
 )",
                                          "40 ms"));
-  check_exact(*skill->problem, analyze(*skill->problem), 0, 1750us);  // 1 + 0.25 + 0.5
+  check_exact(*skill->problem, analyze_exactly(*skill->problem), 0, 1750us);  // 1 + 0.25 + 0.5
 }
 
 TEST_CASE("of a request to two parties the second is answered while the first is not") {
@@ -191,7 +191,7 @@ ENVIRONMENT cell
 END ENVIRONMENT
 )");
   CHECK_FALSE(analyze_compositionally(*skill->problem, {}).verdicts.front().bound);
-  const Verdict found = analyze(*skill->problem).verdicts.front();
+  const Verdict found = analyze_exactly(*skill->problem).verdicts.front();
   CHECK(found.state == VerdictState::fails);
   REQUIRE(found.witness);
   CHECK(found.witness->failed);

@@ -14,7 +14,7 @@ Analysis analyze_touch(const std::string& file) {
   const auto skill = test::skill_from_files({folder + "touch/" + file, folder + "workcell.pal"});
   INFO(test::messages(skill->diagnostics));
   REQUIRE(skill->problem);
-  return analyze(*skill->problem);
+  return analyze_exactly(*skill->problem);
 }
 
 }  // namespace

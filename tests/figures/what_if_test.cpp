@@ -28,7 +28,7 @@ Verdict::State with(const test::Skill& skill, const std::string& name, Duration 
   const auto problem = make_problem(skill.specification.skills.front(), environment, diagnostics);
   REQUIRE(problem);
   Verdict::State worst = Verdict::State::holds;
-  for (const Verdict& verdict : analyze(*problem, few_states()).verdicts) {
+  for (const Verdict& verdict : analyze_exactly(*problem, few_states()).verdicts) {
     if (verdict.state == Verdict::State::undecided && worst == Verdict::State::holds) worst = verdict.state;
     if (verdict.state == Verdict::State::fails) worst = verdict.state;
   }
@@ -116,7 +116,7 @@ TEST_CASE("slack of rate monotonic drivers is what the time demand leaves, to th
     Diagnostics diagnostics;
     const auto problem = make_problem(skill->specification.skills.front(), environment, diagnostics);
     REQUIRE(problem);
-    const auto verdicts = analyze(*problem, few_states()).verdicts;
+    const auto verdicts = analyze_exactly(*problem, few_states()).verdicts;
     const bool hold = std::all_of(verdicts.begin(), verdicts.end(),
                                   [](const auto& each) { return each.state == Verdict::State::holds; });
     CHECK(hold == (extra == *together.holds));

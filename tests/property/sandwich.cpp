@@ -34,7 +34,7 @@ void compare_with_exact(const Problem& problem, const Analysis& compositional, s
   Options options;
   options.max_states = most;
   options.threads = 1;
-  const Analysis exact = analyze(problem, options);
+  const Analysis exact = analyze_exactly(problem, options);
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
     const Verdict& above = compositional.verdicts[r];
     const Verdict& below = exact.verdicts[r];

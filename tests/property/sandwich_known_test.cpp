@@ -41,7 +41,7 @@ TEST_CASE("an answer that is sent twice is there before it is asked for") {
   // skills.
   const auto skill = test::sound_skill(test::project_file("tests/property/sandwich/sent_twice.pal"));
   const Analysis above = analyze_compositionally(*skill->problem);
-  const Analysis exact = analyze(*skill->problem);
+  const Analysis exact = analyze_exactly(*skill->problem);
   REQUIRE(exact.verdicts.front().exact);
   CHECK(exact.verdicts.front().bound == Duration(1'000'000));
   CHECK_FALSE(above.verdicts.front().bound);

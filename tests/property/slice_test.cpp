@@ -66,7 +66,7 @@ void compare_all(const Problem& problem, Tally& tally) {
   Options options;
   options.max_states = 2'000;
   options.threads = 1;
-  const Analysis exact = analyze(problem, options);
+  const Analysis exact = analyze_exactly(problem, options);
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
     const Verdict& known = exact.verdicts[r];
     if (!is_timed(problem.requirements[r]) || !known.witness || known.witness->grows) continue;
