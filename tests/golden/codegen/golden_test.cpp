@@ -6,7 +6,7 @@
 
 #include "codegen/generate.hpp"
 #include "pal/check/check.hpp"
-#include "pal/check/load.hpp"
+#include "pal/check/read_sources.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/render.hpp"
 
@@ -37,7 +37,8 @@ class InSourceTree final : public FileSystem {
 
 struct Input {
   Input(const std::string& skill, const std::string& environment) {
-    specification = check(load(InSourceTree(), sources, {skill, environment}, diagnostics), diagnostics);
+    specification =
+        check(read_sources(InSourceTree(), sources, {skill, environment}, diagnostics), diagnostics);
     std::ostringstream findings;
     render_text(diagnostics.sorted(), sources, findings);
     INFO(findings.str());

@@ -1,4 +1,4 @@
-#include "pal/check/load.hpp"
+#include "pal/check/read_sources.hpp"
 
 #include <algorithm>
 #include <map>
@@ -18,12 +18,12 @@ std::string shown(const std::string& path) {
   return "'" + path + "'";
 }
 
-class Loader {
+class SourceReader {
  public:
-  Loader(const FileSystem& files, SourceManager& sources, Diagnostics& diagnostics)
+  SourceReader(const FileSystem& files, SourceManager& sources, Diagnostics& diagnostics)
       : files_(files), sources_(sources), diagnostics_(diagnostics) {}
 
-  std::vector<syntax::Tree> load(const std::vector<std::string>& paths) {
+  std::vector<syntax::Tree> read(const std::vector<std::string>& paths) {
     for (const auto& path : paths) open(resolve_path({}, path), {});
     // New files come to the end of the list while it is walked.
     for (std::size_t i = 0; i < trees_.size(); ++i) {
@@ -113,9 +113,9 @@ class Loader {
 
 }  // namespace
 
-std::vector<syntax::Tree> load(const FileSystem& files, SourceManager& sources,
-                               const std::vector<std::string>& paths, Diagnostics& diagnostics) {
-  return Loader(files, sources, diagnostics).load(paths);
+std::vector<syntax::Tree> read_sources(const FileSystem& files, SourceManager& sources,
+                                       const std::vector<std::string>& paths, Diagnostics& diagnostics) {
+  return SourceReader(files, sources, diagnostics).read(paths);
 }
 
 }  // namespace pal

@@ -15,7 +15,7 @@ namespace pal {
 /// their texts to `sources`. Reports files that cannot be read or are no text (at the USES that names them,
 /// or at no place), circles of USES, and every syntax error. Gives the trees of the files named first, in
 /// their order, then those of the files they use, with Uses::file filled in.
-std::vector<syntax::Tree> load(const FileSystem& files, SourceManager& sources,
-                               const std::vector<std::string>& paths, Diagnostics& diagnostics);
+std::vector<syntax::Tree> read_sources(const FileSystem& files, SourceManager& sources,
+                                       const std::vector<std::string>& paths, Diagnostics& diagnostics);
 
 }  // namespace pal
