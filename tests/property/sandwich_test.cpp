@@ -59,7 +59,7 @@ std::string base(std::uint64_t seed) {
       {"examples/standoff/standoff.pal", "examples/standoff/cell.pal"},
       {"examples/surface_following/surface_following.pal", "examples/surface_following/cell.pal"},
   };
-  static const std::vector<std::vector<std::string>> published = files_of("tests/figures/published");
+  static const std::vector<std::vector<std::string>> published = files_of("tests/reference/published");
   if (seed % 3 == 1) return test::TimedSkill(seed).text();
   if (seed % 6 == 2) return test::text_of(test::small_chains(seed));
   const auto& from = seed % 6 == 5 ? published : written;

@@ -10,7 +10,7 @@ using pal::driver::ExitStatus;
 
 namespace {
 
-const std::string places = std::string(PAL_SOURCE_DIR) + "/tests/figures/figure_3_6_places.pal";
+const std::string places = std::string(PAL_SOURCE_DIR) + "/tests/reference/figure_3_6_places.pal";
 
 bool says(const Answer& answer, const std::string& text) {
   return answer.out.find(text) != std::string::npos;
