@@ -48,9 +48,8 @@ TEST_CASE("no run measures more than was proved") {
     // Those that need no more than this cell has; the others run in the workcell (tests/run/skills).
     const auto made = skill.make();
     const auto& needed = made->wiring().devices;
-    if (!std::all_of(needed.begin(), needed.end(), [](std::string_view device) {
-          return device == "force-torque" || device == "alter";
-        }))
+    if (!std::all_of(needed.begin(), needed.end(),
+                     [](std::string_view device) { return device == "force-torque" || device == "alter"; }))
       continue;
     CAPTURE(skill.name);
     const driver::Proof proof = prove(skill);
