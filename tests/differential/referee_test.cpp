@@ -32,7 +32,7 @@ void set_both(Told& run) {
 }
 
 /// The referee lets forty runs by chance pass.
-void check_simulated(const std::string& name) {
+void expect_simulated(const std::string& name) {
   const auto made = test::meaningful_skill(skill(name));
   const Watch nothing;
   const Machine machine(*made->problem, nothing);
@@ -230,11 +230,11 @@ TEST_CASE("that a thread waits for its blocks is said once, where they begin") {
 
 TEST_CASE("a message of a freed sender comes after its receiver has chosen the next one") {
   // MC1 takes m, and finds a tick at its next wait; then SM1, which was blocked, puts the next m.
-  check_simulated("freed_sender");
+  expect_simulated("freed_sender");
 }
 
 TEST_CASE("frames that nobody asks for end in the order of time, whichever device they are of") {
-  check_simulated("two_frames");
+  expect_simulated("two_frames");
 }
 
 TEST_CASE("who waits for a message stops waiting when it is put, also if it is withdrawn at once") {

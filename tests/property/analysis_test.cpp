@@ -29,7 +29,7 @@ std::unique_ptr<test::Skill> accepted(std::uint64_t seed, int longest, std::stri
   return skill;
 }
 
-void check_run(const Requirement& requirement, const Verdict& verdict, const Simulation& run) {
+void expect_run(const Requirement& requirement, const Verdict& verdict, const Simulation& run) {
   if (run.failed) {
     CHECK(verdict.state != Verdict::State::holds);
     CHECK_FALSE(verdict.bound);
@@ -93,7 +93,7 @@ TEST_CASE("no simulated run exceeds what was proved") {
             simulation.max_events = 4'000;
             simulation.record = false;
             INFO(requirement.name << " run " << run << ": " << verdict.explanation);
-            check_run(requirement, verdict, simulate(machine, simulation));
+            expect_run(requirement, verdict, simulate(machine, simulation));
           }
         }
       }

@@ -92,7 +92,7 @@ void compare_with_runs(const Problem& problem, const Analysis& compositional, st
 }
 
 /// What is said to add up to a bound must do so.
-void check_arithmetic(const Analysis& analysis) {
+void expect_arithmetic(const Analysis& analysis) {
   for (const Verdict& verdict : analysis.verdicts) {
     if (!verdict.bound || verdict.addends.empty()) continue;
     Nanoseconds sum = 0;
@@ -106,7 +106,7 @@ void check_arithmetic(const Analysis& analysis) {
 
 void compare(const Problem& problem, std::uint64_t seed, std::size_t states, Tally& tally) {
   const Analysis compositional = analyze_compositionally(problem);
-  check_arithmetic(compositional);
+  expect_arithmetic(compositional);
   ++tally.programs;
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
     Tally::Of& of = tally.of[measure_of(problem.requirements[r])];

@@ -51,7 +51,7 @@ void compare(const Problem& problem, const Requirement& requirement, const Verdi
 }
 
 /// As the analysis uses them.
-void check_decision(const Problem& problem, const Requirement& requirement, const Verdict& known) {
+void expect_decision(const Problem& problem, const Requirement& requirement, const Verdict& known) {
   Options options;
   options.threads = 1;
   const SliceBound found = slice_bound(problem, requirement, options, 1'000);
@@ -70,7 +70,7 @@ void compare_all(const Problem& problem, Tally& tally) {
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
     const Verdict& known = exact.verdicts[r];
     if (!is_timed(problem.requirements[r]) || !known.witness || known.witness->grows) continue;
-    check_decision(problem, problem.requirements[r], known);
+    expect_decision(problem, problem.requirements[r], known);
     for (const Reach reach : {Reach::least, Reach::waits}) {
       for (const bool conditions : {false, true}) {
         const auto merging = conditions ? ZoneGraph::Merging::within : ZoneGraph::Merging::hull;

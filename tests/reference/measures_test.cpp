@@ -44,8 +44,8 @@ const Verdict& verdict(const Analysis& analysis, const std::string& requirement)
 }
 
 /// `bound` is what a run attains, and no run exceeds.
-void check_exact(const Analysis& analysis, const std::string& requirement, Duration bound,
-                 VerdictState state) {
+void expect_exact(const Analysis& analysis, const std::string& requirement, Duration bound,
+                  VerdictState state) {
   const Verdict& found = verdict(analysis, requirement);
   INFO(requirement << ": " << name(found.state) << ", " << found.explanation);
   REQUIRE(found.bound);
@@ -65,30 +65,30 @@ constexpr VerdictState fails = VerdictState::fails;
 TEST_CASE("case 3: asking after interpreting, every second frame is lost, one result each 156 ms") {
   const auto skill = sound_skill(test::range_finder(asks_after, "10 TO 15 ms", losses_and_pace));
   const Analysis analysis = analyze_exactly(*skill->problem);
-  check_exact(analysis, "each", 1ns, fails);
-  check_exact(analysis, "second", 1ns, holds);
-  check_exact(analysis, "take.least", 156ms, holds);
-  check_exact(analysis, "take.most", 156ms, fails);
-  check_exact(analysis, "pace.least", 151ms, holds);
-  check_exact(analysis, "pace.most", 161ms, fails);
+  expect_exact(analysis, "each", 1ns, fails);
+  expect_exact(analysis, "second", 1ns, holds);
+  expect_exact(analysis, "take.least", 156ms, holds);
+  expect_exact(analysis, "take.most", 156ms, fails);
+  expect_exact(analysis, "pace.least", 151ms, holds);
+  expect_exact(analysis, "pace.most", 161ms, fails);
 }
 
 TEST_CASE("case 3: asking before interpreting, none is lost, one result each 78 ms") {
   const auto skill = sound_skill(test::range_finder(asks_before, "10 TO 15 ms", losses_and_pace));
   const Analysis analysis = analyze_exactly(*skill->problem);
-  check_exact(analysis, "each", 0ns, holds);
-  check_exact(analysis, "take.least", 78ms, holds);
-  check_exact(analysis, "take.most", 78ms, holds);
-  check_exact(analysis, "pace.least", 73ms, holds);
-  check_exact(analysis, "pace.most", 83ms, holds);
+  expect_exact(analysis, "each", 0ns, holds);
+  expect_exact(analysis, "take.least", 78ms, holds);
+  expect_exact(analysis, "take.most", 78ms, holds);
+  expect_exact(analysis, "pace.least", 73ms, holds);
+  expect_exact(analysis, "pace.most", 83ms, holds);
 }
 
 TEST_CASE("case 3: an interpretation of 78 ms still loses none, a longer one does") {
   const char* const loss = "  REQUIREMENT each : LOSS OF finder NONE\n";
-  check_exact(analyze_exactly(*sound_skill(test::range_finder(asks_before, "10 TO 78 ms", loss))->problem),
-              "each", 0ns, holds);
-  check_exact(analyze_exactly(*sound_skill(test::range_finder(asks_before, "10 TO 79 ms", loss))->problem),
-              "each", 1ns, fails);
+  expect_exact(analyze_exactly(*sound_skill(test::range_finder(asks_before, "10 TO 78 ms", loss))->problem),
+               "each", 0ns, holds);
+  expect_exact(analyze_exactly(*sound_skill(test::range_finder(asks_before, "10 TO 79 ms", loss))->problem),
+               "each", 1ns, fails);
 }
 
 TEST_CASE(
@@ -100,13 +100,13 @@ TEST_CASE(
 )";
   const Analysis before =
       analyze_exactly(*sound_skill(test::range_finder(asks_before, "10 TO 15 ms", ages))->problem);
-  check_exact(before, "fresh", 91ms, holds);
-  check_exact(before, "reaction", 169ms, holds);  // 78 + 76 + 15
-  check_exact(before, "busy", 15ms, holds);
+  expect_exact(before, "fresh", 91ms, holds);
+  expect_exact(before, "reaction", 169ms, holds);  // 78 + 76 + 15
+  expect_exact(before, "busy", 15ms, holds);
   const Analysis after =
       analyze_exactly(*sound_skill(test::range_finder(asks_after, "10 TO 15 ms", ages))->problem);
-  check_exact(after, "fresh", 91ms, holds);
-  check_exact(after, "reaction", 247ms, fails);  // 2 · 78 + 76 + 15
+  expect_exact(after, "fresh", 91ms, holds);
+  expect_exact(after, "reaction", 247ms, fails);  // 2 · 78 + 76 + 15
 }
 
 TEST_CASE("case 3: the referee confirms the runs behind all of this") {

@@ -65,7 +65,7 @@ END ENVIRONMENT
 }
 
 /// Of the requirement `index`: the bound is so much, and some run attains it; the referee agrees.
-void check_exact(const Problem& problem, const Analysis& analysis, std::size_t index, Duration bound) {
+void expect_exact(const Problem& problem, const Analysis& analysis, std::size_t index, Duration bound) {
   const Verdict& found = analysis.verdicts[index];
   INFO(found.requirement << ": " << name(found.state) << ", " << found.explanation);
   CHECK(found.state == VerdictState::holds);
@@ -98,10 +98,10 @@ TEST_CASE("a response to a message counts from its sending, whoever sends it") {
 )",
                                          "1 TO 2 ms"));
   const Analysis analysis = analyze_exactly(*skill->problem);
-  check_exact(*skill->problem, analysis, 0, 10500us);  // 1 + 0.25 + 0.5 + 6 + 0.25 + 2 + 0.5
-  check_exact(*skill->problem, analysis, 1, 2000us);   // 1 + 0.25 + 0.25 + 0.5
-  check_exact(*skill->problem, analysis, 2, 2250us);   // 0.25 + 2
-  check_exact(*skill->problem, analysis, 3, 8250us);   // 6 + 0.25 + 2
+  expect_exact(*skill->problem, analysis, 0, 10500us);  // 1 + 0.25 + 0.5 + 6 + 0.25 + 2 + 0.5
+  expect_exact(*skill->problem, analysis, 1, 2000us);   // 1 + 0.25 + 0.25 + 0.5
+  expect_exact(*skill->problem, analysis, 2, 2250us);   // 0.25 + 2
+  expect_exact(*skill->problem, analysis, 3, 8250us);   // 6 + 0.25 + 2
   // MC1 asks 0.75 ms after the tick, the only one that can be late; it asks again when it has its answer.
   const Analysis bounds = analyze_compositionally(*skill->problem, {});
   REQUIRE(bounds.verdicts[0].bound);
@@ -126,7 +126,7 @@ TEST_CASE("a request that is withdrawn before it is taken awaits no response") {
     decide
 )",
                                          "40 ms"));
-  check_exact(*skill->problem, analyze_exactly(*skill->problem), 0, 1750us);  // 1 + 0.25 + 0.5
+  expect_exact(*skill->problem, analyze_exactly(*skill->problem), 0, 1750us);  // 1 + 0.25 + 0.5
 }
 
 TEST_CASE("of a request to two parties the second is answered while the first is not") {

@@ -105,7 +105,7 @@ const char* const corrected = R"(
       END CASE
 )";
 
-void check_attained(const Analysis& analysis, const std::string& requirement, Duration bound) {
+void expect_attained(const Analysis& analysis, const std::string& requirement, Duration bound) {
   const Verdict& found = verdict(analysis, requirement);
   INFO(requirement << ": " << found.explanation);
   REQUIRE(found.bound);
@@ -235,31 +235,31 @@ END ENVIRONMENT
 TEST_CASE("case 1: figure 3.6 as printed decides on a force that is up to 34 ms old") {
   const auto skill = sound_skill(figure_3_6(as_printed));
   const Analysis analysis = analyze_exactly(*skill->problem);
-  check_attained(analysis, "at-read", 6ms);
-  check_attained(analysis, "at-use", 34ms);
+  expect_attained(analysis, "at-read", 6ms);
+  expect_attained(analysis, "at-use", 34ms);
   CHECK(verdict(analysis, "at-use").state == Verdict::State::fails);
-  check_attained(analysis, "answer", 0ms);
+  expect_attained(analysis, "answer", 0ms);
 }
 
 TEST_CASE("case 1: waiting first, it decides on one that is up to 6 ms old") {
   const auto skill = sound_skill(figure_3_6(corrected));
   const Analysis analysis = analyze_exactly(*skill->problem);
-  check_attained(analysis, "at-read", 6ms);
-  check_attained(analysis, "at-use", 6ms);
+  expect_attained(analysis, "at-read", 6ms);
+  expect_attained(analysis, "at-use", 6ms);
   CHECK(verdict(analysis, "at-use").state == Verdict::State::holds);
-  check_attained(analysis, "answer", 0ms);
+  expect_attained(analysis, "answer", 0ms);
 }
 
 TEST_CASE("case 2: in one sequence with free-running frames the answer takes up to 12 ms") {
   const auto skill = sound_skill(one_sequence("FRAMES EVERY 6 ms COLLECTING 6 ms"));
   const Analysis analysis = analyze_exactly(*skill->problem);
-  check_attained(analysis, "answer", 12ms);
+  expect_attained(analysis, "answer", 12ms);
   CHECK(verdict(analysis, "answer").state == Verdict::State::fails);
 }
 
 TEST_CASE("case 2: with the sensor on request it takes 6 ms") {
   const auto skill = sound_skill(one_sequence("ON REQUEST 6 ms"));
-  check_attained(analyze_exactly(*skill->problem), "answer", 6ms);
+  expect_attained(analyze_exactly(*skill->problem), "answer", 6ms);
 }
 
 TEST_CASE("case 3: asking after interpreting loses every second frame, asking before loses none") {
@@ -308,8 +308,8 @@ TEST_CASE("the referee confirms the runs behind the worked cases") {
 TEST_CASE("case 4: three periodic drivers on one processor answer within 3, 6 and 20 ms") {
   const auto skill = sound_skill(three_drivers);
   const Analysis analysis = analyze_exactly(*skill->problem);
-  check_attained(analysis, "first", 3ms);
-  check_attained(analysis, "second", 6ms);
-  check_attained(analysis, "third", 20ms);
+  expect_attained(analysis, "first", 3ms);
+  expect_attained(analysis, "second", 6ms);
+  expect_attained(analysis, "third", 20ms);
   CHECK(verdict(analysis, "third").state == Verdict::State::fails);
 }

@@ -107,8 +107,8 @@ std::ostream& operator<<(std::ostream& out, const Distribution& distribution) {
   return out;
 }
 
-void check_mutant(const Subject& subject, const std::string& mutant, const std::string& change,
-                  Distribution& into) {
+void expect_mutant(const Subject& subject, const std::string& mutant, const std::string& change,
+                   Distribution& into) {
   auto files = files_of(subject);
   files.add(subject.file, mutant);
   const auto checked = test::check_files(files, {subject.first});
@@ -156,20 +156,20 @@ void mutate(const Subject& subject, Distributions& into) {
     auto without = text;
     without.erase(word.begin, end - word.begin);
     if (word.text == "END" || word.text == "UNTIL") {
-      check_mutant(subject, without, place + " without " + gone, into.ends);
+      expect_mutant(subject, without, place + " without " + gone, into.ends);
     } else if (is_sign(word.text)) {
-      check_mutant(subject, without, place + " without " + gone, into.signs);
+      expect_mutant(subject, without, place + " without " + gone, into.signs);
     } else if (is_keyword(word.text)) {
-      check_mutant(subject, without, place + " without " + gone, into.keywords);
+      expect_mutant(subject, without, place + " without " + gone, into.keywords);
     } else if (word.text.front() == '"') {
       auto open = text;
       open.erase(word.end - 1, 1);
-      check_mutant(subject, open, place + " without the quote after " + gone, into.quotes);
+      expect_mutant(subject, open, place + " without the quote after " + gone, into.quotes);
     }
     if (i % 2 == 1) continue;  // every other place will do
     auto more = text;
     more.insert(word.begin, " stray ");
-    check_mutant(subject, more, place + " with stray before " + gone, into.strays);
+    expect_mutant(subject, more, place + " with stray before " + gone, into.strays);
   }
 }
 
