@@ -58,7 +58,7 @@ void simulate_some(const Problem& problem, std::uint64_t seed, Tally& tally) {
   }
 }
 
-void attack(const std::string& text, std::uint64_t seed, Tally& tally) {
+void expect_sound(const std::string& text, std::uint64_t seed, Tally& tally) {
   const auto skill = test::any_skill(text);
   if (!skill->problem) return;
   ++tally.skills;
@@ -87,7 +87,8 @@ TEST_CASE("the referee confirms what is shown of skills of every kind, and it ad
   Tally tally;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 20); ++seed) {
     const int mistakes = static_cast<int>(seed / test::kinds().size() % 4);
-    attack(test::Mutant(seed, test::skill_of_any_kind(seed), test::has_meaning).text(mistakes), seed, tally);
+    expect_sound(test::Mutant(seed, test::skill_of_any_kind(seed), test::has_meaning).text(mistakes), seed,
+                 tally);
   }
   say(tally);
 }
@@ -98,7 +99,7 @@ TEST_CASE("the referee confirms what is shown of the skills that the tests keep,
   Tally tally;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", all.size()); ++seed) {
     const int mistakes = static_cast<int>(seed / all.size() % 5);
-    attack(test::Mutant(seed, all[seed % all.size()], test::has_meaning).text(mistakes), seed, tally);
+    expect_sound(test::Mutant(seed, all[seed % all.size()], test::has_meaning).text(mistakes), seed, tally);
   }
   say(tally);
 }

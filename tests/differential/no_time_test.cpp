@@ -63,7 +63,7 @@ std::string contradiction(test::AllRuns& runs, const test::Wanted& wanted, const
   return {};
 }
 
-void attack(std::uint64_t seed, Tally& tally) {
+void expect_sound(std::uint64_t seed, Tally& tally) {
   const bool small = seed % 4 != 3;
   const std::string text = text_of(seed, small);
   const auto skill = test::any_skill(text);
@@ -101,7 +101,8 @@ void attack(std::uint64_t seed, Tally& tally) {
 TEST_CASE("no run in which much takes no time exceeds what was proved") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   Tally tally;
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 12); ++seed) attack(seed, tally);
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 12); ++seed)
+    expect_sound(seed, tally);
   std::cout << tally.skills << " skills, " << tally.exact << " exact verdicts, all runs seen of "
             << tally.complete << "\n";
   CHECK(tally.complete > 0);

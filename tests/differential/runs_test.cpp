@@ -71,7 +71,7 @@ std::string contradiction(test::AllRuns& runs, const test::Wanted& wanted, const
 }
 
 /// The verdicts on each thing that the skill is required to keep. All its times are whole milliseconds.
-void attack(const std::string& text, std::uint64_t seed, Tally& tally) {
+void expect_sound(const std::string& text, std::uint64_t seed, Tally& tally) {
   const auto skill = test::any_skill(text, &tally.refused);
   if (!skill->problem) return;
   ++tally.skills;
@@ -112,11 +112,11 @@ void say(const Tally& tally) {
 }
 
 /// Of so many skills, if no other number is set.
-void attack_all(std::uint64_t rounds, const std::function<std::string(std::uint64_t)>& text) {
+void expect_all_sound(std::uint64_t rounds, const std::function<std::string(std::uint64_t)>& text) {
   const std::uint64_t first = setting("PAL_SEED", 1);
   Tally tally;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", rounds); ++seed)
-    attack(text(seed), seed, tally);
+    expect_sound(text(seed), seed, tally);
   say(tally);
 }
 
@@ -128,11 +128,11 @@ std::string cell(std::uint64_t seed, int longest) {
 
 TEST_CASE("no run that follows the execution model exceeds what was proved") {
   const int longest = static_cast<int>(setting("PAL_LONGEST", 4));
-  attack_all(60, [longest](std::uint64_t seed) { return cell(seed, longest); });
+  expect_all_sound(60, [longest](std::uint64_t seed) { return cell(seed, longest); });
 }
 
 TEST_CASE("no run of a skill with mistakes in it exceeds what was proved") {
-  attack_all(40, [](std::uint64_t seed) {
+  expect_all_sound(40, [](std::uint64_t seed) {
     const auto accepts = [](const std::string& text) { return test::any_skill(text)->problem.has_value(); };
     const std::string right = seed % 2 == 0 ? test::TimedSkill(seed).text() : cell(seed, 4);
     return test::Mutant(seed, right, accepts).text(1 + static_cast<int>(seed % 5));
@@ -140,9 +140,9 @@ TEST_CASE("no run of a skill with mistakes in it exceeds what was proved") {
 }
 
 TEST_CASE("no run in which blocks are stopped exceeds what was proved") {
-  attack_all(150, [](std::uint64_t seed) { return test::StoppedBlocks(seed).text(); });
+  expect_all_sound(150, [](std::uint64_t seed) { return test::StoppedBlocks(seed).text(); });
 }
 
 TEST_CASE("no run in which many have to do with one message exceeds what was proved") {
-  attack_all(30, [](std::uint64_t seed) { return test::ManyParties(seed).text(); });
+  expect_all_sound(30, [](std::uint64_t seed) { return test::ManyParties(seed).text(); });
 }

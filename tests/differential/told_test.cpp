@@ -67,7 +67,7 @@ struct Tally {
   std::size_t values = 0;
 };
 
-void attack(const std::string& text, std::uint64_t seed, Tally& tally) {
+void expect_sound(const std::string& text, std::uint64_t seed, Tally& tally) {
   const auto skill = test::any_skill(text);
   if (!skill->problem) return;
   const Problem& problem = *skill->problem;
@@ -134,11 +134,11 @@ void send(Told& run, const std::string& statement, const std::string& message) {
 }
 
 /// Of so many skills, if no other number is set.
-void attack_all(std::uint64_t rounds, const std::function<std::string(std::uint64_t)>& text) {
+void expect_all_sound(std::uint64_t rounds, const std::function<std::string(std::uint64_t)>& text) {
   const std::uint64_t first = setting("PAL_SEED", 1);
   Tally tally;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", rounds); ++seed)
-    attack(text(seed), seed, tally);
+    expect_sound(text(seed), seed, tally);
   std::cout << tally.skills << " skills, " << tally.runs << " runs told, " << tally.events << " events, "
             << tally.values << " values\n";
   CHECK(tally.values > 0);
@@ -147,17 +147,17 @@ void attack_all(std::uint64_t rounds, const std::function<std::string(std::uint6
 }  // namespace
 
 TEST_CASE("no run of a cell that the referee lets pass shows more than was proved") {
-  attack_all(12, [](std::uint64_t seed) {
+  expect_all_sound(12, [](std::uint64_t seed) {
     return test::RandomCell(seed, 4, static_cast<int>(seed % 3), test::RandomCell::Asks::all).text();
   });
 }
 
 TEST_CASE("no run with stopped blocks that the referee lets pass shows more than was proved") {
-  attack_all(12, [](std::uint64_t seed) { return test::StoppedBlocks(seed).text(); });
+  expect_all_sound(12, [](std::uint64_t seed) { return test::StoppedBlocks(seed).text(); });
 }
 
 TEST_CASE("no run of a timed skill that the referee lets pass shows more than was proved") {
-  attack_all(12, [](std::uint64_t seed) { return test::TimedSkill(seed).text(); });
+  expect_all_sound(12, [](std::uint64_t seed) { return test::TimedSkill(seed).text(); });
 }
 
 TEST_CASE("the referee lets every simulated run of odd skills pass") {

@@ -46,8 +46,8 @@ std::string asked_everything(std::uint64_t seed) {
 }
 
 /// So many skills of a kind.
-void attack_all(const std::string& kind, const test::TextBySeed& text, std::uint64_t rounds,
-                bool only_bounded = false) {
+void expect_all_sound(const std::string& kind, const test::TextBySeed& text, std::uint64_t rounds,
+                      bool only_bounded = false) {
   const std::uint64_t first = setting("PAL_SEED", 1);
   const test::Effort effort{setting("PAL_CLASSES", 500), setting("PAL_WALKS", only_bounded ? 8 : 20),
                             static_cast<int>(setting("PAL_THINGS", 800)), only_bounded};
@@ -67,27 +67,27 @@ void attack_all(const std::string& kind, const test::TextBySeed& text, std::uint
 TEST_CASE("no run of a larger skill exceeds what either analysis proved") {
   const char* only = std::getenv("PAL_KIND");
   for (const auto& [kind, text] : test::kinds()) {
-    if (only == nullptr || kind == only) attack_all(kind, text, setting("PAL_ROUNDS", 5));
+    if (only == nullptr || kind == only) expect_all_sound(kind, text, setting("PAL_ROUNDS", 5));
   }
 }
 
 TEST_CASE("no run of a small skill, in whatever order it does things, exceeds what either analysis proved") {
   const auto small = [](std::uint64_t seed) { return test::SmallSkill(seed).text(); };
-  attack_all("small", small, setting("PAL_ROUNDS", 200), true);
+  expect_all_sound("small", small, setting("PAL_ROUNDS", 200), true);
 }
 
 TEST_CASE("no run of a method that has to do with devices only exceeds what either analysis proved") {
-  attack_all("lone", test::kinds().at("lone"), setting("PAL_ROUNDS", 100), true);
+  expect_all_sound("lone", test::kinds().at("lone"), setting("PAL_ROUNDS", 100), true);
 }
 
 TEST_CASE("no run of a larger skill with mistakes in it exceeds what either analysis proved") {
-  attack_all("mistakes", with_mistakes, setting("PAL_ROUNDS", 16));
+  expect_all_sound("mistakes", with_mistakes, setting("PAL_ROUNDS", 16));
 }
 
 TEST_CASE("no run of a skill that was kept, with mistakes in it, exceeds what either analysis proved") {
-  attack_all("kept", kept_with_mistakes, setting("PAL_ROUNDS", 60));
+  expect_all_sound("kept", kept_with_mistakes, setting("PAL_ROUNDS", 60));
 }
 
 TEST_CASE("no run of a skill with other figures, asked everything, exceeds what either analysis proved") {
-  attack_all("asked everything", asked_everything, setting("PAL_ROUNDS", 40), true);
+  expect_all_sound("asked everything", asked_everything, setting("PAL_ROUNDS", 40), true);
 }

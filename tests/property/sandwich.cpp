@@ -104,7 +104,7 @@ void expect_arithmetic(const Analysis& analysis) {
 
 }  // namespace
 
-void compare(const Problem& problem, std::uint64_t seed, std::size_t states, Tally& tally) {
+void expect_sandwich(const Problem& problem, std::uint64_t seed, std::size_t states, Tally& tally) {
   const Analysis compositional = analyze_compositionally(problem);
   expect_arithmetic(compositional);
   ++tally.programs;
@@ -137,7 +137,7 @@ Tally compare_by_chance(std::uint64_t rounds, std::size_t states,
     const std::string text = text_of(seed);
     INFO("seed " << seed << "\n" << text);
     const auto skill = skill_of(text);
-    if (skill->problem) compare(*skill->problem, seed, states, tally);
+    if (skill->problem) expect_sandwich(*skill->problem, seed, states, tally);
   }
   say(tally);
   return tally;

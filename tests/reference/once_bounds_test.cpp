@@ -56,7 +56,7 @@ END ENVIRONMENT
 TEST_CASE("what a thread is sent next may come while it is still at work") {
   // 4 ms for the first, then 4 for the second, which came at 1. The bound does not know that the first was
   // begun before.
-  compare(once(R"(
+  expect_bounds(once(R"(
     WTM FIRST
       ( early from SM1 ):
         work
@@ -65,12 +65,12 @@ TEST_CASE("what a thread is sent next may come while it is still at work") {
         TXM( done to SM1 )
     END WTM
 )",
-               "TXM( early to MC1 )\npause\nTXM( late to MC1 )\nWTM( done from MC1 )\n"),
-          {{9, 8}});
+                     "TXM( early to MC1 )\npause\nTXM( late to MC1 )\nWTM( done from MC1 )\n"),
+                {{9, 8}});
 }
 
 TEST_CASE("a thread that answers first and works then is at work when it is sent more") {
-  compare(once(R"(
+  expect_bounds(once(R"(
     WTM FIRST
       ( early from SM1 ):
         TXM( taken to SM1 )
@@ -80,20 +80,20 @@ TEST_CASE("a thread that answers first and works then is at work when it is sent
         TXM( done to SM1 )
     END WTM
 )",
-               "TXM( early to MC1 )\nWTM( taken from MC1 )\npause\nTXM( late to MC1 )\n"
-               "WTM( done from MC1 )\n"),
-          {{9, 8}});
+                     "TXM( early to MC1 )\nWTM( taken from MC1 )\npause\nTXM( late to MC1 )\n"
+                     "WTM( done from MC1 )\n"),
+                {{9, 8}});
 }
 
 TEST_CASE("a server goes on with a request that was withdrawn") {
   // The client gives up at 2, asks again at 3 after its test, and is served from 4 to 8. The bound counts
   // both ways on which it may ask for the second time.
-  compare(once(R"(
+  expect_bounds(once(R"(
     WTM( request motion from SM1 )
     work
     TXM( motion to SM1 )
 )",
-               R"(
+                     R"(
   TXM( request motion from MC1 )
   WTM( motion from MC1 ) WITHIN 2 ms
     pause
@@ -103,5 +103,5 @@ TEST_CASE("a server goes on with a request that was withdrawn") {
   TXM( request motion from MC1 )
   WTM( motion from MC1 )
 )"),
-          {{15, 8}});
+                {{15, 8}});
 }

@@ -11,7 +11,7 @@
 namespace pal::chart {
 namespace {
 
-void compare(const std::string& name, const std::string& text) {
+void expect_golden(const std::string& name, const std::string& text) {
   const std::string path = std::string(PAL_GOLDEN_DIR) + "/" + name;
   if (std::getenv("PAL_UPDATE_GOLDEN") != nullptr) {
     std::ofstream(path, std::ios::binary) << text;

@@ -55,7 +55,7 @@ struct Input {
   Specification specification;
 };
 
-void compare(const std::string& file, const std::string& found) {
+void expect_golden(const std::string& file, const std::string& found) {
   if (std::getenv("PAL_UPDATE_GOLDEN") != nullptr) {
     std::ofstream(folder + file, std::ios::binary) << found;
     return;
