@@ -5,7 +5,7 @@
 #include "tests/reference/bounds_by_hand.hpp"
 #include "tests/support/project_file.hpp"
 
-using pal::test::compare;
+using pal::test::expect_bounds;
 
 namespace {
 

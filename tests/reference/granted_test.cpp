@@ -6,7 +6,7 @@
 #include "tests/support/any_skill.hpp"
 #include "tests/support/project_file.hpp"
 
-using pal::test::compare;
+using pal::test::expect_bounds;
 
 namespace {
 

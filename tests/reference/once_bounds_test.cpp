@@ -4,7 +4,7 @@
 
 #include "tests/reference/bounds_by_hand.hpp"
 
-using pal::test::compare;
+using pal::test::expect_bounds;
 
 namespace {
 
