@@ -6,9 +6,9 @@
 #include <set>
 #include <string>
 
-#include "pal/check/build/build_network.hpp"
-#include "pal/check/build/environment.hpp"
-#include "pal/check/build/scope.hpp"
+#include "pal/check/network/build_network.hpp"
+#include "pal/check/network/environment.hpp"
+#include "pal/check/network/scope.hpp"
 #include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/check/rules/unused.hpp"

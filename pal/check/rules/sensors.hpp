@@ -1,7 +1,7 @@
 // The templates of logical sensors (thesis, section 2.3.5) against what their bodies do.
 #pragma once
 
-#include "pal/check/build/names.hpp"
+#include "pal/check/network/names.hpp"
 
 namespace pal::frontend {
 

@@ -1,4 +1,4 @@
-#include "pal/check/build/build_body.hpp"
+#include "pal/check/network/build_body.hpp"
 
 #include <string>
 #include <utility>

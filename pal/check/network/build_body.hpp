@@ -1,7 +1,7 @@
 // From the statements of a module to its graph.
 #pragma once
 
-#include "pal/check/build/names.hpp"
+#include "pal/check/network/names.hpp"
 #include "pal/pan/network.hpp"
 #include "pal/syntax/tree.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "pal/check/build/scope.hpp"
+#include "pal/check/network/scope.hpp"
 #include "pal/pan/network.hpp"
 #include "pal/support/diagnostic.hpp"
 #include "pal/syntax/tree.hpp"

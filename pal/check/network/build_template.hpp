@@ -1,7 +1,7 @@
 // The skill template (thesis, section 2.3.2), checked.
 #pragma once
 
-#include "pal/check/build/names.hpp"
+#include "pal/check/network/names.hpp"
 #include "pal/pan/network.hpp"
 #include "pal/syntax/tree.hpp"
 

@@ -1,7 +1,7 @@
 // Which module executes which.
 #pragma once
 
-#include "pal/check/build/names.hpp"
+#include "pal/check/network/names.hpp"
 #include "pal/pan/network.hpp"
 
 namespace pal::frontend {

@@ -1,4 +1,4 @@
-#include "pal/check/build/environment.hpp"
+#include "pal/check/network/environment.hpp"
 
 #include <map>
 #include <set>

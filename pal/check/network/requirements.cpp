@@ -1,4 +1,4 @@
-#include "pal/check/build/requirements.hpp"
+#include "pal/check/network/requirements.hpp"
 
 #include <algorithm>
 #include <map>

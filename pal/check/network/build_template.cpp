@@ -1,10 +1,10 @@
-#include "pal/check/build/build_template.hpp"
+#include "pal/check/network/build_template.hpp"
 
 #include <map>
 #include <optional>
 #include <string>
 
-#include "pal/check/build/parameters.hpp"
+#include "pal/check/network/parameters.hpp"
 #include "pal/check/report.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"

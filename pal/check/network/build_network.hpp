@@ -1,7 +1,7 @@
 // From one skill, and what its file sees, to its network.
 #pragma once
 
-#include "pal/check/build/scope.hpp"
+#include "pal/check/network/scope.hpp"
 #include "pal/pan/network.hpp"
 #include "pal/support/diagnostic.hpp"
 #include "pal/syntax/tree.hpp"

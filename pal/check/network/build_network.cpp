@@ -1,13 +1,13 @@
-#include "pal/check/build/build_network.hpp"
+#include "pal/check/network/build_network.hpp"
 
 #include <map>
 #include <utility>
 
-#include "pal/check/build/build_body.hpp"
-#include "pal/check/build/build_template.hpp"
-#include "pal/check/build/calls.hpp"
-#include "pal/check/build/names.hpp"
-#include "pal/check/build/requirements.hpp"
+#include "pal/check/network/build_body.hpp"
+#include "pal/check/network/build_template.hpp"
+#include "pal/check/network/calls.hpp"
+#include "pal/check/network/names.hpp"
+#include "pal/check/network/requirements.hpp"
 #include "pal/check/rules/sensors.hpp"
 
 namespace pal::frontend {

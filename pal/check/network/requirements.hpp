@@ -1,7 +1,7 @@
 // Requirements: the statements and channels that they mean.
 #pragma once
 
-#include "pal/check/build/names.hpp"
+#include "pal/check/network/names.hpp"
 #include "pal/pan/network.hpp"
 #include "pal/syntax/tree.hpp"
 

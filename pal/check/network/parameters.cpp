@@ -1,4 +1,4 @@
-#include "pal/check/build/parameters.hpp"
+#include "pal/check/network/parameters.hpp"
 
 #include <cmath>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "pal/check/build/names.hpp"
+#include "pal/check/network/names.hpp"
 
 #include "pal/check/report.hpp"
 #include "pal/pan/dump.hpp"

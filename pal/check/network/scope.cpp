@@ -1,4 +1,4 @@
-#include "pal/check/build/scope.hpp"
+#include "pal/check/network/scope.hpp"
 
 #include <algorithm>
 #include <set>

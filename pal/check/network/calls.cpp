@@ -1,4 +1,4 @@
-#include "pal/check/build/calls.hpp"
+#include "pal/check/network/calls.hpp"
 
 #include <set>
 #include <string_view>
