@@ -32,6 +32,7 @@ LAYERS = {
     "operations": ["pal/support", "pal/pan"],  # neither robots nor simulators: it asks a SkillRunner
     "pal/driver": ["pal/support", "pal/explain", "pal/doc", "pal/pan", "pal/syntax", "pal/check", "analyzer", "analyzer/chart",
                    "analyzer/run_checker", "analyzer/whatif", *STAGES, "codegen", "operations", "runtime/trace"],
+    "pal/program": ["pal/driver", "pal/support"],
     "runtime": ["runtime/trace"],
     "runtime/drivers/val/command.hpp": ["runtime", "runtime/trace"],
     "runtime/drivers": ["runtime", "runtime/trace", "runtime/drivers/val/command.hpp"],
