@@ -76,7 +76,7 @@ class Ageing {
     std::set<Place> seen;
     std::vector<Place> open;
     const auto leave = [&](Place at) {
-      const int jobs = at.job_starts + (at.step == idle_wait ? 1 : 0);
+      const int jobs = at.jobs + (at.step == idle_wait ? 1 : 0);
       if (problem_.threads[static_cast<std::size_t>(thread)].entry == at.step) begin(jobs);
       for (int step : before_[static_cast<std::size_t>(at.step)]) open.push_back({step, std::min(jobs, 3)});
     };
@@ -129,7 +129,7 @@ class Ageing {
           [&](Place at) {
             if (!sets(at.step)) return oldest.bounded();
             // A set before itself, in a loop away from the idle wait: its time is unbounded.
-            const bool elsewhere = at.step == statement && at.job_starts == 0;
+            const bool elsewhere = at.step == statement && at.jobs == 0;
             oldest = greater(oldest, elsewhere ? Sum::unbounded() : distance(at, statement));
             return false;
           },
@@ -176,7 +176,7 @@ class Ageing {
   /// From the effect of a step to that of the statement, in one thread.
   Sum distance(Place from, int statement) {
     const int thread = owner(statement);
-    if (from.step == statement && from.job_starts == 0) return {};
+    if (from.step == statement && from.jobs == 0) return {};
     if (from.jobs > 0 && unbounded(thread)) return Sum::unbounded();
     const int source = source_of_jobs(view_, thread);
     Sum longest;
@@ -191,9 +191,9 @@ class Ageing {
         const auto anew = [this](int n) {
           return view_.forest.sources[static_cast<std::size_t>(node(n).source)].kind == Source::Kind::joined;
         };
-        if (from.job_starts == 0 && node(a).source != node(b).source && (anew(a) || anew(b)))
+        if (from.jobs == 0 && node(a).source != node(b).source && (anew(a) || anew(b)))
           return Sum::unbounded();
-        if (from.job_starts == 0) {
+        if (from.jobs == 0) {
           if (a == b) {
             const Sum distance = later - sooner;
             const bool held = may_be_held(b, statement);
