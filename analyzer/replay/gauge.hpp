@@ -10,8 +10,8 @@
 namespace pal::analyzer::rules {
 
 /// Told of everything that may count, in the order of the run. What is measured is in
-/// docs/execution-model.md. Births (of events, of samples, of values of a condition) are numbered as they
-/// come.
+/// docs/reference/execution-model.md. Births (of events, of samples, of values of a condition) are numbered
+/// as they come.
 class Gauge {
  public:
   /// Without a requirement, or of a load, nothing is measured.
