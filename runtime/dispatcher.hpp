@@ -32,7 +32,8 @@ class Dispatcher {
   Outcome run(Skill& skill, std::span<const ParameterValue> parameters = {}, const RunOptions& options = {});
 
   /// The same with parameters in braces: run(skill, {{"reach", 40}}).
-  Outcome run(Skill& skill, std::initializer_list<ParameterValue> parameters, const RunOptions& options = {}) {
+  Outcome run(Skill& skill, std::initializer_list<ParameterValue> parameters,
+              const RunOptions& options = {}) {
     return run(skill, std::span<const ParameterValue>(parameters.begin(), parameters.size()), options);
   }
 
