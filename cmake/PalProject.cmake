@@ -5,7 +5,7 @@ option(PAL_BUILD_WORKCELL "Build the MuJoCo workcell and the skills that run in 
 option(PAL_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(PAL_WARNINGS_AS_ERRORS "Treat compiler warnings as errors (set by the presets)" OFF)
 option(PAL_PRECOMPILE "Read the standard library's headers once for all files; hides an #include that is missing" OFF)
-option(PAL_FUZZ "Build the fuzz targets for libFuzzer (clang only; docs/fuzzing.md)" OFF)
+option(PAL_FUZZ "Build the fuzz targets for libFuzzer (clang only; docs/internals/fuzzing.md)" OFF)
 set(PAL_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize= (set by the presets)")
 
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 12)

@@ -1,4 +1,5 @@
-// CONCURRENT: starting, ending and cancelling blocks (docs/execution-model.md, Messages, last paragraph).
+// CONCURRENT: starting, ending and cancelling blocks (docs/reference/execution-model.md, Messages, last
+// paragraph).
 #pragma once
 
 #include "runtime/thread.hpp"

@@ -1,4 +1,4 @@
-// The virtual processors: who runs where (docs/execution-model.md, Threads and processors).
+// The virtual processors: who runs where (docs/reference/execution-model.md, Threads and processors).
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Confirms a run without the analysis that found it: a referee that follows the events of a trace and holds
-// each against docs/execution-model.md. It takes nothing from the analysis but the problem's data.
+// each against docs/reference/execution-model.md. It takes nothing from the analysis but the problem's data.
 #pragma once
 
 #include <functional>

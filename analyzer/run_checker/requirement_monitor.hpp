@@ -10,7 +10,7 @@
 namespace pal::analyzer::rules {
 
 /// Told of everything that may count, in the order of the run. What is measured is in
-/// docs/execution-model.md. Births (of events, of samples, of values of a condition) are numbered as they
+/// docs/reference/execution-model.md. Births (of events, of samples, of values of a condition) are numbered as they
 /// come.
 class RequirementMonitor {
  public:

@@ -1,4 +1,4 @@
-// Witnesses as a file: what `pal check --witness` writes and `pal replay` reads (docs/witness.md).
+// Witnesses as a file: what `pal check --witness` writes and `pal replay` reads (docs/reference/witness.md).
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // What a run attained of a measure, read off its trace alone: the same for a predicted and for a measured
-// run, and independent of whatever proved a bound (docs/timing.md gives the measures).
+// run, and independent of whatever proved a bound (docs/reference/timing.md gives the measures).
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Modules with a CONCURRENT that blocks execute, worked out by hand from docs/execution-model.md.
+// Modules with a CONCURRENT that blocks execute, worked out by hand from docs/reference/execution-model.md.
 #include "tests/differential/by_hand.hpp"
 
 using pal::test::bound;

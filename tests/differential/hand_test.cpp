@@ -1,4 +1,5 @@
-// Programs that nobody would write, each with what docs/execution-model.md says of it, worked out by hand.
+// Programs that nobody would write, each with what docs/reference/execution-model.md says of it, worked out
+// by hand.
 #include "analyzer/analysis.hpp"
 #include "tests/differential/by_hand.hpp"
 #include "tests/support/any_skill.hpp"

@@ -1,4 +1,4 @@
-// The analyzer against runs that are made without it: straight from docs/execution-model.md
+// The analyzer against runs that are made without it: straight from docs/reference/execution-model.md
 // (tests/support/runs/all_runs.hpp).
 #include <catch2/catch.hpp>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Two chains of sensors, of which a requirement needs one (docs/slices.md).
+// Two chains of sensors, of which a requirement needs one (docs/internals/slices.md).
 #include <algorithm>
 #include <catch2/catch.hpp>
 

@@ -44,7 +44,7 @@ std::vector<NodeTimes> unhindered(const AnalysisContext& context, const std::vec
 
 /// Raises all times together until they agree. Each iteration derives the latest releases from the latest
 /// effects, and these from the work that the releases can pile up (J. C. Palencia, M. González Harbour 1998;
-/// the argument that the least solution bounds every run is in docs/compositional.md).
+/// the argument that the least solution bounds every run is in docs/internals/compositional.md).
 class Solver : private AnalysisContext {
  public:
   Solver(const AnalysisContext& context, const std::vector<bool>& at, const std::function<bool()>& stop)

@@ -37,7 +37,8 @@ struct ConditionRuns {
 /// runs than there can be, and not fewer. SPC without a value takes both; a condition that other threads set
 /// may have any value at each read. RPC latches for the next test of its thread; a test reads what is not
 /// latched, at one instant. When CONCURRENT ends, a block that cannot end has stopped, or finishes the
-/// statement it is at (docs/execution-model.md). `root` has a body and is not executed by another module.
+/// statement it is at (docs/reference/execution-model.md). `root` has a body and is not executed by another
+/// module.
 ConditionRuns explore_conditions(const pan::Network& network, const pan::Flow& flow, pan::ModuleId root);
 
 }  // namespace pal::frontend

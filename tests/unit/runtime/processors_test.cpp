@@ -1,4 +1,4 @@
-// Processors: the runs are worked out by hand from docs/execution-model.md.
+// Processors: the runs are worked out by hand from docs/reference/execution-model.md.
 #include <catch2/catch.hpp>
 
 #include "tests/run/support/bench.hpp"
