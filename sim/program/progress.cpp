@@ -17,7 +17,7 @@ const char* state(const sim::Workcell& workcell, double force) {
 std::string progress_line(const sim::Workcell& workcell, double factor) {
   const double force = workcell.log().empty() ? 0 : workcell.log().back().contact_force;
   const Eigen::Vector3d tool = workcell.tool().translation() * 1e3;
-  return fmt::format("{:8.3f} s {:6.1f} x  {:<10}  force {:5.1f} N  tool {:7.1f} {:7.1f} {:7.1f} mm",
+  return fmt::format("{:8.2f} s {:6.1f} x  {:<10}  force {:5.1f} N  tool {:7.1f} {:7.1f} {:7.1f} mm",
                      std::chrono::duration<double>(workcell.log_time()).count(), factor,
                      state(workcell, force), force, tool.x(), tool.y(), tool.z());
 }
@@ -34,7 +34,7 @@ void Progress::show() {
   if (terminal_) {
     if (clock_() - printed_ < std::chrono::milliseconds(100)) return;
   } else {
-    if (workcell_.log_time() < next_) return;
+    if (workcell_.log_time() + sim::physics_step <= next_) return;  // the physics go by whole milliseconds
     next_ += std::chrono::seconds(1);
   }
   print();
