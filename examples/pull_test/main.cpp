@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "activities.hpp"
-#include "runtime/dispatcher.hpp"
+#include "pal/runtime/dispatcher.hpp"
 
 using namespace std::chrono_literals;
 using namespace pal::runtime;

@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "runtime/dispatcher.hpp"
+#include "pal/runtime/dispatcher.hpp"
 
 using namespace std::chrono_literals;
 using namespace pal::runtime;
