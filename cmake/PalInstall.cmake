@@ -7,8 +7,17 @@ include(CMakePackageConfigHelpers)
 set(pal_package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/pal")
 set(pal_documents "${CMAKE_INSTALL_DATADIR}/doc/pal-tools")
 
+# pal_manual_page(PROGRAM PART): compressed, as Debian wants it.
+find_program(PAL_GZIP gzip REQUIRED)
+function(pal_manual_page program part)
+  set(page "${PROJECT_BINARY_DIR}/man/${program}.1")
+  configure_file("${PROJECT_SOURCE_DIR}/docs/man/${program}.1" "${page}" COPYONLY)
+  execute_process(COMMAND ${PAL_GZIP} -9nfk "${page}" COMMAND_ERROR_IS_FATAL ANY)
+  install(FILES "${page}.gz" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT ${part})
+endfunction()
+
 install(TARGETS pal EXPORT palTargets RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT tools)
-install(FILES docs/man/pal.1 DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT tools)
+pal_manual_page(pal tools)
 install(FILES README.md CONTRIBUTING.md DESTINATION "${pal_documents}" COMPONENT tools)
 install(DIRECTORY docs DESTINATION "${pal_documents}" COMPONENT tools PATTERN man EXCLUDE)
 
@@ -26,9 +35,10 @@ install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/pal-develop
 # The programs are there only where their tree is built, so who has one part alone has its licence, too.
 set(pal_parts tools development)
 if(PAL_BUILD_WORKCELL)
-  install(FILES docs/man/workcell.1 DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT workcell)
+  pal_manual_page(workcell workcell)
   list(APPEND pal_parts workcell)
 endif()
 foreach(part IN LISTS pal_parts)
-  install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/pal-${part}" COMPONENT ${part} RENAME copyright)
+  install(FILES cmake/copyright DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/pal-${part}" COMPONENT ${part})
+  install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/pal-${part}" COMPONENT ${part} RENAME Apache-2.0.txt)
 endforeach()
