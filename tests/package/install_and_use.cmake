@@ -11,7 +11,7 @@ endfunction()
 file(REMOVE_RECURSE "${WORK}")
 if(FROM STREQUAL packages)
   run(${CMAKE_CPACK_COMMAND} -G DEB --config "${BUILD}/CPackConfig.cmake" -B "${WORK}/packages"
-      -D "CPACK_COMPONENTS_ALL=tools;development")
+      -D "CPACK_COMPONENTS_ALL=tools\;development")
   file(GLOB packages "${WORK}/packages/*.deb")
   list(LENGTH packages count)
   if(NOT count EQUAL 2)
