@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/in_use.hpp"
-#include "runtime/payload.hpp"
+#include "pal/runtime/in_use.hpp"
+#include "pal/runtime/payload.hpp"
 
 namespace pal::runtime {
 
