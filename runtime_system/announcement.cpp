@@ -80,7 +80,8 @@ Announcement read_announcement(const std::string& path) {
   if (file.number() < 0) fail(path, last_error());
   struct stat found {};
   if (::fstat(file.number(), &found) != 0) fail(path, last_error());
-  if (!S_ISREG(found.st_mode) || (found.st_uid != ::geteuid() && found.st_uid != 0) || (found.st_mode & 077) != 0)
+  if (!S_ISREG(found.st_mode) || (found.st_uid != ::geteuid() && found.st_uid != 0) ||
+      (found.st_mode & 077) != 0)
     fail(path, "others can read or own this file; chmod 600 it, or start the server again");
   std::array<char, 4096> text{};
   const ssize_t size = ::read(file.number(), text.data(), text.size());

@@ -94,7 +94,8 @@ std::string Client::call(const std::string& method, const std::string& parameter
       parts_->notifications.push_back(std::move(message));
     } else if (message["id"].is_null() || message["id"] == id) {
       if (message.contains("error"))
-        throw RemoteError(message["error"].value("code", 0), message["error"].value("message", std::string()));
+        throw RemoteError(message["error"].value("code", 0),
+                          message["error"].value("message", std::string()));
       return message["result"].dump();
     }
   }

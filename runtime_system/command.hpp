@@ -46,8 +46,8 @@ struct SetBreakpoint {
 };
 struct ClearBreakpoints {};
 
-using Command = std::variant<TakeControls, ReleaseControls, RunSkill, LoadOperation, RunOperation, Pause, Stop,
-                             PutToken, SetParameter, SetBreakpoint, ClearBreakpoints>;
+using Command = std::variant<TakeControls, ReleaseControls, RunSkill, LoadOperation, RunOperation, Pause,
+                             Stop, PutToken, SetParameter, SetBreakpoint, ClearBreakpoints>;
 
 /// How a command ended that was obeyed. Of RunSkill: what came of the skill.
 struct Done {

@@ -102,8 +102,9 @@ struct Desk::Parts final : operations::StepObserver {
   std::optional<Refusal> need_controls(ClientId client) {
     if (ending) return Refusal{Refusal::Why::ending, "the server ends"};
     if (holder && *holder != client)
-      return Refusal{Refusal::Why::not_yours,
-                     fmt::format("'{}' has the controls; only pause and stop are for everybody", status.holder)};
+      return Refusal{
+          Refusal::Why::not_yours,
+          fmt::format("'{}' has the controls; only pause and stop are for everybody", status.holder)};
     give_controls(client);
     return std::nullopt;
   }
@@ -408,8 +409,8 @@ bool Desk::work() {
 
 void Desk::wait(std::chrono::milliseconds longest) {
   std::unique_lock lock(parts_->mutex);
-  parts_->changed.wait_for(
-      lock, longest, [this] { return parts_->ending || parts_->skill_job || parts_->operation_job; });
+  parts_->changed.wait_for(lock, longest,
+                           [this] { return parts_->ending || parts_->skill_job || parts_->operation_job; });
 }
 
 bool Desk::ended() const {

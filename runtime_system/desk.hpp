@@ -1,4 +1,5 @@
-// Where clients ask and the cell works: one skill or operation at a time, for the client that has the controls.
+// Where clients ask and the cell works: one skill or operation at a time, for the client that has the
+// controls.
 #pragma once
 
 #include <chrono>

@@ -162,7 +162,8 @@ class Members {
   }
   std::string text(const char* name) const {
     const auto found = json_.find(name);
-    if (found == json_.end() || !found->is_string()) fail(bad_parameters, fmt::format("'{}' must be a text", name));
+    if (found == json_.end() || !found->is_string())
+      fail(bad_parameters, fmt::format("'{}' must be a text", name));
     return found->get<std::string>();
   }
   std::string text(const char* name, const char* otherwise) const {
@@ -251,7 +252,8 @@ class JsonSession final : public Session {
       const auto method = request.find("method");
       if (request.value("jsonrpc", Json()) != "2.0" || method == request.end() || !method->is_string() ||
           (given != request.end() && id.is_null() && !given->is_null()))
-        fail(no_request, "a request has \"jsonrpc\": \"2.0\", a method, and an id that is a number or a text");
+        fail(no_request,
+             "a request has \"jsonrpc\": \"2.0\", a method, and an id that is a number or a text");
       answered = given != request.end();
       obey(method->get<std::string>(), Members(request), id, answered);
     } catch (const Problem& problem) {
@@ -380,8 +382,7 @@ class JsonSession final : public Session {
     if (answered) mouth_.say(dump({{"jsonrpc", "2.0"}, {"id", id}, {"result", json}}));
   }
   void refuse(const Json& id, int code, const std::string& message) {
-    mouth_.say(
-        dump({{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}}));
+    mouth_.say(dump({{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}}));
   }
   void notify(const Event& event) {
     said_ = event.number;

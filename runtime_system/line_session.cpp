@@ -101,7 +101,8 @@ class LineSession final : public Session {
   void end_line() {
     const std::string line = std::exchange(line_, {});
     if (uploading()) return upload(line);
-    if (line.size() > longest_line) return complain(fmt::format("a line has at most {} characters", longest_line));
+    if (line.size() > longest_line)
+      return complain(fmt::format("a line has at most {} characters", longest_line));
     const Words words = words_of(line);
     if (!words.empty()) obey(words);
   }
@@ -165,12 +166,14 @@ class LineSession final : public Session {
       const std::string name = equals == std::string::npos ? "" : words[i].substr(0, equals);
       const auto parameter =
           equals == std::string::npos
-              ? skill.parameters.begin() + static_cast<std::ptrdiff_t>(std::min(i - 1, skill.parameters.size()))
+              ? skill.parameters.begin() +
+                    static_cast<std::ptrdiff_t>(std::min(i - 1, skill.parameters.size()))
               : std::find_if(skill.parameters.begin(), skill.parameters.end(),
                              [&](const pan::Parameter& each) { return each.name == name; });
       if (parameter == skill.parameters.end())
-        return complain(name.empty() ? fmt::format("{} has {} parameters", skill.name, skill.parameters.size())
-                                     : fmt::format("{} has no parameter '{}'", skill.name, name));
+        return complain(name.empty()
+                            ? fmt::format("{} has {} parameters", skill.name, skill.parameters.size())
+                            : fmt::format("{} has no parameter '{}'", skill.name, name));
       const auto value =
           value_of(equals == std::string::npos ? words[i] : words[i].substr(equals + 1), parameter->type);
       if (!value) return complain(fmt::format("'{}' is no value of {}", words[i], parameter->name));
@@ -209,23 +212,23 @@ class LineSession final : public Session {
     if (waiting_) return complain("an operation runs; pause or stop it first");
     waiting_ = true;
     lobby_.desk.ask(*client_, RunOperation{how}, in_turn([this](const Reply& reply) {
-                      const auto* refusal = std::get_if<Refusal>(&reply);
-                      if (refusal == nullptr) return;
-                      waiting_ = false;
-                      complain(refusal->message);
-                    }));
+      const auto* refusal = std::get_if<Refusal>(&reply);
+      if (refusal == nullptr) return;
+      waiting_ = false;
+      complain(refusal->message);
+    }));
   }
   void ask(Command command, bool show = false) {
     if (show) show_this_ = true;
     const bool skill = std::holds_alternative<RunSkill>(command);
     lobby_.desk.ask(*client_, std::move(command), in_turn([this, skill](const Reply& reply) {
-                      if (skill) show_this_ = false;
-                      if (const auto* refusal = std::get_if<Refusal>(&reply)) return complain(refusal->message);
-                      const auto& result = std::get<Done>(reply).result;
-                      if (result.kind == operations::SkillResult::Kind::stopped) return complain(result.reason);
-                      why_ = result.reason;
-                      acknowledge(result.code);
-                    }));
+      if (skill) show_this_ = false;
+      if (const auto* refusal = std::get_if<Refusal>(&reply)) return complain(refusal->message);
+      const auto& result = std::get<Done>(reply).result;
+      if (result.kind == operations::SkillResult::Kind::stopped) return complain(result.reason);
+      why_ = result.reason;
+      acknowledge(result.code);
+    }));
   }
   Answerer in_turn(std::function<void(const Reply&)> use) {
     return [alive = std::weak_ptr(alive_), turn = lobby_.in_turn, use = std::move(use)](const Reply& reply) {

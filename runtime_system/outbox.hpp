@@ -18,7 +18,8 @@ struct OutboxLimits {
 /// One thread only.
 class Outbox {
  public:
-  /// Makes the text of a sample when it is sent; `dropped`: samples left out before it, since the client came.
+  /// Makes the text of a sample when it is sent; `dropped`: samples left out before it, since the client
+  /// came.
   using Sample = std::function<std::string(std::uint64_t dropped)>;
 
   explicit Outbox(OutboxLimits limits = {}) : limits_(limits) {}

@@ -56,7 +56,10 @@ struct Waiting {
 
 struct Server::Parts {
   explicit Parts(ServerOptions the_options)
-      : options(std::move(the_options)), web(open_door(io, options.address, options.port)), signals(io), glance(io) {
+      : options(std::move(the_options)),
+        web(open_door(io, options.address, options.port)),
+        signals(io),
+        glance(io) {
     options.doors.port = web.local_endpoint().port();
     if (options.line_port) lines.emplace(open_door(io, options.address, *options.line_port));
     if (options.line_terminal) {
@@ -70,9 +73,8 @@ struct Server::Parts {
 
   void start(Desk& the_desk, bool with_signals) {
     desk = &the_desk;
-    lobby.emplace(Lobby{the_desk, history, options.token, [this](std::function<void()> action) {
-                          asio::post(io, std::move(action));
-                        }});
+    lobby.emplace(Lobby{the_desk, history, options.token,
+                        [this](std::function<void()> action) { asio::post(io, std::move(action)); }});
     hall.emplace(Hall{io, *lobby, options.outbox, options.admit_within, options.idle});
     if (with_signals) {
       signals.add(SIGINT);
@@ -123,8 +125,9 @@ struct Server::Parts {
     });
   }
   bool has_room() {
-    clients.erase(std::remove_if(clients.begin(), clients.end(), [](const Entrance& each) { return each->gone(); }),
-                  clients.end());
+    clients.erase(
+        std::remove_if(clients.begin(), clients.end(), [](const Entrance& each) { return each->gone(); }),
+        clients.end());
     return clients.size() < options.most_clients;
   }
   void enter(const Entrance& client) {

@@ -26,11 +26,13 @@ struct ServerOptions {
   Doors doors;  // its port is filled in
   std::size_t most_clients = 16;
   std::chrono::milliseconds admit_within = std::chrono::seconds(10);  // from coming to showing the token
-  std::chrono::milliseconds idle = std::chrono::seconds(30);  // a WebSocket that does not answer a ping is closed
+  std::chrono::milliseconds idle =
+      std::chrono::seconds(30);  // a WebSocket that does not answer a ping is closed
   OutboxLimits outbox;
 };
 
-/// Keeps slow clients from the cell: it is only ever given a copy, and the rest is done in the server's thread.
+/// Keeps slow clients from the cell: it is only ever given a copy, and the rest is done in the server's
+/// thread.
 class Server final : public EventSink, public TelemetrySink {
  public:
   /// Opens all doors, behind which nobody answers yet. Throws std::runtime_error with the system's reason.
@@ -40,8 +42,8 @@ class Server final : public EventSink, public TelemetrySink {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  /// Serves from now on, until stop(); the desk, which has this as its sink, lives as long. With `signals` SIGINT and SIGTERM end
-  /// the desk.
+  /// Serves from now on, until stop(); the desk, which has this as its sink, lives as long. With `signals`
+  /// SIGINT and SIGTERM end the desk.
   void start(Desk& desk, bool signals = false);
   /// Ends the service and the thread.
   void stop();

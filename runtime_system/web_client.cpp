@@ -29,10 +29,11 @@ class WebClient final : public ClientAtDoor {
     parser_->header_limit(largest_header);
     parser_->body_limit(std::uint64_t{0});
     beast::get_lowest_layer(stream_).expires_after(hall_.admit_within);
-    http::async_read(stream_.next_layer(), buffer_, *parser_, [self = here()](beast::error_code problem, std::size_t) {
-      if (problem) return self->leave();
-      self->on_request();
-    });
+    http::async_read(stream_.next_layer(), buffer_, *parser_,
+                     [self = here()](beast::error_code problem, std::size_t) {
+                       if (problem) return self->leave();
+                       self->on_request();
+                     });
   }
 
  private:
@@ -89,9 +90,8 @@ class WebClient final : public ClientAtDoor {
     });
   }
   void write(const std::string& text) override {
-    stream_.async_write(asio::buffer(text), [self = here()](beast::error_code problem, std::size_t) {
-      self->written(!problem);
-    });
+    stream_.async_write(asio::buffer(text),
+                        [self = here()](beast::error_code problem, std::size_t) { self->written(!problem); });
   }
   void close() override {
     // From outside the session, which is at work.

@@ -86,7 +86,12 @@ operations::Skills templates_of(const std::vector<KnownSkill>& skills) {
 
 CellRunner::CellRunner(sim::Cell& cell, const std::vector<KnownSkill>& skills, runtime::CostPolicy times,
                        std::uint64_t seed, OnInterrupt on_interrupt, runtime::MessageObserver* messages)
-    : cell_(cell), known_(skills), times_(times), seed_(seed), on_interrupt_(on_interrupt), messages_(messages) {
+    : cell_(cell),
+      known_(skills),
+      times_(times),
+      seed_(seed),
+      on_interrupt_(on_interrupt),
+      messages_(messages) {
   take_new_control();
 }
 

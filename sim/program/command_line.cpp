@@ -136,7 +136,9 @@ void describe_serve(CLI::App& app, ServeCommand& command, std::vector<std::strin
   app.add_option("--time", command.times, "which times of their intervals things take")
       ->check(CLI::IsMember({"worst", "best", "random"}))
       ->capture_default_str();
-  app.add_option("--listen", command.address, "the address at which clients come; others than this machine's are open to all who can reach it")
+  app.add_option(
+         "--listen", command.address,
+         "the address at which clients come; others than this machine's are open to all who can reach it")
       ->capture_default_str();
   app.add_option("--port", command.port, "of JSON-RPC over WebSocket; 0: any that is free")
       ->check(CLI::Range(0, 65535))
@@ -156,7 +158,8 @@ void describe_serve(CLI::App& app, ServeCommand& command, std::vector<std::strin
   auto* paced = app.add_option("--paced", command.paced, "so many times as fast as the clock on the wall")
                     ->check(CLI::Range(0.001, 1000.0))
                     ->capture_default_str();
-  app.add_flag("--fast", command.fast, "in virtual time, as fast as can be; the cell's clock stands between skills")
+  app.add_flag("--fast", command.fast,
+               "in virtual time, as fast as can be; the cell's clock stands between skills")
       ->excludes(paced);
   app.add_option("--log", command.log, "a file that gets a line of JSON a step");
 }
@@ -243,8 +246,8 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
   RemoteCommand remote;
   describe_remote(*operation_app->get_parent(), remote);
   ServeCommand cell_command;
-  CLI::App* cell_app =
-      app.add_subcommand("serve", "opens a workcell for clients, who run skills and operations, until Ctrl-C");
+  CLI::App* cell_app = app.add_subcommand(
+      "serve", "opens a workcell for clients, who run skills and operations, until Ctrl-C");
   describe_serve(*cell_app, cell_command, folders);
 
   // CLI11 takes the arguments from the back.
@@ -266,9 +269,9 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
     if (!remote.verb.empty()) return command_server(remote, out, error);
     if (operation_app->parsed() && operation_command.at_server) {
       const OperationCommand& asked = operation_command;
-      return command_server({"run", asked.file, asked.announcement, asked.log, asked.from, asked.breakpoints,
-                             asked.detach},
-                            out, error);
+      return command_server(
+          {"run", asked.file, asked.announcement, asked.log, asked.from, asked.breakpoints, asked.detach},
+          out, error);
     }
     if (operation_app->parsed()) return run_operation(operation_command, skills, in, out, error);
     if (serve_app->parsed()) {

@@ -48,7 +48,8 @@ class Terminal {
     try {
       const auto announced = runtime_system::read_announcement(path);
       client_.emplace(announced.address, announced.port);
-      const Json hello{{"token", announced.token}, {"name", fmt::format("workcell operation {}", command.verb)}};
+      const Json hello{{"token", announced.token},
+                       {"name", fmt::format("workcell operation {}", command.verb)}};
       state_ = call("hello", hello.dump());
     } catch (const std::exception& problem) {
       throw Failure(ExitStatus::usage, "server", problem.what(),
@@ -134,7 +135,8 @@ class Terminal {
                           step.value("icon", ""), step.value("skill", ""), step.value("code", 0), seconds,
                           step.value("reason", ""));
     } else {
-      out_ << fmt::format("{:4}  {}: waited {:.3f} s\n", step.value("step", 0), step.value("icon", ""), seconds);
+      out_ << fmt::format("{:4}  {}: waited {:.3f} s\n", step.value("step", 0), step.value("icon", ""),
+                          seconds);
     }
     out_ << std::flush;
     if (!log_.is_open()) return;

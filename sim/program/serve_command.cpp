@@ -32,12 +32,12 @@ runtime_system::ServerOptions server_options(const ServeCommand& command) {
   return options;
 }
 
-std::unique_ptr<runtime_system::Server> open_doors(const ServeCommand& command,
-                                                   const runtime_system::ServerOptions& options) {
+std::unique_ptr<runtime_system::Server> open_doors(const runtime_system::ServerOptions& options) {
   try {
     return std::make_unique<runtime_system::Server>(options);
   } catch (const std::exception& problem) {
-    throw Failure(ExitStatus::usage, "serve", problem.what(), "choose another --port, or --port 0 for any that is free");
+    throw Failure(ExitStatus::usage, "serve", problem.what(),
+                  "choose another --port, or --port 0 for any that is free");
   }
 }
 
@@ -84,7 +84,7 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   }
   operations::StepLog log(log_file);
   const runtime_system::ServerOptions doors = server_options(command);
-  const auto server = open_doors(command, doors);
+  const auto server = open_doors(doors);
 
   std::optional<runtime::Outside> wall;
   sim::CellOptions options;

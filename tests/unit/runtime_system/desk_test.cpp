@@ -41,7 +41,9 @@ struct Fixture {
     });
     return said;
   }
-  std::string load(ClientId client, const char* text) { return ask(client, LoadOperation{{{"o", text}}, "o"}); }
+  std::string load(ClientId client, const char* text) {
+    return ask(client, LoadOperation{{{"o", text}}, "o"});
+  }
 };
 
 }  // namespace
@@ -113,7 +115,8 @@ TEST_CASE("a skill alone answers when it has ended, and can be stopped") {
   CHECK(done->result.kind == operations::SkillResult::Kind::stopped);
 }
 
-TEST_CASE("when the client goes that has the controls, the operation pauses or goes on, and another takes over") {
+TEST_CASE(
+    "when the client goes that has the controls, the operation pauses or goes on, and another takes over") {
   const bool pauses = GENERATE(true, false);
   test::Clockwork cell;
   Events events;
@@ -121,7 +124,8 @@ TEST_CASE("when the client goes that has the controls, the operation pauses or g
   const ClientId ann = desk.enter("ann"), bob = desk.enter("bob");
   const auto ask = [&](ClientId client, Command command) {
     bool done = false;
-    desk.ask(client, std::move(command), [&](const Reply& reply) { done = std::holds_alternative<Done>(reply); });
+    desk.ask(client, std::move(command),
+             [&](const Reply& reply) { done = std::holds_alternative<Done>(reply); });
     return done;
   };
   REQUIRE(ask(ann, LoadOperation{{{"o", test::two_long}}, "o"}));
@@ -146,7 +150,8 @@ TEST_CASE("breakpoints can be set while an operation runs") {
   f.ask(f.ann, RunOperation{});
   f.cell.wait_until_inside();
   std::atomic<bool> set = false;
-  f.desk.ask(f.ann, SetBreakpoint{{"b", {}}}, [&](const Reply& reply) { set = std::holds_alternative<Done>(reply); });
+  f.desk.ask(f.ann, SetBreakpoint{{"b", {}}},
+             [&](const Reply& reply) { set = std::holds_alternative<Done>(reply); });
   CHECK_FALSE(set);
   f.cell.let_go();
   f.events.wait(2);
@@ -158,8 +163,9 @@ TEST_CASE("breakpoints can be set while an operation runs") {
 TEST_CASE("an operation that is wrong is refused with its place") {
   Fixture f;
   CHECK(f.load(f.ann, "{") != "done");
-  const std::string said =
-      f.load(f.ann, R"({"operation-format": 1, "name": "o", "icons": [{"id": "start", "kind": "start", "next": "x"}]})");
+  const std::string said = f.load(
+      f.ann,
+      R"({"operation-format": 1, "name": "o", "icons": [{"id": "start", "kind": "start", "next": "x"}]})");
   CHECK(said.rfind("o:1:", 0) == 0);
   CHECK(f.ask(f.ann, RunOperation{}) == "no operation is loaded");
 }

@@ -7,7 +7,8 @@ using pal::runtime_system::Outbox;
 TEST_CASE("answers and events are kept, of telemetry the oldest goes and is counted") {
   Outbox outbox({100, 2});
   for (const char* sample : {"1", "2", "3"})
-    outbox.put_sample([sample](std::uint64_t dropped) { return sample + std::string("/") + std::to_string(dropped); });
+    outbox.put_sample(
+        [sample](std::uint64_t dropped) { return sample + std::string("/") + std::to_string(dropped); });
   CHECK(outbox.put("a"));
   CHECK(outbox.put("b"));
   CHECK(outbox.take() == "a");

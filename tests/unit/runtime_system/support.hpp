@@ -19,6 +19,7 @@ class Clockwork final : public operations::SkillRunner {
   operations::SkillResult run(const std::string& skill,
                               const std::vector<operations::Parameter>& parameters) override {
     ++runs;
+    std::this_thread::sleep_for(lasts);
     time += std::chrono::milliseconds(1);
     std::unique_lock lock(mutex_);
     if (skill == "long") {
@@ -57,6 +58,7 @@ class Clockwork final : public operations::SkillRunner {
   }
 
   std::atomic<int> runs = 0;
+  std::chrono::microseconds lasts{0};  // a skill, on the wall
   Duration time{};
 
  private:
