@@ -4,7 +4,7 @@
 
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/exact/slice_bound.hpp"
-#include "analyzer/exact/standstill.hpp"
+#include "analyzer/exact/zeno_run.hpp"
 #include "analyzer/runs/quick_runs.hpp"
 #include "analyzer/runs/run_search.hpp"
 #include "analyzer/verdict/explain.hpp"
@@ -308,7 +308,7 @@ void withhold(Analysis& analysis) {
 
 Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
   const Provers provers{
-      [](const Problem& of, const Options& how) { return analyze(of, how); },
+      [](const Problem& of, const Options& how) { return analyze_exactly(of, how); },
       [](const Problem& of, const Options& how) { return analyze_compositionally(of, how); }};
   return analyze_with(provers, problem, choice, options);
 }
@@ -316,13 +316,13 @@ Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& o
 Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisChoice choice,
                       const Options& options) {
   // First in a few classes: when the proofs have used up the time, none of them must hold for want of it.
-  StandstillSearch look = standstill(problem, {std::min(options.max_states, first_look), options.stop});
+  ZenoSearch look = find_zeno_run(problem, {std::min(options.max_states, first_look), options.stop});
   Analysis analysis = analyze_as(provers, problem, choice, options);
   say_unread(problem, analysis);
   const bool goes_on = !look.found && !look.excluded && options.max_states > first_look;
-  if (goes_on) look = standstill(problem, {options.max_states, options.stop});
-  analysis.standstill = std::move(look.found);
-  if (analysis.standstill) withhold(analysis);
+  if (goes_on) look = find_zeno_run(problem, {options.max_states, options.stop});
+  analysis.zeno_run = std::move(look.found);
+  if (analysis.zeno_run) withhold(analysis);
   withdraw_refuted(analysis.verdicts);
   for (Verdict& verdict : analysis.verdicts) add_up(verdict);
   return analysis;

@@ -27,11 +27,12 @@ LAYERS = {
     **{stage: STAGES[:i] + MODEL for i, stage in enumerate(STAGES)},
     "analyzer": STAGES + MODEL,
     "analyzer/whatif": ["analyzer"] + STAGES + MODEL,
-    "analyzer/replay": ["analyzer/problem"] + MODEL,  # of the analysis nothing
+    "analyzer/run_checker": ["analyzer/problem"] + MODEL,  # of the analysis nothing
     "codegen": ["pal/support", "pal/pan"],
     "operations": ["pal/support", "pal/pan"],  # neither robots nor simulators: it asks a SkillRunner
     "pal/driver": ["pal/support", "pal/explain", "pal/doc", "pal/pan", "pal/syntax", "pal/check", "analyzer", "analyzer/chart",
-                   "analyzer/replay", "analyzer/whatif", *STAGES, "codegen", "operations", "runtime/trace"],
+                   "analyzer/run_checker", "analyzer/whatif", *STAGES, "codegen", "operations", "runtime/trace"],
+    "pal/program": ["pal/driver", "pal/support"],
     "runtime": ["runtime/trace"],
     "runtime/drivers/val/command.hpp": ["runtime", "runtime/trace"],
     "runtime/drivers": ["runtime", "runtime/trace", "runtime/drivers/val/command.hpp"],
@@ -69,7 +70,7 @@ def self_test():
     assert list(breaks("sim/model.hpp", "#include <mujoco/mujoco.h>\n"))
     assert list(breaks("analyzer/problem/compile.cpp", '#include "analyzer/zones/dbm.hpp"\n'))
     assert list(breaks("analyzer/compositional/times/slots.cpp", '#include "analyzer/compositional/measures/sum.hpp"\n'))
-    assert list(breaks("analyzer/replay/referee.cpp", '#include "analyzer/machine/machine.hpp"\n'))
+    assert list(breaks("analyzer/run_checker/referee.cpp", '#include "analyzer/machine/machine.hpp"\n'))
     assert not list(breaks("analyzer/exact/exact.cpp", '#include "pal/pan/graph.hpp"\n#include <vector>\n'))
 
 

@@ -1,4 +1,4 @@
-// Plans and generated files, whole. To take new ones over after looking at them: PAL_UPDATE_GOLDEN=1.
+// Plans and generated files, whole. To take new ones over after looking at them: PAL_GOLDEN_REWRITE=1.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fstream>
@@ -6,7 +6,7 @@
 
 #include "codegen/generate.hpp"
 #include "pal/check/check.hpp"
-#include "pal/check/load.hpp"
+#include "pal/check/read_sources.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/render.hpp"
 
@@ -37,7 +37,8 @@ class InSourceTree final : public FileSystem {
 
 struct Input {
   Input(const std::string& skill, const std::string& environment) {
-    specification = check(load(InSourceTree(), sources, {skill, environment}, diagnostics), diagnostics);
+    specification =
+        check(read_sources(InSourceTree(), sources, {skill, environment}, diagnostics), diagnostics);
     std::ostringstream findings;
     render_text(diagnostics.sorted(), sources, findings);
     INFO(findings.str());
@@ -54,8 +55,8 @@ struct Input {
   Specification specification;
 };
 
-void compare(const std::string& file, const std::string& found) {
-  if (std::getenv("PAL_UPDATE_GOLDEN") != nullptr) {
+void expect_golden(const std::string& file, const std::string& found) {
+  if (const char* rewrite = std::getenv("PAL_GOLDEN_REWRITE"); rewrite != nullptr && *rewrite == '1') {
     std::ofstream(folder + file, std::ios::binary) << found;
     return;
   }
@@ -76,8 +77,8 @@ TEST_CASE("plan and code of a skill with every statement and odd names") {
   REQUIRE(plan);
   std::ostringstream text;
   codegen::dump(*plan, text);
-  compare("odd_names.plan", text.str());
-  compare("odd_names.expected", all(codegen::emit(*plan)));
+  expect_golden("odd_names.plan", text.str());
+  expect_golden("odd_names.expected", all(codegen::emit(*plan)));
 }
 
 TEST_CASE("plan and code of a module that several blocks execute") {
@@ -86,8 +87,8 @@ TEST_CASE("plan and code of a module that several blocks execute") {
   REQUIRE(plan);
   std::ostringstream text;
   codegen::dump(*plan, text);
-  compare("at_a_time.plan", text.str());
-  compare("at_a_time.expected", all(codegen::emit(*plan)));
+  expect_golden("at_a_time.plan", text.str());
+  expect_golden("at_a_time.expected", all(codegen::emit(*plan)));
 }
 
 TEST_CASE("plan and code of a skill with arrays and texts") {
@@ -96,8 +97,8 @@ TEST_CASE("plan and code of a skill with arrays and texts") {
   REQUIRE(plan);
   std::ostringstream text;
   codegen::dump(*plan, text);
-  compare("survey.plan", text.str());
-  compare("survey.expected", all(codegen::emit(*plan)));
+  expect_golden("survey.plan", text.str());
+  expect_golden("survey.expected", all(codegen::emit(*plan)));
 }
 
 TEST_CASE("plan and code of approach to touch") {
@@ -106,8 +107,8 @@ TEST_CASE("plan and code of approach to touch") {
   REQUIRE(plan);
   std::ostringstream text;
   codegen::dump(*plan, text);
-  compare("touch.plan", text.str());
-  compare("touch.expected", all(codegen::emit(*plan)));
+  expect_golden("touch.plan", text.str());
+  expect_golden("touch.expected", all(codegen::emit(*plan)));
 }
 
 TEST_CASE("an environment that lacks something gives findings and no code") {

@@ -85,7 +85,7 @@ void add_folder(const std::string& folder, MemoryFileSystem& files, const std::s
   }
 }
 
-void check_fence(const Fence& fence, MemoryFileSystem& files) {
+void expect_fence(const Fence& fence, MemoryFileSystem& files) {
   CAPTURE(fence.line);
   const auto text = wrapped(fence);
   CAPTURE(text);
@@ -129,7 +129,7 @@ TEST_CASE("every piece of PAL in the documents is what it says") {
     add_folder("skills_pal", files);
     add_folder("skills_pal/touch", files);
     add_folder("skills_pal/modules", files, "../modules/");
-    for (const auto& fence : fences_of(test::source_file(path))) check_fence(fence, files);
+    for (const auto& fence : fences_of(test::source_file(path))) expect_fence(fence, files);
   }
 }
 
