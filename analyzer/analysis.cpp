@@ -237,10 +237,8 @@ Analysis analyze_automatically(const Provers& provers, const Problem& problem, c
   const bool open = std::any_of(
       analysis.verdicts.begin(), analysis.verdicts.end(),
       [](const Verdict& verdict) { return verdict.gave_up || verdict.state == State::undecided; });
-  // A bound takes little time, also where that of the others has run out.
-  Options untimed = options;
-  untimed.stop = nullptr;
-  const Analysis bounds = open ? bounds_of(provers, problem, untimed, analysis) : Analysis{};
+  // Of a skill of thousands of statements a bound, too, takes long.
+  const Analysis bounds = open ? bounds_of(provers, problem, options, analysis) : Analysis{};
   for (std::size_t r = 0; r < bounds.verdicts.size(); ++r) complete(analysis.verdicts[r], bounds.verdicts[r]);
   settle(problem, options, analysis);
   if (thorough) search_all(problem, options, analysis);

@@ -15,11 +15,15 @@ Time DeviceLink::now() const {
   return run_.now();
 }
 
-void DeviceLink::at(Time when, std::function<void()> action) {
+DeviceHost::Appointment DeviceLink::at(Time when, std::function<void()> action) {
   if (when < run_.now()) {
     throw std::logic_error("asks to be called at " + std::to_string(when.count()) + " ns, which is over");
   }
-  run_.queue().push_action(when, static_cast<std::uint64_t>(index_), std::move(action));
+  return run_.queue().push_action(when, static_cast<std::uint64_t>(index_), std::move(action));
+}
+
+void DeviceLink::cancel(Appointment appointment) {
+  run_.queue().cancel(appointment);
 }
 
 bool DeviceLink::deliver(std::size_t port, std::span<const double> fields) {

@@ -18,7 +18,8 @@ class DeviceLink final : public DeviceHost {
   DeviceLink(Run& run, int index, Device& device, std::vector<int> channels);
 
   Time now() const override;
-  void at(Time when, std::function<void()> action) override;
+  Appointment at(Time when, std::function<void()> action) override;
+  void cancel(Appointment appointment) override;
   bool deliver(std::size_t port, std::span<const double> fields) override;
   void mark_busy(bool busy) override;
   void fault(std::string reason) override;

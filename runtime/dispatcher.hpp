@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 
-#include "runtime/in_use.hpp"
-#include "runtime/outcome.hpp"
-#include "runtime/skill.hpp"
+#include "pal/runtime/in_use.hpp"
+#include "pal/runtime/outcome.hpp"
+#include "pal/runtime/skill.hpp"
 
 namespace pal::runtime {
 

@@ -31,22 +31,38 @@ void EventQueue::push(Time time, Event::Kind kind, std::int32_t subject, std::ui
   std::push_heap(heap_.begin(), heap_.end(), later);
 }
 
-void EventQueue::push_action(Time time, std::uint64_t token, std::function<void()> action) {
-  std::int32_t slot = 0;
+DeviceHost::Appointment EventQueue::push_action(Time time, std::uint64_t token,
+                                                std::function<void()> action) {
   if (free_actions_.empty()) {
-    slot = static_cast<std::int32_t>(actions_.size());
-    actions_.push_back(std::move(action));
-  } else {
-    slot = free_actions_.back();
-    free_actions_.pop_back();
-    actions_[static_cast<std::size_t>(slot)] = std::move(action);
+    free_actions_.push_back(static_cast<std::int32_t>(actions_.size()));
+    actions_.emplace_back();
   }
+  const std::int32_t slot = free_actions_.back();
+  free_actions_.pop_back();
+  actions_[static_cast<std::size_t>(slot)] = {std::move(action), order_};
+  const DeviceHost::Appointment appointment{static_cast<std::uint32_t>(slot), order_};
   push(time, Event::Kind::device_action, slot, token);
+  return appointment;
+}
+
+void EventQueue::cancel(DeviceHost::Appointment appointment) {
+  if (appointment.order != 0 && appointment.slot < actions_.size() &&
+      actions_[appointment.slot].order == appointment.order)
+    release(appointment.slot);
+}
+
+bool EventQueue::expects_action(const Event& event) const {
+  return actions_[static_cast<std::size_t>(event.subject)].order == event.order;
 }
 
 std::function<void()> EventQueue::take_action(const Event& event) {
-  free_actions_.push_back(event.subject);
-  return std::exchange(actions_[static_cast<std::size_t>(event.subject)], nullptr);
+  return release(static_cast<std::size_t>(event.subject));
+}
+
+std::function<void()> EventQueue::release(std::size_t slot) {
+  free_actions_.push_back(static_cast<std::int32_t>(slot));
+  actions_[slot].order = 0;
+  return std::exchange(actions_[slot].call, nullptr);
 }
 
 }  // namespace pal::runtime

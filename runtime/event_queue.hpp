@@ -34,16 +34,26 @@ class EventQueue {
 
   void push(Time time, Event::Kind kind, std::int32_t subject, std::uint64_t token);
   /// `token` names the device.
-  void push_action(Time time, std::uint64_t token, std::function<void()> action);
+  DeviceHost::Appointment push_action(Time time, std::uint64_t token, std::function<void()> action);
+  /// Forgets the action, if it is still to come.
+  void cancel(DeviceHost::Appointment appointment);
+  /// Whether the action of this event is still to come; false: it was cancelled.
+  bool expects_action(const Event& event) const;
 
   /// The action of an event that was popped; forgotten by the queue.
   std::function<void()> take_action(const Event& event);
 
  private:
+  struct Action {
+    std::function<void()> call;
+    std::uint64_t order = 0;  // of its event; 0: the slot is free
+  };
+  std::function<void()> release(std::size_t slot);
+
   std::vector<Event> heap_;
-  std::vector<std::function<void()>> actions_;
+  std::vector<Action> actions_;
   std::vector<std::int32_t> free_actions_;
-  std::uint64_t order_ = 0;
+  std::uint64_t order_ = 1;  // of the next event
 };
 
 }  // namespace pal::runtime

@@ -107,7 +107,7 @@ bool Run::stale(const Event& event) const {
       return control.waiting == nullptr || control.wait_token != event.token;
     }
     case Event::Kind::device_action:
-      return false;
+      return !queue_.expects_action(event);
   }
   return false;
 }

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/operation.hpp"
-#include "runtime/task.hpp"
-#include "runtime/wiring.hpp"
+#include "pal/runtime/operation.hpp"
+#include "pal/runtime/task.hpp"
+#include "pal/runtime/wiring.hpp"
 
 namespace pal::runtime {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/trace/trace.hpp"
+#include "pal/runtime/trace/trace.hpp"
 
 namespace pal::trace {
 

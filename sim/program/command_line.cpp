@@ -5,8 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <ostream>
-#include <sstream>
+#include <system_error>
 
 #include "sim/cell/served_port.hpp"
 #include "sim/program/interrupt.hpp"
@@ -16,10 +17,14 @@
 namespace pal::workcell {
 namespace {
 
-/// `given`, then those of `known`, which are separated by colons.
-std::vector<std::string> folders_of(std::vector<std::string> given, const char* known) {
-  std::istringstream list(known);
-  for (std::string folder; std::getline(list, folder, ':');) given.push_back(folder);
+/// `given`, then what is installed beside this program (../share/pal/NAME), then `in_source`: where an
+/// installed program has been moved, or unpacked, does not matter.
+std::vector<std::string> folders_of(std::vector<std::string> given, const char* name, const char* in_source) {
+  std::error_code none;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
+  const std::filesystem::path installed = program.parent_path().parent_path() / "share" / "pal" / name;
+  if (!none && std::filesystem::is_directory(installed, none)) given.push_back(installed);
+  given.push_back(in_source);
   return given;
 }
 
@@ -184,9 +189,9 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
   }
   try {
     list_command.scene_folders = run_command.scene_folders = serve_command.scene_folders =
-        operation_command.scene_folders = folders_of(folders, PAL_SCENE_FOLDERS);
+        operation_command.scene_folders = folders_of(folders, "scenes", PAL_SCENE_FOLDER);
     run_command.terminal = terminal;
-    run_command.skill_folders = folders_of({}, PAL_SKILL_FOLDERS);
+    run_command.skill_folders = folders_of({}, "skills", PAL_SKILL_FOLDER);
     if (operation_app->parsed()) return run_operation(operation_command, skills, in, out, error);
     if (serve_app->parsed()) {
       runtime::RunControl control;

@@ -26,19 +26,21 @@ std::string read(const std::string& path) {
 /// Files by names that are the same wherever the source tree is.
 class InSourceTree final : public FileSystem {
  public:
+  explicit InSourceTree(std::string working_folder) : folder_(std::move(working_folder)) {}
   std::variant<std::string, FileError> read(const std::string& path,
                                             std::size_t most = largest_file) const override {
-    return disk_.read(PAL_SOURCE_DIR "/" + path, most);
+    return disk_.read(path.starts_with('/') ? path : PAL_SOURCE_DIR "/" + folder_ + path, most);
   }
 
  private:
+  std::string folder_;
   DiskFileSystem disk_;
 };
 
 struct Input {
-  Input(const std::string& skill, const std::string& environment) {
+  Input(const std::string& skill, const std::string& environment, const std::string& working_folder = "") {
     specification =
-        check(read_sources(InSourceTree(), sources, {skill, environment}, diagnostics), diagnostics);
+        check(read_sources(InSourceTree(working_folder), sources, {skill, environment}, diagnostics), diagnostics);
     std::ostringstream findings;
     render_text(diagnostics.sorted(), sources, findings);
     INFO(findings.str());
@@ -109,6 +111,19 @@ TEST_CASE("plan and code of approach to touch") {
   codegen::dump(*plan, text);
   expect_golden("touch.plan", text.str());
   expect_golden("touch.expected", all(codegen::emit(*plan)));
+}
+
+TEST_CASE("the same text from whatever folder") {
+  const std::string top = PAL_SOURCE_DIR "/skills_pal/";
+  const std::string expected = read(folder + "touch.expected");
+  const auto generated = [](Input input) {
+    const auto plan = input.plan();
+    REQUIRE(plan);
+    return all(codegen::emit(*plan));
+  };
+  CHECK(generated({"touch.pal", "../workcell.pal", "skills_pal/touch/"}) == expected);
+  CHECK(generated({"../touch/touch.pal", "../workcell.pal", "skills_pal/rub/"}) == expected);
+  CHECK(generated({top + "touch/touch.pal", top + "workcell.pal"}) == expected);
 }
 
 TEST_CASE("an environment that lacks something gives findings and no code") {

@@ -246,6 +246,36 @@ TEST_CASE("every fault ends the skill with its error completion and closes the d
   CHECK(outcome.trace.events.back().kind == trace::Kind::complete);
 }
 
+TEST_CASE("a device cancels what it asked for: it is not called, and no run waits for its instant") {
+  Reader bench;
+  std::vector<int> called;
+  DeviceHost::Appointment late, again;
+  bench.sensor.on_receive = [&](DeviceHost& host, std::size_t, std::span<const double>) {
+    const auto call = [&](int number) { return [&called, number] { called.push_back(number); }; };
+    const auto first = host.at(host.now() + 1ms, call(1));
+    host.at(host.now() + 1ms, call(2));
+    host.cancel(first);
+    host.cancel(first);                          // twice does no harm
+    again = host.at(host.now() + 1ms, call(3));  // may have its place: it is another appointment
+    host.cancel(first);
+    late = host.at(host.now() + 1h, call(4));
+    host.at(host.now() + 2ms, [&] {
+      host.cancel(again);  // has been called: too late
+      host.cancel(late);
+      host.cancel({});
+    });
+  };
+  bench.skill.thread("A", bench.p, 1, [&](Thread& t) -> Task {
+    co_await t.send(bench.send, bench.request);
+    co_await t.wait(bench.receive, from(bench.x));
+  });
+  const auto outcome = run(bench.skill, {&bench.sensor});
+  CHECK(called == std::vector<int>{2, 3});
+  // The answer never comes. That is found when the last appointment has been kept, not an hour later.
+  CHECK(outcome.reason.find("nothing is left to happen") == 0);
+  CHECK(outcome.duration == 2ms);
+}
+
 TEST_CASE("a skill does not begin without its devices") {
   Reader bench;
   bench.skill.thread("A", bench.p, 1, [&](Thread& t) -> Task { co_await t.complete(bench.end, 0); });
