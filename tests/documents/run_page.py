@@ -1,8 +1,8 @@
 """Follows a page as a reader would: saves its files, makes its changes, types its commands, and compares what they print.
 
-    run_page.py PAGE FOLDER [--build PREFIX]
+    run_page.py PAGE FOLDER [--build PREFIX] [--with EXAMPLE]
 
-FOLDER is emptied first. `pal` is found on PATH. The page's fences say what is done, in their order:
+FOLDER is emptied first; with EXAMPLE it begins with the files of that folder. `pal` is found on PATH. The page's fences say what is done, in their order:
 
     ```LANGUAGE file=NAME    the file NAME
     ```diff file=NAME        a change in NAME: lines that begin with - (or a blank) stand there once, + (or a blank) afterwards
@@ -60,9 +60,13 @@ def main():
     arguments.add_argument("page", type=Path)
     arguments.add_argument("folder", type=Path)
     arguments.add_argument("--build", type=Path)
+    arguments.add_argument("--with", type=Path, dest="example")
     options = arguments.parse_args()
     shutil.rmtree(options.folder, ignore_errors=True)
-    options.folder.mkdir(parents=True)
+    if options.example:
+        shutil.copytree(options.example, options.folder)
+    else:
+        options.folder.mkdir(parents=True)
     environment = dict(os.environ)
     if options.build:
         environment["CMAKE_PREFIX_PATH"] = str(options.build)
