@@ -63,15 +63,15 @@ class Ways {
   }
 
   bool in_row(int segment, int first, int second) {
-    const auto [known, fresh] = in_row_.emplace(std::tuple{segment, first, second}, false);
-    if (fresh) known->second = compositional::comes_after(problem_, forest_.segments[segment], first, second);
-    return known->second;
+    const auto [known, fresh] = after_.emplace(std::pair{segment, first}, std::vector<bool>());
+    if (fresh) known->second = steps_after(problem_, forest_.segments[segment], first);
+    return known->second[static_cast<std::size_t>(second)];
   }
 
   const Problem& problem_;
   const Forest& forest_;
-  std::map<int, std::vector<int>> ways_;              // by node
-  std::map<std::tuple<int, int, int>, bool> in_row_;  // by segment and two of its sends
+  std::map<int, std::vector<int>> ways_;                    // by node
+  std::map<std::pair<int, int>, std::vector<bool>> after_;  // by segment and one of its sends
 };
 
 /// Nodes by source and what `key_of` says of them.

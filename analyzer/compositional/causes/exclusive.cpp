@@ -1,7 +1,9 @@
 #include "analyzer/compositional/causes/exclusive.hpp"
 
+#include <algorithm>
 #include <map>
-#include <tuple>
+#include <set>
+#include <utility>
 
 #include "analyzer/problem/flow.hpp"
 
@@ -17,42 +19,30 @@ int end_of_job(const AnalysisContext& context, int node) {
   return begins.step == context.behaviour_of(begins.thread).idle_wait ? begins.step : -1;
 }
 
-/// Whether a job that has passed `first` may come to another step.
-bool may_follow(const AnalysisContext& context, const StepEffect& first, int second) {
-  const int end = end_of_job(context, first.node);
-  return follow(context.problem, context.step_at(first.step).next, [&](int at) {
-    if (at == second) return Course::found;
-    return at == end ? Course::ends : Course::goes_on;
-  });
-}
-
 using Places = std::map<int, std::vector<int>>;
 
 /// Whether a run of one node passes two of its steps.
 bool any_in_node(const AnalysisContext& context, const Places& steps_of) {
-  std::map<std::tuple<int, int, int>, bool> known;  // by segment and steps
-  for (const auto& [node, steps] : steps_of) {
-    for (int first : steps) {
-      for (int second : steps) {
-        const auto [place, fresh] =
-            known.emplace(std::tuple{context.node(node).segment, first, second}, false);
-        if (fresh) place->second = comes_after(context.problem, context.segment(node), first, second);
-        if (place->second) return true;
-      }
-    }
-  }
-  return false;
+  std::set<std::pair<int, std::vector<int>>> seen;  // segments and steps
+  return std::any_of(steps_of.begin(), steps_of.end(), [&](const auto& of) {
+    const int segment = context.node(of.first).segment;
+    return seen.emplace(segment, of.second).second &&
+           any_in_row(context.problem, context.segment(of.first), of.second);
+  });
 }
 
 /// Whether a run of the job passes a step in one node and then one in another.
 bool any_in_job(const AnalysisContext& context, const Places& nodes_of) {
-  for (const auto& [first, nodes] : nodes_of) {
-    for (const auto& [second, others] : nodes_of) {
-      const bool one_node = nodes.size() == 1 && others == nodes;
-      if (!one_node && may_follow(context, {nodes.front(), first}, second)) return true;
-    }
-  }
-  return false;
+  return std::any_of(nodes_of.begin(), nodes_of.end(), [&](const auto& before) {
+    const auto& [first, nodes] = before;
+    const int end = end_of_job(context, nodes.front());
+    return follow(context.problem, context.step_at(first).next, [&](int at) {
+      const auto second = nodes_of.find(at);
+      const bool one_node = second != nodes_of.end() && nodes.size() == 1 && second->second == nodes;
+      if (second != nodes_of.end() && !one_node) return Course::found;
+      return at == end ? Course::ends : Course::goes_on;
+    });
+  });
 }
 
 }  // namespace

@@ -52,14 +52,19 @@ class ForestBuilder {
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
   Node& node(int index) { return forest_.nodes[static_cast<std::size_t>(index)]; }
 
+  /// Nothing more is looked at: it is refused, or it was stopped, and is refused for that.
+  bool is_over() {
+    if (forest_.refusal.empty() && stop_ && stop_()) forest_.refusal = "it was interrupted";
+    return !forest_.refusal.empty();
+  }
+
   void find_limited() {
     limited_.assign(problem_.steps.size(), false);
     for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
       const Step& step = problem_.steps[s];
       if (step.kind != Kind::wait || !step.within || forest_.segments.owner(static_cast<int>(s)) < 0)
         continue;
-      if (stop_ && stop_()) forest_.refusal = "it was interrupted";
-      if (!forest_.refusal.empty()) return;
+      if (is_over()) return;
       limited_[s] = !loops_by_limits(static_cast<int>(s));
     }
   }
@@ -133,11 +138,10 @@ class ForestBuilder {
         add({source, -1, Node::Release::root, -1, {}, -1}, of.segment);
         break;
     }
-    while (!open_.empty() && forest_.refusal.empty()) {
+    while (!open_.empty() && !is_over()) {
       const int at = open_.back();
       open_.pop_back();
       add_effects(at);
-      if (stop_ && stop_()) forest_.refusal = "it was interrupted";
     }
     open_.clear();
   }
@@ -155,17 +159,19 @@ class ForestBuilder {
   void add_effects(int at) {
     const Segment segment = forest_.segments[node(at).segment];
     const int source = node(at).source;
-    for (std::vector<int>& sends : alternatives(segment)) {
+    for (const std::vector<int>& sends : alternatives(node(at).segment)) {
+      if (is_over()) return;
       const int channel = step_at(sends.front()).channels.front();
       const Channel& of = problem_.channels[static_cast<std::size_t>(channel)];
       if (of.receiver_device < 0) {
-        message({source, at, Node::Release::message, -1, std::move(sends), -1}, channel);
+        message({source, at, Node::Release::message, -1, sends, -1}, channel);
       } else if (of.served && of.answer >= 0) {
-        message({source, at, Node::Release::message, -1, std::move(sends), of.receiver_device}, of.answer);
+        message({source, at, Node::Release::message, -1, sends, of.receiver_device}, of.answer);
       }
     }
     for (const Segment::Arrival& wait : segment.waits) {
       const Step& step = step_at(wait.step);
+      if (is_over()) return;
       if (!step.within) continue;
       const int thread = segment.beginning.thread;
       const Link link{source, at, Node::Release::limit, wait.step, {}, -1};
@@ -197,20 +203,19 @@ class ForestBuilder {
   }
 
   /// The segment's sends, those of one channel together if a run passes only one of them.
-  std::vector<std::vector<int>> alternatives(const Segment& segment) const {
+  const std::vector<std::vector<int>>& alternatives(int index) {
+    const auto [known, fresh] = alternatives_.emplace(index, std::vector<std::vector<int>>());
+    std::vector<std::vector<int>>& all = known->second;
+    if (!fresh) return all;
+    const Segment& segment = forest_.segments[index];
     std::map<int, std::vector<int>> by_channel;
     for (const Segment::Passed& passed : segment.steps) {
       const Step& step = step_at(passed.step);
       if (step.kind == Kind::send) by_channel[step.channels.front()].push_back(passed.step);
     }
-    std::vector<std::vector<int>> all;
     for (auto& [channel, sends] : by_channel) {
-      bool alternatives = true;
-      for (int first : sends) {
-        for (int second : sends)
-          alternatives = alternatives && !comes_after(problem_, segment, first, second);
-      }
-      if (alternatives) {
+      if (is_over()) return all;
+      if (!any_in_row(problem_, segment, sends)) {
         all.push_back(std::move(sends));
       } else {
         for (int send : sends) all.push_back({send});
@@ -359,6 +364,7 @@ class ForestBuilder {
   std::vector<bool> limited_;  // by wait: each of its branches is counted as an effect of reaching it
   std::set<int> cuts_;
   std::set<int> found_;
+  std::map<int, std::vector<std::vector<int>>> alternatives_;  // by segment
   std::map<int, bool> comes_again_;
   std::map<int, int> planted_;  // by segment: nodes
   std::vector<int> open_;

@@ -1,7 +1,6 @@
 #include "analyzer/compositional/causes/segment.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "analyzer/problem/flow.hpp"
 
@@ -55,14 +54,34 @@ class Order {
 
 }  // namespace
 
-bool comes_after(const Problem& problem, const Segment& segment, int first, int second) {
-  std::set<int> inside;
-  for (const Segment::Passed& passed : segment.steps) inside.insert(passed.step);
-  return follow(problem, problem.steps[static_cast<std::size_t>(first)].next, [&](int at) {
-    if (at == second) return Course::found;
-    const bool last = stops(problem.steps[static_cast<std::size_t>(at)]) || !inside.contains(at);
-    return last ? Course::ends : Course::goes_on;
+std::vector<bool> steps_after(const Problem& problem, const Segment& segment, int first) {
+  std::vector<bool> inside(problem.steps.size());
+  for (const Segment::Passed& passed : segment.steps) inside[static_cast<std::size_t>(passed.step)] = true;
+  std::vector<bool> after(problem.steps.size());
+  follow(problem, problem.steps[static_cast<std::size_t>(first)].next, [&](int at) {
+    const auto here = static_cast<std::size_t>(at);
+    after[here] = true;
+    return stops(problem.steps[here]) || !inside[here] ? Course::ends : Course::goes_on;
   });
+  return after;
+}
+
+bool any_in_row(const Problem& problem, const Segment& segment, const std::vector<int>& steps) {
+  std::vector<bool> wanted(problem.steps.size());
+  for (const int step : steps) wanted[static_cast<std::size_t>(step)] = true;
+  // From the last step on: what follows a step of the segment is known before the step itself.
+  std::vector<bool> leads_there(problem.steps.size());
+  for (auto passed = segment.steps.rbegin(); passed != segment.steps.rend(); ++passed) {
+    const auto here = static_cast<std::size_t>(passed->step);
+    const std::vector<int>& next = problem.steps[here].next;
+    const bool leads = std::any_of(next.begin(), next.end(), [&](int to) {
+      const auto there = static_cast<std::size_t>(to);
+      return wanted[there] || (leads_there[there] && !stops(problem.steps[there]));
+    });
+    if (leads && wanted[here]) return true;
+    leads_there[here] = leads;
+  }
+  return false;
 }
 
 bool may_end(const Problem& problem, const Segment& segment) {

@@ -40,8 +40,11 @@ struct Segment {
   Nanoseconds worst = 0;  // longest way through
 };
 
-/// Whether a run of the segment may come to `second` after `first`.
-bool comes_after(const Problem& problem, const Segment& segment, int first, int second);
+/// By step of the problem: whether a run of the segment may come to it after `first`.
+std::vector<bool> steps_after(const Problem& problem, const Segment& segment, int first);
+
+/// Whether a run of the segment may pass one of these of its steps after another, or one of them twice.
+bool any_in_row(const Problem& problem, const Segment& segment, const std::vector<int>& steps);
 
 /// A test that ends the skill if no guard holds.
 inline bool may_match_nothing(const Step& step) {
