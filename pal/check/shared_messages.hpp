@@ -1,5 +1,5 @@
 // Messages that blocks of one module use at the same time: a module and those that it executes keep one value
-// of each (docs/runtime.md).
+// of each (docs/reference/runtime.md).
 #pragma once
 
 #include "pal/pan/environment.hpp"

@@ -183,7 +183,7 @@ class Reader {
       fail(place,
            first == nullptr ? "the scene changes the physics"
                             : fmt::format("the scene changes the physics: {}", first->Name()),
-           "take <option> out; the workcell's physics is described in docs/workcell.md");
+           "take <option> out; the workcell's physics is described in docs/workcell/README.md");
     }
     if (name == "compiler")
       for (const auto* attribute = element.FirstAttribute(); attribute != nullptr;
