@@ -30,6 +30,7 @@ LAYERS = {
     "analyzer/run_checker": ["analyzer/problem"] + MODEL,  # of the analysis nothing
     "codegen": ["pal/support", "pal/pan"],
     "operations": ["pal/support", "pal/pan"],  # neither robots nor simulators: it asks a SkillRunner
+    "runtime_system": ["operations", "pal/support", "pal/pan"],  # likewise
     "pal/driver": ["pal/support", "pal/explain", "pal/doc", "pal/pan", "pal/syntax", "pal/check", "analyzer", "analyzer/chart",
                    "analyzer/run_checker", "analyzer/whatif", *STAGES, "codegen", "operations", "runtime/trace"],
     "pal/program": ["pal/driver", "pal/support"],
@@ -39,7 +40,8 @@ LAYERS = {
     "skills_pal": ["runtime", "runtime/trace", "runtime/drivers/val/command.hpp"],  # VAL's verbs and errors
     "sim": ["runtime", "runtime/trace", "runtime/drivers", "runtime/drivers/val/command.hpp"],
     "sim/program": ["sim", "runtime", "runtime/trace", "runtime/drivers", "skills_pal", "pal/support", "pal/pan",
-                    "pal/check", "pal/syntax", "analyzer", *STAGES, "analyzer/chart", "pal/driver", "operations"],
+                    "pal/check", "pal/syntax", "analyzer", *STAGES, "analyzer/chart", "pal/driver", "operations",
+                    "runtime_system"],
 }
 # Third-party headers that must stay inside .cpp files.
 PRIVATE = re.compile(r"^(antlr4-runtime|graphviz|mujoco|EGL|GL|cairo|nlohmann|CLI|boost)/|^(cgraph|gvc|png)\.h")
