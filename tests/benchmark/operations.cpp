@@ -1,4 +1,4 @@
-// Figures of operations and of the run-time system (docs/benchmarks.md): benchmark_operations [REPETITIONS]
+// Figures of operations and of the run-time system (docs/internals/benchmarks.md): benchmark_operations [REPETITIONS]
 #include <fmt/format.h>
 #include <time.h>
 #include <unistd.h>
