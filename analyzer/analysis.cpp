@@ -4,7 +4,7 @@
 
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/exact/slice_bound.hpp"
-#include "analyzer/exact/standstill.hpp"
+#include "analyzer/exact/zeno_run.hpp"
 #include "analyzer/runs/quick_runs.hpp"
 #include "analyzer/runs/run_search.hpp"
 #include "analyzer/verdict/explain.hpp"
@@ -237,10 +237,8 @@ Analysis analyze_automatically(const Provers& provers, const Problem& problem, c
   const bool open = std::any_of(
       analysis.verdicts.begin(), analysis.verdicts.end(),
       [](const Verdict& verdict) { return verdict.gave_up || verdict.state == State::undecided; });
-  // A bound takes little time, also where that of the others has run out.
-  Options untimed = options;
-  untimed.stop = nullptr;
-  const Analysis bounds = open ? bounds_of(provers, problem, untimed, analysis) : Analysis{};
+  // Of a skill of thousands of statements a bound, too, takes long.
+  const Analysis bounds = open ? bounds_of(provers, problem, options, analysis) : Analysis{};
   for (std::size_t r = 0; r < bounds.verdicts.size(); ++r) complete(analysis.verdicts[r], bounds.verdicts[r]);
   settle(problem, options, analysis);
   if (thorough) search_all(problem, options, analysis);
@@ -308,7 +306,7 @@ void withhold(Analysis& analysis) {
 
 Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
   const Provers provers{
-      [](const Problem& of, const Options& how) { return analyze(of, how); },
+      [](const Problem& of, const Options& how) { return analyze_exactly(of, how); },
       [](const Problem& of, const Options& how) { return analyze_compositionally(of, how); }};
   return analyze_with(provers, problem, choice, options);
 }
@@ -316,13 +314,13 @@ Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& o
 Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisChoice choice,
                       const Options& options) {
   // First in a few classes: when the proofs have used up the time, none of them must hold for want of it.
-  StandstillSearch look = standstill(problem, {std::min(options.max_states, first_look), options.stop});
+  ZenoSearch look = find_zeno_run(problem, {std::min(options.max_states, first_look), options.stop});
   Analysis analysis = analyze_as(provers, problem, choice, options);
   say_unread(problem, analysis);
   const bool goes_on = !look.found && !look.excluded && options.max_states > first_look;
-  if (goes_on) look = standstill(problem, {options.max_states, options.stop});
-  analysis.standstill = std::move(look.found);
-  if (analysis.standstill) withhold(analysis);
+  if (goes_on) look = find_zeno_run(problem, {options.max_states, options.stop});
+  analysis.zeno_run = std::move(look.found);
+  if (analysis.zeno_run) withhold(analysis);
   withdraw_refuted(analysis.verdicts);
   for (Verdict& verdict : analysis.verdicts) add_up(verdict);
   return analysis;

@@ -1,20 +1,44 @@
-# Component `development`, what another project needs to build skills: the program, the runtime, its headers, pal_add_skill.
+# What is installed, in three parts, which are also the Debian packages (PalPackage):
+#   tools        the program pal, its documents
+#   development  what another project needs to build skills: the runtime, its headers, pal_add_skill, examples
+#   workcell     the program workcell, its skills and scenes (see sim/ and skills_pal/)
 include(CMakePackageConfigHelpers)
 
 set(pal_package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/pal")
+set(pal_documents "${CMAKE_INSTALL_DATADIR}/doc/pal-tools")
 
-install(TARGETS pal pal_runtime pal_trace EXPORT palTargets
-  RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT development
+# pal_manual_page(PROGRAM PART): compressed, as Debian wants it.
+find_program(PAL_GZIP gzip REQUIRED)
+function(pal_manual_page program part)
+  set(page "${PROJECT_BINARY_DIR}/man/${program}.1")
+  configure_file("${PROJECT_SOURCE_DIR}/docs/man/${program}.1" "${page}" COPYONLY)
+  execute_process(COMMAND ${PAL_GZIP} -9nfk "${page}" COMMAND_ERROR_IS_FATAL ANY)
+  install(FILES "${page}.gz" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT ${part})
+endfunction()
+
+install(TARGETS pal EXPORT palTargets RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT tools)
+pal_manual_page(pal tools)
+install(FILES README.md CONTRIBUTING.md DESTINATION "${pal_documents}" COMPONENT tools)
+install(DIRECTORY docs DESTINATION "${pal_documents}" COMPONENT tools PATTERN man EXCLUDE)
+
+install(TARGETS pal_runtime pal_trace EXPORT palTargets
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
 install(EXPORT palTargets NAMESPACE pal:: DESTINATION "${pal_package_directory}" COMPONENT development)
-
-# As in the source tree: #include "runtime/thread.hpp".
-install(DIRECTORY runtime DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/pal" COMPONENT development
-        FILES_MATCHING PATTERN "*.hpp")
-
 configure_package_config_file(cmake/palConfig.cmake.in "${PROJECT_BINARY_DIR}/palConfig.cmake"
   INSTALL_DESTINATION "${pal_package_directory}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/palConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/palConfig.cmake" "${PROJECT_BINARY_DIR}/palConfigVersion.cmake"
               cmake/PalSkill.cmake cmake/PalCheck.cmake
         DESTINATION "${pal_package_directory}" COMPONENT development)
+install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/pal-development" COMPONENT development)
+
+# The programs are there only where their tree is built, so who has one part alone has its licence, too.
+set(pal_parts tools development)
+if(PAL_BUILD_WORKCELL)
+  pal_manual_page(workcell workcell)
+  list(APPEND pal_parts workcell)
+endif()
+foreach(part IN LISTS pal_parts)
+  install(FILES cmake/copyright DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/pal-${part}" COMPONENT ${part})
+  install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/pal-${part}" COMPONENT ${part} RENAME Apache-2.0.txt)
+endforeach()

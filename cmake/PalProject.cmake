@@ -1,11 +1,19 @@
 # Settings that every target of the project shares.
 include(GNUInstallDirs)
 
-option(PAL_BUILD_WORKCELL "Build the MuJoCo workcell and the skills that run in it" ON)
+option(PAL_BUILD_WORKCELL "Build the MuJoCo workcell and the skills that run in it" ${PROJECT_IS_TOP_LEVEL})
 option(PAL_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(PAL_WARNINGS_AS_ERRORS "Treat compiler warnings as errors (set by the presets)" OFF)
 option(PAL_PRECOMPILE "Read the standard library's headers once for all files; hides an #include that is missing" OFF)
-option(PAL_FUZZ "Build the fuzz targets for libFuzzer (clang only; docs/fuzzing.md)" OFF)
+option(PAL_INSTALL "Make rules to install pal, and its packages" ${PROJECT_IS_TOP_LEVEL})
+set(PAL_PROGRAM "" CACHE FILEPATH
+  "A pal that runs on this machine: only the runtime is built then, as for a robot's controller (docs/reference/runtime.md)")
+if(PAL_PROGRAM)
+  foreach(part PAL_INSTALL PAL_BUILD_WORKCELL PAL_BUILD_TESTS)
+    set(${part} OFF)
+  endforeach()
+endif()
+option(PAL_FUZZ "Build the fuzz targets for libFuzzer (clang only; docs/internals/fuzzing.md)" OFF)
 set(PAL_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize= (set by the presets)")
 
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 12)
@@ -15,8 +23,10 @@ endif()
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
-if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+if(PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+endif()
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 
@@ -32,18 +42,37 @@ if(PAL_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
-# pal_library(NAME SOURCES … [USES …] [PRIVATE_USES …]): a library pal_NAME with alias pal::NAME.
-# Headers are included from the project's root: #include "pal/support/source.hpp".
+# pal_library(NAME SOURCES … [USES …] [PRIVATE_USES …] [PUBLIC_HEADERS …]): a library pal_NAME with alias pal::NAME.
+# Headers are included from the project's root: #include "pal/support/source.hpp". Those that other projects use are
+# PUBLIC_HEADERS, and who uses the library finds these alone, below pal/: #include "pal/runtime/thread.hpp".
 function(pal_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATE_USES;PUBLIC_HEADERS" ${ARGN})
   add_library(pal_${name} STATIC ${ARG_SOURCES})
   add_library(pal::${name} ALIAS pal_${name})
-  target_include_directories(pal_${name} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/pal>)
+  if(ARG_PUBLIC_HEADERS)
+    pal_public_headers(pal_${name} ${ARG_PUBLIC_HEADERS})
+  else()
+    target_include_directories(pal_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  endif()
+  target_compile_features(pal_${name} PUBLIC cxx_std_20)
   target_link_libraries(pal_${name} PUBLIC ${ARG_USES} PRIVATE ${ARG_PRIVATE_USES})
   set_target_properties(pal_${name} PROPERTIES EXPORT_NAME ${name})
   pal_warnings(pal_${name})
   pal_precompiled(pal_${name})
+endfunction()
+
+# pal_public_headers(TARGET FILE…): links to the headers of this folder, below include/pal in the build tree, as they are installed.
+function(pal_public_headers target)
+  file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
+  file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/include/pal/${folder}")
+  foreach(header IN LISTS ARGN)
+    file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}/${header}" "${PROJECT_BINARY_DIR}/include/pal/${folder}/${header}" SYMBOLIC)
+  endforeach()
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  if(PAL_INSTALL)
+    install(FILES ${ARGN} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/pal/${folder}" COMPONENT development)
+  endif()
 endfunction()
 
 # pal_warnings(TARGET): the project's warnings; code that a generator wrote by ANTLR is left out.

@@ -6,8 +6,6 @@
 #
 # The skill is checked first: if it is wrong, or a requirement does not hold, the build fails with the analyzer's message.
 # ALLOW_FAILING lets requirements fail; the message is shown all the same.
-set(_pal_skill_directory "${CMAKE_CURRENT_LIST_DIR}")
-
 function(pal_add_skill name)
   cmake_parse_arguments(ARG "ALLOW_FAILING" "PAL;ENVIRONMENT;SKILL" "SOURCES" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS OR NOT ARG_PAL OR NOT ARG_ENVIRONMENT)
@@ -36,10 +34,10 @@ function(pal_add_skill name)
   add_custom_command(
     OUTPUT ${generated}
     COMMAND ${CMAKE_COMMAND} -DPAL=$<TARGET_FILE:pal::pal> -DFILE=${pal_name} -DENVIRONMENT=${environment_name}
-            -DSKILL=${ARG_SKILL} -DALLOW_FAILING=${ARG_ALLOW_FAILING} -P "${_pal_skill_directory}/PalCheck.cmake"
+            -DSKILL=${ARG_SKILL} -DALLOW_FAILING=${ARG_ALLOW_FAILING} -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/PalCheck.cmake"
     COMMAND pal::pal generate ${pal_name} --environment ${environment_name} --skill ${ARG_SKILL} -o "${directory}" --allow-failing
             --depfile "${directory}/${prefix}.d" --depfile-target "${directory}/${prefix}_messages.hpp"
-    DEPENDS pal::pal "${pal_file}" "${environment_file}" "${_pal_skill_directory}/PalCheck.cmake"
+    DEPENDS pal::pal "${pal_file}" "${environment_file}" "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/PalCheck.cmake"
     DEPFILE "${directory}/${prefix}.d"
     WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}"
     COMMENT "Checking skill ${ARG_SKILL} and generating its C++"
@@ -49,8 +47,4 @@ function(pal_add_skill name)
   add_library(pal::skill_${name} ALIAS pal_skill_${name})
   target_include_directories(pal_skill_${name} PUBLIC "${directory}")
   target_link_libraries(pal_skill_${name} PUBLIC pal::runtime)
-  target_compile_features(pal_skill_${name} PUBLIC cxx_std_20)
-  if(COMMAND pal_warnings)
-    pal_warnings(pal_skill_${name})
-  endif()
 endfunction()

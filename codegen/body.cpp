@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "codegen/file_names.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
@@ -134,7 +135,7 @@ class BodyPlanner {
     PlannedRow made;
     made.module = planned_.pal_name;
     made.text = pan::statement_text(network_, module_, id);
-    if (node.where.valid()) made.file = sources_.name(node.where.file);
+    if (node.where.valid()) made.file = file_name(sources_, node.where.file, network_.skill.where.file);
     made.line = line_of(node);
     const std::string place =
         made.line > 0 ? "line_" + std::to_string(made.line) : "node_" + std::to_string(id.value);

@@ -117,7 +117,7 @@ GeneratedFile emit_messages(const Plan& plan) {
   };
   if (!std::all_of(plan.messages.begin(), plan.messages.end(), is_plain) ||
       std::any_of(plan.messages.begin(), plan.messages.end(), has_integer))
-    out.line().line("#include \"runtime/payload.hpp\"");
+    out.line().line("#include \"pal/runtime/payload.hpp\"");
   open_namespace(out, plan);
   for (const PlannedMessage& message : plan.messages) {
     if (&message != &plan.messages.front()) out.line();

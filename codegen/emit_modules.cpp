@@ -86,7 +86,7 @@ std::string header(const Plan& plan) {
   out.line("#include \"" + plan.file + "_activities.hpp\"");
   out.line("#include \"" + plan.file + "_messages.hpp\"");
   out.line("#include \"" + plan.file + "_parameters.hpp\"");
-  out.line("#include \"runtime/task.hpp\"");
+  out.line("#include \"pal/runtime/task.hpp\"");
   open_namespace(out, plan);
   bool forward = false;
   for (const PlannedModule& module : plan.modules) {
@@ -169,7 +169,7 @@ std::string source(const Plan& plan) {
   write_heading(out, plan, "The modules of skill " + plan.skill.name + ", statement by statement.");
   out.line("#include \"" + plan.file + "_modules.hpp\"").line();
   out.line("#include \"" + plan.file + "_wiring.hpp\"");
-  out.line("#include \"runtime/thread.hpp\"");
+  out.line("#include \"pal/runtime/thread.hpp\"");
   open_namespace(out, plan);
   out.line("using namespace std::chrono_literals;");
   for (const PlannedModule& module : plan.modules) {

@@ -64,7 +64,7 @@ std::string header(const Plan& plan) {
   write_heading(out, plan, "The parameters of skill " + plan.skill.name + ".");
   out.line("#pragma once").line();
   out.line("#include <array>").line("#include <cstdint>").line("#include <string_view>").line();
-  out.line("#include \"runtime/skill.hpp\"");
+  out.line("#include \"pal/runtime/skill.hpp\"");
   open_namespace(out, plan);
   out.open("struct Parameters {");
   for (const PlannedParameter& parameter : plan.parameters) {

@@ -27,7 +27,7 @@ std::string header(const Plan& plan) {
   out.line("#pragma once").line();
   out.line("#include <memory>").line();
   out.line("#include \"" + plan.file + "_activities.hpp\"");
-  out.line("#include \"runtime/skill.hpp\"");
+  out.line("#include \"pal/runtime/skill.hpp\"");
   open_namespace(out, plan);
   out.line("const runtime::SkillDescription& description();").line();
   out.line("/// The skill with the activities of its modules, none of them null.");

@@ -21,7 +21,7 @@ std::string header(const Plan& plan) {
   Writer out;
   write_heading(out, plan, "Who runs where, who talks to whom, and how long it takes.");
   out.line("#pragma once").line();
-  out.line("#include \"runtime/wiring.hpp\"");
+  out.line("#include \"pal/runtime/wiring.hpp\"");
   open_namespace(out, plan);
   write_constants(out, "thread_of", "Threads: modules and blocks of CONCURRENT.", plan.threads);
   write_constants(out, "statement", "Statements, by module and line.", plan.statements);

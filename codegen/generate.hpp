@@ -14,8 +14,8 @@ struct GeneratedFile {
   std::string text;
 };
 
-/// The C++ of a plan, in a fixed order; the same plan gives the same bytes. docs/runtime.md shows what it
-/// looks like.
+/// The C++ of a plan, in a fixed order; the same plan gives the same bytes. docs/reference/runtime.md shows
+/// what it looks like.
 std::vector<GeneratedFile> emit(const Plan& plan);
 
 /// make_plan and emit. Nothing if the environment lacks something (reported).

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "codegen/body.hpp"
+#include "codegen/file_names.hpp"
 #include "codegen/names.hpp"
 #include "codegen/placement.hpp"
 #include "codegen/runners.hpp"
@@ -138,7 +139,8 @@ class Planner {
       planned.words = snake_words(module.name);
       planned.pal_name = module.name;
       planned.kind = pan::kind_text(module.kind);
-      if (module.where.valid()) planned.file = sources_.name(module.where.file);
+      if (module.where.valid())
+        planned.file = file_name(sources_, module.where.file, network_.skill.where.file);
       planned.executed = module.executed_by.valid();
       plan_.modules.push_back(std::move(planned));
     }

@@ -1,4 +1,4 @@
-// The sentences of PAL. docs/language.md explains them; tests/golden has one of each.
+// The sentences of PAL. docs/reference/language.md explains them; tests/golden has one of each.
 //
 // Every rule that the error strategy recovers in is named in pal/syntax/recovery.cpp.
 parser grammar PalParser;

@@ -1,4 +1,4 @@
-// What is wrong with an operation (docs/operations.md lists the rules; `pal explain` each finding).
+// What is wrong with an operation (docs/reference/operations.md lists the rules; `pal explain` each finding).
 #pragma once
 
 #include <map>

@@ -56,6 +56,7 @@ ExecutionState Executor::run(std::size_t steps) {
                                : steps_ + steps;
   bool leaving = resumed;  // the breakpoint at which it stands
   while (state_ == ExecutionState::running) {
+    if (observer_ != nullptr) observer_->arrives(token());
     if (stop_.load(std::memory_order_relaxed)) {
       halt(ExecutionState::stopped, "stopped before " + token());
     } else if (pause_.exchange(false, std::memory_order_relaxed)) {
@@ -81,6 +82,13 @@ ExecutionState Executor::run(std::size_t steps) {
 void Executor::stop() noexcept {
   stop_.store(true, std::memory_order_relaxed);
   runner_.stop();
+}
+
+void Executor::allow() {
+  if (state_ == ExecutionState::stopped) state_ = ExecutionState::paused;
+  pause_.store(false, std::memory_order_relaxed);
+  stop_.store(false, std::memory_order_relaxed);
+  runner_.allow();
 }
 
 bool Executor::at_breakpoint() const {
@@ -182,6 +190,7 @@ void Executor::act() {
                   fmt::format("CASE '{}' has no way for code {}", token(), last_code_));
     case IconKind::delay: {
       Step step{++steps_, token(), {}, {}, {}, runner_.now(), {}};
+      if (observer_ != nullptr) observer_->begins(step);
       runner_.delay(Duration(static_cast<std::int64_t>(here.seconds * 1e9)));
       step.end = runner_.now();
       if (observer_ != nullptr) observer_->done(step);
@@ -203,6 +212,7 @@ void Executor::act() {
 void Executor::act_skill() {
   const Icon& here = icon();
   Step step{++steps_, token(), here.skill, here.parameters, {}, runner_.now(), {}};
+  if (observer_ != nullptr) observer_->begins(step);
   step.result = runner_.run(here.skill, here.parameters);
   step.end = runner_.now();
   if (observer_ != nullptr) observer_->done(step);

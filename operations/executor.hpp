@@ -49,10 +49,15 @@ struct Step {
   Duration begin{}, end{};
 };
 
-/// Gets every step, in order, none left out.
+/// Gets every step, in order, none left out. Called by the thread that runs the operation.
 class StepObserver {
  public:
   virtual ~StepObserver() = default;
+  /// The token has come to an icon, whose breakpoints are looked at next: one that is set or cleared here
+  /// counts.
+  virtual void arrives(const std::string& /*icon*/) {}
+  /// A skill or a delay begins; result and end are not known yet.
+  virtual void begins(const Step& /*step*/) {}
   virtual void done(const Step& step) = 0;
 };
 
@@ -94,6 +99,11 @@ class Executor {
   void pause() noexcept { pause_.store(true, std::memory_order_relaxed); }
   /// Ends the current skill and halts. From any thread, or a signal handler.
   void stop() noexcept;
+
+  /// Forgets every pause and stop that was asked for; what is stopped is paused then. run() does so by itself
+  /// for a stop. Whoever lets others stop it from another thread calls this first, so that it is known which
+  /// stops run() will obey: those asked for after this.
+  void allow();
 
   /// Puts the token before an icon, with last completion code 0: from here on, whatever had run. Throws
   /// ExecutionError.

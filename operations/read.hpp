@@ -1,4 +1,4 @@
-// One file of operations, .op.json (docs/operations.md).
+// One file of operations, .op.json (docs/reference/operations.md).
 #pragma once
 
 #include <optional>

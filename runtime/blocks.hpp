@@ -1,11 +1,12 @@
-// CONCURRENT: starting, ending and cancelling blocks (docs/execution-model.md, Messages, last paragraph).
+// CONCURRENT: starting, ending and cancelling blocks (docs/reference/execution-model.md, Messages, last
+// paragraph).
 #pragma once
 
 #include <deque>
 
+#include "pal/runtime/thread.hpp"
 #include "runtime/flow.hpp"
 #include "runtime/mail.hpp"
-#include "runtime/thread.hpp"
 
 namespace pal::runtime {
 

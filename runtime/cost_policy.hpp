@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "runtime/wiring.hpp"
+#include "pal/runtime/wiring.hpp"
 
 namespace pal::runtime {
 

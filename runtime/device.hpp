@@ -6,13 +6,14 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "runtime/in_use.hpp"
-#include "runtime/payload.hpp"
+#include "pal/runtime/in_use.hpp"
+#include "pal/runtime/payload.hpp"
 
 namespace pal::runtime {
 
@@ -47,9 +48,20 @@ class DeviceHost {
 
   virtual Time now() const = 0;
 
+  /// Names one action that was asked for. Never used again, so that cancelling twice, or too late, does no
+  /// harm.
+  struct Appointment {
+    std::uint32_t slot = 0;
+    std::uint64_t order = 0;  // 0: no action
+  };
+
   /// Calls `action` at instant `when` (>= now). Actions at one instant run in the order in which they were
   /// asked for.
-  virtual void at(Time when, std::function<void()> action) = 0;
+  virtual Appointment at(Time when, std::function<void()> action) = 0;
+
+  /// The action will not be called, and the run does not wait for its instant. Nothing happens if it has been
+  /// called.
+  virtual void cancel(Appointment appointment) = 0;
 
   /// Puts a message from the device's port `port` (index into ports()) into the skill's channel. False: the
   /// slot was full, the message is lost and the run is marked with an overrun.

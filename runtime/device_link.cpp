@@ -21,11 +21,15 @@ Time DeviceLink::now() const {
   return executive_.now();
 }
 
-void DeviceLink::at(Time when, std::function<void()> action) {
+DeviceHost::Appointment DeviceLink::at(Time when, std::function<void()> action) {
   if (when < executive_.now()) {
     throw std::logic_error("asks to be called at " + std::to_string(when.count()) + " ns, which is over");
   }
-  executive_.at(when, index_, std::move(action));
+  return {0, executive_.at(when, index_, std::move(action)).number};
+}
+
+void DeviceLink::cancel(Appointment appointment) {
+  executive_.cancel({appointment.order});
 }
 
 bool DeviceLink::deliver(std::size_t port, std::span<const double> fields) {

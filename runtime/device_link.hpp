@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "runtime/device.hpp"
-#include "runtime/executive.hpp"
+#include "pal/runtime/device.hpp"
+#include "pal/runtime/executive.hpp"
+#include "pal/runtime/observer.hpp"
 #include "runtime/journal.hpp"
 #include "runtime/mail.hpp"
-#include "runtime/observer.hpp"
 
 namespace pal::runtime {
 
@@ -21,7 +21,8 @@ class DeviceLink final : public DeviceHost {
              Device& device, std::vector<int> channels);
 
   Time now() const override;
-  void at(Time when, std::function<void()> action) override;
+  Appointment at(Time when, std::function<void()> action) override;
+  void cancel(Appointment appointment) override;
   bool deliver(std::size_t port, std::span<const double> fields) override;
   void mark_busy(bool busy) override;
   void fault(std::string reason) override;

@@ -1,4 +1,4 @@
-#include "runtime/dispatcher.hpp"
+#include "pal/runtime/dispatcher.hpp"
 
 #include <algorithm>
 #include <stdexcept>

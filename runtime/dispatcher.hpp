@@ -1,13 +1,14 @@
 // Runs skills, one at a time.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
 
-#include "runtime/in_use.hpp"
-#include "runtime/outcome.hpp"
-#include "runtime/skill.hpp"
+#include "pal/runtime/in_use.hpp"
+#include "pal/runtime/outcome.hpp"
+#include "pal/runtime/skill.hpp"
 
 namespace pal::runtime {
 
@@ -29,6 +30,12 @@ class Dispatcher {
   /// device that is running already, in this thread (a device begins a run in its receive) or in another one.
   /// Never throws for what a skill, a device or the world does.
   Outcome run(Skill& skill, std::span<const ParameterValue> parameters = {}, const RunOptions& options = {});
+
+  /// The same with parameters in braces: run(skill, {{"reach", 40}}).
+  Outcome run(Skill& skill, std::initializer_list<ParameterValue> parameters,
+              const RunOptions& options = {}) {
+    return run(skill, std::span<const ParameterValue>(parameters.begin(), parameters.size()), options);
+  }
 
  private:
   std::span<Device* const> devices_;

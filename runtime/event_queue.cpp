@@ -27,14 +27,20 @@ Event EventQueue::pop() {
   return event;
 }
 
+void EventQueue::forget(const Event& event) {
+  if (event.kind == Event::Kind::device_action) take_action(event);
+}
+
 void EventQueue::cancel(std::uint64_t order) {
   if (held_ && next_.order == order) {
     held_ = false;
+    forget(next_);
     return;
   }
   const auto found =
       std::find_if(heap_.begin(), heap_.end(), [order](const Event& event) { return event.order == order; });
   if (found == heap_.end()) return;
+  forget(*found);
   *found = heap_.back();
   heap_.pop_back();
   std::make_heap(heap_.begin(), heap_.end(), later);

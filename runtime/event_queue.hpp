@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
 
 namespace pal::runtime {
 
@@ -65,6 +65,7 @@ class EventQueue {
   }
   static bool later(const Event& a, const Event& b) { return before(b, a); }
   void push_heap(const Event& event);
+  void forget(const Event& event);
 
   Event next_;
   bool held_ = false;  // next_ is the next event; otherwise it is the heap's

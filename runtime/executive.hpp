@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "runtime/wiring.hpp"
+#include "pal/runtime/wiring.hpp"
 
 namespace pal::runtime {
 

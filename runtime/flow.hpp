@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "runtime/executive.hpp"
+#include "pal/runtime/executive.hpp"
+#include "pal/runtime/skill.hpp"
+#include "pal/runtime/thread.hpp"
 #include "runtime/journal.hpp"
-#include "runtime/skill.hpp"
-#include "runtime/thread.hpp"
 
 namespace pal::runtime {
 

@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "runtime/executive.hpp"
-#include "runtime/outcome.hpp"
+#include "pal/runtime/executive.hpp"
+#include "pal/runtime/outcome.hpp"
+#include "pal/runtime/skill.hpp"
+#include "pal/runtime/thread.hpp"
 #include "runtime/recorder.hpp"
-#include "runtime/skill.hpp"
-#include "runtime/thread.hpp"
 
 namespace pal::runtime {
 

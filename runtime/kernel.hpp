@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "pal/runtime/executive.hpp"
+#include "pal/runtime/skill.hpp"
+#include "pal/runtime/thread.hpp"
 #include "runtime/blocks.hpp"
 #include "runtime/conditions.hpp"
 #include "runtime/devices.hpp"
-#include "runtime/executive.hpp"
 #include "runtime/flow.hpp"
 #include "runtime/frame_pool.hpp"
 #include "runtime/journal.hpp"
 #include "runtime/mail.hpp"
-#include "runtime/skill.hpp"
-#include "runtime/thread.hpp"
 
 namespace pal::runtime {
 

@@ -1,4 +1,4 @@
-// The channels of a run: putting, taking, waiting, withdrawing (docs/execution-model.md, Messages).
+// The channels of a run: putting, taking, waiting, withdrawing (docs/reference/execution-model.md, Messages).
 #pragma once
 
 #include <array>
@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "runtime/executive.hpp"
+#include "pal/runtime/executive.hpp"
+#include "pal/runtime/thread.hpp"
 #include "runtime/flow.hpp"
 #include "runtime/journal.hpp"
-#include "runtime/thread.hpp"
 
 namespace pal::runtime {
 

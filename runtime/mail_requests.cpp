@@ -1,4 +1,4 @@
-// Requests between their put and the take of their answer (docs/execution-model.md, Messages).
+// Requests between their put and the take of their answer (docs/reference/execution-model.md, Messages).
 #include <algorithm>
 
 #include "runtime/devices.hpp"

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
 
 namespace pal::runtime {
 

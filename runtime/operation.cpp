@@ -1,4 +1,4 @@
-#include "runtime/operation.hpp"
+#include "pal/runtime/operation.hpp"
 
 #include "runtime/kernel.hpp"
 

@@ -12,7 +12,7 @@
 #include <span>
 #include <utility>
 
-#include "runtime/wiring.hpp"
+#include "pal/runtime/wiring.hpp"
 
 namespace pal::runtime {
 

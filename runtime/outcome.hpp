@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <string>
 
-#include "runtime/cost_policy.hpp"
-#include "runtime/device.hpp"
-#include "runtime/observer.hpp"
-#include "runtime/run_control.hpp"
-#include "runtime/trace/trace.hpp"
+#include "pal/runtime/cost_policy.hpp"
+#include "pal/runtime/device.hpp"
+#include "pal/runtime/observer.hpp"
+#include "pal/runtime/run_control.hpp"
+#include "pal/runtime/trace/trace.hpp"
 
 namespace pal::runtime {
 

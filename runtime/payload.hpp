@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
-#include "runtime/text.hpp"
-#include "runtime/whole.hpp"
+#include "pal/runtime/text.hpp"
+#include "pal/runtime/whole.hpp"
 
 namespace pal::runtime {
 

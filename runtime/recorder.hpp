@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <string>
 
-#include "runtime/device.hpp"
-#include "runtime/outcome.hpp"
+#include "pal/runtime/device.hpp"
+#include "pal/runtime/outcome.hpp"
+#include "pal/runtime/wiring.hpp"
 #include "runtime/trace/trace.hpp"
-#include "runtime/wiring.hpp"
 
 namespace pal::runtime {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "pal/runtime/outcome.hpp"
+#include "pal/runtime/skill.hpp"
 #include "runtime/devices.hpp"
-#include "runtime/outcome.hpp"
-#include "runtime/skill.hpp"
 
 namespace pal::runtime {
 

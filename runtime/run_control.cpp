@@ -1,4 +1,4 @@
-#include "runtime/run_control.hpp"
+#include "pal/runtime/run_control.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
 
 namespace pal::runtime {
 

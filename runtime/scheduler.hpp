@@ -1,12 +1,12 @@
-// The virtual processors: who runs where (docs/execution-model.md, Threads and processors).
+// The virtual processors: who runs where (docs/reference/execution-model.md, Threads and processors).
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "pal/runtime/thread.hpp"
 #include "runtime/event_queue.hpp"
 #include "runtime/journal.hpp"
-#include "runtime/thread.hpp"
 
 namespace pal::runtime {
 

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "runtime/in_use.hpp"
-#include "runtime/task.hpp"
-#include "runtime/wiring.hpp"
+#include "pal/runtime/in_use.hpp"
+#include "pal/runtime/task.hpp"
+#include "pal/runtime/wiring.hpp"
 
 namespace pal::runtime {
 

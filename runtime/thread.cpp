@@ -1,4 +1,4 @@
-#include "runtime/thread.hpp"
+#include "pal/runtime/thread.hpp"
 
 #include "runtime/kernel.hpp"
 

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/executive.hpp"
-#include "runtime/operation.hpp"
-#include "runtime/task.hpp"
-#include "runtime/wiring.hpp"
+#include "pal/runtime/executive.hpp"
+#include "pal/runtime/operation.hpp"
+#include "pal/runtime/task.hpp"
+#include "pal/runtime/wiring.hpp"
 
 namespace pal::runtime {
 

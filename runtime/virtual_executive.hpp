@@ -6,9 +6,9 @@
 #include <mutex>
 #include <vector>
 
-#include "runtime/cost_policy.hpp"
+#include "pal/runtime/cost_policy.hpp"
+#include "pal/runtime/executive.hpp"
 #include "runtime/event_queue.hpp"
-#include "runtime/executive.hpp"
 #include "runtime/journal.hpp"
 #include "runtime/kernel.hpp"
 #include "runtime/scheduler.hpp"

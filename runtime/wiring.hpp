@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
 
 namespace pal::runtime {
 

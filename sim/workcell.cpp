@@ -14,18 +14,30 @@
 namespace pal::sim {
 namespace {
 
+// After a fault the drives let go for so long: what the arm pressed on pushes it away.
+constexpr runtime::Time yield_time = std::chrono::milliseconds(300);
+
 using FaultListener = std::function<void(const ArmFault&)>;
 
-Joints start_joints(const Scene& scene, const Physics& physics, double raise) {
+Joints start_joints(const Physics& physics, double raise) {
   Start start = physics.loaded().start;
   start.tool.translation().z() += raise * 1e-3;
   const InverseSolution solution =
       inverse_tool(start.tool, flange_to_tip_of(physics.loaded().tool), start.configuration, Joints::Zero());
   if (solution.problem != InverseProblem::none)
-    throw SceneError(scene.file.string(),
+    throw SceneError(start.place,
                      "the arm cannot bring the tool to its start as " + to_string(start.configuration),
                      "move the start into the arm's reach, or choose another configuration");
   return solution.q;
+}
+
+// " of line 5", of the scene's thing that one of the two is; nothing if none is.
+std::string line_of(const Physics& physics, const Collision& pair) {
+  for (const int geom : {pair.first, pair.second}) {
+    const auto found = physics.loaded().lines.find(thing_of(physics.model(), geom));
+    if (found != physics.loaded().lines.end()) return " of line " + std::to_string(found->second);
+  }
+  return "";
 }
 
 std::string millimetres(double metres) {
@@ -46,16 +58,17 @@ struct Workcell::Parts {
   Parts(const Scene& scene, const WorkcellOptions& options)
       : physics(scene),
         tool(flange_to_tip_of(physics.loaded().tool)),
-        motion(start_joints(scene, physics, options.raise), alter_period, tool),
+        motion(start_joints(physics, options.raise), alter_period, tool),
         sensing(machine_of(options, physics)),
         keep_log(options.keep_log) {
     if (keep_log) log.reserve(static_cast<std::size_t>(options.log_room / physics_step));
     physics.place(motion.at(runtime::Time::zero()).position);
     if (const auto touching = any_contact_of_arm(physics))
-      throw SceneError(
-          scene.file.string(),
-          "at its start " + contact_words(physics.model(), touching->first, "touches", touching->second),
-          "move the start away from it, or choose another configuration");
+      throw SceneError(physics.loaded().start.place,
+                       "at its start " +
+                           contact_words(physics.model(), touching->first, "touches", touching->second) +
+                           line_of(physics, *touching),
+                       "move the start away from it, or choose another configuration");
     try {
       for (runtime::Time t{}; t < options.settle; t += physics_step) step(runtime::Time::zero());
     } catch (const std::runtime_error& problem) {
@@ -65,6 +78,10 @@ struct Workcell::Parts {
   }
 
   void step(runtime::Time when) {
+    if (yielding > runtime::Time::zero()) {
+      yielding -= physics_step;
+      give_way();
+    }
     SetPoint wanted = motion.at(when);
     wanted.position = sensing.nearest(wanted.position);
     const Joints torques = servos.torques(wanted, sensing.read(physics.joints()), physics.joint_speeds(),
@@ -98,7 +115,7 @@ struct Workcell::Parts {
     const Pose tip = physics.site_pose(physics.index().tip);
     const Joints wanted = motion.at(now).position;
     const Pose set_point = tool_pose(wanted, tool);
-    return {.time = now,
+    return {.time = now - log_zero,
             .joints = physics.joints(),
             .joint_set_point = wanted,
             .tool = tip.translation(),
@@ -131,8 +148,15 @@ struct Workcell::Parts {
                     now};
   }
 
+  // The set-point is where the encoders show the arm to be: nothing but gears, brakes and friction holds it.
+  void give_way() {
+    motion.hold(sensing.read(physics.joints()));
+    servos.reset();
+  }
+
   void stop_with(ArmFault why) {
-    motion.hold(physics.joints());
+    give_way();
+    yielding = yield_time;
     fault = std::move(why);
     std::erase_if(listeners, [](const auto& listener) { return listener.expired(); });
     const auto told = listeners;  // a listener may add others
@@ -148,9 +172,11 @@ struct Workcell::Parts {
   GripperServo gripper;
   CollisionWatch collisions;
   std::optional<ArmFault> fault;
+  runtime::Time yielding{};  // how long the arm still gives way
   std::vector<std::weak_ptr<FaultListener>> listeners;
   runtime::Time now{};
   bool keep_log;
+  runtime::Time log_zero{};
   std::vector<Sample> log;
 };
 
@@ -163,11 +189,21 @@ void Workcell::advance_to(runtime::Time when) {
   while (parts_->now + physics_step <= when) {
     parts_->step(parts_->now);
     parts_->now += physics_step;
+    const Sample sample = parts_->sample();
     if (!parts_->keep_log) parts_->log.clear();
-    parts_->log.push_back(parts_->sample());
+    if (sample.time >= runtime::Time::zero()) parts_->log.push_back(sample);
     if (parts_->fault) continue;
-    if (auto fault = parts_->look(parts_->log.back())) parts_->stop_with(std::move(*fault));
+    if (auto fault = parts_->look(sample)) parts_->stop_with(std::move(*fault));
   }
+}
+
+void Workcell::begin_log(runtime::Time zero) {
+  parts_->log.clear();
+  parts_->log_zero = zero;
+}
+
+runtime::Time Workcell::log_time() const {
+  return parts_->now - parts_->log_zero;
 }
 
 runtime::Time Workcell::now() const {
@@ -196,7 +232,8 @@ const std::optional<ArmFault>& Workcell::fault() const {
 
 void Workcell::reset_fault() {
   parts_->fault.reset();
-  parts_->motion.hold(parts_->physics.joints());
+  parts_->yielding = runtime::Time::zero();
+  parts_->give_way();
   parts_->collisions.forgive(parts_->physics);
 }
 
@@ -269,8 +306,8 @@ bool Workcell::holds_part() const {
 }
 
 std::optional<double> Workcell::cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const {
-  // The arm's shapes are group 1 (sim/scenes/puma560.xml).
-  static constexpr std::array<mjtByte, mjNGROUP> groups{1, 0, 1, 1, 1, 1};
+  // The arm's shapes are group 1 (sim/scenes/puma560.xml), and group 3 is what is felt and not seen.
+  static constexpr std::array<mjtByte, mjNGROUP> groups{1, 0, 1, 0, 1, 1};
   const Physics& physics = parts_->physics;
   const Pose base = physics.base_pose();
   const Eigen::Vector3d from = base * origin;

@@ -30,7 +30,8 @@ struct Wrench {
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();
 };
 
-/// One line of the log, written after each step. Poses are those of the tool's tip in frame 0, in metres.
+/// One line of the log, written after each step; `time` counts from where the log begins. Poses are those of
+/// the tool's tip in frame 0, in metres.
 struct Sample {
   runtime::Time time{};
   Joints joints = Joints::Zero();           // where the joints are, rad
@@ -99,6 +100,9 @@ class Workcell final : public runtime::World {
   /// As of the last step.
   Wrench wrench() const;
   const std::vector<Sample>& log() const;
+  /// Forgets the log; its times, and log_time(), count from `zero` on, an instant that is still to come.
+  void begin_log(runtime::Time zero);
+  runtime::Time log_time() const;
 
   /// What the scene says that VAL has been taught: poses of the tip. HOME is where the scene starts, unless
   /// it says otherwise.

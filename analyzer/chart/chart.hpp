@@ -1,5 +1,5 @@
-// Charts of runs as SVG (docs/charts.md): readable in black and white, text as text, the same input gives the
-// same bytes.
+// Charts of runs as SVG (docs/reference/charts.md): readable in black and white, text as text, the same input
+// gives the same bytes.
 #pragma once
 
 #include <optional>

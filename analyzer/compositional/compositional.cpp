@@ -1,7 +1,7 @@
 #include "analyzer/compositional/compositional.hpp"
 
-#include "analyzer/compositional/account.hpp"
-#include "analyzer/compositional/causes/apart.hpp"
+#include "analyzer/compositional/breakdown.hpp"
+#include "analyzer/compositional/causes/cloned_blocks.hpp"
 #include "analyzer/compositional/measures/measures.hpp"
 
 namespace pal::analyzer {
@@ -67,7 +67,7 @@ std::vector<bool> asked_for(const Problem& problem) {
 
 Analysis analyze_compositionally(const Problem& skill, const Options& options) {
   const double begun = options.clock ? options.clock() : 0;
-  const Problem problem = apart(skill);
+  const Problem problem = clone_shared_blocks(skill);
   Analysis analysis;
   for (const Requirement& requirement : problem.requirements) {
     Verdict& verdict = analysis.verdicts.emplace_back();
@@ -81,21 +81,21 @@ Analysis analyze_compositionally(const Problem& skill, const Options& options) {
   const Forest forest = forest_of(problem, options.stop);
   std::string refusal = forest.refusal;
   if (refusal.empty()) {
-    const Conduct conduct = conduct_of(problem, forest, options.stop);
-    const Times times = times_of(problem, forest, conduct, asked_for(problem), options.stop);
+    const ThreadBehaviours behaviours = thread_behaviours_of(problem, forest, options.stop);
+    const Times times = times_of(problem, forest, behaviours, asked_for(problem), options.stop);
     if (times.interrupted) {
       refusal = "it was interrupted";
     } else {
-      const Endurance endurance = endurance_of(problem, forest, conduct, times);
+      const Endurance endurance = endurance_of(problem, forest, behaviours, times);
       const Endurance::Threads& always = endurance.always;
-      const View view{problem, forest, conduct, times, always.reliable, always.lively, always.begun};
+      const View view{problem, forest, behaviours, times, always.reliable, always.lively, always.begun};
       for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
         const Requirement& requirement = problem.requirements[r];
         const Bound bound = bound_of(view, requirement);
         const Bound known = bound.known() ? bound : until_left(view, endurance, requirement, bound_of);
         judge(known, analysis.verdicts[r]);
         if (options.addends && analysis.verdicts[r].bound && requirement.measure != Measure::loss)
-          analysis.verdicts[r].addends = account_of(view, known.sum);
+          analysis.verdicts[r].addends = breakdown_of(view, known.sum);
       }
     }
     analysis.statistics.states = forest.nodes.size();

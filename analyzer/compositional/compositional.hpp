@@ -1,5 +1,5 @@
 // Compositional analysis: bounds that no run exceeds, without exploring runs. For systems that are too large
-// for the exact analysis; what it is built on is in docs/compositional.md.
+// for the exact analysis; what it is built on is in docs/internals/compositional.md.
 #pragma once
 
 #include "analyzer/exact/exact.hpp"

@@ -290,7 +290,7 @@ class Analyzer {
 
 }  // namespace
 
-Analysis analyze(const Problem& problem, const Options& options) {
+Analysis analyze_exactly(const Problem& problem, const Options& options) {
   return Analyzer(problem, options).run();
 }
 

@@ -30,16 +30,16 @@ struct Options {
 
 /// Some run goes round these statements for ever at one instant (in Problem::statements, in the order of the
 /// text). Then nothing is said of times.
-struct Standstill {
+struct ZenoRun {
   std::vector<int> statements;
 };
 
 struct Analysis {
   std::vector<Verdict> verdicts;  // in the order of Problem::requirements
   Statistics statistics;          // sums; the greatest peak
-  std::optional<Standstill> standstill = {};
+  std::optional<ZenoRun> zeno_run = {};
 };
 
-Analysis analyze(const Problem& problem, const Options& options = {});
+Analysis analyze_exactly(const Problem& problem, const Options& options = {});
 
 }  // namespace pal::analyzer

@@ -64,16 +64,16 @@ class Turn {
 
   /// Times from the beginning of the stretch: of its firings, and of the last one before it.
   std::optional<std::vector<Nanoseconds>> solve() {
-    Clockwork clockwork(machine_, false);
+    ConcreteRun concrete_run(machine_, false);
     for (std::size_t k = 0; k <= stretch_.end; ++k) {
       ScriptedChoices choices(script_[k].choices);
       if (k == 0) {
-        clockwork.begin(choices);
-      } else if (!clockwork.fire(script_[k].timer, script_[k].at, choices)) {
+        concrete_run.begin(choices);
+      } else if (!concrete_run.fire(script_[k].timer, script_[k].at, choices)) {
         return std::nullopt;
       }
-      if (k > stretch_.begin && !follow(k, clockwork)) return std::nullopt;
-      for (int started : clockwork.started()) start(k, started, clockwork);
+      if (k > stretch_.begin && !follow(k, concrete_run)) return std::nullopt;
+      for (int started : concrete_run.started()) start(k, started, concrete_run);
     }
     if (!close()) return std::nullopt;
     return times_.solve();
@@ -82,23 +82,23 @@ class Turn {
  private:
   std::size_t index(std::size_t firing) const { return firing - stretch_.begin; }
 
-  void start(std::size_t k, int timer, const Clockwork& clockwork) {
+  void start(std::size_t k, int timer, const ConcreteRun& concrete_run) {
     Life& life = lives_[static_cast<std::size_t>(timer)];
-    life = {true, k, clockwork.timers()[static_cast<std::size_t>(timer)].range};
-    if (k > stretch_.begin && machine_.processor_of(clockwork.state(), timer) == processor_)
+    life = {true, k, concrete_run.timers()[static_cast<std::size_t>(timer)].range};
+    if (k > stretch_.begin && machine_.processor_of(concrete_run.state(), timer) == processor_)
       life.range.best = life.range.worst;
   }
 
   /// What ends with firing `k`. False: something is interrupted.
-  bool follow(std::size_t k, const Clockwork& clockwork) {
+  bool follow(std::size_t k, const ConcreteRun& concrete_run) {
     times_.add(index(k), index(k) - 1, 0);
     for (std::size_t t = 0; t < lives_.size(); ++t) {
-      const Clockwork::Timer& timer = clockwork.timers()[t];
+      const ConcreteRun::Timer& timer = concrete_run.timers()[t];
       if (timer.active && timer.frozen) return false;
       Life& life = lives_[t];
       const bool fired = script_[k].timer == static_cast<int>(t);
-      const bool restarted = std::find(clockwork.started().begin(), clockwork.started().end(),
-                                       static_cast<int>(t)) != clockwork.started().end();
+      const bool restarted = std::find(concrete_run.started().begin(), concrete_run.started().end(),
+                                       static_cast<int>(t)) != concrete_run.started().end();
       if (!life.active || (timer.active && !fired && !restarted)) continue;
       bound(k, life, fired);
       if (life.start <= stretch_.begin) ends_.push_back({t, k, fired});
@@ -152,19 +152,19 @@ class Turn {
 };
 
 /// Fires as scripted. False: a timer would fire too early, too late, or cannot.
-bool fire(Clockwork& clockwork, const ScriptedFiring& firing) {
-  const std::vector<Clockwork::Timer>& timers = clockwork.timers();
+bool fire(ConcreteRun& concrete_run, const ScriptedFiring& firing) {
+  const std::vector<ConcreteRun::Timer>& timers = concrete_run.timers();
   for (std::size_t t = 0; t < timers.size(); ++t) {
     if (timers[t].active && !timers[t].frozen &&
-        clockwork.worked(static_cast<int>(t), firing.at) > timers[t].range.worst)
+        concrete_run.worked(static_cast<int>(t), firing.at) > timers[t].range.worst)
       return false;
   }
-  const Clockwork::Timer& fired = timers[static_cast<std::size_t>(firing.timer)];
-  if (!fired.active || fired.frozen || firing.at < clockwork.now() ||
-      clockwork.worked(firing.timer, firing.at) < fired.range.best)
+  const ConcreteRun::Timer& fired = timers[static_cast<std::size_t>(firing.timer)];
+  if (!fired.active || fired.frozen || firing.at < concrete_run.now() ||
+      concrete_run.worked(firing.timer, firing.at) < fired.range.best)
     return false;
   ScriptedChoices choices(firing.choices);
-  return clockwork.fire(firing.timer, firing.at, choices);
+  return concrete_run.fire(firing.timer, firing.at, choices);
 }
 
 /// All that decides how a run can go on: its state, and what each timer has done.
@@ -172,10 +172,10 @@ struct Situation {
   State state;
   std::vector<Nanoseconds> worked;  // by timer; -1: not active
 
-  explicit Situation(const Clockwork& clockwork) : state(clockwork.state()) {
-    const std::vector<Clockwork::Timer>& timers = clockwork.timers();
+  explicit Situation(const ConcreteRun& concrete_run) : state(concrete_run.state()) {
+    const std::vector<ConcreteRun::Timer>& timers = concrete_run.timers();
     for (std::size_t t = 0; t < timers.size(); ++t) {
-      Nanoseconds done = timers[t].active ? clockwork.worked(static_cast<int>(t), clockwork.now()) : -1;
+      Nanoseconds done = timers[t].active ? concrete_run.worked(static_cast<int>(t), concrete_run.now()) : -1;
       // One that may wait as long as it likes only has to be able to fire.
       if (timers[t].range.worst >= Range::unbounded) done = std::min(done, timers[t].range.best);
       worked.push_back(done);
@@ -194,18 +194,18 @@ std::optional<UnendingRun> played_twice(const Machine& machine, std::vector<Scri
     firing.at += period;
     script.push_back(std::move(firing));
   }
-  Clockwork clockwork(machine, false);
+  ConcreteRun concrete_run(machine, false);
   ScriptedChoices first(script.front().choices);
-  clockwork.begin(first);
+  concrete_run.begin(first);
   Nanoseconds busy = 0;
   std::optional<Situation> turned;
   for (std::size_t k = 1; k < script.size(); ++k) {
-    if (k > stretch.end && clockwork.state().running[static_cast<std::size_t>(processor)] >= 0)
-      busy += script[k].at - clockwork.now();
-    if (!fire(clockwork, script[k])) return std::nullopt;
-    if (k == stretch.end) turned = Situation(clockwork);
+    if (k > stretch.end && concrete_run.state().running[static_cast<std::size_t>(processor)] >= 0)
+      busy += script[k].at - concrete_run.now();
+    if (!fire(concrete_run, script[k])) return std::nullopt;
+    if (k == stretch.end) turned = Situation(concrete_run);
   }
-  if (!(Situation(clockwork) == *turned)) return std::nullopt;
+  if (!(Situation(concrete_run) == *turned)) return std::nullopt;
   auto witness = replay(machine, script);
   if (!witness) return std::nullopt;
   return UnendingRun{std::move(*witness), {busy, period}};

@@ -49,7 +49,7 @@ class Follower {
  public:
   Follower(const Machine& machine, const ZoneGraph& graph, const Recurrence& recurrence, const Slice& slice,
            const Grid& grid, bool worst)
-      : machine_(machine), slice_(slice), grid_(grid), worst_(worst), clockwork_(machine, false) {
+      : machine_(machine), slice_(slice), grid_(grid), worst_(worst), concrete_run_(machine, false) {
     for (int c : recurrence.classes) {
       const ZoneClass& of = graph.classes()[static_cast<std::size_t>(c)];
       inside_.insert(graph.places()[static_cast<std::size_t>(of.state)].state);
@@ -62,15 +62,15 @@ class Follower {
     for (std::size_t k = 0; k < script.size(); ++k) {
       ScriptedChoices choices(script[k].choices);
       if (k == 0) {
-        clockwork_.begin(choices);
-      } else if (!clockwork_.fire(script[k].timer, script[k].at, choices)) {
+        concrete_run_.begin(choices);
+      } else if (!concrete_run_.fire(script[k].timer, script[k].at, choices)) {
         return false;
       }
     }
-    for (std::size_t t = 0; t < clockwork_.timers().size(); ++t) {
-      Clockwork::Timer& timer = clockwork_.timers()[t];
+    for (std::size_t t = 0; t < concrete_run_.timers().size(); ++t) {
+      ConcreteRun::Timer& timer = concrete_run_.timers()[t];
       if (timer.active && !slice_.timers[t])
-        last(timer, clockwork_.worked(static_cast<int>(t), clockwork_.now()));
+        last(timer, concrete_run_.worked(static_cast<int>(t), concrete_run_.now()));
     }
     return agree(start);
   }
@@ -81,12 +81,13 @@ class Follower {
     for (;;) {
       int first = -1;
       Nanoseconds least = Range::unbounded;
-      for (std::size_t t = 0; t < clockwork_.timers().size(); ++t) {
-        const Clockwork::Timer& timer = clockwork_.timers()[t];
+      for (std::size_t t = 0; t < concrete_run_.timers().size(); ++t) {
+        const ConcreteRun::Timer& timer = concrete_run_.timers()[t];
         if (!timer.active || timer.frozen) continue;
         const bool ours = slice_.timers[t];
         if (ours && static_cast<int>(t) != edge.timer) continue;
-        const Nanoseconds left = timer.duration - clockwork_.worked(static_cast<int>(t), clockwork_.now());
+        const Nanoseconds left =
+            timer.duration - concrete_run_.worked(static_cast<int>(t), concrete_run_.now());
         // What happens beside goes first.
         if (left < least || (left == least && !ours)) {
           least = left;
@@ -95,7 +96,7 @@ class Follower {
       }
       if (first < 0 || least < 0 || script_.size() > most_events) return false;
       const bool ours = first == edge.timer;
-      if (!fire(first, clockwork_.now() + least, ours ? &target : nullptr)) return false;
+      if (!fire(first, concrete_run_.now() + least, ours ? &target : nullptr)) return false;
       if (ours) return agree(target);
     }
   }
@@ -103,18 +104,19 @@ class Follower {
   /// Everything that decides how it goes on.
   std::pair<State, std::vector<Nanoseconds>> situation() const {
     std::vector<Nanoseconds> left;
-    for (std::size_t t = 0; t < clockwork_.timers().size(); ++t) {
-      const Clockwork::Timer& timer = clockwork_.timers()[t];
-      left.push_back(timer.active ? timer.duration - clockwork_.worked(static_cast<int>(t), clockwork_.now())
-                                  : -1);
+    for (std::size_t t = 0; t < concrete_run_.timers().size(); ++t) {
+      const ConcreteRun::Timer& timer = concrete_run_.timers()[t];
+      left.push_back(timer.active
+                         ? timer.duration - concrete_run_.worked(static_cast<int>(t), concrete_run_.now())
+                         : -1);
     }
-    return {clockwork_.state(), std::move(left)};
+    return {concrete_run_.state(), std::move(left)};
   }
 
   const std::vector<ScriptedFiring>& script() const { return script_; }
 
  private:
-  void last(Clockwork::Timer& timer, Nanoseconds worked) const {
+  void last(ConcreteRun::Timer& timer, Nanoseconds worked) const {
     timer.duration = worst_ && timer.range.worst < Range::unbounded ? timer.range.worst
                                                                     : std::max(timer.range.best, worked);
   }
@@ -124,7 +126,7 @@ class Follower {
     AllChoices choices;
     do {
       Outcome outcome;
-      if (!machine_.fire(clockwork_.state(), timer, choices, false, outcome)) return false;
+      if (!machine_.fire(concrete_run_.state(), timer, choices, false, outcome)) return false;
       if (!inside_.contains(outcome.state)) continue;
       if (target != nullptr &&
           grid_.masked(outcome.state) != grid_.places()[static_cast<std::size_t>(target->place)].state) {
@@ -132,11 +134,11 @@ class Follower {
       }
       const std::vector<std::uint8_t> taken = choices.taken();
       ScriptedChoices script(taken);
-      clockwork_.fire(timer, at, script);
+      concrete_run_.fire(timer, at, script);
       script_.push_back({timer, taken, at});
-      for (int started : clockwork_.started()) {
+      for (int started : concrete_run_.started()) {
         if (!slice_.timers[static_cast<std::size_t>(started)])
-          last(clockwork_.timers()[static_cast<std::size_t>(started)], 0);
+          last(concrete_run_.timers()[static_cast<std::size_t>(started)], 0);
       }
       return true;
     } while (choices.next());
@@ -147,9 +149,9 @@ class Follower {
   bool agree(const GridNode& node) {
     const GridPlace& place = grid_.places()[static_cast<std::size_t>(node.place)];
     for (std::size_t k = 0; k < place.timers.size(); ++k) {
-      Clockwork::Timer& timer = clockwork_.timers()[static_cast<std::size_t>(place.timers[k])];
+      ConcreteRun::Timer& timer = concrete_run_.timers()[static_cast<std::size_t>(place.timers[k])];
       if (!timer.active) return false;
-      const Nanoseconds duration = clockwork_.worked(place.timers[k], clockwork_.now()) + node.left[k];
+      const Nanoseconds duration = concrete_run_.worked(place.timers[k], concrete_run_.now()) + node.left[k];
       if (duration < timer.range.best || duration > timer.range.worst) return false;
       timer.duration = duration;
     }
@@ -160,7 +162,7 @@ class Follower {
   const Slice& slice_;
   const Grid& grid_;
   bool worst_;
-  Clockwork clockwork_;
+  ConcreteRun concrete_run_;
   std::unordered_set<State, StateHash> inside_;
   std::vector<ScriptedFiring> script_;
 };

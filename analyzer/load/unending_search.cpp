@@ -36,8 +36,8 @@ class Wanderer {
   bool begin(const std::vector<ScriptedFiring>& script) {
     script_ = script;
     first_ = script.size();
-    if (!play() || !inside_.contains(clockwork_->state())) return false;
-    visits_.push_back({clockwork_->state(), 0, std::vector<int>(machine_.problem().devices.size())});
+    if (!play() || !inside_.contains(concrete_run_->state())) return false;
+    visits_.push_back({concrete_run_->state(), 0, std::vector<int>(machine_.problem().devices.size())});
     return true;
   }
 
@@ -62,17 +62,17 @@ class Wanderer {
  private:
   /// From the start to the end of the script; what is under way then may end at other times than before.
   bool play() {
-    clockwork_.emplace(machine_, false);
+    concrete_run_.emplace(machine_, false);
     for (std::size_t k = 0; k < script_.size(); ++k) {
       ScriptedChoices choices(script_[k].choices);
       if (k == 0) {
-        clockwork_->begin(choices);
-      } else if (!clockwork_->fire(script_[k].timer, script_[k].at, choices)) {
+        concrete_run_->begin(choices);
+      } else if (!concrete_run_->fire(script_[k].timer, script_[k].at, choices)) {
         return false;
       }
     }
-    for (std::size_t t = 0; t < clockwork_->timers().size(); ++t) {
-      if (clockwork_->timers()[t].active) draw(static_cast<int>(t));
+    for (std::size_t t = 0; t < concrete_run_->timers().size(); ++t) {
+      if (concrete_run_->timers()[t].active) draw(static_cast<int>(t));
     }
     return true;
   }
@@ -81,17 +81,18 @@ class Wanderer {
   bool go_on() {
     std::vector<int> first;
     Nanoseconds least = Range::unbounded;
-    for (std::size_t t = 0; t < clockwork_->timers().size(); ++t) {
-      const Clockwork::Timer& timer = clockwork_->timers()[t];
+    for (std::size_t t = 0; t < concrete_run_->timers().size(); ++t) {
+      const ConcreteRun::Timer& timer = concrete_run_->timers()[t];
       if (!timer.active || timer.frozen) continue;
-      const Nanoseconds left = timer.duration - clockwork_->worked(static_cast<int>(t), clockwork_->now());
+      const Nanoseconds left =
+          timer.duration - concrete_run_->worked(static_cast<int>(t), concrete_run_->now());
       if (left < least) first.clear();
       if (left <= least) first.push_back(static_cast<int>(t));
       least = std::min(least, left);
     }
     std::shuffle(first.begin(), first.end(), engine_);
     return std::any_of(first.begin(), first.end(),
-                       [&](int timer) { return fire(timer, clockwork_->now() + least); });
+                       [&](int timer) { return fire(timer, concrete_run_->now() + least); });
   }
 
   bool fire(int timer, Nanoseconds at) {
@@ -99,18 +100,18 @@ class Wanderer {
     AllChoices all;
     do {
       Outcome outcome;
-      if (!machine_.fire(clockwork_->state(), timer, all, false, outcome)) return false;
+      if (!machine_.fire(concrete_run_->state(), timer, all, false, outcome)) return false;
       if (inside_.contains(outcome.state)) ways.push_back(all.taken());
     } while (all.next());
     if (ways.empty()) return false;
     const std::vector<std::uint8_t>& way = ways[engine_() % ways.size()];
-    const bool ours = machine_.processor_of(clockwork_->state(), timer) == processor_;
-    const Nanoseconds work = ours ? machine_.cost(clockwork_->state(), timer).worst : 0;
+    const bool ours = machine_.processor_of(concrete_run_->state(), timer) == processor_;
+    const Nanoseconds work = ours ? machine_.cost(concrete_run_->state(), timer).worst : 0;
     ScriptedChoices choices(way);
-    clockwork_->fire(timer, at, choices);
+    concrete_run_->fire(timer, at, choices);
     script_.push_back({timer, way, at});
-    for (int started : clockwork_->started()) draw(started);
-    Visit visit{clockwork_->state(), visits_.back().work + work, visits_.back().events};
+    for (int started : concrete_run_->started()) draw(started);
+    Visit visit{concrete_run_->state(), visits_.back().work + work, visits_.back().events};
     for (std::size_t d = 0; d < visit.events.size(); ++d)
       visit.events[d] += timer == machine_.next_timer(static_cast<int>(d)) ? 1 : 0;
     visits_.push_back(std::move(visit));
@@ -119,9 +120,9 @@ class Wanderer {
 
   /// The processor's own actions are as long as they may be; other times are short, long, or either.
   void draw(int index) {
-    Clockwork::Timer& timer = clockwork_->timers()[static_cast<std::size_t>(index)];
-    const Nanoseconds worked = clockwork_->worked(index, clockwork_->now());
-    const bool ours = machine_.processor_of(clockwork_->state(), index) == processor_;
+    ConcreteRun::Timer& timer = concrete_run_->timers()[static_cast<std::size_t>(index)];
+    const Nanoseconds worked = concrete_run_->worked(index, concrete_run_->now());
+    const bool ours = machine_.processor_of(concrete_run_->state(), index) == processor_;
     const bool longest = ours || manner_ == 1 || (manner_ > 1 && engine_() % 2 == 0);
     timer.duration = longest && timer.range.worst < Range::unbounded ? timer.range.worst : timer.range.best;
     timer.duration = std::max(timer.duration, worked);
@@ -132,7 +133,7 @@ class Wanderer {
   int processor_;
   std::uint64_t manner_;
   std::mt19937_64 engine_;
-  std::optional<Clockwork> clockwork_;
+  std::optional<ConcreteRun> concrete_run_;
   std::vector<ScriptedFiring> script_;
   std::size_t first_ = 0;  // firings of the beginning
   std::vector<Visit> visits_;

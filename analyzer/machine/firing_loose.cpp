@@ -1,5 +1,5 @@
 // Messages whose other end is left out of a slice: they come at any time, and find their slot full or free
-// (docs/slices.md).
+// (docs/internals/slices.md).
 #include <algorithm>
 
 #include "analyzer/machine/firing.hpp"

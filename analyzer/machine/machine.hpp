@@ -1,5 +1,5 @@
-// What a skill does, once and for all analyses: an untimed machine with timers. docs/execution-model.md in
-// code.
+// What a skill does, once and for all analyses: an untimed machine with timers.
+// docs/reference/execution-model.md in code.
 //
 // The machine says which timers start, stop, freeze and resume when one of them fires; when they may fire is
 // for the time domains to say: zones (zone_graph), single runs (run), grids of instants (load).

@@ -1,5 +1,5 @@
 // A skill in its environment as one flat, validated model: what every analysis starts from
-// (docs/execution-model.md).
+// (docs/reference/execution-model.md).
 #pragma once
 
 #include <cstdint>

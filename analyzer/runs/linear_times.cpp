@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "analyzer/runs/overseer.hpp"
+#include "analyzer/runs/interrupter.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -95,7 +95,7 @@ class Constraints {
 
 /// Makes the goal greater until it cannot be, in steps that are doubled, and halved where one was too wide.
 /// `best` has the best times so far, also if this throws.
-void make_greatest(Constraints& constraints, const Goal& goal, const Overseer& overseer, Times& best) {
+void make_greatest(Constraints& constraints, const Goal& goal, const Interrupter& interrupter, Times& best) {
   using Answer = Constraints::Answer;
   const auto value = [&] { return (*best)[goal.to] - (*best)[goal.from]; };
   if (value() >= goal.enough) return;
@@ -104,7 +104,7 @@ void make_greatest(Constraints& constraints, const Goal& goal, const Overseer& o
   if (most == Answer::found && above >= Range::unbounded) best.reset();
   if (most != Answer::none) return;
   // What Z3 does before it solves heeds no interruption.
-  for (Nanoseconds step = 1; value() + 1 < above && !overseer.interrupted();) {
+  for (Nanoseconds step = 1; value() + 1 < above && !interrupter.interrupted();) {
     const Nanoseconds tried = step < above - value() ? value() + step : above - 1;
     switch (constraints.look(goal, tried, best)) {
       case Answer::found:
@@ -141,10 +141,10 @@ Times linear_times(std::size_t count, const std::vector<Difference>& differences
   bool whole = false;
   try {
     Constraints constraints(*context, count, differences, works);
-    const Overseer overseer(over, [asked = context.get()] { asked->interrupt(); });
+    const Interrupter interrupter(over, [asked = context.get()] { asked->interrupt(); });
     constraints.look(std::nullopt, 0, best);
-    if (best && goal && !overseer.interrupted()) make_greatest(constraints, *goal, overseer, best);
-    whole = !overseer.interrupted();
+    if (best && goal && !interrupter.interrupted()) make_greatest(constraints, *goal, interrupter, best);
+    whole = !interrupter.interrupted();
   } catch (const z3::exception&) {
   }
   // One that was interrupted is not used again.

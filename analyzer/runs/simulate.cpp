@@ -81,7 +81,7 @@ class Run {
         options_(options),
         pause_(bits_of_pause(machine.problem())),
         dice_(options.seed),
-        clockwork_(machine, options.record),
+        concrete_run_(machine, options.record),
         phases_(options.phases) {}
 
   Simulation make() {
@@ -89,14 +89,14 @@ class Run {
     while (made_.script.size() < options_.max_events && !stands_still() && !over() && !stopped() && go_on())
       draw_durations();
     made_.stands = stands_still();
-    made_.ended = clockwork_.state().ended;
-    made_.failed = clockwork_.state().failed;
-    made_.measured = clockwork_.measured();
-    for (std::size_t o = 0; o < clockwork_.births().size(); ++o) {
-      if (!grows(clockwork_.state(), machine_.watch(), static_cast<int>(o))) continue;
-      made_.grown = std::max(made_.grown, clockwork_.now() - clockwork_.births()[o]);
+    made_.ended = concrete_run_.state().ended;
+    made_.failed = concrete_run_.state().failed;
+    made_.measured = concrete_run_.measured();
+    for (std::size_t o = 0; o < concrete_run_.births().size(); ++o) {
+      if (!grows(concrete_run_.state(), machine_.watch(), static_cast<int>(o))) continue;
+      made_.grown = std::max(made_.grown, concrete_run_.now() - concrete_run_.births()[o]);
     }
-    if (options_.record) made_.trace = clockwork_.trace();
+    if (options_.record) made_.trace = concrete_run_.trace();
     return std::move(made_);
   }
 
@@ -106,50 +106,50 @@ class Run {
     return fired.size() > most_at_once && fired[fired.size() - 1 - most_at_once].at == fired.back().at;
   }
   bool stopped() const { return options_.stop && options_.stop(); }
-  bool over() const { return clockwork_.state().ended || clockwork_.state().failed; }
+  bool over() const { return concrete_run_.state().ended || concrete_run_.state().failed; }
 
-  Clockwork::Timer& timer(int index) { return clockwork_.timers()[static_cast<std::size_t>(index)]; }
+  ConcreteRun::Timer& timer(int index) { return concrete_run_.timers()[static_cast<std::size_t>(index)]; }
 
   void begin() {
     if (options_.beginning.empty()) {
-      clockwork_.begin(dice_);
+      concrete_run_.begin(dice_);
       note(-1, 0, dice_.take_picks());
       return draw_durations();
     }
     ScriptedChoices first(options_.beginning.front().choices);
-    clockwork_.begin(first);
+    concrete_run_.begin(first);
     note(-1, 0, options_.beginning.front().choices);
     for (std::size_t k = 1; k < options_.beginning.size() && !over(); ++k) {
       if (!follow(options_.beginning[k])) break;
     }
-    for (Clockwork::Timer& each : clockwork_.timers()) {
+    for (ConcreteRun::Timer& each : concrete_run_.timers()) {
       if (!each.active) continue;
-      const Nanoseconds worked = clockwork_.worked(index_of(each), clockwork_.now());
+      const Nanoseconds worked = concrete_run_.worked(index_of(each), concrete_run_.now());
       each.duration =
           duration({std::max(each.range.best, worked), each.range.worst}, options_.times, pause_, dice_);
     }
   }
 
-  int index_of(const Clockwork::Timer& of) { return static_cast<int>(&of - clockwork_.timers().data()); }
+  int index_of(const ConcreteRun::Timer& of) { return static_cast<int>(&of - concrete_run_.timers().data()); }
 
   /// False: it cannot fire so.
   bool follow(const ScriptedFiring& firing) {
-    const Clockwork::Timer& fired = timer(firing.timer);
-    if (!fired.active || fired.frozen || firing.at < clockwork_.now()) return false;
-    for (const Clockwork::Timer& each : clockwork_.timers()) {
-      if (each.active && !each.frozen && clockwork_.worked(index_of(each), firing.at) > each.range.worst)
+    const ConcreteRun::Timer& fired = timer(firing.timer);
+    if (!fired.active || fired.frozen || firing.at < concrete_run_.now()) return false;
+    for (const ConcreteRun::Timer& each : concrete_run_.timers()) {
+      if (each.active && !each.frozen && concrete_run_.worked(index_of(each), firing.at) > each.range.worst)
         return false;
     }
-    if (clockwork_.worked(firing.timer, firing.at) < fired.range.best) return false;
+    if (concrete_run_.worked(firing.timer, firing.at) < fired.range.best) return false;
     ScriptedChoices choices(firing.choices);
-    if (!clockwork_.fire(firing.timer, firing.at, choices)) return false;
+    if (!concrete_run_.fire(firing.timer, firing.at, choices)) return false;
     note(firing.timer, firing.at, firing.choices);
     return true;
   }
 
   void draw_durations() {
-    for (int started : clockwork_.started()) {
-      Clockwork::Timer& each = timer(started);
+    for (int started : concrete_run_.started()) {
+      ConcreteRun::Timer& each = timer(started);
       each.duration = duration(each.range, options_.times, pause_, dice_);
       if (const Nanoseconds phase = take_phase(started); phase >= 0)
         each.duration = std::clamp(phase, each.range.best, each.range.worst);
@@ -168,15 +168,15 @@ class Run {
   bool go_on() {
     std::vector<int> first;
     Nanoseconds least = Range::unbounded;
-    for (std::size_t t = 0; t < clockwork_.timers().size(); ++t) {
-      const Clockwork::Timer& each = clockwork_.timers()[t];
+    for (std::size_t t = 0; t < concrete_run_.timers().size(); ++t) {
+      const ConcreteRun::Timer& each = concrete_run_.timers()[t];
       if (!each.active || each.frozen) continue;
-      const Nanoseconds left = each.duration - clockwork_.worked(static_cast<int>(t), clockwork_.now());
+      const Nanoseconds left = each.duration - concrete_run_.worked(static_cast<int>(t), concrete_run_.now());
       if (left < least) first.clear();
       if (left <= least) first.push_back(static_cast<int>(t));
       least = std::min(least, left);
     }
-    const Nanoseconds at = clockwork_.now() + least;
+    const Nanoseconds at = concrete_run_.now() + least;
     if (first.empty() || at > options_.until) {
       made_.end = options_.until;
       made_.still = first.empty();
@@ -185,11 +185,11 @@ class Run {
     while (!first.empty()) {
       const auto chosen = first.begin() + dice_.drawn(static_cast<int>(first.size()));
       dice_.take_picks();
-      if (clockwork_.fire(*chosen, at, dice_)) {
+      if (concrete_run_.fire(*chosen, at, dice_)) {
         note(*chosen, at, dice_.take_picks());
         return true;
       }
-      if (clockwork_.outgrown()) return false;
+      if (concrete_run_.outgrown()) return false;
       first.erase(chosen);
     }
     return false;
@@ -197,7 +197,7 @@ class Run {
 
   void note(int fired, Nanoseconds at, std::vector<std::uint8_t> choices) {
     made_.script.push_back({fired, std::move(choices), at});
-    made_.measured_after.resize(clockwork_.measured().size(), made_.script.size());
+    made_.measured_after.resize(concrete_run_.measured().size(), made_.script.size());
     made_.end = at;
   }
 
@@ -205,7 +205,7 @@ class Run {
   const SimulationOptions& options_;
   std::uint64_t pause_;
   Dice dice_;
-  Clockwork clockwork_;
+  ConcreteRun concrete_run_;
   std::vector<Nanoseconds> phases_;  // -1: drawn, or over
   Simulation made_;
 };

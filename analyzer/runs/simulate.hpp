@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "analyzer/runs/clockwork.hpp"
+#include "analyzer/runs/concrete_run.hpp"
 
 namespace pal::analyzer {
 

@@ -50,7 +50,7 @@ class Schedule {
   /// measures.
   Schedule(const Machine& machine, const std::vector<ScriptedFiring>& path, Pin pin, int growing = no_growth)
       : machine_(machine),
-        clockwork_(machine, false),
+        concrete_run_(machine, false),
         lives_(static_cast<std::size_t>(machine.timer_count())),
         pin_(pin),
         growing_(growing) {
@@ -147,10 +147,10 @@ class Schedule {
       ScriptedChoices choices(path[k].choices);
       const int timer = path[k].timer;
       if (k == 0) {
-        clockwork_.begin(choices);
+        concrete_run_.begin(choices);
       } else {
         between(k - 1, k, 0, none);
-        const State before = clockwork_.state();
+        const State before = concrete_run_.state();
         Life& life = lives_[static_cast<std::size_t>(timer)];
         if (!life.active || life.frozen) return false;
         Range range{life.range.best, life.range.worst};
@@ -163,10 +163,10 @@ class Schedule {
                   range.worst >= none ? none : range.worst + life.owed);
         }
         life = {};
-        if (!clockwork_.fire(timer, 0, choices)) return false;
+        if (!concrete_run_.fire(timer, 0, choices)) return false;
       }
       apply_changes(k);
-      const Outcome& outcome = clockwork_.outcome();
+      const Outcome& outcome = concrete_run_.outcome();
       if (k + 1 == path.size()) {
         if (growing_ == oldest_growth && !find_oldest()) return false;
         for (int origin :
@@ -187,9 +187,9 @@ class Schedule {
 
   /// The first of the values that grow at the end.
   bool find_oldest() {
-    const int observers = clockwork_.state().observers;
+    const int observers = concrete_run_.state().observers;
     for (growing_ = 0; growing_ < observers; ++growing_) {
-      if (grows(clockwork_.state(), machine_.watch(), growing_)) return true;
+      if (grows(concrete_run_.state(), machine_.watch(), growing_)) return true;
     }
     return false;
   }
@@ -212,7 +212,7 @@ class Schedule {
   }
 
   void apply_changes(std::size_t k) {
-    for (const TimerChange& change : clockwork_.outcome().changes) {
+    for (const TimerChange& change : concrete_run_.outcome().changes) {
       Life& life = lives_[static_cast<std::size_t>(change.timer)];
       switch (change.kind) {
         case TimerChange::Kind::start:
@@ -237,7 +237,7 @@ class Schedule {
   }
 
   const Machine& machine_;
-  Clockwork clockwork_;
+  ConcreteRun concrete_run_;
   std::vector<Life> lives_;
   Pin pin_;
   int growing_;
@@ -287,46 +287,46 @@ std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, con
 
 std::optional<Witness> replay(const Machine& machine, const std::vector<ScriptedFiring>& script,
                               bool growing) {
-  Clockwork clockwork(machine);
+  ConcreteRun concrete_run(machine);
   for (std::size_t k = 0; k < script.size(); ++k) {
     ScriptedChoices choices(script[k].choices);
     if (k == 0) {
-      clockwork.begin(choices);
+      concrete_run.begin(choices);
       continue;
     }
     const Nanoseconds at = script[k].at;
-    if (at < clockwork.now()) return std::nullopt;
-    const auto& timers = clockwork.timers();
+    if (at < concrete_run.now()) return std::nullopt;
+    const auto& timers = concrete_run.timers();
     for (std::size_t t = 0; t < timers.size(); ++t) {
       if (!timers[t].active || timers[t].frozen) continue;
-      if (clockwork.worked(static_cast<int>(t), at) > timers[t].range.worst) return std::nullopt;
+      if (concrete_run.worked(static_cast<int>(t), at) > timers[t].range.worst) return std::nullopt;
     }
     const auto& fired = timers[static_cast<std::size_t>(script[k].timer)];
-    if (!fired.active || fired.frozen || clockwork.worked(script[k].timer, at) < fired.range.best)
+    if (!fired.active || fired.frozen || concrete_run.worked(script[k].timer, at) < fired.range.best)
       return std::nullopt;
-    if (!clockwork.fire(script[k].timer, at, choices)) return std::nullopt;
+    if (!concrete_run.fire(script[k].timer, at, choices)) return std::nullopt;
   }
   Witness witness;
   witness.script = script;
-  witness.trace = clockwork.trace();
-  witness.failed = clockwork.state().failed;
-  const auto& left = clockwork.timers();
+  witness.trace = concrete_run.trace();
+  witness.failed = concrete_run.state().failed;
+  const auto& left = concrete_run.timers();
   witness.still = std::none_of(left.begin(), left.end(),
-                               [](const Clockwork::Timer& timer) { return timer.active && !timer.frozen; });
+                               [](const ConcreteRun::Timer& timer) { return timer.active && !timer.frozen; });
   const bool least = machine.watch().least;
   bool any = false;
-  for (const Measurement& made : clockwork.measured()) {
-    if (growing || made.at != clockwork.now()) continue;
+  for (const Measurement& made : concrete_run.measured()) {
+    if (growing || made.at != concrete_run.now()) continue;
     if (!any || (least ? made.value <= witness.measured.value : made.value >= witness.measured.value)) {
       witness.measured = made;
     }
     any = true;
   }
   // What still grows counts from the first of the instants that do.
-  for (std::size_t o = 0; o < clockwork.births().size() && !any; ++o) {
-    if (!grows(clockwork.state(), machine.watch(), static_cast<int>(o))) continue;
-    const Nanoseconds born = clockwork.births()[o];
-    witness.measured = {clockwork.now() - born, born, clockwork.now(), -1};
+  for (std::size_t o = 0; o < concrete_run.births().size() && !any; ++o) {
+    if (!grows(concrete_run.state(), machine.watch(), static_cast<int>(o))) continue;
+    const Nanoseconds born = concrete_run.births()[o];
+    witness.measured = {concrete_run.now() - born, born, concrete_run.now(), -1};
     witness.grows = true;
     break;
   }

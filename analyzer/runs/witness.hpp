@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "analyzer/runs/clockwork.hpp"
+#include "analyzer/runs/concrete_run.hpp"
 #include "analyzer/zones/zone_graph.hpp"
 #include "runtime/trace/trace.hpp"
 

@@ -1,4 +1,4 @@
-// The threads and devices that a requirement cannot be measured without (docs/slices.md).
+// The threads and devices that a requirement cannot be measured without (docs/internals/slices.md).
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // A problem with fewer parts that has all runs of the whole one, and more: what no run of it exceeds no run
-// of the whole exceeds (docs/slices.md).
+// of the whole exceeds (docs/internals/slices.md).
 #pragma once
 
 #include "analyzer/slice/cone.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analyzer/exact/standstill.hpp"
+#include "analyzer/exact/zeno_run.hpp"
 #include "analyzer/load/load.hpp"
 #include "analyzer/runs/quick_runs.hpp"
 #include "analyzer/verdict/unread.hpp"
@@ -111,7 +111,7 @@ class Search {
 Decision by_analysis(const Problem& problem, std::size_t requirement, const Options& options) {
   Problem alone = problem;
   alone.requirements = {problem.requirements[requirement]};
-  Verdict verdict = std::move(analyze(alone, options).verdicts.front());
+  Verdict verdict = std::move(analyze_exactly(alone, options).verdicts.front());
   const bool fails = verdict.state == Is::fails;
   const bool grows = verdict.witness && verdict.witness->grows && !verdict.witness->failed;
   return {verdict.state == Is::never ? Is::holds : verdict.state,
@@ -180,7 +180,7 @@ Decision decide(const Problem& problem, std::size_t index, const Verdict& bound,
   const Limits limits{options.max_states, options.stop, {}, &workers};
   // Where time stands still nothing holds, and what has no end by then is not measured.
   const bool of_all_time = decision.state == Is::holds || decision.grows;
-  if (of_all_time && standstill(problem, limits).found) return {};
+  if (of_all_time && find_zeno_run(problem, limits).found) return {};
   return decision;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/compositional/compositional.hpp"
-#include "analyzer/exact/standstill.hpp"
+#include "analyzer/exact/zeno_run.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -45,8 +45,8 @@ bool Judge::bounded(const Problem& problem, const std::vector<std::size_t>& requ
                      [](const Verdict& bound) { return bound.state == Verdict::State::holds; });
 }
 
-bool Judge::stands_still(const Problem& problem) {
-  return standstill(problem, {options_.max_states, options_.stop, {}, &workers_}).found.has_value();
+bool Judge::has_zeno_run(const Problem& problem) {
+  return find_zeno_run(problem, {options_.max_states, options_.stop, {}, &workers_}).found.has_value();
 }
 
 Ruling Judge::ask(const Problem& problem, const std::vector<std::size_t>& requirements) {

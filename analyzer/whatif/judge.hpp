@@ -36,7 +36,7 @@ class Judge {
   bool bounded(const Problem& problem, const std::vector<std::size_t>& requirements) const;
 
   /// Whether some run gets to where no time passes any more. Nothing holds then.
-  bool stands_still(const Problem& problem);
+  bool has_zeno_run(const Problem& problem);
 
   /// Whether a known run refutes it without exploration: the requirement, or -1.
   int refuted(const Problem& problem, const std::vector<std::size_t>& requirements);

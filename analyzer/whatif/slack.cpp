@@ -82,7 +82,7 @@ class SlackSearch {
     }
     if (holds == 0) return 0;
     const auto problem = judge_.problem(growth.by(holds));
-    return problem && !judge_.stands_still(*problem) ? holds : 0;
+    return problem && !judge_.has_zeno_run(*problem) ? holds : 0;
   }
 
   /// `known_to_hold`: so much more.

@@ -12,7 +12,7 @@
 namespace pal::analyzer {
 
 /// Best times stay: a grown time is an interval that holds the old one, every old run is still a run, and so
-/// what breaks a requirement goes on breaking it (docs/what-if.md).
+/// what breaks a requirement goes on breaking it (docs/reference/what-if.md).
 struct Slack {
   std::string figure;  // empty: all together
   Interval time;       // as it is; all together: the longest worst time

@@ -3,6 +3,6 @@
 
 #include <memory>
 
-#include "runtime/skill.hpp"
+#include "pal/runtime/skill.hpp"
 
 std::unique_ptr<pal::runtime::Skill> pull_test_skill();

@@ -4,7 +4,8 @@
 #include <iostream>
 
 #include "activities.hpp"
-#include "runtime/dispatcher.hpp"
+#include "pal/runtime/dispatcher.hpp"
+#include "pal/runtime/still_world.hpp"
 
 using namespace std::chrono_literals;
 using namespace pal::runtime;
@@ -70,17 +71,12 @@ class Axis final : public Device {
   DeviceHost* host_ = nullptr;
 };
 
-class NoWorld final : public World {
- public:
-  void advance_to(Time) override {}
-};
-
 /// Prints how the test of `plug` ended; true if with `expected`.
 bool test(const char* what, Plug plug, int expected) {
   const auto skill = pull_test_skill();
   Gauge gauge(plug);
   Axis axis(plug);
-  NoWorld world;
+  StillWorld world;
   Device* devices[] = {&gauge, &axis};
   const Outcome outcome = Dispatcher(devices, world).run(*skill);
   std::cout << what << ": completion " << outcome.code << ", " << outcome.reason << " (gripper at "

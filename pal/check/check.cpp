@@ -6,12 +6,12 @@
 #include <set>
 #include <string>
 
-#include "pal/check/build_network.hpp"
-#include "pal/check/environment.hpp"
-#include "pal/check/families.hpp"
+#include "pal/check/network/build_network.hpp"
+#include "pal/check/network/environment.hpp"
+#include "pal/check/network/scope.hpp"
 #include "pal/check/report.hpp"
-#include "pal/check/scope.hpp"
-#include "pal/check/unused.hpp"
+#include "pal/check/rules/families.hpp"
+#include "pal/check/rules/unused.hpp"
 #include "pal/pan/flow.hpp"
 #include "pal/support/diagnostic_code.hpp"
 

@@ -89,7 +89,7 @@ ExitStatus draw_atc(const AtcOptions& options, const Console& console) {
   if (chosen && !session.diagnostics.has_errors()) proofs = prove(session, options.limits);
   const ExitStatus found = status_of_findings(session);
   for (const Proof& proof : proofs) {
-    if (proof.analysis.standstill) report_standstill(proof.problem, *proof.analysis.standstill, session);
+    if (proof.analysis.zeno_run) report_zeno_run(proof.problem, *proof.analysis.zeno_run, session);
   }
   show_findings(session, console);
   if (!chosen) return ExitStatus::usage;

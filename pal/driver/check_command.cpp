@@ -1,7 +1,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "pal/check/load.hpp"
+#include "pal/check/read_sources.hpp"
 #include "pal/driver/commands.hpp"
 #include "pal/driver/interruption.hpp"
 #include "pal/driver/junit.hpp"
@@ -21,7 +21,7 @@ ExitStatus emit_tree(const Selection& selection, const Console& console) {
   Session session;
   session.max_errors = selection.max_errors;
   for (const syntax::Tree& tree :
-       load(console.files, session.sources, selection.files, session.diagnostics)) {
+       read_sources(console.files, session.sources, selection.files, session.diagnostics)) {
     syntax::dump(tree, session.sources, console.out);
   }
   show_findings(session, console);

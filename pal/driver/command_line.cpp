@@ -6,7 +6,7 @@
 #include <functional>
 #include <ostream>
 
-#include "analyzer/replay/check_run.hpp"
+#include "analyzer/run_checker/check_run.hpp"
 #include "pal/driver/commands.hpp"
 #include "pal/driver/private/option_values.hpp"
 #include "pal/support/nearest.hpp"
@@ -77,9 +77,10 @@ void add_check(CLI::App& app, CheckOptions& options) {
       "exact, compositional (bounds, however large the skill), auto: what decides soonest, or thorough: "
       "the same, and on till bounds are exact")
       ->type_name("ANALYSIS");
-  add_choice<Format>(*command, "--format", options.format,
-                     {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}, {"junit", Format::junit}},
-                     "text, json, sarif (2.1.0) or junit (XML)")
+  add_choice<Format>(
+      *command, "--format", options.format,
+      {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}, {"junit", Format::junit}},
+      "text, json, sarif (2.1.0) or junit (XML)")
       ->type_name("FORMAT");
   add_choice<Stage>(*command, "--emit", options.emit, {{"tree", Stage::tree}, {"pan", Stage::pan}},
                     "also print what stands between two stages: tree or pan")
@@ -87,7 +88,8 @@ void add_check(CLI::App& app, CheckOptions& options) {
   command->add_option("--witness", options.witness, "write the run that shows each bound, for pal replay")
       ->type_name("FILE");
   auto* explain = command->add_flag("--explain", options.explain, "print what adds up to each bound");
-  command->add_flag("--quiet", options.quiet, "print findings only, and nothing of what holds")->excludes(explain);
+  command->add_flag("--quiet", options.quiet, "print findings only, and nothing of what holds")
+      ->excludes(explain);
   command->add_flag("--statistics", options.statistics,
                     "print states, classes, seconds and peak memory of each requirement and of all");
   command->footer(statuses);
@@ -233,9 +235,11 @@ void add_generate(CLI::App& app, GenerateOptions& options) {
                    "target of that rule, if not the files written")
       ->type_name("FILE");
   add_limits(*command, options.limits);
-  command->add_flag("--allow-failing", options.allow_failing, "prove nothing: generate whatever the verdicts would be");
+  command->add_flag("--allow-failing", options.allow_failing,
+                    "prove nothing: generate whatever the verdicts would be");
   command->footer(
-      "Exit status: 0 done; 1 the specification is wrong; 2 bad usage, or a file could not be read or written; 3 "
+      "Exit status: 0 done; 1 the specification is wrong; 2 bad usage, or a file could not be read or "
+      "written; 3 "
       "some requirement fails or is undecided, and nothing was written.");
 }
 
@@ -309,7 +313,8 @@ void add_operation_files(CLI::App& command, OperationOptions& options) {
 }
 
 void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tell, OperationOptions& format) {
-  CLI::App* operation = app.add_subcommand("operation", "Checks, tells and formats operations: skills, connected");
+  CLI::App* operation =
+      app.add_subcommand("operation", "Checks, tells and formats operations: skills, connected");
   operation->require_subcommand(1);
 
   CLI::App* command = operation->add_subcommand("check", "Finds what is wrong, and how long each way takes");
@@ -331,7 +336,8 @@ void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tel
 
   command = operation->add_subcommand("storyboard", "Tells an operation as a story, with pictures");
   add_operation_files(*command, tell);
-  command->add_option("-o,--output", tell.output, "the document, .html or .md; without it Markdown is printed")
+  command
+      ->add_option("-o,--output", tell.output, "the document, .html or .md; without it Markdown is printed")
       ->type_name("FILE");
   command->footer(statuses_of_results);
 

@@ -4,6 +4,7 @@
 
 #include "codegen/generate.hpp"
 #include "pal/check/resources.hpp"
+#include "pal/check/shared_messages.hpp"
 #include "pal/driver/commands.hpp"
 #include "pal/driver/interruption.hpp"
 #include "pal/driver/proof.hpp"
@@ -47,6 +48,8 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
   if (one) {
     frontend::check_listed(session.specification.skills.front(), session.specification.environments.front(),
                            session.diagnostics);
+    frontend::check_shared_messages(session.specification.skills.front(),
+                                    session.specification.environments.front(), session.diagnostics);
     generated =
         codegen::generate(session.specification.skills.front(), session.specification.environments.front(),
                           session.sources, session.diagnostics);

@@ -3,7 +3,7 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "pal/check/recover.hpp"
+#include "pal/check/to_unit.hpp"
 #include "pal/driver/commands.hpp"
 #include "pal/driver/write.hpp"
 #include "pal/pan/dot.hpp"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pal/check/resources.hpp"
+#include "pal/check/shared_messages.hpp"
 #include "pal/driver/interruption.hpp"
 #include "pal/driver/memory.hpp"
 
@@ -22,6 +23,7 @@ double seconds_since(Clock::time_point begin) {
 std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
                                             Session& session) {
   frontend::check_listed(skill, environment, session.diagnostics);
+  frontend::check_shared_messages(skill, environment, session.diagnostics);
   return analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
 }
 

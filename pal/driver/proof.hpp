@@ -51,11 +51,10 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits);
 bool all_hold(const std::vector<Proof>& proofs);
 
 /// Adds the finding that time stands still in some run (PAL0821).
-void report_standstill(const analyzer::Problem& problem, const analyzer::Standstill& standstill,
-                       Session& session);
+void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& zeno_run, Session& session);
 
 /// Looks for such a run in a few classes, adds the finding, and says whether there is one.
-bool look_for_standstill(const analyzer::Problem& problem, Session& session);
+bool look_for_zeno_run(const analyzer::Problem& problem, Session& session);
 
 /// Adds a finding for every requirement that fails or is undecided: where it stands, which statement uses how
 /// old a value or answers how late, and what the time was spent on: the longest parts, or the `whole_story`.

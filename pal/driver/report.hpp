@@ -14,9 +14,9 @@ namespace pal::driver {
 void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& out);
 
 /// {"diagnostics": [...], "not_kept", "requirements": [{name, skill, environment, measure, limit_ns,
-/// bound_ns, attained_ns, exact, analysis, verdict, addends}]} (docs/command-line.md), with what they took if
-/// `statistics`. A figure that is not known is null. Of a load, both figures are nanoseconds of work a
-/// second.
+/// bound_ns, attained_ns, exact, analysis, verdict, addends}]} (docs/reference/command-line.md), with what
+/// they took if `statistics`. A figure that is not known is null. Of a load, both figures are nanoseconds of
+/// work a second.
 std::string json(const std::vector<Proof>& proofs, const Session& session, bool statistics = false);
 
 }  // namespace pal::driver

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analyzer/problem/problem.hpp"
-#include "analyzer/replay/witness_file.hpp"
+#include "analyzer/run_checker/witness_file.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "pal/driver/survey.hpp"
 

@@ -4,7 +4,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "pal/check/load.hpp"
+#include "pal/check/read_sources.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/render.hpp"
 
@@ -43,7 +43,8 @@ bool read(const Selection& selection, const Console& console, Session& session) 
   session.max_errors = selection.max_errors;
   std::vector<std::string> paths = selection.files;
   paths.insert(paths.end(), selection.environments.begin(), selection.environments.end());
-  const std::vector<syntax::Tree> trees = load(console.files, session.sources, paths, session.diagnostics);
+  const std::vector<syntax::Tree> trees =
+      read_sources(console.files, session.sources, paths, session.diagnostics);
   session.specification = check(trees, session.diagnostics);
 
   if (session.diagnostics.has_errors()) return true;

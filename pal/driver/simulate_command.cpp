@@ -205,7 +205,7 @@ ExitStatus simulate(const SimulateOptions& options, const Console& console) {
   const ExitStatus found = status_of_findings(session);
   bool good = true;
   for (const auto& study : studies) {
-    if (found == ExitStatus::all_hold) good = !look_for_standstill(study->simulated.problem, session) && good;
+    if (found == ExitStatus::all_hold) good = !look_for_zeno_run(study->simulated.problem, session) && good;
   }
   show_findings(session, console);
   if (found != ExitStatus::all_hold) return found;

@@ -22,7 +22,8 @@ struct Simulated {
 };
 
 std::string text(const Simulated& simulated);
-/// {"simulations": [{skill, environment, runs, completed, refused, requirements}]} (docs/simulation.md).
+/// {"simulations": [{skill, environment, runs, completed, refused, requirements}]}
+/// (docs/reference/simulation.md).
 std::string json(const std::vector<Simulated>& simulations);
 
 }  // namespace pal::driver

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/replay/check_run.hpp"
+#include "analyzer/run_checker/check_run.hpp"
 
 namespace pal::driver {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <string>
 
-#include "analyzer/exact/standstill.hpp"
+#include "analyzer/exact/zeno_run.hpp"
 #include "analyzer/verdict/explain.hpp"
 #include "pal/driver/measure_text.hpp"
 #include "pal/driver/proof.hpp"
@@ -54,7 +54,7 @@ const analyzer::Reason* longest_wait_after_read(const analyzer::Verdict& verdict
 
 /// What may decide a requirement that is undecided.
 std::string hint_of_undecided(const Proof& proof, const analyzer::Verdict& verdict) {
-  if (proof.analysis.standstill) return "give something in the loop a time";
+  if (proof.analysis.zeno_run) return "give something in the loop a time";
   if (proof.explored)
     return "allow more with --max-states or --timeout, or make the skill or its times simpler";
   if (analyzer::fits_exploration(proof.problem)) return "ask the exact analysis too, with --analysis auto";
@@ -158,9 +158,8 @@ void report(const Proof& proof, std::size_t index, bool whole_story, Session& se
 
 }  // namespace
 
-void report_standstill(const analyzer::Problem& problem, const analyzer::Standstill& standstill,
-                       Session& session) {
-  const std::vector<int>& statements = standstill.statements;
+void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& zeno_run, Session& session) {
+  const std::vector<int>& statements = zeno_run.statements;
   const auto where = [&problem](int statement) {
     return problem.statements[static_cast<std::size_t>(statement)].where;
   };
@@ -173,17 +172,17 @@ void report_standstill(const analyzer::Problem& problem, const analyzer::Standst
     finding.notes.push_back({where(statements[i]), "this is in the loop, too"});
 }
 
-bool look_for_standstill(const analyzer::Problem& problem, Session& session) {
+bool look_for_zeno_run(const analyzer::Problem& problem, Session& session) {
   constexpr std::size_t classes = 5'000;
   if (!analyzer::fits_exploration(problem)) return false;
-  const auto found = analyzer::standstill(problem, {classes, {}}).found;
-  if (found) report_standstill(problem, *found, session);
+  const auto found = analyzer::find_zeno_run(problem, {classes, {}}).found;
+  if (found) report_zeno_run(problem, *found, session);
   return found.has_value();
 }
 
 void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& session) {
   for (const Proof& proof : proofs) {
-    if (proof.analysis.standstill) report_standstill(proof.problem, *proof.analysis.standstill, session);
+    if (proof.analysis.zeno_run) report_zeno_run(proof.problem, *proof.analysis.zeno_run, session);
     for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
       const State state = proof.analysis.verdicts[i].state;
       if (state == State::never) report_never(proof, i, session);

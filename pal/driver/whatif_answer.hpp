@@ -25,7 +25,7 @@ struct WhatIfAnswer {
 };
 
 std::string text(const WhatIfAnswer& answer);
-/// {"what_if": [{skill, environment, slack, changed, placements}]} (docs/what-if.md).
+/// {"what_if": [{skill, environment, slack, changed, placements}]} (docs/reference/what-if.md).
 std::string json(const std::vector<WhatIfAnswer>& answers);
 
 /// Whether all that was asked for is met: everything holds as it is, if slack was asked for; all

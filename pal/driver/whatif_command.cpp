@@ -83,14 +83,14 @@ class Question {
 };
 
 /// With the figures as they are asked for: no verdict says `holds` where time stands still.
-void look_for_standstills(const std::vector<std::string>& changes, Session& session) {
+void look_for_zeno_runs(const std::vector<std::string>& changes, Session& session) {
   std::ostringstream known;
   for (const pan::Network& skill : session.specification.skills) {
     for (const pan::Environment& environment : session.specification.environments) {
       Diagnostics ignored;
       const auto other = changed(environment, changes, known);
       const auto problem = other ? analyzer::make_problem(skill, *other, ignored) : std::nullopt;
-      if (problem) look_for_standstill(*problem, session);
+      if (problem) look_for_zeno_run(*problem, session);
     }
   }
 }
@@ -149,7 +149,7 @@ ExitStatus what_if(const WhatIfOptions& options, const Console& console) {
     }
   }
   const ExitStatus found = status_of_findings(session);
-  if (found == ExitStatus::all_hold && sound_changes) look_for_standstills(options.changes, session);
+  if (found == ExitStatus::all_hold && sound_changes) look_for_zeno_runs(options.changes, session);
   show_findings(session, console);
   if (!sound_changes) return ExitStatus::usage;
   if (found != ExitStatus::all_hold) return found;

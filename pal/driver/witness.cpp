@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "analyzer/machine/machine.hpp"
-#include "analyzer/replay/check_run.hpp"
+#include "analyzer/run_checker/check_run.hpp"
 #include "analyzer/runs/quick_runs.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/duration_text.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/replay/witness_file.hpp"
+#include "analyzer/run_checker/witness_file.hpp"
 #include "analyzer/whatif/placement.hpp"
 #include "pal/driver/proof.hpp"
 #include "pal/driver/selection.hpp"

@@ -19,9 +19,9 @@ constexpr std::string_view introduction =
     "its page. Every example gives the finding and every cure removes it: a test runs `pal check` on all of "
     "them.\n"
     "\n"
-    "This document is written by `pal explain --all > docs/diagnostics.md` from the table in\n"
-    "[diagnostic_code.def](../pal/support/diagnostic_code.def) and the pages in "
-    "[pal/explain/pages](../pal/explain/pages).\n"
+    "This document is written by `pal explain --all > docs/reference/diagnostics.md` from the table in\n"
+    "[diagnostic_code.def](../../pal/support/diagnostic_code.def) and the pages in "
+    "[pal/explain/pages](../../pal/explain/pages).\n"
     "\n";
 
 }  // namespace

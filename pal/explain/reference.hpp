@@ -13,7 +13,7 @@ void write_list(std::ostream& out);
 /// One page, below its code, severity and title; as Markdown.
 void write_page(Code code, std::ostream& out);
 
-/// docs/diagnostics.md: the list as a table that links to the pages, then the pages.
+/// docs/reference/diagnostics.md: the list as a table that links to the pages, then the pages.
 void write_reference(std::ostream& out);
 
 }  // namespace pal

@@ -1,4 +1,5 @@
-// A module's body as Graphviz DOT, drawn as in the thesis, figure 3.4. docs/pan.md lists the attributes.
+// A module's body as Graphviz DOT, drawn as in the thesis, figure 3.4. docs/reference/pan.md lists the
+// attributes.
 #pragma once
 
 #include <string>

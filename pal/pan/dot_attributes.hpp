@@ -23,7 +23,7 @@ std::string dot_list(const DotAttributes& attributes);
 /// them, unless one has no node or they are declared in another order.
 DotAttributes content_attributes(const Network& network, ModuleId module);
 
-/// The whole content of a node: pal_kind and what else that kind has (docs/pan.md).
+/// The whole content of a node: pal_kind and what else that kind has (docs/reference/pan.md).
 DotAttributes content_attributes(const Network& network, const Node& node);
 
 }  // namespace pal::pan

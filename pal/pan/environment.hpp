@@ -1,4 +1,5 @@
-// A workcell as a skill meets it: processors, devices, placement and times (docs/language.md, ENVIRONMENT).
+// A workcell as a skill meets it: processors, devices, placement and times (docs/reference/language.md,
+// ENVIRONMENT).
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What a skill must keep, whatever its environment (docs/timing.md gives the measures).
+// What a skill must keep, whatever its environment (docs/reference/timing.md gives the measures).
 #pragma once
 
 #include <cstdint>

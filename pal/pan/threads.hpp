@@ -1,5 +1,5 @@
 // The threads of a skill, with their names and places: its modules, and the blocks of CONCURRENT in them and
-// in what they execute (docs/execution-model.md, Threads and processors).
+// in what they execute (docs/reference/execution-model.md, Threads and processors).
 #pragma once
 
 #include <cstddef>

@@ -23,11 +23,11 @@ void add(const antlr4::misc::IntervalSet& from, std::set<std::size_t>& types) {
   }
 }
 
-/// Tells the first mistake as Recovery does, and stops.
-class FirstMistake : public Recovery {
+/// Tells the first mistake as ErrorRecovery does, and stops.
+class FirstMistake : public ErrorRecovery {
  public:
   FirstMistake(const Tokens& tokens, Diagnostics& diagnostics)
-      : Recovery(tokens, diagnostics), sink_(diagnostics) {}
+      : ErrorRecovery(tokens, diagnostics), sink_(diagnostics) {}
 
   void recover(antlr4::Parser* parser, std::exception_ptr error) override {
     stop(parser, offending(error), &error);
@@ -39,7 +39,7 @@ class FirstMistake : public Recovery {
   void sync(antlr4::Parser* parser) override {
     const auto at = parser->getCurrentToken()->getTokenIndex();
     const auto before = sink_.errors();
-    Recovery::sync(parser);
+    ErrorRecovery::sync(parser);
     if (sink_.errors() != before) stop(parser, at, nullptr);
   }
 

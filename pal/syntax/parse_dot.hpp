@@ -1,4 +1,4 @@
-// A module drawn as a graph (docs/pan.md) to tree: DOT is a second way to write one module.
+// A module drawn as a graph (docs/reference/pan.md) to tree: DOT is a second way to write one module.
 #pragma once
 
 #include "pal/support/diagnostic.hpp"

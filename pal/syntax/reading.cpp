@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include "pal/syntax/recovery.hpp"
+#include "pal/syntax/error_recovery.hpp"
 #include "pal/syntax/repair.hpp"
 
 namespace pal::syntax {
@@ -49,7 +49,7 @@ std::size_t mend(Tokens& tokens, Diagnostics& diagnostics) {
 Parser::FileContext* parse_carefully(Parser& parser, const Tokens& tokens, std::size_t reported,
                                      Diagnostics& diagnostics) {
   parser.getInterpreter<Simulator>()->setPredictionMode(antlr4::atn::PredictionMode::LL);
-  parser.setErrorHandler(std::make_shared<Recovery>(tokens, diagnostics, reported));
+  parser.setErrorHandler(std::make_shared<ErrorRecovery>(tokens, diagnostics, reported));
   return parser.file();
 }
 

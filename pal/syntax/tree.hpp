@@ -18,7 +18,7 @@ namespace pal::syntax {
 struct Uses {
   std::string path;  // as written
   SourceSpan where;  // of the text between and with the quotes
-  FileId file{};     // what load() found under it; invalid before, or if there is none
+  FileId file{};     // what read_sources() found under it; invalid before, or if there is none
 };
 
 /// MESSAGE name : fields

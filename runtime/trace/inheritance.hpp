@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/trace/trace.hpp"
+#include "pal/runtime/trace/trace.hpp"
 
 namespace pal::trace {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "runtime/trace/trace.hpp"
+#include "pal/runtime/trace/trace.hpp"
 
 namespace pal::trace {
 

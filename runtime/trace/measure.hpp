@@ -1,12 +1,12 @@
 // What a run attained of a measure, read off its trace alone: the same for a predicted and for a measured
-// run, and independent of whatever proved a bound (docs/timing.md gives the measures).
+// run, and independent of whatever proved a bound (docs/reference/timing.md gives the measures).
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "runtime/trace/trace.hpp"
+#include "pal/runtime/trace/trace.hpp"
 
 namespace pal::trace {
 

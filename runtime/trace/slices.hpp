@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/trace/trace.hpp"
+#include "pal/runtime/trace/trace.hpp"
 
 namespace pal::trace {
 
@@ -42,8 +42,8 @@ struct Slice {
 
 /// Every slice, in the order of their beginnings; slices of one actor never overlap. Of slices of no length
 /// only those that end with an effect are kept: a statement that costs nothing still has its effect. Open
-/// slices end with the last event, or at `known_until_ns` if nothing more happens up to then. docs/trace.md
-/// gives the rules.
+/// slices end with the last event, or at `known_until_ns` if nothing more happens up to then.
+/// docs/reference/trace.md gives the rules.
 std::vector<Slice> slices(const Trace& trace, std::int64_t known_until_ns = 0);
 
 }  // namespace pal::trace

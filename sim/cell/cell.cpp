@@ -103,6 +103,7 @@ struct Cell::Parts {
     if (workcell.tool_kind() == ToolKind::gripper) attach_gripper(options);
     if (workcell.tool_kind() == ToolKind::range_finder) attach_range_finder(options);
     for (const PlannedFault& fault : faults = options.faults) line_of(fault);
+    at_begin = options.at_begin;
     arm_fault = workcell.on_fault([this](const ArmFault&) { alter_port.arm_has_stopped(); });
   }
 
@@ -185,6 +186,7 @@ struct Cell::Parts {
   std::optional<Attached<RangeFinderEmulator, runtime::RangeFinderDriver>> range_finder;
   std::vector<Line> lines;
   std::vector<PlannedFault> faults;
+  std::function<void(runtime::Time)> at_begin;
   std::shared_ptr<void> arm_fault;
 };
 
@@ -202,6 +204,7 @@ runtime::Outcome Cell::run(runtime::Skill& skill, std::span<const runtime::Param
   session.begin = [this](runtime::Time earliest) {
     const runtime::Time begin = parts_->alter.next_tick(earliest + phase_) - phase_;
     parts_->plan_faults(begin);
+    if (parts_->at_begin) parts_->at_begin(begin);
     return begin;
   };
   return parts_->station.run(skill, parameters, session);

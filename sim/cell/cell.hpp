@@ -38,6 +38,8 @@ struct CellOptions {
   std::function<std::unique_ptr<runtime::Carrier>()> carrier;
   /// The physics as it is looked at while it moves; empty: nobody looks.
   std::function<std::unique_ptr<runtime::World>(Workcell&)> watch;
+  /// Is told, shortly before a skill begins, when: in station time. Empty: nobody is.
+  std::function<void(runtime::Time)> at_begin;
   /// What goes wrong with the lines of devices; it happens once, in the first skill.
   std::vector<PlannedFault> faults;
 };

@@ -21,7 +21,7 @@ std::optional<std::string> CorrectedArm::move(const Correction& correction, runt
 }
 
 Pose CorrectedArm::tool() const {
-  return tool_pose(workcell_.joints(), workcell_.motion().tool());
+  return tool_pose(workcell_.encoder_joints(), workcell_.motion().tool());
 }
 
 }  // namespace pal::sim

@@ -19,7 +19,7 @@ class CorrectedArm final : public AlterArm {
   void stop() override { workcell_.stop(); }
   std::string fault() const override { return workcell_.fault() ? workcell_.fault()->text : std::string(); }
   bool moving() const override { return !workcell_.idle(); }
-  /// The tip of the tool that VAL was told of.
+  /// The tip of the tool that VAL was told of, by the encoders.
   Pose tool() const override;
 
  private:

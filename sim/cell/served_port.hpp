@@ -14,12 +14,19 @@
 
 namespace pal::sim {
 
+/// A line of a device to the outside.
+struct ServedLine {
+  std::string name;  // "alter"; empty: the device's own, and there is no other
+  runtime::LineSpeed speed;
+};
+
 struct ServedPort {
   std::string name;
   std::string description;
-  runtime::LineSpeed line;
-  /// The device, alive as long as the answer is. What it is given outlives it.
-  std::function<std::shared_ptr<void>(runtime::Timeline&, runtime::Link&, Workcell&, std::uint64_t seed)>
+  std::vector<ServedLine> lines;  // at least one
+  /// The device at the far ends of its lines, alive as long as the answer is. What it is given outlives it.
+  std::function<std::shared_ptr<void>(runtime::Timeline&, const std::vector<runtime::Link*>&, Workcell&,
+                                      std::uint64_t seed)>
       make;
   /// Only where the scene's tool is this one, as in scene `scene`.
   std::optional<ToolKind> tool = std::nullopt;

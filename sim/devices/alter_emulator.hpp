@@ -27,6 +27,7 @@ class AlterArm {
   /// Why the arm stopped by itself; empty: it did not.
   virtual std::string fault() const = 0;
   virtual bool moving() const = 0;
+  /// Where the controller believes the tip to be.
   virtual Pose tool() const = 0;
 };
 

@@ -119,6 +119,7 @@ void RangeFinderEmulator::take_requests() {
   send(text.data() + std::string("\r\n"));
   next_point_ = 0;
   before_.reset();
+  steep_before_ = false;
   next_step_ = timeline_.at(scan_began_ + step, [this] { scan_step(); });
 }
 
@@ -153,9 +154,13 @@ void RangeFinderEmulator::cast_point(const Pose& pose) {
   const Time since = scan_began_ + protocol::point_time(i) - swinging_since_;
   const double swing = 1 - missing_swing * std::exp(-seconds(since) / swing_time);
   const std::optional<Point> met = meet(pose, angle(i) * swing);
-  const bool valid = met && met->z >= options_.nearest && met->z <= options_.farthest &&
-                     !(before_ && too_steep(*before_, *met));
+  const bool steep = met && before_ && too_steep(*before_, *met);
+  // A single leap to a nearer point is the edge of a nearer surface, which this point lies on.
+  const bool onto_nearer = steep && !steep_before_ && met->z < before_->z;
+  const bool valid =
+      met && met->z >= options_.nearest && met->z <= options_.farthest && (!steep || onto_nearer);
   before_ = met;
+  steep_before_ = steep;
   std::string line = "----- -----";
   if (valid) line = measured({met->z * std::tan(angle(i)), met->z});
   sum_.add(line);

@@ -98,6 +98,7 @@ class RangeFinderEmulator final : public runtime::LinkUser {
   int asked_ = 0;  // requests since the last scan began
   std::size_t next_point_ = 0;
   std::optional<Point> before_;  // the point before that
+  bool steep_before_ = false;    // between that one and the one before it the surface was too steep
   std::string text_;             // points that have been measured and not sent
   runtime::range_finder::Checksum sum_;
 };

@@ -30,6 +30,13 @@ int cells(double length, double at_most) {
   return 1 + static_cast<int>(std::ceil(length / at_most));
 }
 
+constexpr int coarser_by = 8;
+
+// As cells(), so that each eighth point is one of the coarser field's.
+int cells_in_eighths(double length, double at_most) {
+  return 1 + coarser_by * static_cast<int>(std::ceil(length / at_most / coarser_by));
+}
+
 }  // namespace
 
 Heights wave_heights(const Thing& thing) {
@@ -47,10 +54,23 @@ Heights surface_heights(const Thing& thing) {
   const double height = thing.one("height"), length = thing.one("length"), swing = thing.one("swing");
   const double fall = std::tan(radians(thing.one("slope"))), step = thing.one("step");
   const std::vector<double>& size = thing.all("size");
-  return sampled(thing, cells(size[1], across), cells(size[0], along), [&](double x, double y) {
-    const double seam = swing * std::sin(tau * x / (1.7 * length));
-    return 0.5 * height * std::sin(tau * x / length) - fall * std::abs(y - seam) - (y < seam ? step : 0);
-  });
+  return sampled(
+      thing, cells_in_eighths(size[1], across), cells_in_eighths(size[0], along), [&](double x, double y) {
+        const double seam = swing * std::sin(tau * x / (1.7 * length));
+        return 0.5 * height * std::sin(tau * x / length) - fall * std::abs(y - seam) - (y < seam ? step : 0);
+      });
+}
+
+Heights coarser(const Heights& fine) {
+  Heights coarse{fine.name + "/felt",
+                 1 + (fine.rows - 1) / coarser_by,
+                 1 + (fine.columns - 1) / coarser_by,
+                 fine.span,
+                 {}};
+  for (int row = 0; row < fine.rows; row += coarser_by)
+    for (int column = 0; column < fine.columns; column += coarser_by)
+      coarse.values.push_back(fine.values[static_cast<std::size_t>(row * fine.columns + column)]);
+  return coarse;
 }
 
 }  // namespace pal::sim

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <fstream>
-#include <regex>
 #include <stdexcept>
+#include <variant>
 
 #include "sim/model/private/mjcf.hpp"
+#include "sim/model/private/mjcf_file.hpp"
 #include "sim/model/private/scene_description.hpp"
 
 namespace pal::sim {
@@ -21,34 +21,6 @@ void install_hooks() {
   mju_user_warning = [](const char*) {};
 }
 
-std::string one_line(const std::string& text) {
-  std::string line;
-  for (const char c : text) {
-    const bool space = c == '\n' || c == '\r' || c == ' ';
-    if (!space) line += c;
-    if (space && !line.empty() && line.back() != ' ') line += ' ';
-  }
-  while (!line.empty() && (line.back() == ' ' || line.back() == '.')) line.pop_back();
-  return line;
-}
-
-// MuJoCo says where in several ways: "Element 'gem', line 3", "line = 2, column = -1", "Line number=2: …"; 0
-// is no place.
-SceneError load_error(const Scene& scene, const std::string& text) {
-  static const std::regex where(R"([,\s(]*[Ll]ine(?: number)? ?=? ?(\d+)(?:, column = -?\d+)?\)?)");
-  const std::string whole = one_line(text);
-  std::string place = scene.file.string();
-  std::string line;
-  for (std::sregex_iterator found(whole.begin(), whole.end(), where), end; found != end; ++found)
-    if ((*found)[1] != "0") line = (*found)[1];
-  if (!line.empty()) place += ":" + line;
-  std::string cause = std::regex_replace(whole, where, "");
-  cause = std::regex_replace(cause, std::regex("^(XML )?Error:? *"), "");
-  return {place, "MuJoCo does not load the scene: " + cause,
-          "the line may be one of an included file; this is MJCF of MuJoCo 2.2.2, a .scene file is easier to "
-          "write, see docs/workcell/scenes.md"};
-}
-
 // A tool that points straight down; m and degrees.
 Pose pointing_down(const std::array<double, 4>& figures) {
   return Eigen::Translation3d(figures[0], figures[1], figures[2]) *
@@ -60,38 +32,31 @@ std::array<double, 4> in_metres(const std::array<double, 4>& tip) {
   return {tip[0] / 1e3, tip[1] / 1e3, tip[2] / 1e3, tip[3]};
 }
 
-Start read_start(const mjModel& model, const Scene& scene) {
+/// Where the scene says a field of <custom>, or the scene's file.
+std::string place_of(const MjcfFile& file, const std::string& field, const Scene& scene) {
+  const auto found = file.custom.find(field);
+  return found == file.custom.end() ? scene.file.string() : found->second;
+}
+
+Start read_start(const mjModel& model, const MjcfFile& file, const Scene& scene) {
   const std::string hint =
       "add <numeric name=\"start\" data=\"x y z turn\"/> to <custom>: metres from the shoulder, degrees";
+  const std::string place = place_of(file, "start", scene);
   const int number = mj_name2id(&model, mjOBJ_NUMERIC, "start");
-  if (number < 0) throw SceneError(scene.file.string(), "the scene does not say where the tool starts", hint);
+  if (number < 0) throw SceneError(place, "the scene does not say where the tool starts", hint);
   if (model.numeric_size[number] != 4)
     throw SceneError(
-        scene.file.string(),
-        "the tool's start has " + std::to_string(model.numeric_size[number]) + " figures instead of 4", hint);
+        place, "the tool's start has " + std::to_string(model.numeric_size[number]) + " figures instead of 4",
+        hint);
   const mjtNum* figures = model.numeric_data + model.numeric_adr[number];
   const int text = mj_name2id(&model, mjOBJ_TEXT, "configuration");
   const std::string words = text < 0 ? "righty above flip" : model.text_data + model.text_adr[text];
   const auto configuration = parse_configuration(words);
   if (!configuration)
-    throw SceneError(scene.file.string(), "'" + words + "' is not a configuration of the arm",
+    throw SceneError(place_of(file, "configuration", scene),
+                     "'" + words + "' is not a configuration of the arm",
                      "write righty or lefty, above or below, flip or noflip");
-  return {pointing_down({figures[0], figures[1], figures[2], figures[3]}), *configuration};
-}
-
-// Everything that is measured or proved of a run rests on these.
-void check_options(const mjModel& model, const Scene& scene) {
-  const auto refuse = [&](const std::string& cause, const std::string& attribute) {
-    throw SceneError(scene.file.string(), "the scene changes " + cause,
-                     "take " + attribute + " out of the scene's <option>");
-  };
-  if (model.opt.timestep != 0.001) refuse("the time step, which is 1 ms", "the timestep");
-  if (model.opt.integrator != mjINT_IMPLICIT)
-    refuse("the integrator, which is the implicit one", "the integrator");
-  const mjtNum* gravity = model.opt.gravity;
-  if (gravity[0] != 0 || gravity[1] != 0 || gravity[2] != -9.81)
-    refuse("gravity, which is 9.81 m/s^2 downwards", "gravity");
-  if (model.opt.disableflags != 0) refuse("which parts of the physics are on", "<flag>");
+  return {pointing_down({figures[0], figures[1], figures[2], figures[3]}), *configuration, place};
 }
 
 // A scene's loose bodies meet the arm, what stands in the cell, and one another.
@@ -104,20 +69,6 @@ void let_loose_bodies_touch(mjModel& model) {
     model.geom_contype[geom] |= 3;
     model.geom_conaffinity[geom] |= 3;
   }
-}
-
-LoadedScene load_mjcf(const Scene& scene) {
-  if (!std::ifstream(scene.file))
-    throw SceneError(scene.file.string(), "the file cannot be read", "check the path and its permissions");
-  std::array<char, 1000> error{};
-  LoadedScene loaded;
-  try {
-    loaded.model.reset(mj_loadXML(scene.file.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
-  } catch (const std::runtime_error& problem) {
-    throw load_error(scene, problem.what());
-  }
-  if (!loaded.model) throw load_error(scene, error.data());
-  return loaded;
 }
 
 // Files in memory, for MuJoCo's reader.
@@ -144,17 +95,34 @@ void fill_in(mjModel& model, const Heights& heights) {
   std::copy(heights.values.begin(), heights.values.end(), model.hfield_data + model.hfield_adr[field]);
 }
 
-ModelPointer build(const SceneDescription& description, const std::string& file) {
+/// A model, or what MuJoCo says against it.
+std::variant<ModelPointer, std::string> compiled(const std::string& text) {
   constexpr const char* name = "scene.xml";
-  const Mjcf mjcf = to_mjcf(description, file);
   Memory memory;
-  memory.add(name, mjcf.text);
+  memory.add(name, text);
   std::array<char, 1000> error{};
-  ModelPointer model(mj_loadXML(name, memory.files(), error.data(), static_cast<int>(error.size())));
-  if (!model)
-    throw std::logic_error("the model made of " + file + " does not load: " + one_line(error.data()));
-  for (const Heights& heights : mjcf.heights) fill_in(*model, heights);
-  return model;
+  try {
+    ModelPointer model(mj_loadXML(name, memory.files(), error.data(), static_cast<int>(error.size())));
+    if (model) return model;
+  } catch (const std::runtime_error& problem) {
+    return problem.what();
+  }
+  return error.data();
+}
+
+ModelPointer build(const SceneDescription& description, const std::string& file) {
+  const Mjcf mjcf = to_mjcf(description, file);
+  auto model = compiled(mjcf.text);
+  if (const auto* problem = std::get_if<std::string>(&model))
+    throw std::logic_error("the model made of " + file + " does not load: " + *problem);
+  for (const Heights& heights : mjcf.heights) fill_in(*std::get<0>(model), heights);
+  return std::get<0>(std::move(model));
+}
+
+ModelPointer build(const MjcfFile& file, const Scene& scene) {
+  auto model = compiled(file.text);
+  if (const auto* problem = std::get_if<std::string>(&model)) throw refusal_of(file, scene, *problem);
+  return std::get<0>(std::move(model));
 }
 
 }  // namespace
@@ -165,18 +133,20 @@ LoadedScene load_scene(const Scene& scene) {
   if (scene.file.extension() == ".scene") {
     const SceneDescription description = read_description(scene);
     loaded.model = build(description, scene.file.string());
-    loaded.start = {pointing_down(in_metres(*description.start)), description.configuration};
+    loaded.start = {pointing_down(in_metres(*description.start)), description.configuration,
+                    scene.file.string() + ":" + std::to_string(description.start_line)};
+    for (const Thing& thing : description.things) loaded.lines[thing.name] = thing.line;
     for (const DescribedLocation& location : description.locations)
       loaded.locations[location.name] = pointing_down(in_metres(location.tip));
     loaded.tool = description.tool;
     loaded.machine = description.machine;
   } else {
-    loaded = load_mjcf(scene);
+    const MjcfFile file = read_mjcf(scene);
+    loaded.model = build(file, scene);
     if (mj_name2id(loaded.model.get(), mjOBJ_JOINT, "joint1") < 0)
       throw SceneError(scene.file.string(), "the scene has no joint 'joint1'",
                        "include puma560.xml, which has it");
-    check_options(*loaded.model, scene);
-    loaded.start = read_start(*loaded.model, scene);
+    loaded.start = read_start(*loaded.model, file, scene);
   }
   loaded.locations.emplace("HOME", loaded.start.tool);
   let_loose_bodies_touch(*loaded.model);
@@ -186,10 +156,9 @@ LoadedScene load_scene(const Scene& scene) {
 std::string describe_scene(const Scene& scene) {
   if (scene.file.extension() == ".scene") return read_description(scene).about;
   install_hooks();
-  const LoadedScene loaded = load_mjcf(scene);
-  const mjModel& model = *loaded.model;
-  const int text = mj_name2id(&model, mjOBJ_TEXT, "description");
-  return text < 0 ? "" : model.text_data + model.text_adr[text];
+  const ModelPointer model = build(read_mjcf(scene), scene);
+  const int text = mj_name2id(model.get(), mjOBJ_TEXT, "description");
+  return text < 0 ? "" : model->text_data + model->text_adr[text];
 }
 
 }  // namespace pal::sim

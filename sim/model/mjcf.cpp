@@ -37,11 +37,15 @@ std::string cell(bool table) {
   return inside(replaced(embedded::cell, "<!-- table begins -->", "<!-- table ends -->", ""));
 }
 
-// Room for constraints and contacts: what the arm needs, and a box on a flat surface for each part.
+// Room for constraints and contacts: what the arm needs, a box on a flat surface for each part, and the
+// facets of a surface.
 std::string room(const SceneDescription& description) {
   const auto parts = std::count_if(description.things.begin(), description.things.end(),
                                    [](const Thing& thing) { return thing.kind == "part"; });
-  return fmt::format("<size njmax=\"{}\" nconmax=\"{}\"/>\n", 400 + 60 * parts, 100 + 20 * parts);
+  const auto surfaces = std::count_if(description.things.begin(), description.things.end(),
+                                      [](const Thing& thing) { return thing.kind == "surface"; });
+  return fmt::format("<size njmax=\"{}\" nconmax=\"{}\"/>\n", 400 + 60 * parts + 400 * surfaces,
+                     100 + 20 * parts + 100 * surfaces);
 }
 
 }  // namespace

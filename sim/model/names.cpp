@@ -104,6 +104,14 @@ void let_arm_meet_itself(mjModel& model, const ModelIndex& index) {
   }
 }
 
+std::string thing_of(const mjModel& model, int geom) {
+  std::string name = name_of(model, mjOBJ_GEOM, geom);
+  // A scene's things are bodies with a name; their shapes have none.
+  for (int body = model.geom_bodyid[geom]; name.empty() && body > 0; body = model.body_parentid[body])
+    name = name_of(model, mjOBJ_BODY, body);
+  return name;
+}
+
 std::string words_for(const mjModel& model, int geom) {
   if (const PartWords* part = arm_part(model, geom)) {
     if (part->body != "tool") return std::string(part->words);
@@ -111,10 +119,7 @@ std::string words_for(const mjModel& model, int geom) {
     if (mj_name2id(&model, mjOBJ_BODY, "range finder") >= 0) return "the range finder's bracket";
     return std::string(part->words);
   }
-  std::string name = name_of(model, mjOBJ_GEOM, geom);
-  // A scene's things are bodies with a name; their shapes have none.
-  for (int body = model.geom_bodyid[geom]; name.empty() && body > 0; body = model.body_parentid[body])
-    name = name_of(model, mjOBJ_BODY, body);
+  const std::string name = thing_of(model, geom);
   if (name.empty()) return "something that has no name in the scene";
   const bool numbered = std::isdigit(static_cast<unsigned char>(name.back())) != 0;
   return numbered ? name : "the " + name;

@@ -115,6 +115,7 @@ class Reader {
 
   void read_start_line() {
     only_once("start");
+    scene_.start_line = line_;
     scene_.start = read_tip("start", "write start X Y Z TURN: where the tool's tip begins");
   }
 

@@ -43,8 +43,8 @@ class ShapeMaker {
   Shape make() {
     if (thing_.kind == "plate") plate();
     if (thing_.kind == "sponge") sponge();
-    if (thing_.kind == "waves") field(wave_heights(thing_), "plate", {});
-    if (thing_.kind == "surface") field(surface_heights(thing_), "aluminium", no_contact);
+    if (thing_.kind == "waves") field(wave_heights(thing_), "plate");
+    if (thing_.kind == "surface") surface();
     if (thing_.kind == "block") block();
     if (thing_.kind == "bar") bar();
     if (thing_.kind == "post") post();
@@ -101,20 +101,41 @@ class ShapeMaker {
         k, 2 * damping_ratio * std::sqrt(k * spring_mass), weight / k, spring_mass);
   }
 
-  void field(Heights heights, std::string_view material, std::string_view more) {
+  // How thick the field is below its least height.
+  double base_of(const Heights& heights) const {
     const double base = size(2) - heights.span;
     if (base < 1)
       throw SceneError(file_ + ":" + std::to_string(thing_.line),
                        fmt::format("the surface is {:.1f} mm deep, more than its height of {:g} mm allows",
                                    heights.span, size(2)),
                        "write a greater third figure after size, or less height and slope");
-    shape_.assets = fmt::format(
-        "<hfield name=\"{}\" nrow=\"{}\" ncol=\"{}\" size=\"{:.9g} {:.9g} {:.9g} {:.9g}\"/>\n", thing_.name,
-        heights.rows, heights.columns, size(0) / 2e3, size(1) / 2e3, heights.span / 1e3, base / 1e3);
-    body(base, fmt::format("<geom class=\"cell\" type=\"hfield\" hfield=\"{}\" material=\"{}\" {}/>",
-                           thing_.name, material, more) +
-                   pedestal(-base, pedestal_width, true));
+    return base;
+  }
+
+  // The shape of a height field, which is kept for after loading.
+  std::string field_geom(Heights heights, std::string_view material, std::string_view more) {
+    shape_.assets +=
+        fmt::format("<hfield name=\"{}\" nrow=\"{}\" ncol=\"{}\" size=\"{:.9g} {:.9g} {:.9g} {:.9g}\"/>\n",
+                    heights.name, heights.rows, heights.columns, size(0) / 2e3, size(1) / 2e3,
+                    heights.span / 1e3, base_of(heights) / 1e3);
     heights_.push_back(std::move(heights));
+    return fmt::format("<geom class=\"cell\" type=\"hfield\" hfield=\"{}\" material=\"{}\" {}/>",
+                       heights_.back().name, material, more);
+  }
+
+  void field(Heights heights, std::string_view material) {
+    const double base = base_of(heights);
+    body(base, field_geom(std::move(heights), material, {}) + pedestal(-base, pedestal_width, true));
+  }
+
+  // The range finder sees a fine field, the tool meets a coarse one.
+  void surface() {
+    Heights fine = surface_heights(thing_);
+    const double base = base_of(fine);
+    // In a body of its own: MuJoCo takes a height field for a body's mass only where it is alone.
+    const std::string felt = "<body>" + field_geom(coarser(fine), "aluminium", "group=\"3\"") + "</body>";
+    body(base,
+         felt + field_geom(std::move(fine), "aluminium", no_contact) + pedestal(-base, pedestal_width, true));
   }
 
   void block() {

@@ -46,7 +46,7 @@ const std::vector<ThingKind>& thing_kinds() {
        "square steps, each smaller by the same width",
        {at, size(120, 120, 60), turn, count("steps", 4, 20)}},
       {"surface",
-       "an undulating surface with a seam along x, for the range finder alone: the tool goes through it",
+       "an undulating surface with a seam along x; the tool meets it in facets of 4 by 10 mm",
        {at,
         size(300, 160, 40),
         turn,

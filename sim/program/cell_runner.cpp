@@ -85,9 +85,22 @@ operations::Skills templates_of(const std::vector<KnownSkill>& skills) {
 }
 
 CellRunner::CellRunner(sim::Cell& cell, const std::vector<KnownSkill>& skills, runtime::CostPolicy times,
-                       std::uint64_t seed)
-    : cell_(cell), known_(skills), times_(times), seed_(seed), control_(new runtime::RunControl) {
-  interrupt_.emplace(*control_);
+                       std::uint64_t seed, OnInterrupt on_interrupt, runtime::MessageObserver* messages)
+    : cell_(cell),
+      known_(skills),
+      times_(times),
+      seed_(seed),
+      on_interrupt_(on_interrupt),
+      messages_(messages) {
+  take_new_control();
+}
+
+void CellRunner::take_new_control() {
+  controls_.push_back(std::make_unique<runtime::RunControl>());
+  control_ = controls_.back().get();
+  if (on_interrupt_ != OnInterrupt::stop) return;
+  interrupt_.reset();
+  interrupt_.emplace(*controls_.back());
 }
 
 SkillResult CellRunner::run(const std::string& name, const std::vector<operations::Parameter>& parameters) {
@@ -98,11 +111,12 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
   runtime::RunOptions options;
   options.costs = times_;
   options.seed = seed_++;
-  options.control = control_.get();
+  options.control = control_;
+  options.observer = messages_;
   options.trace_capacity = 1U << 14U;
   const runtime::Outcome outcome = cell_.run(*skill, values, options);
   SkillResult result{kind_of(*skill, outcome), outcome.code, outcome.reason};
-  if (outcome.fault && control_->stopping()) result.kind = SkillResult::Kind::stopped;
+  if (outcome.fault && control_.load()->stopping()) result.kind = SkillResult::Kind::stopped;
   // What cut a skill off may have left motions that the arm has accepted: nobody goes on before it is at
   // rest.
   if (outcome.fault) cell_.rest(runtime::Time::zero());
@@ -118,14 +132,11 @@ Duration CellRunner::now() const {
 }
 
 void CellRunner::stop() noexcept {
-  control_->stop();
+  control_.load()->stop();
 }
 
 void CellRunner::allow() {
-  if (!control_->stopping()) return;
-  interrupt_.reset();
-  control_ = std::make_unique<runtime::RunControl>();
-  interrupt_.emplace(*control_);
+  if (control_.load()->stopping()) take_new_control();
 }
 
 runtime::Skill* CellRunner::find(const std::string& name) {

@@ -1,6 +1,7 @@
 // The workcell as what runs the skills of an operation.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "operations/check.hpp"
 #include "operations/executor.hpp"
+#include "runtime/observer.hpp"
 #include "sim/cell/cell.hpp"
 #include "sim/program/interrupt.hpp"
 #include "sim/program/skills.hpp"
@@ -18,12 +20,16 @@ namespace pal::workcell {
 /// What the skills of the program say of themselves.
 operations::Skills templates_of(const std::vector<KnownSkill>& skills);
 
-/// Arm, parts and devices go on from skill to skill. Ctrl-C stops the skill that runs.
+/// Whether Ctrl-C stops the skill that runs.
+enum class OnInterrupt { stop, leave };
+
+/// Arm, parts and devices go on from skill to skill.
 class CellRunner final : public operations::SkillRunner {
  public:
-  /// All outlive the runner.
+  /// All outlive the runner. `messages`: looks on at the messages of each skill.
   CellRunner(sim::Cell& cell, const std::vector<KnownSkill>& skills, runtime::CostPolicy times,
-             std::uint64_t seed);
+             std::uint64_t seed, OnInterrupt on_interrupt = OnInterrupt::stop,
+             runtime::MessageObserver* messages = nullptr);
 
   operations::SkillResult run(const std::string& skill,
                               const std::vector<operations::Parameter>& parameters) override;
@@ -34,14 +40,19 @@ class CellRunner final : public operations::SkillRunner {
 
  private:
   runtime::Skill* find(const std::string& name);
+  void take_new_control();
 
   sim::Cell& cell_;
   const std::vector<KnownSkill>& known_;
   runtime::CostPolicy times_;
   std::uint64_t seed_;  // of the next skill
   std::map<std::string, std::unique_ptr<runtime::Skill>> made_;
-  // A control that has been stopped stays so; resuming takes a new one.
-  std::unique_ptr<runtime::RunControl> control_;
+  OnInterrupt on_interrupt_;
+  runtime::MessageObserver* messages_;
+  // A control that has been stopped stays so; resuming takes a new one. The old ones stay for another thread
+  // that is about to stop.
+  std::vector<std::unique_ptr<runtime::RunControl>> controls_;
+  std::atomic<runtime::RunControl*> control_ = nullptr;
   std::optional<Interrupt> interrupt_;
 };
 

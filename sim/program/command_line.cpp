@@ -5,8 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <ostream>
-#include <sstream>
+#include <system_error>
 
 #include "sim/cell/served_port.hpp"
 #include "sim/program/interrupt.hpp"
@@ -16,10 +17,14 @@
 namespace pal::workcell {
 namespace {
 
-/// `given`, then those of `known`, which are separated by colons.
-std::vector<std::string> folders_of(std::vector<std::string> given, const char* known) {
-  std::istringstream list(known);
-  for (std::string folder; std::getline(list, folder, ':');) given.push_back(folder);
+/// `given`, then what is installed beside this program (../share/pal/NAME), then `in_source`: where an
+/// installed program has been moved, or unpacked, does not matter.
+std::vector<std::string> folders_of(std::vector<std::string> given, const char* name, const char* in_source) {
+  std::error_code none;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
+  const std::filesystem::path installed = program.parent_path().parent_path() / "share" / "pal" / name;
+  if (!none && std::filesystem::is_directory(installed, none)) given.push_back(installed);
+  given.push_back(in_source);
   return given;
 }
 
@@ -129,6 +134,65 @@ void describe_serve_port(CLI::App& app, ServePortCommand& command, std::vector<s
                  "makes this a symbolic link to the pseudo-terminal while it is there");
 }
 
+void describe_serve(CLI::App& app, ServeCommand& command, std::vector<std::string>& folders) {
+  app.add_option("--scene", command.scene, "a scene's name, or the path of a scene file")
+      ->capture_default_str();
+  app.add_option("--scenes", folders, "a further folder of scenes, looked into first");
+  app.add_option("--seed", command.seed, "decides all that is drawn: times, phases, noise")
+      ->check(whole_number())
+      ->capture_default_str();
+  app.add_option("--time", command.times, "which times of their intervals things take")
+      ->check(CLI::IsMember({"worst", "best", "random"}))
+      ->capture_default_str();
+  app.add_option(
+         "--listen", command.address,
+         "the address at which clients come; others than this machine's are open to all who can reach it")
+      ->capture_default_str();
+  app.add_option("--port", command.port, "of JSON-RPC over WebSocket; 0: any that is free")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str();
+  app.add_option("--line-port", command.line_port, "lines over TCP at this port; 0: any that is free")
+      ->check(CLI::Range(0, 65535));
+  app.add_flag("--line-pty", command.line_terminal, "lines over a pseudo-terminal, whose path is printed");
+  app.add_option("--line-serial", command.line_serial, "lines over a serial port, /dev/ttyUSB0 for example");
+  app.add_option("--baud", command.baud, "of the serial port")->capture_default_str();
+  app.add_option("--allow-host", command.hosts, "a further name by which clients may call this machine")
+      ->take_all();
+  app.add_option("--allow-origin", command.origins, "pages of which site may come, as http://localhost:8000")
+      ->take_all();
+  app.add_option("--announce", command.announcement, "the file with address and token, for the user alone");
+  app.add_flag("--go-on", command.goes_on,
+               "an operation goes on when the client goes that has the controls; without this it pauses");
+  auto* paced = app.add_option("--paced", command.paced, "so many times as fast as the clock on the wall")
+                    ->check(CLI::Range(0.001, 1000.0))
+                    ->capture_default_str();
+  app.add_flag("--fast", command.fast,
+               "in virtual time, as fast as can be; the cell's clock stands between skills")
+      ->excludes(paced);
+  app.add_option("--log", command.log, "a file that gets a line of JSON a step");
+}
+
+struct Verb {
+  const char* name;
+  const char* description;
+};
+constexpr Verb remote_verbs[] = {
+    {"step", "at a server: one skill or delay; with FILE it is loaded first"},
+    {"resume", "at a server: goes on with what is paused or stopped"},
+    {"pause", "at a server: after the current skill; also while another client has the controls"},
+    {"stop", "at a server: at once; also while another client has the controls"},
+    {"state", "at a server: what runs, where the token is, who has the controls"},
+    {"watch", "at a server: tells what happens, until Ctrl-C"}};
+
+void describe_remote(CLI::App& operation, RemoteCommand& command) {
+  for (const Verb& verb : remote_verbs) {
+    CLI::App* app = operation.add_subcommand(verb.name, verb.description);
+    app->parse_complete_callback([&command, &verb] { command.verb = verb.name; });
+    if (verb.name == std::string("step")) app->add_option("file", command.file, "the operation, .op.json");
+    app->add_option("--at", command.announcement, "the file that the server has written");
+  }
+}
+
 CLI::App* describe_operation(CLI::App& app, OperationCommand& command, std::vector<std::string>& folders) {
   CLI::App* operation = app.add_subcommand("operation", "runs operations: skills, connected");
   operation->require_subcommand(1);
@@ -149,7 +213,17 @@ CLI::App* describe_operation(CLI::App& app, OperationCommand& command, std::vect
   run->add_option("--from", command.from, "start before this icon instead of START");
   run->add_option("--break", command.breakpoints, "pause before ICON, or ICON=CODE: if that code came last")
       ->take_all();
-  run->add_flag("--step", command.interactive, "obey commands on standard input: step, run, set, break, …");
+  auto* server = run->add_flag("--server", command.at_server, "at the server that 'workcell serve' started");
+  run->add_option("--at", command.announcement, "with --server: the file that the server has written")
+      ->needs(server);
+  server->excludes(run->get_option("--scene"))
+      ->excludes(run->get_option("--seed"))
+      ->excludes(run->get_option("--time"))
+      ->excludes(run->get_option("--steps"));
+  run->add_flag("--detach", command.detach, "with --server: does not wait, and gives the controls back")
+      ->needs(server);
+  run->add_flag("--step", command.interactive, "obey commands on standard input: step, run, set, break, …")
+      ->excludes(server);
   return run;
 }
 
@@ -176,7 +250,13 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
   describe_serve_port(*serve_app, serve_command, folders);
 
   OperationCommand operation_command;
-  const CLI::App* operation_app = describe_operation(app, operation_command, folders);
+  CLI::App* operation_app = describe_operation(app, operation_command, folders);
+  RemoteCommand remote;
+  describe_remote(*operation_app->get_parent(), remote);
+  ServeCommand cell_command;
+  CLI::App* cell_app = app.add_subcommand(
+      "serve", "opens a workcell for clients, who run skills and operations, until Ctrl-C");
+  describe_serve(*cell_app, cell_command, folders);
 
   // CLI11 takes the arguments from the back.
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
@@ -187,9 +267,21 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
   }
   try {
     list_command.scene_folders = run_command.scene_folders = serve_command.scene_folders =
-        operation_command.scene_folders = folders_of(folders, PAL_SCENE_FOLDERS);
+        operation_command.scene_folders = cell_command.scene_folders =
+            folders_of(folders, "scenes", PAL_SCENE_FOLDER);
     run_command.terminal = terminal;
-    run_command.skill_folders = folders_of({}, PAL_SKILL_FOLDERS);
+    run_command.skill_folders = folders_of({}, "skills", PAL_SKILL_FOLDER);
+    if (cell_app->parsed()) {
+      if (cell_command.fast) cell_command.paced = 0;
+      return serve(cell_command, skills, out);
+    }
+    if (!remote.verb.empty()) return command_server(remote, out, error);
+    if (operation_app->parsed() && operation_command.at_server) {
+      const OperationCommand& asked = operation_command;
+      return command_server(
+          {"run", asked.file, asked.announcement, asked.log, asked.from, asked.breakpoints, asked.detach},
+          out, error);
+    }
     if (operation_app->parsed()) return run_operation(operation_command, skills, in, out, error);
     if (serve_app->parsed()) {
       runtime::RunControl control;

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "operations/executor.hpp"
+#include "runtime/cost_policy.hpp"
 #include "runtime/run_control.hpp"
 #include "sim/program/failure.hpp"
 #include "sim/program/skills.hpp"
@@ -64,7 +66,50 @@ struct OperationCommand {
   std::string from;                      // the icon to start from; empty: START
   std::vector<std::string> breakpoints;  // "ICON" or "ICON=CODE"
   bool interactive = false;              // obeys lines of the input
+  bool at_server = false;                // not here
+  std::string announcement;              // of the server
+  bool detach = false;
 };
+
+struct ServeCommand {
+  std::string scene = "touch";
+  std::vector<std::string> scene_folders;
+  std::uint64_t seed = 1;
+  std::string times = "random";
+  std::string address = "127.0.0.1";
+  int port = 7400;
+  int line_port = -1;  // negative: no lines over TCP
+  bool line_terminal = false;
+  std::string line_serial;
+  unsigned baud = 9600;
+  std::vector<std::string> hosts, origins;  // allowed besides
+  std::string announcement;                 // where the token is written; empty: the usual place
+  bool goes_on = false;                     // when the client goes that has the controls
+  double paced = 1;                         // station seconds a second; 0: as fast as can be
+  bool fast = false;
+  std::string log;
+};
+
+/// "workcell serve": until Ctrl-C. Throws Failure.
+ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out);
+
+/// What a client asks of a server that runs.
+struct RemoteCommand {
+  std::string verb;  // run, step, pause, stop, resume, state, watch
+  std::string file;
+  std::string announcement;  // of the server; empty: the usual place
+  std::string log, from;
+  std::vector<std::string> breakpoints;
+  bool detach = false;
+};
+
+/// Throws Failure.
+ExitStatus command_server(const RemoteCommand& command, std::ostream& out, std::ostream& error);
+
+/// "ICON" or "ICON=CODE". Throws Failure.
+operations::Breakpoint breakpoint_of(const std::string& text);
+/// "worst", "best", else random.
+runtime::CostPolicy times_named(const std::string& name);
 
 /// "workcell operation run". `in`: where an interactive run gets its commands. Throws Failure.
 ExitStatus run_operation(const OperationCommand& command, const std::vector<KnownSkill>& skills,

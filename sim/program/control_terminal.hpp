@@ -6,8 +6,8 @@
 #include <string>
 #include <thread>
 
-#include "runtime/run_control.hpp"
-#include "runtime/wiring.hpp"
+#include "pal/runtime/run_control.hpp"
+#include "pal/runtime/wiring.hpp"
 
 namespace pal::workcell {
 

@@ -20,7 +20,11 @@ Onlookers::Onlookers(sim::Workcell& workcell, const runtime::Skill& skill, const
 
 std::vector<Watcher> Onlookers::watchers() {
   std::vector<Watcher> result;
-  if (video_) result.push_back({sim::video_period, [this] { video_->film(); }});
+  if (video_)
+    result.push_back({sim::video_period, [this] {
+                        filmed_ = true;
+                        video_->film();
+                      }});
   if (progress_) result.push_back({Progress::period, [this] { progress_->show(); }});
   return result;
 }
@@ -29,6 +33,7 @@ std::string Onlookers::end() {
   if (progress_) progress_->end();
   if (!video_) return {};
   try {
+    if (!filmed_) video_->film();  // the skill did not begin
     video_->finish();
     return {};
   } catch (const sim::VideoError& problem) {

@@ -26,6 +26,7 @@ class Onlookers {
 
  private:
   std::optional<sim::Video> video_;
+  bool filmed_ = false;
   std::optional<Progress> progress_;
 };
 

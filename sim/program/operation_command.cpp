@@ -54,17 +54,6 @@ class Onlooker final : public operations::StepObserver {
   std::optional<operations::StepLog> log_;
 };
 
-operations::Breakpoint breakpoint_of(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) return {text, {}};
-  try {
-    return {text.substr(0, equals), std::stoi(text.substr(equals + 1))};
-  } catch (const std::exception&) {
-    throw Failure(ExitStatus::usage, "--break " + text, "what follows the '=' is no completion code",
-                  "write ICON or ICON=CODE");
-  }
-}
-
 ExitStatus execute(const OperationCommand& command, operations::Executor& executor, std::istream* in,
                    std::ostream& out) {
   for (const std::string& text : command.breakpoints) executor.add_breakpoint(breakpoint_of(text));
@@ -85,6 +74,22 @@ ExitStatus execute(const OperationCommand& command, operations::Executor& execut
 
 }  // namespace
 
+operations::Breakpoint breakpoint_of(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) return {text, {}};
+  try {
+    return {text.substr(0, equals), std::stoi(text.substr(equals + 1))};
+  } catch (const std::exception&) {
+    throw Failure(ExitStatus::usage, "--break " + text, "what follows the '=' is no completion code",
+                  "write ICON or ICON=CODE");
+  }
+}
+
+runtime::CostPolicy times_named(const std::string& name) {
+  if (name == "worst") return runtime::CostPolicy::worst;
+  return name == "best" ? runtime::CostPolicy::best : runtime::CostPolicy::random;
+}
+
 ExitStatus run_operation(const OperationCommand& command, const std::vector<KnownSkill>& known,
                          std::istream* in, std::ostream& out, std::ostream& error) {
   const operations::Skills skills = templates_of(known);
@@ -96,9 +101,7 @@ ExitStatus run_operation(const OperationCommand& command, const std::vector<Know
   }
   const sim::Scene scene =
       sim::find_scene(command.scene, {command.scene_folders.begin(), command.scene_folders.end()});
-  const auto times = command.times == "worst"  ? runtime::CostPolicy::worst
-                     : command.times == "best" ? runtime::CostPolicy::best
-                                               : runtime::CostPolicy::random;
+  const runtime::CostPolicy times = times_named(command.times);
   sim::CellOptions options;
   options.seed = command.seed;
   options.times = times;

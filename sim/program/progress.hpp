@@ -10,7 +10,7 @@
 
 namespace pal::workcell {
 
-/// "   1.240 s   8.1 x   moving      force   3.2 N   tool   460.0  -200.0  -161.0 mm".
+/// "    1.24 s   8.1 x   moving      force   3.2 N   tool   460.0  -200.0  -161.0 mm".
 /// `factor`: simulated by real time.
 std::string progress_line(const sim::Workcell& workcell, double factor);
 

@@ -92,7 +92,8 @@ Session make_session(const RunCommand& command, const runtime::Skill& skill,
     for (const runtime::ParameterValue& before : session.parameters)
       if (before.name == value.name)
         throw Failure(ExitStatus::usage, "--set " + setting,
-                      fmt::format("{} has been set before, to {:g}", value.name, before.value),
+                      before.text ? fmt::format("{} has been set before, to \"{}\"", value.name, *before.text)
+                                  : fmt::format("{} has been set before, to {:g}", value.name, before.value),
                       "set it once");
     session.parameters.push_back(value);
   }
@@ -145,6 +146,9 @@ std::vector<sim::PlannedFault> faults_in(const std::string& file) {
   if (const auto* wrong = std::get_if<sim::FaultTextError>(&read))
     throw Failure(ExitStatus::wrong_specification, fmt::format("{}:{}", file, wrong->line), wrong->cause,
                   "for example: at 500 ms force-torque dropout");
+  if (std::get<0>(read).empty())
+    throw Failure(ExitStatus::wrong_specification, file, "the file says nothing that is to go wrong",
+                  "write a line, for example: at 500 ms force-torque dropout");
   return std::get<0>(std::move(read));
 }
 

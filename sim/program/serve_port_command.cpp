@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <deque>
 #include <filesystem>
 #include <ostream>
+#include <stdexcept>
 
 #include "pal/support/nearest.hpp"
 #include "runtime/drivers/streams/bridge.hpp"
@@ -26,11 +28,18 @@ sim::ServedPort find_port(const std::string& wanted) {
                 fmt::format("the devices are: {}", fmt::join(names, ", ")));
 }
 
-std::unique_ptr<runtime::OutsideLink> open_link(const ServePortCommand& command, unsigned baud,
-                                                runtime::Outside& outside, runtime::Timeline& timeline) {
+/// The `number`th line of the device: TCP ports follow one another, a serial port is for the first alone.
+std::unique_ptr<runtime::OutsideLink> open_link(const ServePortCommand& command, std::size_t number,
+                                                const runtime::LineSpeed& speed, runtime::Outside& outside,
+                                                runtime::Timeline& timeline) {
   try {
-    if (command.tcp >= 0) return outside.listen_tcp(timeline, static_cast<std::uint16_t>(command.tcp));
-    if (!command.serial.empty()) return outside.open_serial(timeline, command.serial, baud);
+    if (command.tcp >= 0) {
+      const int port = command.tcp == 0 ? 0 : command.tcp + static_cast<int>(number);
+      if (port > 65535) throw std::runtime_error("the device has two lines, and 65536 is no port");
+      return outside.listen_tcp(timeline, static_cast<std::uint16_t>(port));
+    }
+    if (!command.serial.empty() && number == 0)
+      return outside.open_serial(timeline, command.serial, static_cast<unsigned>(speed.baud));
     return outside.open_pseudo_terminal(timeline);
   } catch (const std::exception& problem) {
     throw Failure(ExitStatus::usage, "serve-port " + command.device, problem.what(),
@@ -61,6 +70,25 @@ class Name {
   std::string path_;
 };
 
+/// One line of the device, and what it is at outside.
+struct Line {
+  Line(const ServePortCommand& command, const sim::ServedLine& served, std::size_t number,
+       runtime::Outside& outside, runtime::Timeline& timeline)
+      : name(served.name),
+        alias(command.link.empty() || number == 0 ? command.link : command.link + "-" + served.name),
+        link(open_link(command, number, served.speed, outside, timeline)),
+        wire(timeline, served.speed),
+        bridge(wire.a(), *link),
+        shown(alias, link->address()) {}
+
+  std::string name;
+  std::string alias;  // a symbolic link; empty: none
+  std::unique_ptr<runtime::OutsideLink> link;
+  runtime::Wire wire;
+  runtime::Bridge bridge;
+  Name shown;
+};
+
 }  // namespace
 
 ExitStatus serve_port(const ServePortCommand& command, const runtime::RunControl& control,
@@ -75,14 +103,15 @@ ExitStatus serve_port(const ServePortCommand& command, const runtime::RunControl
                   "choose one that has it: --scene " + port.scene);
   runtime::Outside outside;
   runtime::Station station(workcell, &outside);
-  runtime::Wire wire(station.timeline(), port.line);
-  const auto device = port.make(station.timeline(), wire.b(), workcell, command.seed);
-  const auto link = open_link(command, static_cast<unsigned>(port.line.baud), outside, station.timeline());
-  const runtime::Bridge bridge(wire.a(), *link);
-  const Name name(command.link, link->address());
-  out << fmt::format("{} in scene {} at {}{}; Ctrl-C ends it\n", port.name, scene.name, link->address(),
-                     command.link.empty() ? "" : " (" + command.link + ")")
-      << std::flush;
+  std::deque<Line> lines;
+  std::vector<runtime::Link*> ends;
+  for (std::size_t i = 0; i < port.lines.size(); ++i)
+    ends.push_back(&lines.emplace_back(command, port.lines[i], i, outside, station.timeline()).wire.b());
+  const auto device = port.make(station.timeline(), ends, workcell, command.seed);
+  for (const Line& line : lines)
+    out << fmt::format("{} in scene {} at {}{}\n", line.name.empty() ? port.name : line.name, scene.name,
+                       line.link->address(), line.alias.empty() ? "" : " (" + line.alias + ")");
+  out << "Ctrl-C ends it\n" << std::flush;
   while (!control.stopping()) station.idle(stretch);
   out << fmt::format("served for {:.1f} s\n", std::chrono::duration<double>(station.now()).count());
   return ExitStatus::done;

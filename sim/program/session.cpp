@@ -10,16 +10,6 @@ namespace {
 
 constexpr runtime::Time rest = std::chrono::milliseconds(400);
 
-// From the skill's beginning on; times count from there.
-std::vector<sim::Sample> log_since(const std::vector<sim::Sample>& log, runtime::Time begun) {
-  std::vector<sim::Sample> result;
-  for (sim::Sample sample : log) {
-    sample.time -= begun;
-    if (sample.time >= runtime::Time::zero()) result.push_back(sample);
-  }
-  return result;
-}
-
 void run_before(sim::Cell& cell, const Session& session) {
   if (!session.before) return;
   const auto skill = session.before->make();
@@ -37,10 +27,11 @@ void run_before(sim::Cell& cell, const Session& session) {
 
 /// The workcell, and what looks at it, which goes before it.
 struct OnlookedWorld final : runtime::World {
-  OnlookedWorld(sim::Workcell& workcell, const runtime::Skill& skill, const Session& session)
-      : onlookers(workcell, skill, session), watched(workcell, onlookers.watchers()) {}
+  OnlookedWorld(sim::Workcell& cell, const runtime::Skill& skill, const Session& session)
+      : workcell(cell), onlookers(cell, skill, session), watched(cell, onlookers.watchers()) {}
   void advance_to(runtime::Time when) override { watched.advance_to(when); }
 
+  sim::Workcell& workcell;
   Onlookers onlookers;
   WatchedWorld watched;
 };
@@ -68,8 +59,15 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
     world = made.get();
     return made;
   };
+  bool before = true;
+  cell_options.at_begin = [&](runtime::Time begin) {
+    if (before) return;
+    world->workcell.begin_log(begin);
+    world->watched.begin(begin);
+  };
   sim::Cell cell(session.scene, cell_options);
   run_before(cell, session);
+  before = false;
 
   runtime::RunOptions options;
   options.costs = session.times;
@@ -83,7 +81,7 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   cell.rest(rest);
   // Before the picture: OpenGL is drawn with by one thread at a time.
   result.video_problem = world->onlookers.end();
-  result.log = log_since(cell.workcell().log(), cell.station().begun());
+  result.log = cell.workcell().log();
   for (const sim::Sample& sample : result.log)
     result.peak_force = std::max(result.peak_force, sample.contact_force);
   if (!result.log.empty()) result.resting_force = result.log.back().contact_force;

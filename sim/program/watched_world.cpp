@@ -5,7 +5,11 @@
 namespace pal::workcell {
 
 WatchedWorld::WatchedWorld(sim::Workcell& workcell, std::vector<Watcher> watchers) : workcell_(workcell) {
-  for (Watcher& watcher : watchers) due_.push_back({std::move(watcher)});
+  for (Watcher& watcher : watchers) due_.push_back({.watcher = std::move(watcher)});
+}
+
+void WatchedWorld::begin(runtime::Time when) {
+  for (Due& due : due_) due.next = when;
 }
 
 void WatchedWorld::advance_to(runtime::Time when) {

@@ -10,7 +10,7 @@ namespace pal::workcell {
 
 /// Looks without touching: a run is the same with and without.
 struct Watcher {
-  runtime::Time period{};      // between two looks; the first is at 0
+  runtime::Time period{};      // between two looks; the first is at the beginning
   std::function<void()> look;  // must not throw
 };
 
@@ -19,12 +19,14 @@ class WatchedWorld final : public runtime::World {
  public:
   WatchedWorld(sim::Workcell& workcell, std::vector<Watcher> watchers);
 
+  /// From this instant on, which is still to come, the watchers look; before, nobody does.
+  void begin(runtime::Time when);
   void advance_to(runtime::Time when) override;
 
  private:
   struct Due {
     Watcher watcher;
-    runtime::Time next{};
+    runtime::Time next = runtime::Time::max();
   };
   sim::Workcell& workcell_;
   std::vector<Due> due_;

@@ -105,6 +105,14 @@ std::string ranges(const PlotRange& across, const PlotRange& away) {
   return set_range("x", across) + set_range("y", {away.high, away.low});
 }
 
+/// 1, 2 or 5 times a power of ten: so that a small picture has about four figures along `width`.
+double tic_distance(double width) {
+  const double power = std::pow(10, std::floor(std::log10(width / 4)));
+  for (const double step : {1.0, 2.0, 5.0})
+    if (step * power >= width / 4) return step * power;
+  return 10 * power;
+}
+
 constexpr const char* axes =
     "set size ratio -1\nset xlabel \"across, mm\"\nset ylabel \"from the sensor, mm\"\n";
 
@@ -136,10 +144,12 @@ Plot profiles_plot(const std::vector<RangeProfile>& profiles, const std::string&
   // As many pixels a millimetre in both directions, axes and titles apart.
   const double shape = std::clamp(high / wide, 0.45, 1.5);
   const auto each = static_cast<int>(960 / columns);
+  high = std::max(high, wide * shape);
   plot.script =
       plot_beginning(name, 960, static_cast<int>(rows) * (static_cast<int>((each - 90) * shape) + 100) + 50) +
-      axes + fmt::format("unset key\nset multiplot layout {},{} {}", rows, columns, heading(title));
-  high = std::max(high, wide * shape);
+      axes +
+      fmt::format("unset key\nset xtics {:g}\nset ytics {:g}\nset multiplot layout {},{} {}",
+                  tic_distance(wide), tic_distance(high), rows, columns, heading(title));
   for (std::size_t i = 0; i < profiles.size(); ++i) {
     const Extent one = extent(profiles[i]);
     const double across = (one.across.low + one.across.high) / 2, away = (one.away.low + one.away.high) / 2;

@@ -155,7 +155,7 @@ Plot position_plot(const std::vector<Sample>& log, const std::string& title,
         "linecolor \"{3}\" title 'set-point', \\\n"
         "  '' skip 1 using 1:{4} with lines linewidth 1.2 linecolor \"{5}\" title 'tool'\n",
         names[axis], set_range("y", range), 2 + axis, PlotColours::wanted, 5 + axis, PlotColours::actual,
-        axis == 0 ? "set key inside top right\n" : "unset key\n");
+        axis == 0 ? "set key at graph 1, graph 1.16 right top horizontal\n" : "unset key\n");
   }
   plot.script += fmt::format(
       "set ylabel \"following error, mm\"\nset xlabel \"time, s\"\nset format x \"%g\"\n"

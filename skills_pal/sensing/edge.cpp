@@ -9,6 +9,7 @@ namespace {
 
 // How much better two lines must be than one. A test holds that 1000 planes and 1000 waves show no edge.
 constexpr double clear = 12;
+constexpr double overshadowing = 3;    // times as clear
 constexpr double on_the_line = 3.5;    // deviations
 constexpr double spacing_slack = 1.5;  // points
 
@@ -22,7 +23,7 @@ class Search {
     double best_rank = 0;
     for (std::size_t place = options_.least_side; place + options_.least_side <= points_.count; ++place) {
       const double here = clearness(place);
-      if (here < clear || !is_peak(place, here)) continue;
+      if (here < clear || !is_peak(place, here) || overshadowed(place, here)) continue;
       const std::optional<Edge> edge = measure(place);
       if (!edge) continue;
       const double rank = options_.expected ? -std::abs(edge->y - *options_.expected) : here;
@@ -58,6 +59,15 @@ class Search {
       if (there > here || (there == here && other < place)) return false;
     }
     return true;
+  }
+
+  // One of the two sides holds a much clearer edge: neither line is that of a surface.
+  bool overshadowed(std::size_t place, double here) const {
+    const std::size_t reach = side(place);
+    for (std::size_t other = std::max(options_.least_side, place - reach);
+         other <= std::min(points_.count - options_.least_side, place + reach); ++other)
+      if (clearness(other) > overshadowing * here) return true;
+    return false;
   }
 
   // What the search looked at on either side. The points at the edge itself may belong to both.

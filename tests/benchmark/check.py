@@ -3,7 +3,7 @@
 
 Usage: tests/benchmark/check.py [--pal PROGRAM] [--runs N] [--lines N …]
 
-Prints the median of the runs, and the greatest memory of any. docs/benchmarks.md has figures and the machine they are of.
+Prints the median of the runs, and the greatest memory of any. docs/internals/benchmarks.md has figures and the machine they are of.
 """
 import argparse
 import os

@@ -78,7 +78,7 @@ std::vector<std::optional<Nanoseconds>> exact_bounds(const Problem& problem, dou
     options.max_states = 2'000'000;
     options.threads = 1;
     options.stop = [&used_since, share, begin = std::clock()] { return used_since(begin) > share; };
-    const Verdict verdict = analyze(alone, options).verdicts.front();
+    const Verdict verdict = analyze_exactly(alone, options).verdicts.front();
     if (verdict.exact && verdict.bound) bounds[r] = verdict.bound->count();
   }
   return bounds;

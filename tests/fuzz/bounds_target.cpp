@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "tests/attack/compare.hpp"
+#include "tests/differential/compare.hpp"
 #include "tests/support/kinds.hpp"
 #include "tests/support/mutant.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "pal/check/check.hpp"
-#include "pal/check/load.hpp"
+#include "pal/check/read_sources.hpp"
 #include "pal/pan/dot.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/render.hpp"
@@ -18,7 +18,7 @@ namespace pal::fuzz {
 inline void check_whole(const MemoryFileSystem& files, const std::string& path) {
   SourceManager sources;
   Diagnostics diagnostics;
-  const auto trees = load(files, sources, {path}, diagnostics);
+  const auto trees = read_sources(files, sources, {path}, diagnostics);
   const auto specification = check(trees, diagnostics);
   std::ostringstream out;
   render_text(diagnostics.sorted(), sources, out);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "pal/check/check.hpp"
-#include "pal/check/load.hpp"
+#include "pal/check/read_sources.hpp"
 #include "pal/driver/command_line.hpp"
 #include "pal/driver/proof.hpp"
 #include "pal/driver/selection.hpp"
@@ -71,7 +71,7 @@ Outcome run(const std::string& stage, const std::string& file) {
   pal::SourceManager sources;
   pal::Diagnostics diagnostics;
   std::ostringstream out;
-  const auto trees = pal::load(files, sources, {file}, diagnostics);
+  const auto trees = pal::read_sources(files, sources, {file}, diagnostics);
   if (stage == "tree") {
     for (const auto& tree : trees) pal::syntax::dump(tree, sources, out);
   } else if (stage == "format") {

@@ -1,4 +1,6 @@
-# -DBUILD= the build tree, -DSKILL= the project that uses it, -DPROGRAM= what it builds, -DWORK= a folder to do it in, -DGENERATOR=, -DCOMPILER=, -DFLAGS=
+# Installs pal into an empty folder, and builds and runs a project with it that knows nothing else.
+# -DFROM= install (cmake --install) or packages (cpack, dpkg-deb), -DBUILD= the build tree, -DSKILL= the project, -DPROGRAM= what it
+# builds, -DWORK= a folder to do it in, -DGENERATOR=, -DCOMPILER=, -DFLAGS=
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
@@ -7,8 +9,37 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE "${WORK}")
-run(${CMAKE_COMMAND} --install "${BUILD}" --prefix "${WORK}/installed" --component development)
-run(${CMAKE_COMMAND} -G "${GENERATOR}" -S "${SKILL}" -B "${WORK}/build" "-DCMAKE_PREFIX_PATH=${WORK}/installed"
+if(FROM STREQUAL packages)
+  run(${CMAKE_CPACK_COMMAND} -G DEB --config "${BUILD}/CPackConfig.cmake" -B "${WORK}/packages"
+      -D "CPACK_COMPONENTS_ALL=tools\;development")
+  file(GLOB packages "${WORK}/packages/*.deb")
+  list(LENGTH packages count)
+  if(NOT count EQUAL 2)
+    message(FATAL_ERROR "cpack made ${count} packages, not 2: ${packages}")
+  endif()
+  foreach(package IN LISTS packages)
+    run(dpkg-deb --extract "${package}" "${WORK}/root")
+  endforeach()
+  set(prefix "${WORK}/root/usr")
+else()
+  set(prefix "${WORK}/root")
+  run(${CMAKE_COMMAND} --install "${BUILD}" --prefix "${prefix}" --component tools)
+  run(${CMAKE_COMMAND} --install "${BUILD}" --prefix "${prefix}" --component development)
+endif()
+
+# What is installed is public: each header stands alone, below pal/, and no other is there.
+file(GLOB_RECURSE headers RELATIVE "${prefix}/include" "${prefix}/include/*")
+set(all "")
+foreach(header IN LISTS headers)
+  if(NOT header MATCHES "^pal/runtime/.*\\.hpp$" OR header MATCHES "/(run|mail|scheduler|event_queue)\\.hpp$")
+    message(FATAL_ERROR "${header} is installed")
+  endif()
+  string(APPEND all "#include <${header}>\n")
+endforeach()
+file(WRITE "${WORK}/all_headers.cpp" "${all}")
+run("${COMPILER}" -std=c++20 -fsyntax-only -Wall -Wextra -Werror "-I${prefix}/include" "${WORK}/all_headers.cpp")
+
+run(${CMAKE_COMMAND} -G "${GENERATOR}" -S "${SKILL}" -B "${WORK}/build" "-DCMAKE_PREFIX_PATH=${prefix}"
     "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror ${FLAGS}")
 run(${CMAKE_COMMAND} --build "${WORK}/build")
 run("${WORK}/build/${PROGRAM}")

@@ -34,7 +34,8 @@ struct Blurred {
   int compared = 0, decided = 0, dead = 0;
 };
 
-void compare(const deadlock::Findings& found, const test::TalkOracle::Result& expected, Seen& seen) {
+void expect_same_findings(const deadlock::Findings& found, const test::TalkOracle::Result& expected,
+                          Seen& seen) {
   if (found.overflowed) return;
   ++seen.compared;
   seen.without_values += found.without_values ? 1 : 0;
@@ -66,7 +67,7 @@ void compare(const deadlock::Findings& found, const test::TalkOracle::Result& ex
 }
 
 /// With the values of conditions from the first state on, and only if they matter.
-void compare(const pan::Network& network, Seen& seen, std::size_t most_states = 8'000) {
+void expect_same_findings(const pan::Network& network, Seen& seen, std::size_t most_states = 8'000) {
   const auto expected = test::TalkOracle(network, most_states).run();
   if (!expected.complete) return;
   const pan::Flow flow(network);
@@ -75,13 +76,13 @@ void compare(const pan::Network& network, Seen& seen, std::size_t most_states = 
   for (const std::size_t at_first : {limits.states, std::size_t{0}}) {
     CAPTURE(at_first);
     limits.at_first = at_first;
-    compare(deadlock::explore(automata, limits), expected, seen);
+    expect_same_findings(deadlock::explore(automata, limits), expected, seen);
   }
 }
 
 /// Counting only few withdrawn requests leaves more undecided, and changes nothing of what is said.
-void compare_blurred(const deadlock::Findings& found, const test::TalkOracle::Result& expected,
-                     Blurred& seen) {
+void expect_same_findings_blurred(const deadlock::Findings& found, const test::TalkOracle::Result& expected,
+                                  Blurred& seen) {
   if (!found.blurred) return;
   ++seen.compared;
   CAPTURE(found.complete, found.without_values);
@@ -105,7 +106,7 @@ void compare_blurred(const deadlock::Findings& found, const test::TalkOracle::Re
   CHECK(found.undelivered.size() == expected.undelivered.size());
 }
 
-void compare_blurred(const pan::Network& network, Blurred& seen) {
+void expect_same_findings_blurred(const pan::Network& network, Blurred& seen) {
   const auto expected = test::TalkOracle(network, 8'000).run();
   if (!expected.complete) return;
   const pan::Flow flow(network);
@@ -115,13 +116,13 @@ void compare_blurred(const pan::Network& network, Blurred& seen) {
     for (const std::size_t at_first : {limits.states, std::size_t{0}}) {
       CAPTURE(limits.withdrawn, at_first);
       limits.at_first = at_first;
-      compare_blurred(deadlock::explore(automata, limits), expected, seen);
+      expect_same_findings_blurred(deadlock::explore(automata, limits), expected, seen);
     }
   }
 }
 
 /// All searches of one kind together may look at few states only: what they then say to be all is all.
-void compare_short(const pan::Network& network, Seen& seen, int& undecided) {
+void expect_same_findings_short(const pan::Network& network, Seen& seen, int& undecided) {
   const auto expected = test::TalkOracle(network, 2'000).run();
   if (!expected.complete) return;
   const pan::Flow flow(network);
@@ -134,7 +135,7 @@ void compare_short(const pan::Network& network, Seen& seen, int& undecided) {
     if (found.partial) REQUIRE(expected.dead);
     for (const auto& one : found.undelivered) CHECK(expected.undelivered.contains(one.channel.index()));
     undecided += found.complete ? 0 : 1;
-    if (found.complete) compare(found, expected, seen);
+    if (found.complete) expect_same_findings(found, expected, seen);
   }
 }
 
@@ -154,7 +155,7 @@ TEST_CASE("leaving out orders of moves changes nothing that is found") {
     CAPTURE(seed);
     const auto text = test::RandomTalk(seed).text();
     INFO(text);
-    if (const auto skill = talking_skill(text)) compare(*skill, seen);
+    if (const auto skill = talking_skill(text)) expect_same_findings(*skill, seen);
   }
   CAPTURE(seen.compared, seen.total, seen.partial, seen.undelivered, seen.untaken, seen.without_values);
   CHECK(seen.compared > static_cast<int>(seeds));
@@ -173,7 +174,7 @@ TEST_CASE("blocks within blocks that are cancelled change nothing that is found"
     CAPTURE(seed);
     const auto text = test::RandomNest(seed).text();
     INFO(text);
-    if (const auto skill = talking_skill(text)) compare(*skill, seen, 12'000);
+    if (const auto skill = talking_skill(text)) expect_same_findings(*skill, seen, 12'000);
   }
   CAPTURE(seen.compared, seen.total, seen.partial, seen.undelivered, seen.untaken, seen.without_values);
   CHECK(seen.compared > static_cast<int>(seeds / 2));
@@ -191,7 +192,7 @@ TEST_CASE("a search that has used up what all share is not complete") {
     CAPTURE(seed);
     for (const std::string& text : {test::RandomTalk(seed).text(), test::RandomNest(seed).text()}) {
       INFO(text);
-      if (const auto skill = talking_skill(text)) compare_short(*skill, seen, undecided);
+      if (const auto skill = talking_skill(text)) expect_same_findings_short(*skill, seen, undecided);
     }
   }
   CAPTURE(seen.compared, seen.partial, seen.undelivered);
@@ -205,7 +206,7 @@ TEST_CASE("a request is taken and answered in two orders") {
   Seen seen;
   const auto skill = talking_skill(test::RandomTalk(5841).text());
   REQUIRE(skill);
-  compare(*skill, seen);
+  expect_same_findings(*skill, seen);
   CHECK(seen.total == seen.compared);
 }
 
@@ -252,7 +253,7 @@ END
     INFO(work);
     REQUIRE(skill);
     Seen seen;
-    compare(*skill, seen);
+    expect_same_findings(*skill, seen);
     CHECK(seen.compared == 2);
     CHECK(seen.total == 2);
   }
@@ -319,7 +320,7 @@ END
   const auto skill = talking_skill(text);
   REQUIRE(skill);
   Seen seen;
-  compare(*skill, seen);
+  expect_same_findings(*skill, seen);
   CHECK(seen.compared == 2);
   CHECK(seen.partial == 2);
 }
@@ -336,8 +337,8 @@ TEST_CASE("withdrawn requests that are not counted change nothing of what is dec
       INFO(text);
       const auto skill = talking_skill(text);
       if (!skill) continue;
-      compare(*skill, seen);
-      compare_blurred(*skill, blurred);
+      expect_same_findings(*skill, seen);
+      expect_same_findings_blurred(*skill, blurred);
     }
   }
   CAPTURE(blurred.compared, blurred.decided, blurred.dead);

@@ -109,7 +109,7 @@ std::string meaning(const std::string& text) {
   return out.str();
 }
 
-void check_format(const std::string& text, bool with_meaning) {
+void expect_format(const std::string& text, bool with_meaning) {
   CAPTURE(text);
   const auto once = format(text);
   REQUIRE(once);
@@ -143,7 +143,7 @@ TEST_CASE(
     CAPTURE(seed);
     const auto body = test::RandomProgram(seed).module();
     Untidy untidy(seed, static_cast<unsigned>(seed % 10));  // up to nine gaps in ten
-    check_format(test::program_declarations + untidy(body), seed % 4 == 0);
+    expect_format(test::program_declarations + untidy(body), seed % 4 == 0);
     comments += untidy.comments();
   }
   CHECK(comments > 10000);
@@ -157,8 +157,8 @@ TEST_CASE("every comment in every kind of unit survives") {
                            "tests/golden/check/keywords_any_case.pal", "tests/golden/check/figure_3_6.pal"}) {
     CAPTURE(path);
     for (unsigned comments_in_ten = 0; comments_in_ten < 10; ++comments_in_ten) {
-      check_format(Untidy(comments_in_ten, comments_in_ten)(test::source_file(path)),
-                   comments_in_ten % 5 == 0);
+      expect_format(Untidy(comments_in_ten, comments_in_ten)(test::source_file(path)),
+                    comments_in_ten % 5 == 0);
     }
   }
 }
@@ -178,7 +178,7 @@ TEST_CASE("lines that are too long keep every word and comment, and none is long
       text += word + (renamed ? longer : "") + " ";
     }
     for (unsigned comments_in_ten = 0; comments_in_ten < 4; ++comments_in_ten) {
-      check_format(Untidy(comments_in_ten, comments_in_ten)(text), false);
+      expect_format(Untidy(comments_in_ten, comments_in_ten)(text), false);
     }
     std::istringstream lines(format(text).value_or(""));
     for (std::string line; std::getline(lines, line);) {

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/exact/exact.hpp"
-#include "analyzer/replay/check_run.hpp"
+#include "analyzer/run_checker/check_run.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "tests/support/confirm.hpp"
 #include "tests/support/project_file.hpp"
@@ -42,7 +42,7 @@ TEST_CASE("an age is explained by what the thread read, not by the messages that
   const auto skill = test::sound_skill(referee("read_before_said"));
   Options options;
   options.max_states = 2'500;
-  const Analysis analysis = analyze(*skill->problem, options);
+  const Analysis analysis = analyze_exactly(*skill->problem, options);
   const Verdict& age = analysis.verdicts.front();
   REQUIRE(age.witness);
   REQUIRE_FALSE(age.reasons.empty());
@@ -51,7 +51,7 @@ TEST_CASE("an age is explained by what the thread read, not by the messages that
 
 TEST_CASE("a thread that goes on at the instant at which it ended keeps its processor busy") {
   const auto skill = test::sound_skill(referee("spinning"));
-  const Analysis analysis = analyze(*skill->problem);
+  const Analysis analysis = analyze_exactly(*skill->problem);
   const Verdict& pause = analysis.verdicts.front();
   REQUIRE(pause.state == Verdict::State::fails);
   REQUIRE(pause.witness);

@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "analyzer/exact/exact.hpp"
-#include "analyzer/replay/check_run.hpp"
-#include "analyzer/replay/witness_file.hpp"
+#include "analyzer/run_checker/check_run.hpp"
+#include "analyzer/run_checker/witness_file.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "tests/support/confirm.hpp"
 #include "tests/support/mutant.hpp"
@@ -116,7 +116,7 @@ TEST_CASE("no run shows the referee more than was proved") {
     const Problem& problem = *skill->problem;
     Options options;
     options.max_states = 2'500;
-    const Analysis analysis = analyze(problem, options);
+    const Analysis analysis = analyze_exactly(problem, options);
     const Watch nothing;
     const Machine machine(problem, nothing);
     for (std::uint64_t run = 0; run < 8; ++run) {
@@ -163,7 +163,7 @@ TEST_CASE("the referee confirms every witness, and no changed one") {
     const Problem& problem = *skill->problem;
     Options options;
     options.max_states = 2'500;
-    const Analysis analysis = analyze(problem, options);
+    const Analysis analysis = analyze_exactly(problem, options);
     for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
       const Requirement& requirement = problem.requirements[r];
       const Verdict& verdict = analysis.verdicts[r];

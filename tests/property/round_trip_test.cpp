@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "pal/check/recover.hpp"
+#include "pal/check/to_unit.hpp"
 #include "pal/pan/dot.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/syntax/print.hpp"

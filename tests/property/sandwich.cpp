@@ -34,7 +34,7 @@ void compare_with_exact(const Problem& problem, const Analysis& compositional, s
   Options options;
   options.max_states = most;
   options.threads = 1;
-  const Analysis exact = analyze(problem, options);
+  const Analysis exact = analyze_exactly(problem, options);
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
     const Verdict& above = compositional.verdicts[r];
     const Verdict& below = exact.verdicts[r];
@@ -92,7 +92,7 @@ void compare_with_runs(const Problem& problem, const Analysis& compositional, st
 }
 
 /// What is said to add up to a bound must do so.
-void check_arithmetic(const Analysis& analysis) {
+void expect_arithmetic(const Analysis& analysis) {
   for (const Verdict& verdict : analysis.verdicts) {
     if (!verdict.bound || verdict.addends.empty()) continue;
     Nanoseconds sum = 0;
@@ -104,9 +104,9 @@ void check_arithmetic(const Analysis& analysis) {
 
 }  // namespace
 
-void compare(const Problem& problem, std::uint64_t seed, std::size_t states, Tally& tally) {
+void expect_sandwich(const Problem& problem, std::uint64_t seed, std::size_t states, Tally& tally) {
   const Analysis compositional = analyze_compositionally(problem);
-  check_arithmetic(compositional);
+  expect_arithmetic(compositional);
   ++tally.programs;
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
     Tally::Of& of = tally.of[measure_of(problem.requirements[r])];
@@ -137,7 +137,7 @@ Tally compare_by_chance(std::uint64_t rounds, std::size_t states,
     const std::string text = text_of(seed);
     INFO("seed " << seed << "\n" << text);
     const auto skill = skill_of(text);
-    if (skill->problem) compare(*skill->problem, seed, states, tally);
+    if (skill->problem) expect_sandwich(*skill->problem, seed, states, tally);
   }
   say(tally);
   return tally;

@@ -28,7 +28,7 @@ struct Tally {
 /// Requires of each requirement of the problem that no run is beyond what is proved, and no exact bound
 /// beyond a compositional one. The exact analysis has PAL_STATES classes at the most, or `states`; with none
 /// it is not asked.
-void compare(const analyzer::Problem& problem, std::uint64_t seed, std::size_t states, Tally& tally);
+void expect_sandwich(const analyzer::Problem& problem, std::uint64_t seed, std::size_t states, Tally& tally);
 
 /// Prints it; something must have been compared.
 void say(const Tally& tally);

@@ -59,7 +59,7 @@ std::string base(std::uint64_t seed) {
       {"examples/standoff/standoff.pal", "examples/standoff/cell.pal"},
       {"examples/surface_following/surface_following.pal", "examples/surface_following/cell.pal"},
   };
-  static const std::vector<std::vector<std::string>> published = files_of("tests/figures/published");
+  static const std::vector<std::vector<std::string>> published = files_of("tests/reference/published");
   if (seed % 3 == 1) return test::TimedSkill(seed).text();
   if (seed % 6 == 2) return test::text_of(test::small_chains(seed));
   const auto& from = seed % 6 == 5 ? published : written;
@@ -97,7 +97,8 @@ TEST_CASE("simulated, exact and compositional come in this order for skills that
 
 namespace {
 
-void compare_chains(const std::function<test::ChainSystem(std::uint64_t)>& chains, std::uint64_t rounds) {
+void expect_sandwich_of_chains(const std::function<test::ChainSystem(std::uint64_t)>& chains,
+                               std::uint64_t rounds) {
   Tally tally;
   const std::uint64_t first = setting("PAL_SEED", 1);
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", rounds); ++seed) {
@@ -107,7 +108,7 @@ void compare_chains(const std::function<test::ChainSystem(std::uint64_t)>& chain
     // Every measure of some; of the others the exact analysis is asked for the responses alone.
     const bool everything = seed % 4 == 0;
     if (everything) test::require_more(problem);
-    test::compare(problem, seed, everything ? 150 : 400, tally);
+    test::expect_sandwich(problem, seed, everything ? 150 : 400, tally);
   }
   test::say(tally);
 }
@@ -115,11 +116,11 @@ void compare_chains(const std::function<test::ChainSystem(std::uint64_t)>& chain
 }  // namespace
 
 TEST_CASE("simulated, exact and compositional come in this order for chains by chance") {
-  compare_chains(test::small_chains, 1'000);
+  expect_sandwich_of_chains(test::small_chains, 1'000);
 }
 
 TEST_CASE("simulated, exact and compositional come in this order for chains whose events take their time") {
-  compare_chains(test::drifting_chains, 500);
+  expect_sandwich_of_chains(test::drifting_chains, 500);
 }
 
 TEST_CASE("simulated, exact and compositional come in this order for chains by conditions") {
@@ -171,7 +172,7 @@ TEST_CASE("simulated, exact and compositional come in this order for blocks with
     const auto skill = test::any_skill(text, &refused);
     if (!skill->problem) continue;
     INFO("seed " << seed << "\n" << text);
-    compare(*skill->problem, seed, 100, tally);
+    expect_sandwich(*skill->problem, seed, 100, tally);
   }
   for (const auto& [why, times] : refused) std::cout << times << " refused: " << why << "\n";
   say(tally);

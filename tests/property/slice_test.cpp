@@ -28,8 +28,8 @@ bool is_timed(const Requirement& requirement) {
 }
 
 /// `known`: exactly, with a run that shows it.
-void compare(const Problem& problem, const Requirement& requirement, const Verdict& known, Reach reach,
-             Looseness looseness, ZoneGraph::Merging merging, Tally& tally) {
+void expect_sound_slice(const Problem& problem, const Requirement& requirement, const Verdict& known,
+                        Reach reach, Looseness looseness, ZoneGraph::Merging merging, Tally& tally) {
   const Cone cone = cone_of(problem, requirement, -1, reach);
   Limits limits;
   limits.classes = 3'000;
@@ -51,7 +51,7 @@ void compare(const Problem& problem, const Requirement& requirement, const Verdi
 }
 
 /// As the analysis uses them.
-void check_decision(const Problem& problem, const Requirement& requirement, const Verdict& known) {
+void expect_decision(const Problem& problem, const Requirement& requirement, const Verdict& known) {
   Options options;
   options.threads = 1;
   const SliceBound found = slice_bound(problem, requirement, options, 1'000);
@@ -62,34 +62,35 @@ void check_decision(const Problem& problem, const Requirement& requirement, cons
   CHECK((requirement.at_least ? *found.bound <= shown : *found.bound >= shown));
 }
 
-void compare_all(const Problem& problem, Tally& tally) {
+void expect_sound_slice_all(const Problem& problem, Tally& tally) {
   Options options;
   options.max_states = 2'000;
   options.threads = 1;
-  const Analysis exact = analyze(problem, options);
+  const Analysis exact = analyze_exactly(problem, options);
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
     const Verdict& known = exact.verdicts[r];
     if (!is_timed(problem.requirements[r]) || !known.witness || known.witness->grows) continue;
-    check_decision(problem, problem.requirements[r], known);
+    expect_decision(problem, problem.requirements[r], known);
     for (const Reach reach : {Reach::least, Reach::waits}) {
       for (const bool conditions : {false, true}) {
         const auto merging = conditions ? ZoneGraph::Merging::within : ZoneGraph::Merging::hull;
         for (const bool periods : {false, true})
-          compare(problem, problem.requirements[r], known, reach, {conditions, periods}, merging, tally);
+          expect_sound_slice(problem, problem.requirements[r], known, reach, {conditions, periods}, merging,
+                             tally);
       }
     }
   }
 }
 
 template <class Text>
-void compare_seeds(const Text& text_of, std::uint64_t rounds, Tally& tally) {
+void expect_sound_slice_seeds(const Text& text_of, std::uint64_t rounds, Tally& tally) {
   const std::uint64_t first = setting("PAL_SEED", 1);
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", rounds); ++seed) {
     const std::string text = text_of(seed);
     const auto skill = test::skill_from_text(text);
     if (!skill->problem || !fits_exploration(*skill->problem)) continue;
     INFO("seed " << seed << "\n" << text);
-    compare_all(*skill->problem, tally);
+    expect_sound_slice_all(*skill->problem, tally);
   }
   std::cout << tally.bounds << " bounds of slices, " << tally.proper << " of proper ones; " << tally.equal
             << " equal to the exact bound\n";
@@ -99,15 +100,15 @@ void compare_seeds(const Text& text_of, std::uint64_t rounds, Tally& tally) {
 
 TEST_CASE("no run goes beyond what is proved of a slice: small skills") {
   Tally tally;
-  compare_seeds([](std::uint64_t seed) { return test::RandomSkill(seed, seed % 2 == 0 ? 9 : 40).text(); }, 15,
-                tally);
+  expect_sound_slice_seeds(
+      [](std::uint64_t seed) { return test::RandomSkill(seed, seed % 2 == 0 ? 9 : 40).text(); }, 15, tally);
   CHECK(tally.proper > 0);
   CHECK(tally.equal > 0);
 }
 
 TEST_CASE("no run goes beyond what is proved of a slice: skills of all kinds") {
   Tally tally;
-  compare_seeds(test::skill_of_any_kind, 24, tally);
+  expect_sound_slice_seeds(test::skill_of_any_kind, 24, tally);
   CHECK(tally.proper > 0);
   CHECK(tally.equal > 0);
 }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "analyzer/exact/exact.hpp"
-#include "analyzer/replay/check_run.hpp"
+#include "analyzer/run_checker/check_run.hpp"
 
 namespace pal::test {
 

@@ -8,7 +8,7 @@
 
 #include "analyzer/problem/problem.hpp"
 #include "pal/check/check.hpp"
-#include "pal/check/load.hpp"
+#include "pal/check/read_sources.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/file_system.hpp"
 #include "pal/support/render.hpp"
@@ -34,7 +34,7 @@ inline std::string messages(const Diagnostics& diagnostics) {
 /// what.
 inline std::unique_ptr<Skill> load_skill(const FileSystem& files, const std::vector<std::string>& paths) {
   auto skill = std::make_unique<Skill>();
-  const auto trees = load(files, skill->sources, paths, skill->diagnostics);
+  const auto trees = read_sources(files, skill->sources, paths, skill->diagnostics);
   skill->specification = check(trees, skill->diagnostics);
   if (skill->diagnostics.has_errors()) return skill;
   if (skill->specification.skills.empty() || skill->specification.environments.empty()) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/replay/referee.hpp"
+#include "analyzer/run_checker/referee.hpp"
 
 namespace pal::test {
 

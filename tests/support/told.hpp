@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "analyzer/replay/check_run.hpp"
+#include "analyzer/run_checker/check_run.hpp"
 #include "analyzer/runs/simulate.hpp"
 #include "tests/support/any_skill.hpp"
 

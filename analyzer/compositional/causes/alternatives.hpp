@@ -1,4 +1,4 @@
-// Segments of which only one can come: what they come from parts.
+// Mutually exclusive segments: of these, one occurrence of their source triggers at most one.
 #pragma once
 
 #include <functional>
@@ -8,18 +8,19 @@
 
 namespace pal::analyzer::compositional {
 
-/// Whether an occurrence of their source brings about one of the nodes at most: the ways to any two part at a
-/// test, at a wait, or at a message that is taken in one of several places. Not of nodes of several sources.
+/// Whether an occurrence of their source triggers at most one of the nodes: the paths to any two of them
+/// branch at a test, at a wait, or at a message that is received in one of several places. False for nodes of
+/// several sources.
 bool are_alternatives(const Problem& problem, const Forest& forest, const std::vector<int>& nodes);
 
-/// All nodes that have alternatives in their thread, in groups of such. No node is in two groups. Once `stop`
-/// says so, those that are known by then.
+/// Disjoint groups of mutually exclusive nodes of one thread. After `stop` has returned true, the groups
+/// found so far.
 std::vector<std::vector<int>> alternatives_of(const Problem& problem, const Forest& forest,
                                               const std::function<bool()>& stop);
 
-/// By node: those on its processor, of whichever thread, that its source never has under way together with it
-/// in one occurrence: they come in its place, or one is done before the other is released; ascending. Once
-/// `stop` says so, those that are known by then.
+/// By node, ascending: nodes of any thread on its processor that never overlap with it within one occurrence
+/// of its source: they are mutually exclusive, or one is done before the other is released. After `stop` has
+/// returned true, those found so far.
 std::vector<std::vector<int>> never_together(const Problem& problem, const Forest& forest,
                                              const std::function<bool()>& stop);
 

@@ -1,20 +1,20 @@
-// What comes at most once in each round.
+// Step effects that exclude one another within a job.
 #pragma once
 
 #include <vector>
 
-#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/causes/analysis_context.hpp"
 
 namespace pal::analyzer::compositional {
 
 /// The effect of a step in a node.
-struct Pass {
+struct StepEffect {
   int node = -1;
   int step = -1;
 };
 
-/// Whether all stand in one round of one thread, and no run of it passes two of them. So an occurrence of the
-/// round's source brings about one of them at most.
-bool are_exclusive(const Ground& ground, const std::vector<Pass>& passes);
+/// Whether all belong to one job of one thread and no run of the job has two of them. So an occurrence of the
+/// job's source has at most one of them.
+bool are_exclusive(const AnalysisContext& context, const std::vector<StepEffect>& occurrences);
 
 }  // namespace pal::analyzer::compositional

@@ -1,4 +1,4 @@
-// Which segment makes which run: trees of causes, one for each thing that begins by itself.
+// Which segment triggers which: a tree of causes for each source of activations.
 #pragma once
 
 #include <functional>
@@ -11,30 +11,30 @@
 
 namespace pal::analyzer::compositional {
 
-/// Where a chain of causes begins: an event of a device, the start of a module, a round of a thread that goes
-/// on by itself, or the end of blocks of which nobody knows when they end.
+/// The source of a chain of causes: an event of a device, the start of a module, a job of a free-running
+/// thread, or the end of blocks that end at an unknown time.
 struct Source {
   enum class Kind { event, start, loop, joined };
   Kind kind = Kind::start;
   int device = -1;         // event
   int thread = -1;         // start, loop, joined
-  int segment = -1;        // loop: the one that each round begins with
+  int segment = -1;        // loop: the first segment of each job
   int fork = -1;           // joined
-  Nanoseconds period = 0;  // least distance of occurrences, but for the jitter; never: there is one
-  Nanoseconds jitter = 0;  // occurrence k is released up to so long after its nominal instant
+  Nanoseconds period = 0;  // least inter-arrival time without the jitter; never: it occurs once
+  Nanoseconds jitter = 0;  // latest release of an occurrence after its nominal instant
   bool regular = false;    // nominal instants are exactly a period apart
   std::vector<int> roots;  // nodes
-  /// Sends and waits that lead to the next round of a loop.
+  /// Sends and time-outs that trigger the next job of a loop.
   struct Feed {
     int node = -1;
     std::vector<int> sends;
-    int wait = -1;  // that gives up
+    int wait = -1;  // that times out
     int device = -1;
   };
   std::vector<Feed> feeds;
 };
 
-/// A segment run on behalf of its source; at most once for each of its occurrences.
+/// A segment triggered by its source: at most once for each occurrence of the source.
 struct Node {
   enum class Release { root, message, limit, fork };
   Release release = Release::root;
@@ -42,8 +42,8 @@ struct Node {
   int source = -1;
   int cause = -1;          // node
   int cause_step = -1;     // limit: the wait; fork: the fork
-  std::vector<int> sends;  // message: by which it comes, one of them in each run of the cause
-  int device = -1;         // message: the device that was asked in between
+  std::vector<int> sends;  // message: the sends that trigger it; each run of the cause passes one of them
+  int device = -1;         // message: the device that answers in between
   int depth = 0;
   std::vector<int> effects;  // nodes whose cause this is
 };
@@ -52,7 +52,7 @@ struct Forest {
   Segments segments;
   std::vector<Source> sources;
   std::vector<Node> nodes;  // a cause stands before its effects
-  /// Why there is no forest: in words for the reader, or nothing.
+  /// Why there is no forest, as text for the user; empty if there is one.
   std::string refusal;
   /// By channel: withdrawn_requests().
   std::vector<bool> withdrawn;
@@ -66,16 +66,16 @@ struct Forest {
   int cause_in(int node, int thread) const;
 };
 
-/// Once `stop` says so, the forest is refused as it is.
+/// Refused as interrupted once `stop` returns true.
 Forest forest_of(const Problem& problem, const std::function<bool()>& stop);
 
-/// Whether a segment has nothing more to do once one of its sends is over.
+/// Whether each of these sends ends its segment.
 bool end_segment(const Problem& problem, const std::vector<int>& sends);
 
-/// Whether the node's cause has nothing more to do once it has brought the node about.
+/// Whether the node's cause ends with the step that triggers the node.
 bool ends_with_cause(const Problem& problem, const Forest& forest, int node);
 
-/// A message needs at least this from its put to where `receiver` can take it, and at most this.
+/// The least and greatest time from the put of a message until `receiver` can receive it.
 Range latency(const Problem& problem, int channel, int sender, int receiver);
 
 }  // namespace pal::analyzer::compositional

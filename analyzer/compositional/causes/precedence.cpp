@@ -12,21 +12,21 @@ constexpr std::size_t most_pairs = 40'000;
 
 class Precedence {
  public:
-  Precedence(const Ground& ground, const std::function<bool()>& stop)
-      : ground_(ground),
+  Precedence(const AnalysisContext& context, const std::function<bool()>& stop)
+      : context_(context),
         stop_(stop),
-        later_(ground.forest.nodes.size()),
-        apart_(ground.forest.nodes.size()) {}
+        later_(context.forest.nodes.size()),
+        never_overlapping_(context.forest.nodes.size()) {}
 
   Order run() {
     in_programs();
     by_blocks();
     by_causes();
     in_life();
-    for (std::size_t s = 0; s < ground_.forest.sources.size(); ++s) in_circle(static_cast<int>(s));
+    for (std::size_t s = 0; s < context_.forest.sources.size(); ++s) in_circle(static_cast<int>(s));
     sort(later_);
-    sort(apart_);
-    return {std::move(later_), std::move(apart_)};
+    sort(never_overlapping_);
+    return {std::move(later_), std::move(never_overlapping_)};
   }
 
  private:
@@ -37,15 +37,15 @@ class Precedence {
   void in_programs() {
     std::map<int, std::vector<int>> by_module;
     for (std::size_t n = 0; n < later_.size(); ++n)
-      by_module[ground_.thread_of(static_cast<int>(n)).module].push_back(static_cast<int>(n));
-    Sequence sequence(ground_.problem);
+      by_module[context_.thread_of(static_cast<int>(n)).module].push_back(static_cast<int>(n));
+    Sequence sequence(context_.problem);
     for (const auto& [module, nodes] : by_module) {
       if (is_over()) return;
       if (nodes.size() * nodes.size() > most_pairs) continue;
       for (int node : nodes) {
         for (int other : nodes) {
           if (node != other &&
-              !sequence.may_follow(ground_.segment(other).beginning, ground_.segment(node).beginning))
+              !sequence.may_follow(context_.segment(other).beginning, context_.segment(node).beginning))
             later_[static_cast<std::size_t>(node)].push_back(other);
         }
       }
@@ -54,75 +54,75 @@ class Precedence {
 
   /// Blocks have ended, or stopped, when what comes after them begins, and begin again only after it.
   void by_blocks() {
-    for (std::size_t n = 0; n < apart_.size() && !is_over(); ++n) {
-      const Beginning& begins = ground_.segment(static_cast<int>(n)).beginning;
+    for (std::size_t n = 0; n < never_overlapping_.size() && !is_over(); ++n) {
+      const Beginning& begins = context_.segment(static_cast<int>(n)).beginning;
       if (begins.kind != Beginning::Kind::joined) continue;
-      for (std::size_t other = 0; other < apart_.size(); ++other) {
-        if (is_below(ground_.forest.thread_of(static_cast<int>(other)), begins.step))
-          apart_[n].push_back(static_cast<int>(other));
+      for (std::size_t other = 0; other < never_overlapping_.size(); ++other) {
+        if (is_below(context_.forest.thread_of(static_cast<int>(other)), begins.step))
+          never_overlapping_[n].push_back(static_cast<int>(other));
       }
     }
   }
 
   /// Whether a thread is one of the blocks of a CONCURRENT, or below one.
   bool is_below(int thread, int fork) const {
-    const std::vector<int>& blocks = ground_.step_at(fork).threads;
+    const std::vector<int>& blocks = context_.step_at(fork).threads;
     while (thread >= 0 && std::find(blocks.begin(), blocks.end(), thread) == blocks.end())
-      thread = ground_.thread_at(thread).parent;
+      thread = context_.thread_at(thread).parent;
     return thread >= 0;
   }
 
   /// What comes once and brings about something else that comes once.
   void by_causes() {
     for (std::size_t n = 0; n < later_.size() && !is_over(); ++n) {
-      if (ground_.source(static_cast<int>(n)).period < never) continue;
-      for (int at = static_cast<int>(n); ground_.node(at).cause >= 0; at = ground_.node(at).cause) {
-        const auto cause = static_cast<std::size_t>(ground_.node(at).cause);
-        if (!ends_with_cause(ground_.problem, ground_.forest, at)) continue;
+      if (context_.source(static_cast<int>(n)).period < never) continue;
+      for (int at = static_cast<int>(n); context_.node(at).cause >= 0; at = context_.node(at).cause) {
+        const auto cause = static_cast<std::size_t>(context_.node(at).cause);
+        if (!ends_with_cause(context_.problem, context_.forest, at)) continue;
         later_[cause].push_back(static_cast<int>(n));
-        apart_[n].push_back(static_cast<int>(cause));
+        never_overlapping_[n].push_back(static_cast<int>(cause));
       }
     }
   }
 
-  /// What begins anew, or goes round, after something that comes once.
+  /// What starts again, or loops, after something that happens once.
   void in_life() {
-    const auto& sources = ground_.forest.sources;
+    const auto& sources = context_.forest.sources;
     std::vector<std::vector<int>> nodes_of(sources.size());
     for (std::size_t n = 0; n < later_.size(); ++n)
-      nodes_of[static_cast<std::size_t>(ground_.node(static_cast<int>(n)).source)].push_back(
+      nodes_of[static_cast<std::size_t>(context_.node(static_cast<int>(n)).source)].push_back(
           static_cast<int>(n));
     for (std::size_t s = 0; s < sources.size() && !is_over(); ++s) {
       for (int before : before_source(static_cast<int>(s), {})) {
         auto& later = later_[static_cast<std::size_t>(before)];
         later.insert(later.end(), nodes_of[s].begin(), nodes_of[s].end());
-        for (int n : nodes_of[s]) apart_[static_cast<std::size_t>(n)].push_back(before);
+        for (int n : nodes_of[s]) never_overlapping_[static_cast<std::size_t>(n)].push_back(before);
       }
     }
   }
 
-  /// The nodes on the way round of a loop of which one message goes round: brought about once, from outside,
-  /// and in each round by one of them.
+  /// The nodes of a cycle in which one message circulates: triggered once from outside, and then in each turn
+  /// by one of them.
   void in_circle(int source) {
-    const Source& of = ground_.forest.sources[static_cast<std::size_t>(source)];
+    const Source& of = context_.forest.sources[static_cast<std::size_t>(source)];
     if (of.kind != Source::Kind::loop || of.feeds.size() != 2) return;
     const auto own = std::find_if(of.feeds.begin(), of.feeds.end(), [&](const Source::Feed& feed) {
-      return feed.node >= 0 && ground_.node(feed.node).source == source;
+      return feed.node >= 0 && context_.node(feed.node).source == source;
     });
     const auto outer = std::find_if(of.feeds.begin(), of.feeds.end(), [&](const Source::Feed& feed) {
-      return feed.node >= 0 && ground_.source(feed.node).kind == Source::Kind::start;
+      return feed.node >= 0 && context_.source(feed.node).kind == Source::Kind::start;
     });
     if (own == of.feeds.end() || outer == of.feeds.end()) return;
     std::vector<int> circle;
-    bool ended = own->wait >= 0 || end_segment(ground_.problem, own->sends);
-    for (int at = own->node; at >= 0; at = ground_.node(at).cause) {
+    bool ended = own->wait >= 0 || end_segment(context_.problem, own->sends);
+    for (int at = own->node; at >= 0; at = context_.node(at).cause) {
       if (!ended) return;
       circle.push_back(at);
-      ended = ends_with_cause(ground_.problem, ground_.forest, at);
+      ended = ends_with_cause(context_.problem, context_.forest, at);
     }
     for (int node : circle) {
       for (int other : circle) {
-        if (other != node) apart_[static_cast<std::size_t>(node)].push_back(other);
+        if (other != node) never_overlapping_[static_cast<std::size_t>(node)].push_back(other);
       }
     }
   }
@@ -137,7 +137,7 @@ class Precedence {
   /// The nodes that come once and are done before a source occurs for the first time. `asked`: sources on the
   /// way to this one, which cannot be what first brings it about.
   Nodes before_source(int source, std::set<int> asked) const {
-    const Source& of = ground_.forest.sources[static_cast<std::size_t>(source)];
+    const Source& of = context_.forest.sources[static_cast<std::size_t>(source)];
     asked.insert(source);
     std::optional<Nodes> all;
     const auto also = [&all](Nodes nodes) {
@@ -150,14 +150,14 @@ class Precedence {
     if (of.kind == Source::Kind::loop) {
       for (const Source::Feed& feed : of.feeds) {
         if (feed.node < 0) return {};
-        const int by = ground_.node(feed.node).source;
+        const int by = context_.node(feed.node).source;
         if (asked.contains(by)) continue;
-        const bool ends = feed.wait >= 0 || end_segment(ground_.problem, feed.sends);
+        const bool ends = feed.wait >= 0 || end_segment(context_.problem, feed.sends);
         also(up_to(feed.node, ends, asked));
       }
     } else if (of.kind == Source::Kind::joined) {
       for (std::size_t n = 0; n < later_.size(); ++n) {
-        const auto& forks = ground_.segment(static_cast<int>(n)).forks;
+        const auto& forks = context_.segment(static_cast<int>(n)).forks;
         const bool starts = std::any_of(forks.begin(), forks.end(),
                                         [&of](const Segment::Arrival& at) { return at.step == of.fork; });
         if (starts) also(up_to(static_cast<int>(n), true, asked));
@@ -169,28 +169,28 @@ class Precedence {
   /// A node, if it has `ended`, and its causes, if they come once; else what is done before their source
   /// occurs.
   Nodes up_to(int node, bool ended, const std::set<int>& asked) const {
-    const Source& source = ground_.source(node);
+    const Source& source = context_.source(node);
     if (source.kind != Source::Kind::start && source.kind != Source::Kind::joined)
-      return before_source(ground_.node(node).source, asked);
+      return before_source(context_.node(node).source, asked);
     Nodes all =
-        source.kind == Source::Kind::joined ? before_source(ground_.node(node).source, asked) : Nodes{};
-    for (int at = node; at >= 0; at = ground_.node(at).cause) {
+        source.kind == Source::Kind::joined ? before_source(context_.node(node).source, asked) : Nodes{};
+    for (int at = node; at >= 0; at = context_.node(at).cause) {
       if (ended) all.insert(at);
-      ended = ends_with_cause(ground_.problem, ground_.forest, at);
+      ended = ends_with_cause(context_.problem, context_.forest, at);
     }
     return all;
   }
 
-  const Ground& ground_;
+  const AnalysisContext& context_;
   const std::function<bool()>& stop_;
   std::vector<std::vector<int>> later_;
-  std::vector<std::vector<int>> apart_;
+  std::vector<std::vector<int>> never_overlapping_;
 };
 
 }  // namespace
 
-Order order_of(const Ground& ground, const std::function<bool()>& stop) {
-  return Precedence(ground, stop).run();
+Order order_of(const AnalysisContext& context, const std::function<bool()>& stop) {
+  return Precedence(context, stop).run();
 }
 
 }  // namespace pal::analyzer::compositional

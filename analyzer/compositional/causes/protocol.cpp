@@ -176,11 +176,11 @@ class Asked {
 
 /// The blocks of a CONCURRENT that are cancelled when the others have ended.
 std::vector<int> cancelled_blocks(const Problem& problem, const Step& fork) {
-  const auto goes_round = [&problem](int block) {
+  const auto loops = [&problem](int block) {
     return !problem.threads[static_cast<std::size_t>(block)].can_end;
   };
   std::vector<int> blocks;
-  std::copy_if(fork.threads.begin(), fork.threads.end(), std::back_inserter(blocks), goes_round);
+  std::copy_if(fork.threads.begin(), fork.threads.end(), std::back_inserter(blocks), loops);
   return blocks.size() < fork.threads.size() ? blocks : std::vector<int>{};
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "analyzer/compositional/causes/job_distance.hpp"
 #include "analyzer/compositional/causes/protocol.hpp"
-#include "analyzer/compositional/causes/rounds.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -14,14 +14,14 @@ const std::string& name_of(const Problem& problem, int thread) {
   return problem.threads[static_cast<std::size_t>(thread)].name;
 }
 
-/// When a block within a block is there depends on rounds of several threads.
+/// The times of a block within a block depend on jobs of several threads.
 bool is_nested(const Problem& problem, int thread) {
   const int parent = problem.threads[static_cast<std::size_t>(thread)].parent;
   return parent >= 0 && problem.threads[static_cast<std::size_t>(parent)].parent >= 0;
 }
 
-/// Blocks that are started again before nobody knows when, or stopped in each round.
-bool starts_rounds_again(const Problem& problem, int fork, int thread) {
+/// Blocks that start repeatedly at unknown times, or are stopped in each job.
+bool starts_loops_again(const Problem& problem, int fork, int thread) {
   const std::vector<int>& blocks = problem.steps[static_cast<std::size_t>(fork)].threads;
   const bool straight = std::all_of(blocks.begin(), blocks.end(), [&problem](int block) {
     return problem.threads[static_cast<std::size_t>(block)].can_end && ends_straight(problem, block);
@@ -55,8 +55,8 @@ int taken_anywhere(const Problem& problem, const Segments& segments) {
 std::string refusal_of_step(const Problem& problem, int index, int thread) {
   const Step& step = problem.steps[static_cast<std::size_t>(index)];
   const std::string& who = name_of(problem, thread);
-  if (step.kind == Step::Kind::fork && starts_rounds_again(problem, index, thread))
-    return who + " starts blocks again and again of which some go round";
+  if (step.kind == Step::Kind::fork && starts_loops_again(problem, index, thread))
+    return who + " starts blocks again and again, some of which loop";
   if (talks_or_sets(step) && is_nested(problem, thread))
     return who + " waits, sends or sets in a block within a block";
   // The limit counts anew when what the thread is about to take is withdrawn, and others may take it, too.

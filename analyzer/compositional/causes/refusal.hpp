@@ -1,4 +1,4 @@
-// Skills of which nothing is said.
+// Skills that the compositional analysis refuses.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace pal::analyzer::compositional {
 
-/// Why nothing can be said of a skill: in words for the reader, or nothing. Once `stop` says so, that it was
-/// interrupted.
+/// Why the analysis refuses a skill, as text for the user; empty if it does not. After `stop` has returned
+/// true: that it was interrupted.
 std::string refusal_of(const Problem& problem, const Segments& segments, const std::function<bool()>& stop);
 
 }  // namespace pal::analyzer::compositional

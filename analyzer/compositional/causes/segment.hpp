@@ -1,4 +1,4 @@
-// What a thread does between two waits.
+// A segment: what a thread does between two waits.
 #pragma once
 
 #include <map>

@@ -1,6 +1,6 @@
 #include "analyzer/compositional/causes/sequence.hpp"
 
-#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
 #include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {

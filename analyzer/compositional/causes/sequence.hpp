@@ -1,4 +1,4 @@
-// What can come after what in one module.
+// Which segments of a module can follow which.
 #pragma once
 
 #include <map>
@@ -9,12 +9,12 @@
 
 namespace pal::analyzer::compositional {
 
-/// The order that a module's program puts its threads' steps in.
+/// The order of the steps of a module's threads, as its program gives it.
 class Sequence {
  public:
   explicit Sequence(const Problem& problem);
 
-  /// Whether `later` may still begin, or may be under way, once `earlier` has begun.
+  /// Whether `later` may begin or run after `earlier` has begun.
   bool may_follow(const Beginning& earlier, const Beginning& later);
 
  private:

@@ -1,4 +1,4 @@
-// Who takes which message.
+// Which waits receive which messages.
 #pragma once
 
 #include <set>
@@ -8,7 +8,7 @@
 
 namespace pal::analyzer::compositional {
 
-/// A branch of a wait that takes messages from a channel.
+/// A branch of a wait that receives messages from a channel.
 struct Taker {
   int thread;
   int step;
@@ -19,13 +19,13 @@ class Takers {
  public:
   Takers(const Problem& problem, const Segments& segments);
 
-  /// All that take from a channel.
+  /// All receivers of a channel.
   const std::vector<Taker>& of(int channel) const { return takers_[static_cast<std::size_t>(channel)]; }
 
-  /// The waits that may take the answers to what `sends` ask for.
+  /// The waits that may receive the answers to the requests `sends`.
   std::set<int> after(const std::vector<int>& sends) const;
 
-  /// Whether on all ways of a thread to each of `steps` the last request is taken at `wait`.
+  /// Whether the last request is received at `wait` on all paths of a thread to each of `steps`.
   bool last_taken_at(const std::vector<int>& steps, int request, int wait) const;
 
  private:

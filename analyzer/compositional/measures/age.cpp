@@ -43,8 +43,8 @@ class Ageing {
  private:
   int owner(int step) const { return view_.forest.segments.owner(step); }
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
-  const ThreadConduct& conduct(int thread) const {
-    return view_.conduct.threads[static_cast<std::size_t>(thread)];
+  const ThreadBehaviour& behaviour(int thread) const {
+    return view_.behaviours.threads[static_cast<std::size_t>(thread)];
   }
   const Node& node(int n) const { return view_.forest.nodes[static_cast<std::size_t>(n)]; }
   const Segment& segment(int n) const { return view_.forest.segment_of(node(n)); }
@@ -63,7 +63,7 @@ class Ageing {
 
   struct Place {
     int step;
-    int rounds;  // how often the way from here to the statement comes home
+    int jobs;  // how many jobs end on the way from here to the statement
     auto operator<=>(const Place&) const = default;
   };
 
@@ -72,13 +72,13 @@ class Ageing {
   template <class Visit, class Begin>
   void back(Place from, const Visit& visit, const Begin& begin) const {
     const int thread = owner(from.step);
-    const int home = conduct(thread).home;
+    const int idle_wait = behaviour(thread).idle_wait;
     std::set<Place> seen;
     std::vector<Place> open;
     const auto leave = [&](Place at) {
-      const int rounds = at.rounds + (at.step == home ? 1 : 0);
-      if (problem_.threads[static_cast<std::size_t>(thread)].entry == at.step) begin(rounds);
-      for (int step : before_[static_cast<std::size_t>(at.step)]) open.push_back({step, std::min(rounds, 3)});
+      const int jobs = at.jobs + (at.step == idle_wait ? 1 : 0);
+      if (problem_.threads[static_cast<std::size_t>(thread)].entry == at.step) begin(jobs);
+      for (int step : before_[static_cast<std::size_t>(at.step)]) open.push_back({step, std::min(jobs, 3)});
     };
     leave(from);
     while (!open.empty()) {
@@ -128,14 +128,14 @@ class Ageing {
           read,
           [&](Place at) {
             if (!sets(at.step)) return oldest.bounded();
-            // A set before itself, in a loop elsewhere than at home: nobody knows how long that takes.
-            const bool elsewhere = at.step == statement && at.rounds == 0;
+            // A set before itself, in a loop away from the idle wait: its time is unbounded.
+            const bool elsewhere = at.step == statement && at.jobs == 0;
             oldest = greater(oldest, elsewhere ? Sum::unbounded() : distance(at, statement));
             return false;
           },
-          [&](int rounds) {
+          [&](int jobs) {
             const bool block = problem_.threads[static_cast<std::size_t>(thread)].parent >= 0;
-            oldest = greater(oldest, block ? Sum::unbounded() : from_start(statement, rounds));
+            oldest = greater(oldest, block ? Sum::unbounded() : from_start(statement, jobs));
           });
       return oldest;
     }
@@ -144,25 +144,27 @@ class Ageing {
     return age.sum + distance(read, statement);
   }
 
-  /// A thread in trouble may be anywhere in what it began before, also after it has come home.
-  bool troubled(int thread) const { return !view_.times.trouble[static_cast<std::size_t>(thread)].empty(); }
-
-  /// Whether the next round of a thread is that of the next occurrence of their source.
-  bool in_turn(int thread) const {
-    return source_of_rounds(view_, thread) >= 0 && regular(view_, thread) && in_order(view_, thread);
+  /// An unbounded thread may still be in what it began before its idle wait.
+  bool unbounded(int thread) const {
+    return !view_.times.unbounded_reason[static_cast<std::size_t>(thread)].empty();
   }
 
-  Sum from_start(int statement, int rounds) {
-    if (rounds > 0 && troubled(owner(statement))) return Sum::unbounded();
+  /// Whether the next job of a thread is that of the next occurrence of their source.
+  bool in_turn(int thread) const {
+    return source_of_jobs(view_, thread) >= 0 && regular(view_, thread) && in_order(view_, thread);
+  }
+
+  Sum from_start(int statement, int jobs) {
+    if (jobs > 0 && unbounded(owner(statement))) return Sum::unbounded();
     Sum longest;
-    const int source = source_of_rounds(view_, owner(statement));
+    const int source = source_of_jobs(view_, owner(statement));
     for (int n : nodes_with(view_, statement)) {
       const Sum effect = latest(view_, n, statement);
       const bool anew =
           view_.forest.sources[static_cast<std::size_t>(node(n).source)].kind == Source::Kind::joined;
-      if (!in_round(view_, n)) {
-        longest = greater(longest, rounds > 0 ? Sum() : anew ? Sum::unbounded() : effect);
-      } else if (rounds <= 1 && in_turn(owner(statement))) {
+      if (!in_job(view_, n)) {
+        longest = greater(longest, jobs > 0 ? Sum() : anew ? Sum::unbounded() : effect);
+      } else if (jobs <= 1 && in_turn(owner(statement))) {
         longest = greater(longest, first(view_, source) + effect);
       } else {
         longest = Sum::unbounded();
@@ -174,37 +176,38 @@ class Ageing {
   /// From the effect of a step to that of the statement, in one thread.
   Sum distance(Place from, int statement) {
     const int thread = owner(statement);
-    if (from.step == statement && from.rounds == 0) return {};
-    if (from.rounds > 0 && troubled(thread)) return Sum::unbounded();
-    const int source = source_of_rounds(view_, thread);
+    if (from.step == statement && from.jobs == 0) return {};
+    if (from.jobs > 0 && unbounded(thread)) return Sum::unbounded();
+    const int source = source_of_jobs(view_, thread);
     Sum longest;
     for (int a : nodes_with(view_, from.step)) {
       for (int b : nodes_with(view_, statement)) {
         const Sum sooner = earliest(view_, a, from.step);
         const Sum later = latest(view_, b, statement);
         if (!later.bounded()) return later;
-        const bool same = view_.conduct.round[static_cast<std::size_t>(a)] ==
-                          view_.conduct.round[static_cast<std::size_t>(b)];
+        const bool same = view_.behaviours.job_start[static_cast<std::size_t>(a)] ==
+                          view_.behaviours.job_start[static_cast<std::size_t>(b)];
         // Nobody knows how long the blocks of a CONCURRENT between the two went on.
         const auto anew = [this](int n) {
           return view_.forest.sources[static_cast<std::size_t>(node(n).source)].kind == Source::Kind::joined;
         };
-        if (from.rounds == 0 && node(a).source != node(b).source && (anew(a) || anew(b)))
+        if (from.jobs == 0 && node(a).source != node(b).source && (anew(a) || anew(b)))
           return Sum::unbounded();
-        if (from.rounds == 0) {
+        if (from.jobs == 0) {
           if (a == b) {
-            const Sum apart = later - sooner;
+            const Sum distance = later - sooner;
             const bool held = may_be_held(b, statement);
-            longest = greater(longest, held ? apart : less(apart, without_pause(a, from.step, statement)));
+            longest =
+                greater(longest, held ? distance : less(distance, without_pause(a, from.step, statement)));
           } else if (same) {
             longest = greater(longest, later - sooner);
           }
           continue;
         }
-        if (!in_round(view_, b)) continue;
-        if (from.rounds > 1 || !in_turn(thread)) return Sum::unbounded();
-        const Sum apart = in_round(view_, a) ? gap(view_, source) : first(view_, source);
-        longest = greater(longest, apart + later - sooner);
+        if (!in_job(view_, b)) continue;
+        if (from.jobs > 1 || !in_turn(thread)) return Sum::unbounded();
+        const Sum distance = in_job(view_, a) ? gap(view_, source) : first(view_, source);
+        longest = greater(longest, distance + later - sooner);
       }
     }
     return longest;
@@ -212,8 +215,8 @@ class Ageing {
 
   /// Whether a statement is a send that may have to wait for its slot.
   bool may_be_held(int n, int statement) const {
-    const Ground ground{problem_, view_.forest, view_.conduct};
-    return held_until(ground, view_.times.nodes, n, statement) >
+    const AnalysisContext context{problem_, view_.forest, view_.behaviours};
+    return held_until(context, view_.times.nodes, n, statement) >
            earliest_effect(view_.forest, view_.times, n, statement);
   }
 

@@ -1,12 +1,12 @@
 // How long a skill runs.
 #include <algorithm>
 
-#include "analyzer/compositional/measures/round_view.hpp"
+#include "analyzer/compositional/measures/job_view.hpp"
 
 namespace pal::analyzer::compositional {
 
 /// A completion that a module comes to from the start, or with the first occurrence of something that comes
-/// at a known pace.
+/// at bounded inter-arrival times.
 Bound duration_bound(const View& view, const Requirement& requirement) {
   Sum longest;
   bool any = false;
@@ -25,7 +25,7 @@ Bound duration_bound(const View& view, const Requirement& requirement) {
     }
   }
   if (!any) return {Sum::unbounded(), "nothing completes the skill with this code"};
-  return {longest, "nothing bounds in which round the skill is completed"};
+  return {longest, "nothing bounds in which job the skill is completed"};
 }
 
 }  // namespace pal::analyzer::compositional

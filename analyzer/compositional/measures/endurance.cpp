@@ -1,7 +1,7 @@
-// How long threads go on, and how long after the first that leaves its rounds.
+// How long threads go on, and how long after the first that leaves its loop.
 #include <algorithm>
 
-#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
 #include "analyzer/compositional/measures/reliable.hpp"
 
 namespace pal::analyzer::compositional {
@@ -9,12 +9,12 @@ namespace {
 
 using Kind = Step::Kind;
 
-/// From the end of a block's rounds to the end of the skill.
+/// From the end of a block's jobs to the end of the skill.
 class Ending {
  public:
-  Ending(const Problem& problem, const Forest& forest, const Conduct& conduct, const Times& times,
+  Ending(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours, const Times& times,
          const std::vector<bool>& lively)
-      : problem_(problem), forest_(forest), conduct_(conduct), times_(times), lively_(lively) {}
+      : problem_(problem), forest_(forest), behaviours_(behaviours), times_(times), lively_(lively) {}
 
   Sum after(int fork, int leaver) const {
     Sum others;    // latest end of the other blocks, from time 0
@@ -23,15 +23,15 @@ class Ending {
       const auto b = static_cast<std::size_t>(block);
       if (block == leaver) continue;
       if (!problem_.threads[b].can_end) {
-        const Nanoseconds within = stops_within(problem_, times_.demand->windows(), block);
+        const Nanoseconds within = stops_within(problem_, times_.interference->windows(), block);
         stopping =
             greater(stopping,
                     {within, {Term::Kind::said, -1, -1, -1, "cancelled blocks finish what they have begun"}});
         continue;
       }
-      if (conduct_.threads[b].home >= 0 || !lively_[b] || !ends_straight(problem_, block))
+      if (behaviours_.threads[b].idle_wait >= 0 || !lively_[b] || !ends_straight(problem_, block))
         return Sum::unbounded();
-      for (int n : conduct_.threads[b].nodes) {
+      for (int n : behaviours_.threads[b].nodes) {
         const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
         const bool at_start =
             forest_.sources[static_cast<std::size_t>(node.source)].kind == Source::Kind::start;
@@ -67,22 +67,22 @@ class Ending {
 
   const Problem& problem_;
   const Forest& forest_;
-  const Conduct& conduct_;
+  const ThreadBehaviours& behaviours_;
   const Times& times_;
   const std::vector<bool>& lively_;
 };
 
 }  // namespace
 
-Endurance endurance_of(const Problem& problem, const Forest& forest, const Conduct& conduct,
+Endurance endurance_of(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
                        const Times& times) {
   Endurance made;
-  made.always = threads_that_endure(problem, forest, conduct, times, false);
-  made.steady = threads_that_endure(problem, forest, conduct, times, true);
-  const Ending ending(problem, forest, conduct, times, made.always.lively);
+  made.always = threads_that_endure(problem, forest, behaviours, times, false);
+  made.steady = threads_that_endure(problem, forest, behaviours, times, true);
+  const Ending ending(problem, forest, behaviours, times, made.always.lively);
   for (std::size_t t = 0; t < problem.threads.size(); ++t) {
     const int thread = static_cast<int>(t);
-    if (!conduct.threads[t].leaves) continue;
+    if (!behaviours.threads[t].leaves) continue;
     made.leavers.push_back(thread);
     const bool known = may_leave(problem, thread) && made.steady.reliable[t];
     made.over = greater(made.over, known ? ending.after(fork_of(problem, thread), thread) : Sum::unbounded());

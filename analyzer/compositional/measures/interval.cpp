@@ -1,7 +1,7 @@
-// How far apart effects of statements can be, and how near.
+// Greatest and least interval between effects of statements.
 #include <algorithm>
 
-#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
 #include "analyzer/compositional/measures/reasons.hpp"
 
 namespace pal::analyzer::compositional {
@@ -16,37 +16,37 @@ struct Besides {
 /// From an effect in one thread to the next.
 Bound greatest_in(const View& view, const std::vector<bool>& at, int thread, Besides besides) {
   const auto t = static_cast<std::size_t>(thread);
-  Passes passes(view, thread, at);
-  const ThreadConduct& of = view.conduct.threads[t];
-  const bool rounds = of.home >= 0 || starts_in_rounds(view, thread);
-  const bool stops = rounds && !view.reliable[t] && !goes_on(view, thread);
-  const Bound none{Sum::unbounded(), why_not_again(view, thread, passes, !stops)};
+  StatementOccurrences occurrences(view, thread, at);
+  const ThreadBehaviour& of = view.behaviours.threads[t];
+  const bool has_jobs = of.idle_wait >= 0 || starts_in_jobs(view, thread);
+  const bool stops = has_jobs && !view.reliable[t] && !goes_on(view, thread);
+  const Bound none{Sum::unbounded(), why_not_again(view, thread, occurrences, !stops)};
   // What has had an effect has begun.
-  if (rounds ? stops : !view.lively[t]) return none;
-  Sum longest = besides.from_start ? passes.first_or_end(passes.latest()) : Sum();
+  if (has_jobs ? stops : !view.lively[t]) return none;
+  Sum longest = besides.from_start ? occurrences.first_or_end(occurrences.latest()) : Sum();
   // Others may come to it when this thread does not any more.
-  const bool always = passes.every_round() && !passes.in_rounds().empty() && goes_on(view, thread);
+  const bool always = occurrences.in_every_job() && !occurrences.in_jobs().empty() && goes_on(view, thread);
   if ((besides.from_start || besides.to_end) && !always) return none;
   Sum end;
   for (int n : of.nodes) {
-    if (in_paced_round(view, n)) end = greater(end, finish(view, n));
+    if (in_recurring_job(view, n)) end = greater(end, finish(view, n));
   }
-  const auto follow = [&](Pass pass, const Sum& apart, const Sum& over) {
-    const Way way = passes.after(pass);
-    if (way.lost || (way.home && !passes.every_round())) return Sum::unbounded();
+  const auto follow = [&](StepEffect effect, const Sum& distance, const Sum& over) {
+    const Way way = occurrences.after(effect);
+    if (way.lost || (way.ends_job && !occurrences.in_every_job())) return Sum::unbounded();
     Sum next = way.latest;
-    if (way.home) next = greater(next, apart + passes.latest());
+    if (way.ends_job) next = greater(next, distance + occurrences.latest());
     if (besides.to_end) next = greater(next, over);
     // What a cancelled block has begun it finishes.
     if (of.may_be_cancelled) next = greater(next, end);
-    return next - earliest(view, pass.node, pass.step);
+    return next - earliest(view, effect.node, effect.step);
   };
-  const Sum next_or_end = passes.next_or_end(passes.latest());
-  const Sum first_or_end = passes.first_or_end(passes.latest());
-  for (const Pass& pass : passes.in_rounds())
-    longest = greater(longest, follow(pass, passes.gap(), next_or_end));
-  for (const Pass& pass : passes.before_rounds())
-    longest = greater(longest, follow(pass, passes.first(), first_or_end));
+  const Sum next_or_end = occurrences.next_or_end(occurrences.latest());
+  const Sum first_or_end = occurrences.first_or_end(occurrences.latest());
+  for (const StepEffect& effect : occurrences.in_jobs())
+    longest = greater(longest, follow(effect, occurrences.gap(), next_or_end));
+  for (const StepEffect& effect : occurrences.before_jobs())
+    longest = greater(longest, follow(effect, occurrences.first(), first_or_end));
   return {longest, none.why};
 }
 
@@ -55,7 +55,7 @@ Bound greatest_interval(const View& view, const std::vector<bool>& at, bool to_e
   Bound least{Sum::unbounded(), threads.empty() ? "no thread comes to it"
                                                 : "none of the threads that come to it surely goes on"};
   for (int thread : threads) {
-    const ThreadConduct& of = view.conduct.threads[static_cast<std::size_t>(thread)];
+    const ThreadBehaviour& of = view.behaviours.threads[static_cast<std::size_t>(thread)];
     // One of several must go on for as long as any of them.
     if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || !goes_on(view, thread))) continue;
     // The others may come to it until the skill has ended.
@@ -66,19 +66,19 @@ Bound greatest_interval(const View& view, const std::vector<bool>& at, bool to_e
   return least;
 }
 
-/// If each occurrence of one source brings one effect at most: from the latest in one round to the earliest
+/// If each occurrence of one source brings one effect at most: from the latest in one job to the earliest
 /// in the next.
-Sum least_by_source(const View& view, const std::vector<Pass>& all) {
+Sum least_by_source(const View& view, const std::vector<StepEffect>& all) {
   if (all.empty()) return {};
   const int source = view.forest.nodes[static_cast<std::size_t>(all.front().node)].source;
   const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
   if (of.period >= never) return {};
   Sum sooner = Sum::unbounded();
   Sum later;
-  if (!are_exclusive({view.problem, view.forest, view.conduct}, all)) return {};
-  for (const Pass& pass : all) {
-    sooner = less(sooner, earliest(view, pass.node, pass.step));
-    later = greater(later, latest(view, pass.node, pass.step));
+  if (!are_exclusive({view.problem, view.forest, view.behaviours}, all)) return {};
+  for (const StepEffect& effect : all) {
+    sooner = less(sooner, earliest(view, effect.node, effect.step));
+    later = greater(later, latest(view, effect.node, effect.step));
   }
   if (!later.bounded()) return {};
   return greater(
@@ -87,14 +87,14 @@ Sum least_by_source(const View& view, const std::vector<Pass>& all) {
 
 /// What the shortest way through the program takes.
 Sum by_the_way(const View& view, const std::vector<bool>& at, int thread) {
-  return {least_way(view.problem, thread, at),
+  return {least_effect_distance(view.problem, thread, at),
           {Term::Kind::said, -1, -1, -1, "what lies on the shortest way from one to the next"}};
 }
 
 Bound least_interval(const View& view, const Requirement& requirement) {
   const Sum least = least_distance(view, requirement.at);
   if (!least.bounded()) return {Sum::unbounded(), "it comes once at most"};
-  if (least.value() == 0) return {Sum::unbounded(), "nothing keeps two passes apart"};
+  if (least.value() == 0) return {Sum::unbounded(), "nothing separates two occurrences"};
   return {least, ""};
 }
 
@@ -103,7 +103,7 @@ Bound least_interval(const View& view, const Requirement& requirement) {
 Sum least_distance(const View& view, const std::vector<bool>& at) {
   const std::set<int> threads = owners(view, at);
   if (threads.size() != 1) return {};
-  std::vector<Pass> all;
+  std::vector<StepEffect> all;
   for (std::size_t s = 0; s < at.size(); ++s) {
     if (!at[s] || view.forest.segments.owner(static_cast<int>(s)) < 0) continue;
     for (int n : nodes_with(view, static_cast<int>(s))) all.push_back({n, static_cast<int>(s)});

@@ -1,14 +1,14 @@
-// Skills that end when a block leaves its rounds.
+// Skills that end when a block leaves its loop.
 #include <algorithm>
 
-#include "analyzer/compositional/measures/round_view.hpp"
+#include "analyzer/compositional/measures/job_view.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
 
 using Measure = Requirement::Measure;
 
-/// The next event but one must not come while the skill is ending: the first may find nobody at home. Whoever
+/// The next event but one must not come while the skill is ending: the first may find no idle thread. Whoever
 /// was to take that is still at work with the one before until it would have taken it.
 bool over_before_next(const View& view, int device, const Sum& over) {
   const auto in_time = [&](const Source& source, int root) {
@@ -22,7 +22,7 @@ bool over_before_next(const View& view, int device, const Sum& over) {
   });
 }
 
-/// Whether the statements are in one thread, and that is the only one to leave its rounds.
+/// Whether the statements are in one thread, and that is the only one to leave its loop.
 bool only_in_leaver(const View& view, const Endurance& endurance, const Requirement& requirement) {
   const std::set<int> threads = owners(view, requirement.at);
   return endurance.leavers.size() == 1 && threads.size() == 1 && threads.contains(endurance.leavers.front());
@@ -34,7 +34,7 @@ Bound until_left(const View& always, const Endurance& endurance, const Requireme
                  const std::function<Bound(const View&, const Requirement&)>& bound_of) {
   const View steady{always.problem,
                     always.forest,
-                    always.conduct,
+                    always.behaviours,
                     always.times,
                     endurance.steady.reliable,
                     endurance.steady.lively,
@@ -44,7 +44,7 @@ Bound until_left(const View& always, const Endurance& endurance, const Requireme
   if (endurance.leavers.empty()) return strict;
   switch (requirement.measure) {
     case Measure::age:
-      // Once its thread has left its rounds a statement has no effect any more.
+      // Once its thread has left its loop a statement has no effect any more.
       return only_in_leaver(always, endurance, requirement) ? bound_of(steady, requirement) : strict;
     case Measure::reaction:
     case Measure::interval: {

@@ -15,7 +15,7 @@ std::vector<bool> replaced_by_longer(const View& view) {
     return view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(n)]).worst;
   };
   std::vector<bool> replaced(view.forest.nodes.size());
-  for (const std::vector<int>& alternatives : view.conduct.alternatives) {
+  for (const std::vector<int>& alternatives : view.behaviours.alternatives) {
     const int longest = *std::max_element(alternatives.begin(), alternatives.end(),
                                           [&](int one, int other) { return worst(one) < worst(other); });
     for (int n : alternatives) replaced[static_cast<std::size_t>(n)] = n != longest;
@@ -59,7 +59,7 @@ Sum busy_without_pause(const View& view, int processor) {
   if (busy >= never) return Sum::unbounded();
   Sum all;
   for (const Share& share : view.windows().work(processor, busy)) {
-    const int node = view.times.demand->node_of(share.transaction, share.task);
+    const int node = view.times.interference->node_of(share.transaction, share.task);
     const std::string what = share.jobs == 1 ? "runs" : "runs " + std::to_string(share.jobs) + " times";
     all = all + Sum(share.work, {Term::Kind::said, node, -1, -1, what});
   }

@@ -1,7 +1,7 @@
 // How much of what devices send nobody takes.
 #include <algorithm>
 
-#include "analyzer/compositional/causes/ground.hpp"
+#include "analyzer/compositional/causes/analysis_context.hpp"
 #include "analyzer/compositional/measures/reasons.hpp"
 
 namespace pal::analyzer::compositional {
@@ -15,7 +15,7 @@ std::string answers_lost(const View& view, int request, std::vector<bool>& sends
     const Step& step = problem.steps[s];
     const int owner = view.forest.segments.owner(static_cast<int>(s));
     if (owner < 0 || step.kind != Step::Kind::send || step.channels.front() != request) continue;
-    if (view.conduct.threads[static_cast<std::size_t>(owner)].may_be_cancelled)
+    if (view.behaviours.threads[static_cast<std::size_t>(owner)].may_be_cancelled)
       return "a block that waits for an answer may be cancelled";
     sends[s] = true;
   }
@@ -29,17 +29,17 @@ Bound frames_lost(const View& view, const Requirement& requirement, const pan::F
   const std::set<int> threads = owners(view, sends);
   std::string why = "nobody asks for frames for ever";
   const bool endless = std::any_of(threads.begin(), threads.end(), [&](int thread) {
-    if (view.conduct.threads[static_cast<std::size_t>(thread)].leaves) return false;
-    const Passes asks(view, thread, sends);
+    if (view.behaviours.threads[static_cast<std::size_t>(thread)].leaves) return false;
+    const StatementOccurrences asks(view, thread, sends);
     const bool on = view.lasts(thread) && goes_on(view, thread);
-    const bool asks_on = on && asks.every_round() && !asks.in_rounds().empty();
+    const bool asks_on = on && asks.in_every_job() && !asks.in_jobs().empty();
     if (!asks_on) why = why_not_again(view, thread, asks, on, "its request for a frame");
     return asks_on;
   });
   if (!endless || view.steady) return {Sum::unbounded(), why};
-  const Bound apart = pause_bound(view, sends);
-  if (!apart.known()) return apart;
-  const Nanoseconds lost = apart.sum.value() / frames.period.count();
+  const Bound distance = pause_bound(view, sends);
+  if (!distance.known()) return distance;
+  const Nanoseconds lost = distance.sum.value() / frames.period.count();
   return {Sum::number(requirement.in - requirement.in / (lost + 1)), ""};
 }
 

@@ -5,11 +5,11 @@
 #include <string>
 
 #include "analyzer/compositional/measures/sum.hpp"
-#include "analyzer/compositional/times/demand.hpp"
+#include "analyzer/compositional/times/interference.hpp"
 
 namespace pal::analyzer::compositional {
 
-/// No run exceeds it; if it is not bounded, nothing is known, for the reason that `why` gives.
+/// No run exceeds it. If it is unbounded, `why` gives the reason.
 struct Bound {
   Sum sum = Sum::unbounded();
   std::string why;
@@ -20,22 +20,22 @@ struct Bound {
 struct View {
   const Problem& problem;
   const Forest& forest;
-  const Conduct& conduct;
+  const ThreadBehaviours& behaviours;
   const Times& times;
-  /// By thread: it comes home from every round, whatever the run, as long as the skill lasts and it is not
-  /// cancelled.
+  /// By thread: it returns to its idle wait after every job, in every run, as long as the skill lasts and it
+  /// is not cancelled.
   const std::vector<bool>& reliable;
-  /// By thread: what it waits for outside of its home comes.
+  /// By thread: whatever it waits for within a job arrives.
   const std::vector<bool>& lively;
-  /// By thread: it begins, whatever the run.
+  /// By thread: it begins in every run.
   const std::vector<bool>& begun;
-  /// Only what is so before the first block leaves its rounds; nobody is cancelled till then.
+  /// Covers only the time before the first block leaves its loop. Nobody is cancelled until then.
   bool steady = false;
 
-  const BusyWindows& windows() const { return times.demand->windows(); }
+  const BusyWindows& windows() const { return times.interference->windows(); }
   bool lasts(int thread) const {
     const auto t = static_cast<std::size_t>(thread);
-    return (steady || !conduct.threads[t].may_be_cancelled) && reliable[t];
+    return (steady || !behaviours.threads[t].may_be_cancelled) && reliable[t];
   }
 };
 
@@ -61,7 +61,7 @@ bool always_comes(const View& view, int source, const std::vector<bool>& at);
 Bound loss_bound(const View& view, const Requirement& requirement);
 Bound event_loss_bound(const View& view, const Requirement& requirement);
 Bound age_bound(const View& view, const Requirement& requirement);
-/// By what the threads surely know; of a condition age_bound may know a nearer one.
+/// Derived from the freshness of data; for a condition age_bound may be tighter.
 Bound known_age_bound(const View& view, const Requirement& requirement);
 Bound reaction_bound(const View& view, const Requirement& requirement);
 /// Between two effects of statements, at the least: 0 if nothing keeps them apart, unbounded if there is one
@@ -84,17 +84,17 @@ struct Endurance {
     std::vector<bool> begun;     // View::begun
   };
   Threads always;
-  Threads steady;            // until the first block leaves its rounds
+  Threads steady;            // until the first block leaves its loop
   std::vector<int> leavers;  // the blocks that do
   Sum over;                  // from then until the skill has ended; unbounded: it may go on
 };
 
-/// A bound for skills that end when a block leaves its rounds: what `bound_of` says of the time before, and
-/// what may be added till the skill has ended.
+/// A bound for skills that end when a block leaves its loop: `bound_of` for the time before, plus what the
+/// time until the end of the skill may add.
 Bound until_left(const View& always, const Endurance& endurance, const Requirement& requirement,
                  const std::function<Bound(const View&, const Requirement&)>& bound_of);
 
-Endurance endurance_of(const Problem& problem, const Forest& forest, const Conduct& conduct,
+Endurance endurance_of(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
                        const Times& times);
 
 }  // namespace pal::analyzer::compositional

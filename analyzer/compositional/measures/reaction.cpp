@@ -1,14 +1,14 @@
 // Samples and reactions: how old what a thread knows can be where it is used, and until something newer is.
 #include <algorithm>
 
-#include "analyzer/compositional/measures/knowledge.hpp"
+#include "analyzer/compositional/measures/data_freshness.hpp"
 #include "analyzer/compositional/measures/reasons.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
 
-Sum since_known(const Knowledge& knowledge, Pass pass, const Sum& until) {
-  const std::optional<Sum> known = knowledge.at(pass);
+Sum since_known(const DataFreshness& freshness, StepEffect effect, const Sum& until) {
+  const std::optional<Sum> known = freshness.at(effect);
   return known ? until - *known : Sum::unbounded();
 }
 
@@ -19,51 +19,54 @@ bool of_start(const View& view, int node) {
 
 /// From what one effect reflects to the next effect of the same thread.
 /// `alone`: no other thread comes to it, so that nothing goes on once this one does not any more.
-Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement& requirement, int thread,
+Bound in_thread(const View& view, const DataFreshness& freshness, const Requirement& requirement, int thread,
                 bool alone) {
   const auto t = static_cast<std::size_t>(thread);
   const std::string& name = view.problem.threads[t].name;
-  Passes passes(view, thread, requirement.at);
-  if (passes.in_rounds().empty()) {
+  StatementOccurrences occurrences(view, thread, requirement.at);
+  if (occurrences.in_jobs().empty()) {
     // Once each, at the start.
     const Bound none{Sum::unbounded(), "nothing bounds when " + name + " comes to it"};
-    const Way way = passes.from_entry();
-    if (!alone || !view.lively[t] || !view.begun[t] || way.home || way.lost) return none;
+    const Way way = occurrences.from_entry();
+    if (!alone || !view.lively[t] || !view.begun[t] || way.ends_job || way.lost) return none;
     Sum longest = way.latest;
-    for (const Pass& pass : passes.before_rounds()) {
-      const Way next = passes.after(pass);
-      if (!of_start(view, pass.node) || next.home || next.lost) return none;
-      longest = greater(longest, since_known(knowledge, pass, next.latest));
+    for (const StepEffect& effect : occurrences.before_jobs()) {
+      const Way next = occurrences.after(effect);
+      if (!of_start(view, effect.node) || next.ends_job || next.lost) return none;
+      longest = greater(longest, since_known(freshness, effect, next.latest));
     }
     return {longest, none.why};
   }
-  if (!goes_on(view, thread) || !passes.every_round()) {
-    return {Sum::unbounded(), why_not_again(view, thread, passes, goes_on(view, thread))};
+  if (!goes_on(view, thread) || !occurrences.in_every_job()) {
+    return {Sum::unbounded(), why_not_again(view, thread, occurrences, goes_on(view, thread))};
   }
-  // The first of all may come in a way that never comes home, and so may the next after any.
-  const Bound none{Sum::unbounded(),
-                   since_trouble("nothing bounds how old what " + name + " knows can be", view, thread)};
-  const auto before = [&](const Way& way, const Sum& round) {
-    return way.lost ? Sum::unbounded() : greater(way.latest, round);
+  // The first may come on a path that never returns to the idle wait, and so may the next after any.
+  const Bound none{
+      Sum::unbounded(),
+      with_unbounded_reason("nothing bounds how old what " + name + " knows can be", view, thread)};
+  const auto before = [&](const Way& way, const Sum& job) {
+    return way.lost ? Sum::unbounded() : greater(way.latest, job);
   };
   // Others may come to it until the skill has ended.
-  const Sum first = alone ? passes.first() + passes.latest() : passes.first_or_end(passes.latest());
-  const Sum next = alone ? passes.gap() + passes.latest() : passes.next_or_end(passes.latest());
-  // What is known before the rounds is no older than the skill.
-  Sum longest = before(passes.from_entry(), first);
-  for (const Pass& pass : passes.before_rounds()) {
-    const Sum until = before(passes.after(pass), Sum());
-    longest = greater(longest, of_start(view, pass.node) ? until : since_known(knowledge, pass, until));
+  const Sum first =
+      alone ? occurrences.first() + occurrences.latest() : occurrences.first_or_end(occurrences.latest());
+  const Sum next =
+      alone ? occurrences.gap() + occurrences.latest() : occurrences.next_or_end(occurrences.latest());
+  // What is known before the jobs is no older than the skill.
+  Sum longest = before(occurrences.from_entry(), first);
+  for (const StepEffect& effect : occurrences.before_jobs()) {
+    const Sum until = before(occurrences.after(effect), Sum());
+    longest = greater(longest, of_start(view, effect.node) ? until : since_known(freshness, effect, until));
   }
   Sum end;
-  for (int n : view.conduct.threads[t].nodes) {
-    if (in_paced_round(view, n)) end = greater(end, finish(view, n));
+  for (int n : view.behaviours.threads[t].nodes) {
+    if (in_recurring_job(view, n)) end = greater(end, finish(view, n));
   }
-  for (const Pass& pass : passes.in_rounds()) {
-    longest = greater(longest, since_known(knowledge, pass, before(passes.after(pass), next)));
+  for (const StepEffect& effect : occurrences.in_jobs()) {
+    longest = greater(longest, since_known(freshness, effect, before(occurrences.after(effect), next)));
     // A statement that a cancelled block finishes.
-    if (view.conduct.threads[t].may_be_cancelled)
-      longest = greater(longest, since_known(knowledge, pass, end));
+    if (view.behaviours.threads[t].may_be_cancelled)
+      longest = greater(longest, since_known(freshness, effect, end));
   }
   return {longest, none.why};
 }
@@ -71,17 +74,17 @@ Bound in_thread(const View& view, const Knowledge& knowledge, const Requirement&
 }  // namespace
 
 Bound known_age_bound(const View& view, const Requirement& requirement) {
-  const Knowledge knowledge(view, requirement);
+  const DataFreshness freshness(view, requirement);
   Sum oldest;
   std::string why;
   for (std::size_t s = 0; s < view.problem.steps.size(); ++s) {
     if (!requirement.at[s] || view.forest.segments.owner(static_cast<int>(s)) < 0) continue;
     for (int n : nodes_with(view, static_cast<int>(s))) {
-      const Pass pass{n, static_cast<int>(s)};
-      oldest = greater(oldest, since_known(knowledge, pass, latest(view, n, pass.step)));
+      const StepEffect effect{n, static_cast<int>(s)};
+      oldest = greater(oldest, since_known(freshness, effect, latest(view, n, effect.step)));
       if (!oldest.bounded() && why.empty())
-        why = since_trouble("nothing bounds how old the sample is that is known there", view,
-                            view.forest.thread_of(n));
+        why = with_unbounded_reason("nothing bounds how old the sample is that is known there", view,
+                                    view.forest.thread_of(n));
     }
   }
   return {oldest, why};
@@ -89,15 +92,15 @@ Bound known_age_bound(const View& view, const Requirement& requirement) {
 
 Bound reaction_bound(const View& view, const Requirement& requirement) {
   const std::set<int> threads = owners(view, requirement.at);
-  const Knowledge knowledge(view, requirement);
+  const DataFreshness freshness(view, requirement);
   Bound least{Sum::unbounded(), threads.empty() ? "no thread comes to it"
                                                 : "none of the threads that come to it surely goes on"};
   for (int thread : threads) {
     // One of several must go on for as long as any of them.
     const auto t = static_cast<std::size_t>(thread);
-    const ThreadConduct& of = view.conduct.threads[t];
+    const ThreadBehaviour& of = view.behaviours.threads[t];
     if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || !goes_on(view, thread))) continue;
-    const Bound bound = in_thread(view, knowledge, requirement, thread, threads.size() == 1);
+    const Bound bound = in_thread(view, freshness, requirement, thread, threads.size() == 1);
     if (bound.sum.value() < least.sum.value() || !least.known()) least = bound;
   }
   return least;

@@ -2,18 +2,18 @@
 
 namespace pal::analyzer::compositional {
 
-std::string trouble_behind(const View& view, int thread) {
-  std::vector<int> open = view.conduct.threads[static_cast<std::size_t>(thread)].nodes;
+std::string unbounded_reason_behind(const View& view, int thread) {
+  std::vector<int> open = view.behaviours.threads[static_cast<std::size_t>(thread)].nodes;
   std::vector<bool> seen(view.forest.nodes.size());
-  if (!view.times.trouble[static_cast<std::size_t>(thread)].empty())
-    return view.times.trouble[static_cast<std::size_t>(thread)];
+  if (!view.times.unbounded_reason[static_cast<std::size_t>(thread)].empty())
+    return view.times.unbounded_reason[static_cast<std::size_t>(thread)];
   for (std::size_t next = 0; next < open.size(); ++next) {
     const auto n = static_cast<std::size_t>(open[next]);
     if (seen[n]) continue;
     seen[n] = true;
-    const std::string& trouble =
-        view.times.trouble[static_cast<std::size_t>(view.forest.thread_of(open[next]))];
-    if (!trouble.empty()) return trouble;
+    const std::string& unbounded_reason =
+        view.times.unbounded_reason[static_cast<std::size_t>(view.forest.thread_of(open[next]))];
+    if (!unbounded_reason.empty()) return unbounded_reason;
     const Node& node = view.forest.nodes[n];
     if (node.cause >= 0) {
       open.push_back(node.cause);
@@ -26,22 +26,23 @@ std::string trouble_behind(const View& view, int thread) {
   return "";
 }
 
-std::string since_trouble(const std::string& what, const View& view, int thread) {
-  const std::string behind = trouble_behind(view, thread);
+std::string with_unbounded_reason(const std::string& what, const View& view, int thread) {
+  const std::string behind = unbounded_reason_behind(view, thread);
   return behind.empty() ? what : what + ", since " + behind;
 }
 
-std::string why_not_again(const View& view, int thread, const Passes& passes, bool goes_on,
+std::string why_not_again(const View& view, int thread, const StatementOccurrences& occurrences, bool goes_on,
                           const std::string& statement) {
   const auto t = static_cast<std::size_t>(thread);
-  if (!view.times.trouble[t].empty()) return view.times.trouble[t];
+  if (!view.times.unbounded_reason[t].empty()) return view.times.unbounded_reason[t];
   const std::string& name = view.problem.threads[t].name;
-  if (passes.may_pass_by()) return name + " need not come to " + statement + " in every round";
-  const bool leaves = view.conduct.threads[t].leaves;
-  if (!goes_on && leaves && trouble_behind(view, thread).empty()) return name + " may leave its rounds";
-  return since_trouble(goes_on ? "nothing bounds when " + name + " comes to " + statement
-                               : "nothing shows that " + name + " goes on with its rounds",
-                       view, thread);
+  if (occurrences.may_skip()) return name + " need not come to " + statement + " in every job";
+  const bool leaves = view.behaviours.threads[t].leaves;
+  if (!goes_on && leaves && unbounded_reason_behind(view, thread).empty())
+    return name + " may leave its loop";
+  return with_unbounded_reason(goes_on ? "nothing bounds when " + name + " comes to " + statement
+                                       : "nothing shows that " + name + " continues with its jobs",
+                               view, thread);
 }
 
 }  // namespace pal::analyzer::compositional

@@ -1,20 +1,20 @@
 // What a verdict says where there is no bound.
 #pragma once
 
-#include "analyzer/compositional/measures/passes.hpp"
+#include "analyzer/compositional/measures/statement_occurrences.hpp"
 
 namespace pal::analyzer::compositional {
 
-/// The trouble of the nearest thread among those that bring about what `thread` does, itself first; empty:
-/// none of them is in trouble.
-std::string trouble_behind(const View& view, int thread);
+/// Why the nearest unbounded thread is unbounded, among `thread` itself and those that trigger it; empty:
+/// none is.
+std::string unbounded_reason_behind(const View& view, int thread);
 
-/// `what`, and what that comes from, if trouble_behind() the thread is known.
-std::string since_trouble(const std::string& what, const View& view, int thread);
+/// `what`, followed by unbounded_reason_behind() the thread, if there is one.
+std::string with_unbounded_reason(const std::string& what, const View& view, int thread);
 
-/// Why it is not known when a thread comes to the statements of `passes` again, which are called
-/// `statement`; `goes_on`: it is known to go on with its rounds.
-std::string why_not_again(const View& view, int thread, const Passes& passes, bool goes_on,
+/// Why the next occurrence of the statements of `occurrences` in a thread is unbounded. The text calls them
+/// `statement`. `goes_on`: the thread is known to continue with its jobs.
+std::string why_not_again(const View& view, int thread, const StatementOccurrences& occurrences, bool goes_on,
                           const std::string& statement = "it");
 
 }  // namespace pal::analyzer::compositional

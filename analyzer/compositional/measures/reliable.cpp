@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "analyzer/compositional/causes/rounds.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
 #include "analyzer/compositional/measures/measures.hpp"
-#include "analyzer/compositional/times/demand.hpp"
+#include "analyzer/compositional/times/interference.hpp"
 #include "analyzer/problem/flow.hpp"
 
 namespace pal::analyzer::compositional {
@@ -14,10 +14,10 @@ using Kind = Step::Kind;
 
 class Reliability {
  public:
-  /// `steady`: as long as no block has left its rounds.
-  Reliability(const Problem& problem, const Forest& forest, const Conduct& conduct, const Times& times,
-              bool steady)
-      : problem_(problem), forest_(forest), conduct_(conduct), times_(times), steady_(steady) {}
+  /// `steady`: as long as no block has left its loop.
+  Reliability(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
+              const Times& times, bool steady)
+      : problem_(problem), forest_(forest), behaviours_(behaviours), times_(times), steady_(steady) {}
 
   /// The greatest set of threads each of which relies on members alone.
   Endurance::Threads run() {
@@ -29,12 +29,12 @@ class Reliability {
     made_.begun.assign(count, true);
     for (std::size_t t = 0; t < count; ++t) {
       const int thread = static_cast<int>(t);
-      const ThreadConduct& of = conduct_.threads[t];
+      const ThreadBehaviour& of = behaviours_.threads[t];
       const bool goes_on = servers(thread, relies[t]) && joins(thread, relies[t]);
-      made_.lively[t] = times_.trouble[t].empty() && goes_on;
+      made_.lively[t] = times_.unbounded_reason[t].empty() && goes_on;
       made_.begun[t] = comes_to_begin(thread, begins_by[t]);
-      made_.reliable[t] =
-          made_.lively[t] && comes_home(thread) && (!of.leaves || (steady_ && may_leave(problem_, thread)));
+      made_.reliable[t] = made_.lively[t] && returns_to_idle_wait(thread) &&
+                          (!of.leaves || (steady_ && may_leave(problem_, thread)));
     }
     for (bool changed = true; changed;) {
       changed = false;
@@ -47,13 +47,13 @@ class Reliability {
         const int parent = problem_.threads[t].parent;
         const bool begun = made_.begun[t] && std::all_of(begins_by[t].begin(), begins_by[t].end(), serve) &&
                            (parent < 0 || made_.begun[static_cast<std::size_t>(parent)]);
-        const bool home = made_.reliable[t] && sound && (!steady_ || lasts(static_cast<int>(t)));
-        if (made_.lively[t] == (made_.lively[t] && sound) && made_.reliable[t] == home &&
+        const bool returns = made_.reliable[t] && sound && (!steady_ || lasts(static_cast<int>(t)));
+        if (made_.lively[t] == (made_.lively[t] && sound) && made_.reliable[t] == returns &&
             made_.begun[t] == begun)
           continue;
         made_.lively[t] = made_.lively[t] && sound;
         made_.begun[t] = begun;
-        made_.reliable[t] = home;
+        made_.reliable[t] = returns;
         changed = true;
       }
     }
@@ -63,9 +63,9 @@ class Reliability {
  private:
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
 
-  /// Whether the thread is not cancelled; in the steady state, before another block has left its rounds.
+  /// Whether the thread is not cancelled; in the steady state, before another block has left its loop.
   bool lasts(int thread) const {
-    if (!conduct_.threads[static_cast<std::size_t>(thread)].may_be_cancelled) return true;
+    if (!behaviours_.threads[static_cast<std::size_t>(thread)].may_be_cancelled) return true;
     if (!steady_) return false;
     for (int block = thread; problem_.threads[static_cast<std::size_t>(block)].parent >= 0;
          block = problem_.threads[static_cast<std::size_t>(block)].parent) {
@@ -74,7 +74,7 @@ class Reliability {
       bool leaving = false;
       for (int other : step_at(fork_of(problem_, block)).threads) {
         ending = ending || problem_.threads[static_cast<std::size_t>(other)].can_end;
-        leaving = leaving || (conduct_.threads[static_cast<std::size_t>(other)].leaves &&
+        leaving = leaving || (behaviours_.threads[static_cast<std::size_t>(other)].leaves &&
                               made_.reliable[static_cast<std::size_t>(other)]);
       }
       if (ending && !leaving) return false;
@@ -82,12 +82,13 @@ class Reliability {
     return true;
   }
 
-  /// Whether no way through a thread ends, or comes to blocks that never do, before it has come home.
-  bool comes_home(int thread) const {
-    const int home = conduct_.threads[static_cast<std::size_t>(thread)].home;
-    if (home < 0) return false;
+  /// Whether no way through a thread ends, or comes to blocks that never do, before it has returned to its
+  /// idle wait.
+  bool returns_to_idle_wait(int thread) const {
+    const int idle_wait = behaviours_.threads[static_cast<std::size_t>(thread)].idle_wait;
+    if (idle_wait < 0) return false;
     return !follow(problem_, {entry_of(thread)}, [&](int at) {
-      if (at == home) return Course::ends;
+      if (at == idle_wait) return Course::ends;
       return is_last(step_at(at)) ? Course::found : Course::goes_on;
     });
   }
@@ -105,21 +106,21 @@ class Reliability {
     });
   }
 
-  /// Whether a thread begins at the start of the skill, or on every way of its parent before that has rounds,
+  /// Whether a thread begins at the start of the skill, or on every path of its parent before its first job,
   /// if those that it relies on go on.
   bool comes_to_begin(int thread, std::vector<int>& relies) const {
     const int parent = problem_.threads[static_cast<std::size_t>(thread)].parent;
     if (parent < 0) return true;
     const int fork = fork_of(problem_, thread);
-    const int home = conduct_.threads[static_cast<std::size_t>(parent)].home;
+    const int idle_wait = behaviours_.threads[static_cast<std::size_t>(parent)].idle_wait;
     std::set<int> before;
     const bool passed_by = follow(problem_, {entry_of(parent)}, [&](int at) {
       if (at == fork) return Course::ends;
       before.insert(at);
-      return at == home || is_last(step_at(at)) ? Course::found : Course::goes_on;
+      return at == idle_wait || is_last(step_at(at)) ? Course::found : Course::goes_on;
     });
     if (passed_by) return false;
-    for (int n : conduct_.threads[static_cast<std::size_t>(parent)].nodes) {
+    for (int n : behaviours_.threads[static_cast<std::size_t>(parent)].nodes) {
       for (const Segment::Arrival& at :
            forest_.segment_of(forest_.nodes[static_cast<std::size_t>(n)]).forks) {
         if (before.contains(at.step) && !joins_at(at.step, relies)) return false;
@@ -136,11 +137,11 @@ class Reliability {
       const Step& send = step_at(step);
       return send.kind == Kind::send &&
              problem_.channels[static_cast<std::size_t>(send.channels.front())].receiver_device < 0 &&
-             !conduct_.never_full[static_cast<std::size_t>(send.channels.front())];
+             !behaviours_.never_full[static_cast<std::size_t>(send.channels.front())];
     };
     if (times_.blocked[static_cast<std::size_t>(thread)] && std::any_of(among.begin(), among.end(), may_wait))
       return false;
-    for (int n : conduct_.threads[static_cast<std::size_t>(thread)].nodes) {
+    for (int n : behaviours_.threads[static_cast<std::size_t>(thread)].nodes) {
       for (int effect : forest_.nodes[static_cast<std::size_t>(n)].effects) {
         const std::vector<int>& sends = forest_.nodes[static_cast<std::size_t>(effect)].sends;
         const bool waits = std::any_of(sends.begin(), sends.end(),
@@ -151,9 +152,9 @@ class Reliability {
     return true;
   }
 
-  /// Whether the blocks that a thread starts all come to their end, on the way to its home.
+  /// Whether the blocks that a thread starts all come to their end, on the way to its idle wait.
   bool joins(int thread, std::vector<int>& relies) const {
-    for (int n : conduct_.threads[static_cast<std::size_t>(thread)].nodes) {
+    for (int n : behaviours_.threads[static_cast<std::size_t>(thread)].nodes) {
       const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
       for (const Segment::Arrival& fork : forest_.segment_of(node).forks) {
         if (!joins_at(fork.step, relies)) return false;
@@ -166,9 +167,9 @@ class Reliability {
     for (int block : step_at(fork).threads) {
       const auto b = static_cast<std::size_t>(block);
       if (!problem_.threads[b].can_end) continue;
-      if (!ends_straight(problem_, block) || !times_.trouble[b].empty()) return false;
+      if (!ends_straight(problem_, block) || !times_.unbounded_reason[b].empty()) return false;
       // What comes by itself need not come.
-      if (conduct_.threads[b].home >= 0) return false;
+      if (behaviours_.threads[b].idle_wait >= 0) return false;
       if (!servers(block, relies) || !joins(block, relies)) return false;
     }
     return true;
@@ -176,7 +177,7 @@ class Reliability {
 
   /// The threads that answer what `thread` waits for; false: something that it waits for may never come.
   bool servers(int thread, std::vector<int>& relies) const {
-    const ThreadConduct& of = conduct_.threads[static_cast<std::size_t>(thread)];
+    const ThreadBehaviour& of = behaviours_.threads[static_cast<std::size_t>(thread)];
     std::set<int> waits;
     for (int n : of.nodes) {
       const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
@@ -189,12 +190,12 @@ class Reliability {
         const Node& taker = forest_.nodes[static_cast<std::size_t>(effect)];
         if (taker.release != Node::Release::message || taker.device >= 0) continue;
         const int channel = step_at(taker.sends.front()).channels.front();
-        if (conduct_.never_full[static_cast<std::size_t>(channel)]) continue;
+        if (behaviours_.never_full[static_cast<std::size_t>(channel)]) continue;
         relies.push_back(forest_.thread_of(effect));
       }
     }
     return std::all_of(waits.begin(), waits.end(), [&](int wait) {
-      return (wait == of.home && !goes_on_by_itself(of)) || comes(thread, wait, relies);
+      return (wait == of.idle_wait && !goes_on_by_itself(of)) || comes(thread, wait, relies);
     });
   }
 
@@ -210,7 +211,7 @@ class Reliability {
     if (!surely_asked(thread, wait, channel.answers, answer)) return false;
     if (channel.sender_device >= 0)
       return serves_all(problem_.devices[static_cast<std::size_t>(channel.sender_device)]);
-    if (!conduct_.never_full[static_cast<std::size_t>(answer)]) return false;
+    if (!behaviours_.never_full[static_cast<std::size_t>(answer)]) return false;
     const int server = taker_of(channel.answers);
     if (server < 0) return false;
     relies.push_back(server);
@@ -224,15 +225,15 @@ class Reliability {
     return std::holds_alternative<pan::FrameDevice>(device.behaviour);
   }
 
-  bool goes_on_by_itself(const ThreadConduct& of) const {
-    return std::any_of(of.rounds.begin(), of.rounds.end(), [&](int n) {
+  bool goes_on_by_itself(const ThreadBehaviour& of) const {
+    return std::any_of(of.job_starts.begin(), of.job_starts.end(), [&](int n) {
       const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
       return forest_.sources[static_cast<std::size_t>(node.source)].kind == Source::Kind::loop &&
              node.cause < 0;
     });
   }
 
-  /// The one thread that takes a request, at home; -1: there is none.
+  /// The only thread that receives a request, and at its idle wait; -1: there is none.
   int taker_of(int request) const {
     int server = -1;
     for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
@@ -241,7 +242,8 @@ class Reliability {
       if (std::find(step.channels.begin(), step.channels.end(), request) == step.channels.end()) continue;
       const int owner = forest_.segments.owner(static_cast<int>(s));
       if (owner < 0) continue;
-      if (server >= 0 || conduct_.threads[static_cast<std::size_t>(owner)].home != static_cast<int>(s))
+      if (server >= 0 ||
+          behaviours_.threads[static_cast<std::size_t>(owner)].idle_wait != static_cast<int>(s))
         return -1;
       server = owner;
     }
@@ -287,7 +289,7 @@ class Reliability {
 
   const Problem& problem_;
   const Forest& forest_;
-  const Conduct& conduct_;
+  const ThreadBehaviours& behaviours_;
   const Times& times_;
   bool steady_;
   Endurance::Threads made_;
@@ -300,9 +302,9 @@ bool may_leave(const Problem& problem, int thread) {
          !recurrent(problem, {Beginning::Kind::entry, thread, -1, -1});
 }
 
-Endurance::Threads threads_that_endure(const Problem& problem, const Forest& forest, const Conduct& conduct,
-                                       const Times& times, bool steady) {
-  return Reliability(problem, forest, conduct, times, steady).run();
+Endurance::Threads threads_that_endure(const Problem& problem, const Forest& forest,
+                                       const ThreadBehaviours& behaviours, const Times& times, bool steady) {
+  return Reliability(problem, forest, behaviours, times, steady).run();
 }
 
 }  // namespace pal::analyzer::compositional

@@ -1,15 +1,15 @@
-// Which threads always come home.
+// Which threads always return to their idle wait.
 #pragma once
 
 #include "analyzer/compositional/measures/measures.hpp"
 
 namespace pal::analyzer::compositional {
 
-/// What goes on, whatever the run; `steady`: as long as no block has left its rounds.
-Endurance::Threads threads_that_endure(const Problem& problem, const Forest& forest, const Conduct& conduct,
-                                       const Times& times, bool steady);
+/// The threads that make progress in every run; `steady`: as long as no block has left its loop.
+Endurance::Threads threads_that_endure(const Problem& problem, const Forest& forest,
+                                       const ThreadBehaviours& behaviours, const Times& times, bool steady);
 
-/// Whether a thread is a block, once in a skill's life, which may end in any of its rounds.
+/// Whether a thread is a block that starts once in a skill's life and may end in any of its jobs.
 bool may_leave(const Problem& problem, int thread);
 
 }  // namespace pal::analyzer::compositional

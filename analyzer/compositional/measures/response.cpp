@@ -1,9 +1,9 @@
 // How long an event, or a message, waits for its answer.
 #include <algorithm>
 
-#include "analyzer/compositional/causes/ground.hpp"
-#include "analyzer/compositional/measures/passes.hpp"
-#include "analyzer/compositional/measures/pursuit.hpp"
+#include "analyzer/compositional/causes/analysis_context.hpp"
+#include "analyzer/compositional/measures/event_propagation.hpp"
+#include "analyzer/compositional/measures/statement_occurrences.hpp"
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -22,14 +22,14 @@ int source_of(const View& view, int device) {
 }
 
 /// Whether events cannot overtake one another although several are on their way: every thread that they
-/// meet serves them alone, in one round each, and one thread answers.
+/// meet serves them alone, in one job each, and one thread answers.
 bool in_order(const View& view, const Requirement& requirement, int source) {
   std::set<int> answering;
   for (std::size_t i = 0; i < view.forest.nodes.size(); ++i) {
     if (view.forest.nodes[i].source != source) continue;
     const int n = static_cast<int>(i);
     const int thread = view.forest.thread_of(n);
-    if (view.conduct.threads[static_cast<std::size_t>(thread)].rounds.size() != 1) return false;
+    if (view.behaviours.threads[static_cast<std::size_t>(thread)].job_starts.size() != 1) return false;
     for (const Segment::Passed& passed : view.forest.segment_of(view.forest.nodes[i]).steps) {
       if (requirement.at[static_cast<std::size_t>(passed.step)]) answering.insert(thread);
     }
@@ -41,8 +41,9 @@ bool in_order(const View& view, const Requirement& requirement, int source) {
 std::string overrun(const View& view, int source) {
   const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
   for (int root : of.roots) {
-    const std::string& trouble = view.times.trouble[static_cast<std::size_t>(view.forest.thread_of(root))];
-    if (!trouble.empty()) return trouble;
+    const std::string& unbounded_reason =
+        view.times.unbounded_reason[static_cast<std::size_t>(view.forest.thread_of(root))];
+    if (!unbounded_reason.empty()) return unbounded_reason;
   }
   return "nothing shows that an event of " + view.problem.devices[static_cast<std::size_t>(of.device)].name +
          " is taken before the next one comes";
@@ -55,12 +56,12 @@ Bound to_event(const View& view, const Requirement& requirement, int source) {
                    view.problem.devices[static_cast<std::size_t>(of.device)].name);
   const int root = of.roots.front();
   if (!view.times.no_overrun[static_cast<std::size_t>(source)]) return unknown(overrun(view, source));
-  Pursuit pursuit(view, requirement.at, Pursuit::Since::event);
-  const Sum answer = pursuit.node_value(root);
+  EventPropagation propagation(view, requirement.at, EventPropagation::Since::event);
+  const Sum answer = propagation.node_value(root);
   if (!answer.bounded())
-    return unknown(pursuit.why().empty() ? "an event may stay without a response" : pursuit.why());
-  const Nanoseconds apart = of.period - of.jitter;
-  if ((answer.value() >= apart || view.steady) && !in_order(view, requirement, source))
+    return unknown(propagation.why().empty() ? "an event may stay without a response" : propagation.why());
+  const Nanoseconds distance = of.period - of.jitter;
+  if ((answer.value() >= distance || view.steady) && !in_order(view, requirement, source))
     return unknown("an event may be answered after the next one has come, by another way");
   return {greater(Sum(), answer), ""};
 }
@@ -81,11 +82,11 @@ bool answered_in_turn(const View& view, const Requirement& requirement) {
   return true;
 }
 
-/// Each message is put at some instant of a round of its sender, and answered at another that the same source
+/// Each message is put at some instant of a job of its sender, and answered at another that the same source
 /// brings about. It must be answered before the next one can be put.
 Bound to_message(const View& view, const Requirement& requirement) {
   const std::vector<bool> sends = sends_of_events(view.problem, requirement);
-  Pursuit pursuit(view, requirement.at, Pursuit::Since::nominal);
+  EventPropagation propagation(view, requirement.at, EventPropagation::Since::nominal);
   Sum longest;
   for (std::size_t s = 0; s < sends.size(); ++s) {
     if (!sends[s]) continue;
@@ -95,9 +96,10 @@ Bound to_message(const View& view, const Requirement& requirement) {
       const bool event = view.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::event;
       if (event && !view.times.no_overrun[static_cast<std::size_t>(source)])
         return unknown(overrun(view, source));
-      const Sum answered = pursuit.sent_value(n, send);
+      const Sum answered = propagation.sent_value(n, send);
       if (!answered.bounded())
-        return unknown(pursuit.why().empty() ? "a message may stay without a response" : pursuit.why());
+        return unknown(propagation.why().empty() ? "a message may stay without a response"
+                                                 : propagation.why());
       longest = greater(longest, answered - earliest(view, n, send));
     }
   }
@@ -132,10 +134,10 @@ Bound response_bound(const View& view, const Requirement& requirement) {
 }
 
 bool always_comes(const View& view, int source, const std::vector<bool>& at) {
-  Pursuit pursuit(view, at, Pursuit::Since::event);
+  EventPropagation propagation(view, at, EventPropagation::Since::event);
   const auto& roots = view.forest.sources[static_cast<std::size_t>(source)].roots;
   return std::any_of(roots.begin(), roots.end(),
-                     [&](int root) { return pursuit.node_value(root).bounded(); });
+                     [&](int root) { return propagation.node_value(root).bounded(); });
 }
 
 Bound event_loss_bound(const View& view, const Requirement& requirement) {
@@ -144,8 +146,8 @@ Bound event_loss_bound(const View& view, const Requirement& requirement) {
   const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
   if (of.roots.empty()) return unknown("nobody waits for its events");
   if (!view.times.no_overrun[static_cast<std::size_t>(source)]) return unknown(overrun(view, source));
-  Pursuit pursuit(view, requirement.at, Pursuit::Since::event);
-  return pursuit.certain(of.roots.front()) ? Bound{Sum(), ""} : unknown(pursuit.why());
+  EventPropagation propagation(view, requirement.at, EventPropagation::Since::event);
+  return propagation.certain(of.roots.front()) ? Bound{Sum(), ""} : unknown(propagation.why());
 }
 
 }  // namespace pal::analyzer::compositional

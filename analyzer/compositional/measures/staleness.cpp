@@ -29,14 +29,14 @@ class Staleness {
 
   Bound run() const {
     if (setters_.empty()) return {Sum::unbounded(), "nobody sets the condition"};
-    if (setters_.size() == 1) return sets_apart(*setters_.begin());
+    if (setters_.size() == 1) return distance_of_sets(*setters_.begin());
     return several_setters();
   }
 
  private:
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
-  const ThreadConduct& conduct(int thread) const {
-    return view_.conduct.threads[static_cast<std::size_t>(thread)];
+  const ThreadBehaviour& behaviour(int thread) const {
+    return view_.behaviours.threads[static_cast<std::size_t>(thread)];
   }
   const Segment& segment(int n) const {
     return view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(n)]);
@@ -57,38 +57,39 @@ class Staleness {
     if (block < 0 || setters_.size() != 2) return none;
     if (!setters_.contains(problem_.threads[static_cast<std::size_t>(block)].parent)) return none;
     // What the parent sets after its blocks only makes values younger, as does what it sets before.
-    return sets_apart(block);
+    return distance_of_sets(block);
   }
 
-  Bound sets_apart(int setter) const {
+  Bound distance_of_sets(int setter) const {
     const std::string& name = problem_.threads[static_cast<std::size_t>(setter)].name;
-    const Passes passes(view_, setter, at_);
+    const StatementOccurrences occurrences(view_, setter, at_);
     const bool lasts = outlasts(view_, setter, reader_);
-    if (!lasts || !passes.every_round() || passes.in_rounds().empty())
-      return {Sum::unbounded(), why_not_again(view_, setter, passes, lasts, "a set of the condition")};
+    if (!lasts || !occurrences.in_every_job() || occurrences.in_jobs().empty())
+      return {Sum::unbounded(), why_not_again(view_, setter, occurrences, lasts, "a set of the condition")};
     Sum soonest = Sum::unbounded();
-    for (const Pass& pass : passes.in_rounds())
-      soonest = less(soonest, earliest(view_, pass.node, pass.step));
-    const Sum& set_again = replaced(view_, passes, setter, reader_);
-    const Sum next = passes.next_or_end(set_again);
+    for (const StepEffect& effect : occurrences.in_jobs())
+      soonest = less(soonest, earliest(view_, effect.node, effect.step));
+    const Sum& set_again = replaced(view_, occurrences, setter, reader_);
+    const Sum next = occurrences.next_or_end(set_again);
     if (!next.bounded())
       return {Sum::unbounded(),
-              since_trouble("nothing says how long " + name + " may wait between two rounds", view_, setter)};
-    return {greater(next - soonest, until_first(setter, passes.first_or_end(set_again))),
+              with_unbounded_reason("nothing says how long " + name + " may wait between two jobs", view_,
+                                    setter)};
+    return {greater(next - soonest, until_first(setter, occurrences.first_or_end(set_again))),
             "nothing bounds when " + name + " sets first"};
   }
 
-  /// Until the first set in a round a value is as old as the skill, or as what was set before the rounds.
+  /// Until the first set in a job a value is as old as the skill, or as what was set before the jobs.
   Sum until_first(int setter, const Sum& first) const {
     const int parent = problem_.threads[static_cast<std::size_t>(setter)].parent;
     const int above = parent < 0 ? setter : parent;
     Sum soonest = Sum::unbounded();
     Sum last;
-    for (int n : conduct(above).nodes) {
+    for (int n : behaviour(above).nodes) {
       const int source = view_.forest.nodes[static_cast<std::size_t>(n)].source;
       const bool at_start =
           view_.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::start;
-      if (!at_start || in_round(view_, n)) continue;
+      if (!at_start || in_job(view_, n)) continue;
       for (const Segment::Passed& passed : segment(n).steps) {
         if (!sets(passed.step)) continue;
         const Sum effect = latest(view_, n, passed.step);
@@ -97,18 +98,19 @@ class Staleness {
         last = greater(last, effect);
       }
     }
-    if (!soonest.bounded() || !first.bounded() || !sets_before_rounds(above)) return first;
+    if (!soonest.bounded() || !first.bounded() || !sets_before_jobs(above)) return first;
     // Or the skill ends before the first of them.
-    const Ground ground{problem_, view_.forest, view_.conduct};
-    for (int n : ground.endings_before_home(above)) last = greater(last, finish(view_, n));
+    const AnalysisContext context{problem_, view_.forest, view_.behaviours};
+    for (int n : context.endings_before_idle(above)) last = greater(last, finish(view_, n));
     return greater(last, first - soonest);
   }
 
-  /// Every way from the beginning of a module to its first home or CONCURRENT sets the condition.
-  bool sets_before_rounds(int thread) const {
+  /// Every way from the beginning of a module to its first idle wait or CONCURRENT sets the condition.
+  bool sets_before_jobs(int thread) const {
     return !follow(problem_, {problem_.threads[static_cast<std::size_t>(thread)].entry}, [&](int at) {
       if (sets(at)) return Course::ends;
-      return at == conduct(thread).home || step_at(at).kind == Kind::fork ? Course::found : Course::goes_on;
+      return at == behaviour(thread).idle_wait || step_at(at).kind == Kind::fork ? Course::found
+                                                                                 : Course::goes_on;
     });
   }
 
@@ -125,18 +127,18 @@ class Staleness {
 bool outlasts(const View& view, int thread, int reader) {
   if (!goes_on(view, thread)) return false;
   if (thread == reader || view.steady) return true;
-  if (starts_in_rounds(view, thread))
+  if (starts_in_jobs(view, thread))
     return outlasts(view, view.problem.threads[static_cast<std::size_t>(thread)].parent, reader);
-  const auto conduct = [&view](int of) { return view.conduct.threads[static_cast<std::size_t>(of)]; };
-  if (!conduct(thread).may_be_cancelled) return true;
+  const auto behaviour = [&view](int of) { return view.behaviours.threads[static_cast<std::size_t>(of)]; };
+  if (!behaviour(thread).may_be_cancelled) return true;
   const Thread& lasting = view.problem.threads[static_cast<std::size_t>(thread)];
   const Thread& reads = view.problem.threads[static_cast<std::size_t>(reader)];
   // Blocks that end are over before those beside them are cancelled.
   if (lasting.can_end || !reads.can_end || !beside(view.problem, thread, reader)) return false;
-  return !conduct(lasting.parent).may_be_cancelled;
+  return !behaviour(lasting.parent).may_be_cancelled;
 }
 
-const Sum& replaced(const View& view, const Passes& sets, int setter, int reader) {
+const Sum& replaced(const View& view, const StatementOccurrences& sets, int setter, int reader) {
   const Thread& sets_it = view.problem.threads[static_cast<std::size_t>(setter)];
   const Thread& reads_it = view.problem.threads[static_cast<std::size_t>(reader)];
   const bool gives_way = sets_it.processor == reads_it.processor &&

@@ -1,19 +1,19 @@
 // How long ago the value was set that a thread reads.
 #pragma once
 
-#include "analyzer/compositional/measures/passes.hpp"
+#include "analyzer/compositional/measures/statement_occurrences.hpp"
 
 namespace pal::analyzer::compositional {
 
 /// Greatest time since the set (or since time 0) whose value `reader` may read of `condition`.
 Bound value_age(const View& view, int condition, int reader);
 
-/// Whether `thread` goes on with its rounds for as long as `reader` does.
+/// Whether `thread` continues with its jobs for as long as `reader` does.
 bool outlasts(const View& view, int thread, int reader);
 
-/// Until when `reader` may read what was set in the round before, from the nominal instant of a round of
+/// Until when `reader` may read what was set in the previous job, from the nominal instant of a job of
 /// `setter` on: until it is set again, or only until its segment is released, if the reader runs on the same
 /// processor, which is preemptive, and only when the setter has nothing to do (M. Dürr and others, 2019).
-const Sum& replaced(const View& view, const Passes& sets, int setter, int reader);
+const Sum& replaced(const View& view, const StatementOccurrences& sets, int setter, int reader);
 
 }  // namespace pal::analyzer::compositional

@@ -1,4 +1,4 @@
-// Times that know what they are made of.
+// Times with the terms that they are made of.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace pal::analyzer::compositional {
 
-/// One of the numbers that are added up.
+/// One term of a sum.
 struct Term {
   enum class Kind {
     latest,       // effect of `step` in `node` at the latest; of its last step: `step` is -1
@@ -21,19 +21,19 @@ struct Term {
     said,         // `what`
   };
   Kind kind = Kind::said;
-  int node = -1;  // said: whose thread does it, if anybody's
+  int node = -1;  // said: a node of the thread that does it; -1: nobody does
   int step = -1;
   int source = -1;
   std::string what;
 };
 
-/// A time, or a difference of times, and the terms that make it up. Saturates at `never`, which has none.
+/// A time or a difference of times, with the terms it is made of. Saturates at `never`, which has no terms.
 class Sum {
  public:
   Sum() = default;
   Sum(Nanoseconds amount, Term term);
   static Sum unbounded() { return Sum(never); }
-  /// Of a number there is nothing to say.
+  /// A number without a term.
   static Sum number(Nanoseconds value) { return Sum(value); }
 
   Nanoseconds value() const { return value_; }

@@ -8,7 +8,7 @@
 namespace pal::analyzer::compositional {
 namespace {
 
-constexpr int most_rounds = 20'000;
+constexpr int most_iterations = 20'000;
 constexpr Nanoseconds longest_window = 1'000'000'000'000'000;
 /// A transaction of more tasks on a processor takes its time.
 constexpr std::size_t many_tasks = 32;
@@ -236,7 +236,7 @@ BusyWindows::Critical BusyWindows::critical_once(int transaction, int task, Nano
   const bool preemptive = preemptive_[static_cast<std::size_t>(self.processor)];
   const Nanoseconds fixed = blocking + of_siblings(transaction, task, nullptr) + (preemptive ? part : 0);
   Nanoseconds window = least_window(fixed, load.share, load.carried);
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const Nanoseconds next = fixed + of_others(groups, transaction, &self, self.priority, window);
     if (next <= window) {
       const Nanoseconds released = since == Since::release ? 0 : self.offset + self.jitter;
@@ -281,7 +281,7 @@ Nanoseconds BusyWindows::window(int processor, int priority, Nanoseconds cost) c
     }
   }
   Nanoseconds length = cost;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const Nanoseconds next = plus(cost, of_others(groups, -1, nullptr, priority, length));
     if (next <= length) return length;
     if (next > longest_window) break;
@@ -304,7 +304,7 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
   const Group& own = *group_of(transaction, self.processor);
   const bool drifting = drifts_from(own, task);
   Critical latest{-1};
-  int rounds = 0;
+  int iterations = 0;
   std::map<Nanoseconds, Nanoseconds> known;  // by length; few tasks seldom ask for one twice
   const auto others = [&](Nanoseconds length) {
     const auto found = [&] { return of_others(groups, transaction, &self, self.priority, length); };
@@ -327,7 +327,7 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
       const Asked all{&self, task, false, 0, drifting};
       const auto settle = [&](Nanoseconds fixed, const Asked& but) {
         Nanoseconds at = std::max(begun, least_window(fixed, load.share, load.carried));
-        while (++rounds < most_rounds) {
+        while (++iterations < most_iterations) {
           const Nanoseconds next = fixed + others(at) + of_scenario(own, scenario, but, self.priority, at);
           if (next <= at) return at;
           if (next > longest_window) break;
@@ -359,29 +359,30 @@ Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nan
   return critical(transaction, task, part, blocking, since).finish;
 }
 
-Account BusyWindows::account(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
-                             Since since) const {
+FinishBreakdown BusyWindows::breakdown(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+                                       Since since) const {
   const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
   const Task& self = of.tasks[static_cast<std::size_t>(task)];
   const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
   const Critical worst = critical(transaction, task, part, blocking, since);
-  Account account;
-  account.blocking = blocking;
-  of_others(groups, transaction, &self, self.priority, worst.length, &account.others);
+  FinishBreakdown breakdown;
+  breakdown.blocking = blocking;
+  of_others(groups, transaction, &self, self.priority, worst.length, &breakdown.others);
   if (worst.scenario < 0) {
-    of_siblings(transaction, task, &account.others);
-    return account;
+    of_siblings(transaction, task, &breakdown.others);
+    return breakdown;
   }
   const Nanoseconds due = phase(of, of.tasks[static_cast<std::size_t>(worst.scenario)], self.offset);
   const Nanoseconds earlier = worst.job - 1 + (self.jitter + due) / of.period;
   const Group& own = *group_of(transaction, self.processor);
   const Asked asked{&self, task, true, due + (worst.job - 1) * of.period - self.offset,
                     drifts_from(own, task)};
-  of_scenario(own, worst.scenario, asked, self.priority, worst.length, &account.others);
-  account.others.push_back({transaction, task, earlier, earlier * self.cost});
+  of_scenario(own, worst.scenario, asked, self.priority, worst.length, &breakdown.others);
+  breakdown.others.push_back({transaction, task, earlier, earlier * self.cost});
   const Nanoseconds released = due + (worst.job - 1) * of.period;
-  account.done_before = since == Since::release ? std::max<Nanoseconds>(0, released) : released + self.jitter;
-  return account;
+  breakdown.done_before =
+      since == Since::release ? std::max<Nanoseconds>(0, released) : released + self.jitter;
+  return breakdown;
 }
 
 const BusyWindows::Group* BusyWindows::group_of(int transaction, int processor) const {

@@ -24,7 +24,7 @@ enum class Since {
 
 /// What the finish of a job is made of: `latest` release (if it counts from the occurrence), its own work,
 /// and these.
-struct Account {
+struct FinishBreakdown {
   std::vector<Share> others;    // work that goes first, the task's own earlier jobs included
   Nanoseconds blocking = 0;     // by lower priority
   Nanoseconds done_before = 0;  // of all that, so much is over when the job is released, at its latest or
@@ -59,8 +59,8 @@ class BusyWindows {
 
   /// Adds up to finish(), with `part` and, since the occurrence, the latest release; for a finish that is
   /// bounded.
-  Account account(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
-                  Since since = Since::occurrence) const;
+  FinishBreakdown breakdown(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+                            Since since = Since::occurrence) const;
 
   /// How long `cost` takes at most for somebody of `priority` who has the processor: what is of higher
   /// priority has nothing left to do when that begins.

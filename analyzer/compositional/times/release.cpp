@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "analyzer/compositional/causes/rounds.hpp"
-#include "analyzer/compositional/times/pace.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
+#include "analyzer/compositional/times/inter_arrival.hpp"
 #include "analyzer/compositional/times/slots.hpp"
 
 namespace pal::analyzer::compositional {
@@ -22,20 +22,21 @@ Nanoseconds Releases::arrival(int node, int step) const {
   return latest_arrival(*this, nodes_, node, step);
 }
 
-Due Releases::latest(int n, const std::vector<std::string>& trouble, const std::vector<bool>& blocked) const {
+Due Releases::latest(int n, const std::vector<std::string>& unbounded_reason,
+                     const std::vector<bool>& blocked) const {
   const Node& of = node(n);
   const auto thread = static_cast<std::size_t>(forest.thread_of(n));
   const Due none{never};
   if (blocked[thread]) return none;
   const Beginning& begins = segment(n).beginning;
-  if (!conduct.early[static_cast<std::size_t>(n)] && !trouble[thread].empty()) return none;
+  if (!behaviours.early[static_cast<std::size_t>(n)] && !unbounded_reason[thread].empty()) return none;
   switch (of.release) {
     case Node::Release::root:
       return source(n).kind == Source::Kind::event ? of_event(n) : Due{};
     case Node::Release::fork: {
       const Due begun{arrival(of.cause, of.cause_step), By::arrival, of.cause, of.cause_step};
       if (begins.kind != Beginning::Kind::joined) return begun;
-      return later(begun, {blocks_over(of, trouble, blocked), By::blocks, of.cause, of.cause_step});
+      return later(begun, {blocks_over(of, unbounded_reason, blocked), By::blocks, of.cause, of.cause_step});
     }
     case Node::Release::limit: {
       const Nanoseconds limit = step_at(of.cause_step).within.value_or(0);
@@ -47,7 +48,7 @@ Due Releases::latest(int n, const std::vector<std::string>& trouble, const std::
   return none;
 }
 
-/// The device is closed until its one taker is at home.
+/// The device is closed until its one taker is idle.
 Due Releases::of_event(int n) const {
   const Nanoseconds jitter = &nodes_ == &nominal_ ? source(n).jitter : 0;
   const Due late{jitter, By::source, -1, -1, jitter};
@@ -57,7 +58,7 @@ Due Releases::of_event(int n) const {
 Due Releases::of_message(int n) const {
   const Node& of = node(n);
   const int thread = forest.thread_of(n);
-  const bool drains = conduct.drains[static_cast<std::size_t>(n)];
+  const bool drains = behaviours.drains[static_cast<std::size_t>(n)];
   Due sent{-1, drains ? By::put : By::message, of.cause};
   const NodeTimes& cause = nodes_[static_cast<std::size_t>(of.cause)];
   for (int send : of.sends) {
@@ -71,11 +72,11 @@ Due Releases::of_message(int n) const {
   sent.after = way(n).worst;
   if (of.device >= 0) sent.after = plus(sent.after, answer_queue(of.device, sent_channel(n)));
   sent.at = plus(sent.at, sent.after);
-  const auto& previous = conduct.previous[static_cast<std::size_t>(n)];
+  const auto& previous = behaviours.previous[static_cast<std::size_t>(n)];
   if (previous.empty()) {
-    if (round_of(n) != n) return {never};
-    const Due home{first_at_home(*this, nominal_, thread), By::home};
-    return later(later(sent, home), {held_back(thread), By::held});
+    if (job_start_of(n) != n) return {never};
+    const Due idle{first_idle(*this, nominal_, thread), By::idle};
+    return later(later(sent, idle), {held_back(thread), By::held});
   }
   Due latest = sent;
   const int wait = segment(n).beginning.step;
@@ -84,20 +85,20 @@ Due Releases::of_message(int n) const {
 }
 
 /// When all blocks that a node's cause has started have ended or stopped.
-Nanoseconds Releases::blocks_over(const Node& joined, const std::vector<std::string>& trouble,
+Nanoseconds Releases::blocks_over(const Node& joined, const std::vector<std::string>& unbounded_reason,
                                   const std::vector<bool>& blocked) const {
   Nanoseconds latest = 0;
   Nanoseconds stopping = 0;
   for (int block : step_at(joined.cause_step).threads) {
     const auto b = static_cast<std::size_t>(block);
     if (!thread_at(block).can_end) {
-      stopping = std::max(stopping, stops_within(problem, demand_.windows(), block));
+      stopping = std::max(stopping, stops_within(problem, interference_.windows(), block));
       continue;
     }
-    const bool troubled = !trouble[b].empty() || blocked[b];
-    if (troubled || conduct_of(block).home >= 0 || !ends_straight(problem, block)) return never;
-    for (int n : conduct_of(block).nodes) {
-      const Node& begun = node(round_of(n));
+    const bool unbounded = !unbounded_reason[b].empty() || blocked[b];
+    if (unbounded || behaviour_of(block).idle_wait >= 0 || !ends_straight(problem, block)) return never;
+    for (int n : behaviour_of(block).nodes) {
+      const Node& begun = node(job_start_of(n));
       if (begun.cause == joined.cause && segment(n).ends)
         latest = std::max(latest, nodes_[static_cast<std::size_t>(n)].finish);
     }
@@ -105,10 +106,10 @@ Nanoseconds Releases::blocks_over(const Node& joined, const std::vector<std::str
   return plus(latest, stopping);
 }
 
-/// A thread that was held in the last send of its round is at home that much later.
+/// A thread that was held in the last send of its job is idle that much later.
 Nanoseconds Releases::held_back(int thread) const {
   Nanoseconds latest = 0;
-  for (int n : conduct_of(thread).nodes) {
+  for (int n : behaviour_of(thread).nodes) {
     for (const Segment::Passed& passed : segment(n).steps) {
       const Nanoseconds until = held_until(*this, nominal_, n, passed.step);
       latest = std::max(latest, until >= never ? never : until - source(n).period);

@@ -1,37 +1,39 @@
-// When a node is released at the latest, and what it waits for until then.
+// The latest release of a node, and what it waits for until then.
 #pragma once
 
-#include "analyzer/compositional/causes/ground.hpp"
-#include "analyzer/compositional/times/demand.hpp"
+#include "analyzer/compositional/causes/analysis_context.hpp"
+#include "analyzer/compositional/times/interference.hpp"
 #include "analyzer/compositional/times/times.hpp"
 
 namespace pal::analyzer::compositional {
 
-/// Reads the times as they are known while they are still rising.
-class Releases : private Ground {
+/// Reads the times of the current iteration.
+class Releases : private AnalysisContext {
  public:
-  Releases(const Ground& ground, const std::vector<NodeTimes>& nodes, const Demand& demand)
-      : Ground(ground), nodes_(nodes), nominal_(nodes), demand_(demand) {}
+  Releases(const AnalysisContext& context, const std::vector<NodeTimes>& nodes,
+           const Interference& interference)
+      : AnalysisContext(context), nodes_(nodes), nominal_(nodes), interference_(interference) {}
   /// `since_event`: times that count from the events themselves, where those of `nominal` count from their
   /// nominal instants.
-  Releases(const Ground& ground, const std::vector<NodeTimes>& since_event,
-           const std::vector<NodeTimes>& nominal, const Demand& demand)
-      : Ground(ground), nodes_(since_event), nominal_(nominal), demand_(demand) {}
+  Releases(const AnalysisContext& context, const std::vector<NodeTimes>& since_event,
+           const std::vector<NodeTimes>& nominal, const Interference& interference)
+      : AnalysisContext(context), nodes_(since_event), nominal_(nominal), interference_(interference) {}
 
-  /// `trouble` and `blocked` as in Times.
-  Due latest(int node, const std::vector<std::string>& trouble, const std::vector<bool>& blocked) const;
+  /// `unbounded_reason` and `blocked` as in Times.
+  Due latest(int node, const std::vector<std::string>& unbounded_reason,
+             const std::vector<bool>& blocked) const;
 
  private:
   Due of_event(int node) const;
   Due of_message(int node) const;
-  Nanoseconds blocks_over(const Node& joined, const std::vector<std::string>& trouble,
+  Nanoseconds blocks_over(const Node& joined, const std::vector<std::string>& unbounded_reason,
                           const std::vector<bool>& blocked) const;
   Nanoseconds held_back(int thread) const;
   Nanoseconds arrival(int node, int step) const;
 
   const std::vector<NodeTimes>& nodes_;
-  const std::vector<NodeTimes>& nominal_;  // what has to do with other rounds counts from nominal instants
-  const Demand& demand_;
+  const std::vector<NodeTimes>& nominal_;  // what concerns other jobs counts from nominal instants
+  const Interference& interference_;
 };
 
 }  // namespace pal::analyzer::compositional

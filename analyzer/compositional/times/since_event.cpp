@@ -9,21 +9,21 @@
 namespace pal::analyzer::compositional {
 namespace {
 
-constexpr int most_passes = 20;
+constexpr int most_iterations = 20;
 
-/// Begins with the times from the nominal instants and lowers them: each pass follows the ways from bounds
-/// to bounds, so it may stop after any.
-class SinceEvents : private Ground {
+/// Begins with the times from the nominal instants and lowers them: each iteration follows the ways from
+/// bounds to bounds, so it may stop after any.
+class SinceEvents : private AnalysisContext {
  public:
-  SinceEvents(const Ground& ground, const Times& times, const Demand& demand)
-      : Ground(ground),
+  SinceEvents(const AnalysisContext& context, const Times& times, const Interference& interference)
+      : AnalysisContext(context),
         times_(times),
-        demand_(demand),
+        interference_(interference),
         made_(times.nodes),
-        releases_(*this, made_, times.nodes, demand) {}
+        releases_(*this, made_, times.nodes, interference) {}
 
   std::vector<NodeTimes> run() {
-    for (int pass = 0; pass < most_passes; ++pass) {
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
       bool changed = false;
       for (std::size_t i = 0; i < made_.size(); ++i) {
         const int n = static_cast<int>(i);
@@ -41,7 +41,7 @@ class SinceEvents : private Ground {
     NodeTimes& mine = made_[static_cast<std::size_t>(n)];
     const NodeTimes before = mine;
     const Segment& of = segment(n);
-    mine.latest = std::min(mine.latest, releases_.latest(n, times_.trouble, times_.blocked).at);
+    mine.latest = std::min(mine.latest, releases_.latest(n, times_.unbounded_reason, times_.blocked).at);
     const auto done = [&](Nanoseconds part) { return plus(mine.latest, from_release(n, part)); };
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
       if (mine.effects[s] == NodeTimes::unknown) continue;
@@ -62,12 +62,12 @@ class SinceEvents : private Ground {
   Nanoseconds from_release(int n, Nanoseconds part) {
     if (segment(n).steps.empty()) return 0;
     const auto [place, fresh] = known_.emplace(std::pair{n, part}, 0);
-    if (fresh) place->second = demand_.finish(n, part, demand_.blocking(n), Since::release);
+    if (fresh) place->second = interference_.finish(n, part, interference_.blocking(n), Since::release);
     return place->second;
   }
 
   const Times& times_;
-  const Demand& demand_;
+  const Interference& interference_;
   std::vector<NodeTimes> made_;
   Releases releases_;
   std::map<std::pair<int, Nanoseconds>, Nanoseconds> known_;  // by node and part
@@ -75,8 +75,9 @@ class SinceEvents : private Ground {
 
 }  // namespace
 
-std::vector<NodeTimes> since_events(const Ground& ground, const Times& times, const Demand& demand) {
-  return SinceEvents(ground, times, demand).run();
+std::vector<NodeTimes> since_events(const AnalysisContext& context, const Times& times,
+                                    const Interference& interference) {
+  return SinceEvents(context, times, interference).run();
 }
 
 }  // namespace pal::analyzer::compositional

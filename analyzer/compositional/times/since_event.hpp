@@ -1,13 +1,14 @@
 // When everything that an event causes is done, counted from the event itself.
 #pragma once
 
-#include "analyzer/compositional/times/demand.hpp"
+#include "analyzer/compositional/times/interference.hpp"
 
 namespace pal::analyzer::compositional {
 
-/// Of nodes that an event with jitter brings about: the ways from the event, each segment no longer than it
-/// takes from its own release; at most the times from the event's nominal instant, which comes first. Of all
-/// others: `times.nodes`, which are the same.
-std::vector<NodeTimes> since_events(const Ground& ground, const Times& times, const Demand& demand);
+/// For nodes that an event with jitter triggers: the sum along the path from the event, where each segment
+/// counts from its own release; at most the time from the event's nominal instant, which is earlier. For all
+/// other nodes: `times.nodes`.
+std::vector<NodeTimes> since_events(const AnalysisContext& context, const Times& times,
+                                    const Interference& interference);
 
 }  // namespace pal::analyzer::compositional

@@ -12,15 +12,15 @@ Nanoseconds taken(const std::vector<NodeTimes>& nodes, int node) {
   return nodes[static_cast<std::size_t>(node)].effects.front();
 }
 
-/// Whether a thread waits without a limit in its rounds.
-bool waits_for_others(const Ground& ground, int thread) {
-  const ThreadConduct& of = ground.conduct_of(thread);
+/// Whether a thread waits without a limit in its jobs.
+bool waits_for_others(const AnalysisContext& context, int thread) {
+  const ThreadBehaviour& of = context.behaviour_of(thread);
   return std::any_of(of.nodes.begin(), of.nodes.end(), [&](int n) {
-    const Segment& segment = ground.segment(n);
-    return ground.in_round(n) &&
+    const Segment& segment = context.segment(n);
+    return context.in_job(n) &&
            (!segment.forks.empty() ||
             std::any_of(segment.waits.begin(), segment.waits.end(), [&](const Segment::Arrival& wait) {
-              return wait.step != of.home && !ground.step_at(wait.step).within;
+              return wait.step != of.idle_wait && !context.step_at(wait.step).within;
             }));
   });
 }
@@ -31,51 +31,55 @@ bool sent_by(const Node& taker, int send) {
 
 }  // namespace
 
-bool take_in_time(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, Nanoseconds put) {
-  const Nanoseconds period = ground.source(node).period;
+bool take_in_time(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,
+                  Nanoseconds put) {
+  const Nanoseconds period = context.source(node).period;
   return taken(nodes, node) < (period == never ? never : plus(period, put));
 }
 
-bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, int thread) {
-  const ThreadConduct& conduct = ground.conduct_of(thread);
-  if (conduct.rounds.empty()) return true;
-  if (!conduct.one_round) return false;
-  const Source& of = ground.source(conduct.rounds.front());
-  const bool itself = ground.node(conduct.rounds.front()).cause < 0;
+bool is_done_before_next(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread) {
+  const ThreadBehaviour& behaviours = context.behaviour_of(thread);
+  if (behaviours.job_starts.empty()) return true;
+  if (!behaviours.one_job) return false;
+  const Source& of = context.source(behaviours.job_starts.front());
+  const bool itself = context.node(behaviours.job_starts.front()).cause < 0;
   if (of.kind == Source::Kind::loop && of.thread == thread && itself) return true;
   if (of.period == never) return true;
   Nanoseconds soonest = never;
   Nanoseconds last = 0;
-  for (int n : conduct.rounds) soonest = std::min(soonest, nodes[static_cast<std::size_t>(n)].earliest);
-  for (int n : conduct.nodes) {
-    if (ground.in_round(n)) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
+  for (int n : behaviours.job_starts)
+    soonest = std::min(soonest, nodes[static_cast<std::size_t>(n)].earliest);
+  for (int n : behaviours.nodes) {
+    if (context.in_job(n)) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
   }
-  if (!waits_for_others(ground, thread)) return last < plus(of.period, soonest);
+  if (!waits_for_others(context, thread)) return last < plus(of.period, soonest);
   // Whom it has set to work, and who ends the skill, may leave it waiting till then.
-  for (int n : ground.conduct.endings[static_cast<std::size_t>(ground.node(conduct.rounds.front()).source)]) {
-    if (ground.nearest(n, thread) >= 0) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
+  for (int n : context.behaviours
+                   .endings[static_cast<std::size_t>(context.node(behaviours.job_starts.front()).source)]) {
+    if (context.nearest(n, thread) >= 0) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
   }
   return last < plus(of.period, soonest);
 }
 
-Nanoseconds sent_before(const Ground& ground, const NodeTimes& times, int node, int wait) {
-  const Segment& of = ground.segment(node);
+Nanoseconds sent_before(const AnalysisContext& context, const NodeTimes& times, int node, int wait) {
+  const Segment& of = context.segment(node);
   Nanoseconds latest = 0;
   for (std::size_t s = 0; s < of.steps.size(); ++s) {
-    const Step& step = ground.step_at(of.steps[s].step);
+    const Step& step = context.step_at(of.steps[s].step);
     if (step.kind == Kind::send && step.next.front() == wait) latest = std::max(latest, times.effects[s]);
   }
   return latest;
 }
 
-Nanoseconds held_until(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, int send) {
-  const Nanoseconds period = ground.source(node).period;
-  if (ground.step_at(send).kind != Kind::send || period == never) return 0;
-  const int channel = ground.step_at(send).channels.front();
-  if (ground.conduct.never_full[static_cast<std::size_t>(channel)]) return 0;
+Nanoseconds held_until(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,
+                       int send) {
+  const Nanoseconds period = context.source(node).period;
+  if (context.step_at(send).kind != Kind::send || period == never) return 0;
+  const int channel = context.step_at(send).channels.front();
+  if (context.behaviours.never_full[static_cast<std::size_t>(channel)]) return 0;
   Nanoseconds latest = 0;
-  for (int effect : ground.node(node).effects) {
-    const Node& taker = ground.node(effect);
+  for (int effect : context.node(node).effects) {
+    const Node& taker = context.node(effect);
     if (taker.device >= 0 || !sent_by(taker, send)) continue;
     const Nanoseconds end = taken(nodes, effect);
     latest = std::max(latest, end >= never ? never : end - period);
@@ -83,91 +87,92 @@ Nanoseconds held_until(const Ground& ground, const std::vector<NodeTimes>& nodes
   return latest;
 }
 
-Slots::Slots(const Ground& ground) : ground_(ground), puts_(ground.problem.channels.size()) {
-  for (std::size_t i = 0; i < ground.forest.nodes.size(); ++i) {
+Slots::Slots(const AnalysisContext& context) : context_(context), puts_(context.problem.channels.size()) {
+  for (std::size_t i = 0; i < context.forest.nodes.size(); ++i) {
     const int n = static_cast<int>(i);
-    for (const Segment::Passed& passed : ground.segment(n).steps) {
-      const Step& step = ground.step_at(passed.step);
+    for (const Segment::Passed& passed : context.segment(n).steps) {
+      const Step& step = context.step_at(passed.step);
       if (step.kind == Kind::send)
         puts_[static_cast<std::size_t>(step.channels.front())].push_back({n, passed.step});
     }
   }
-  for (const std::vector<Pass>& puts : puts_) exclusive_.push_back(are_exclusive(ground, puts));
+  for (const std::vector<StepEffect>& puts : puts_) exclusive_.push_back(are_exclusive(context, puts));
 }
 
 /// Whether every message of the channel is taken before the next is put.
 bool Slots::is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) const {
-  const Channel& of = ground_.problem.channels[channel];
+  const Channel& of = context_.problem.channels[channel];
   if (of.receiver_device >= 0 && !of.served) return true;
-  if (ground_.conduct.never_full[channel]) return true;
+  if (context_.behaviours.never_full[channel]) return true;
   const auto& puts = puts_[channel];
   if (puts.empty()) return true;
   if (!exclusive_[channel]) return false;
-  if (ground_.source(puts.front().node).period == never) return true;  // one message, ever
+  if (context_.source(puts.front().node).period == never) return true;  // one message, ever
   Nanoseconds soonest = never;
   bool one_node = true;
-  for (const Pass& put : puts) {
-    const Segment& segment = ground_.segment(put.node);
+  for (const StepEffect& put : puts) {
+    const Segment& segment = context_.segment(put.node);
     soonest = std::min(soonest, nodes[static_cast<std::size_t>(put.node)].earliest +
                                     segment.steps[place_of(segment, put.step)].best);
     one_node = one_node && put.node == puts.front().node;
   }
   return std::all_of(puts.begin(), puts.end(),
-                     [&](const Pass& put) { return is_taken_in_time(nodes, put, soonest, one_node); });
+                     [&](const StepEffect& put) { return is_taken_in_time(nodes, put, soonest, one_node); });
 }
 
-/// Whether a put of a round is taken before the round after it puts, at `soonest` at the earliest, or it is
+/// Whether a put of a job is taken before the job after it puts, at `soonest` at the earliest, or it is
 /// known what that waits for.
-bool Slots::is_taken_in_time(const std::vector<NodeTimes>& nodes, Pass put, Nanoseconds soonest,
+bool Slots::is_taken_in_time(const std::vector<NodeTimes>& nodes, StepEffect put, Nanoseconds soonest,
                              bool may_hold) const {
   bool known = false;
-  for (int effect : ground_.node(put.node).effects) {
-    if (!sent_by(ground_.node(effect), put.step)) continue;
+  for (int effect : context_.node(put.node).effects) {
+    if (!sent_by(context_.node(effect), put.step)) continue;
     known = true;
     const bool held = may_hold && may_be_held(nodes, put, effect);
-    if (!take_in_time(ground_, nodes, effect, soonest) && !held) return false;
+    if (!take_in_time(context_, nodes, effect, soonest) && !held) return false;
   }
   return known;
 }
 
-/// Whether it is known what a wait for the slot does: the send ends its thread's only kind of round.
-bool Slots::may_be_held(const std::vector<NodeTimes>& nodes, Pass put, int taker) const {
-  const ThreadConduct& of = ground_.conduct_of(ground_.forest.thread_of(put.node));
-  return taken(nodes, taker) < never && of.rounds.size() == 1 && !of.waits_within &&
-         ground_.round_of(put.node) == of.rounds.front() && ground_.step_at(put.step).next.front() == of.home;
+/// Whether it is known what a wait for the slot does: the send ends its thread's only kind of job.
+bool Slots::may_be_held(const std::vector<NodeTimes>& nodes, StepEffect put, int taker) const {
+  const ThreadBehaviour& of = context_.behaviour_of(context_.forest.thread_of(put.node));
+  return taken(nodes, taker) < never && of.job_starts.size() == 1 && !of.waits_within &&
+         context_.job_start_of(put.node) == of.job_starts.front() &&
+         context_.step_at(put.step).next.front() == of.idle_wait;
 }
 
-std::vector<int> Slots::takers_of(Pass put) const {
+std::vector<int> Slots::takers_of(StepEffect put) const {
   std::vector<int> threads;
-  for (int effect : ground_.node(put.node).effects) {
-    if (sent_by(ground_.node(effect), put.step)) threads.push_back(ground_.forest.thread_of(effect));
+  for (int effect : context_.node(put.node).effects) {
+    if (sent_by(context_.node(effect), put.step)) threads.push_back(context_.forest.thread_of(effect));
   }
   return threads;
 }
 
-std::vector<Slots::Trouble> Slots::trouble(const Times& times) const {
-  std::vector<Trouble> found;
+std::vector<Slots::UnboundedThread> Slots::unbounded_threads(const Times& times) const {
+  std::vector<UnboundedThread> found;
   for (std::size_t c = 0; c < puts_.size(); ++c) {
     if (is_free(times.nodes, c)) continue;
-    for (const Pass& put : puts_[c]) {
-      const int statement = ground_.step_at(put.step).statement;
+    for (const StepEffect& put : puts_[c]) {
+      const int statement = context_.step_at(put.step).statement;
       found.push_back(
-          {ground_.forest.thread_of(put.node), true,
+          {context_.forest.thread_of(put.node), true,
            "may find the slot full at " +
                (statement < 0 ? std::string("a send")
-                              : ground_.problem.statements[static_cast<std::size_t>(statement)].text),
+                              : context_.problem.statements[static_cast<std::size_t>(statement)].text),
            takers_of(put)});
     }
   }
-  for (std::size_t t = 0; t < ground_.problem.threads.size(); ++t) {
-    const ThreadConduct& of = ground_.conduct.threads[t];
-    if (!of.waits_within || of.rounds.empty() || of.asked_by_one) continue;
-    if (!of.one_round) {
+  for (std::size_t t = 0; t < context_.problem.threads.size(); ++t) {
+    const ThreadBehaviour& of = context_.behaviours.threads[t];
+    if (!of.waits_within || of.job_starts.empty() || of.asked_by_one) continue;
+    if (!of.one_job) {
       found.push_back(
-          {static_cast<int>(t), false, "begins rounds for several reasons, and waits within them", {}});
-    } else if (!at_home_again(ground_, times.nodes, static_cast<int>(t))) {
+          {static_cast<int>(t), false, "begins jobs for several reasons, and waits within them", {}});
+    } else if (!is_done_before_next(context_, times.nodes, static_cast<int>(t))) {
       found.push_back(
-          {static_cast<int>(t), false, "may still be waiting within one round when the next is due", {}});
+          {static_cast<int>(t), false, "may still be waiting within one job when the next is due", {}});
     }
   }
   return found;

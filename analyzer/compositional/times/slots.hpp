@@ -1,4 +1,4 @@
-// What the times rest on: that slots are free when messages are put, and threads at home when they are due.
+// Two assumptions of the times: slots are free when messages are put, and threads are idle when they are due.
 #pragma once
 
 #include "analyzer/compositional/causes/exclusive.hpp"
@@ -6,43 +6,45 @@
 
 namespace pal::analyzer::compositional {
 
-/// Whether the node's message is taken before the next one is put, if it is put at `put` at the earliest.
-bool take_in_time(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, Nanoseconds put);
+/// Whether the node's message is received before the next one is put, at `put` at the earliest.
+bool take_in_time(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,
+                  Nanoseconds put);
 
-/// Whether the work of a thread's round is over before the next one is asked for. The thread may still wait
-/// for the slot of its last send.
-bool at_home_again(const Ground& ground, const std::vector<NodeTimes>& nodes, int thread);
+/// Whether each job of a thread is done before the next one is requested. The thread may still be blocked in
+/// its last send.
+bool is_done_before_next(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread);
 
 /// Latest end of a send by which the node comes straight to `wait`; 0: there is none.
-Nanoseconds sent_before(const Ground& ground, const NodeTimes& times, int node, int wait);
+Nanoseconds sent_before(const AnalysisContext& context, const NodeTimes& times, int node, int wait);
 
-/// Until when a send may have to wait for its slot: the message before it is taken a period earlier than its
+/// Until when a send may be blocked on its slot: the previous message is received a period earlier than its
 /// own.
-Nanoseconds held_until(const Ground& ground, const std::vector<NodeTimes>& nodes, int node, int send);
+Nanoseconds held_until(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,
+                       int send);
 
 class Slots {
  public:
-  explicit Slots(const Ground& ground);
+  explicit Slots(const AnalysisContext& context);
 
-  struct Trouble {
+  struct UnboundedThread {
     int thread = -1;
-    bool blocked = false;  // it may have to wait in a send
+    bool blocked = false;  // it may be blocked in a send
     std::string why;
-    std::vector<int> takers;  // the threads that may not make room for it
+    std::vector<int> takers;  // the receivers that may not empty its slot
   };
-  /// The threads of which nothing bounds when they go on, by these times.
-  std::vector<Trouble> trouble(const Times& times) const;
+  /// The threads that are unbounded by these times.
+  std::vector<UnboundedThread> unbounded_threads(const Times& times) const;
 
  private:
   bool is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) const;
-  bool is_taken_in_time(const std::vector<NodeTimes>& nodes, Pass put, Nanoseconds soonest,
+  bool is_taken_in_time(const std::vector<NodeTimes>& nodes, StepEffect put, Nanoseconds soonest,
                         bool may_hold) const;
-  std::vector<int> takers_of(Pass put) const;
-  bool may_be_held(const std::vector<NodeTimes>& nodes, Pass put, int taker) const;
+  std::vector<int> takers_of(StepEffect put) const;
+  bool may_be_held(const std::vector<NodeTimes>& nodes, StepEffect put, int taker) const;
 
-  Ground ground_;
-  std::vector<std::vector<Pass>> puts_;  // by channel
-  std::vector<bool> exclusive_;          // by channel: are_exclusive() of its puts
+  AnalysisContext context_;
+  std::vector<std::vector<StepEffect>> puts_;  // by channel
+  std::vector<bool> exclusive_;                // by channel: are_exclusive() of its puts
 };
 
 }  // namespace pal::analyzer::compositional

@@ -4,8 +4,8 @@
 #include <limits>
 #include <set>
 
-#include "analyzer/compositional/times/demand.hpp"
-#include "analyzer/compositional/times/pace.hpp"
+#include "analyzer/compositional/times/inter_arrival.hpp"
+#include "analyzer/compositional/times/interference.hpp"
 #include "analyzer/compositional/times/release.hpp"
 #include "analyzer/compositional/times/since_event.hpp"
 #include "analyzer/compositional/times/slots.hpp"
@@ -15,23 +15,23 @@ namespace {
 
 using Kind = Step::Kind;
 
-constexpr int most_passes = 400;
+constexpr int most_iterations = 400;
 constexpr int everybody = std::numeric_limits<int>::max();
 constexpr int nobody = std::numeric_limits<int>::min();
 
 /// The nodes with their earliest releases, and as if nothing ever had to wait.
-std::vector<NodeTimes> unhindered(const Ground& ground, const std::vector<bool>& at,
+std::vector<NodeTimes> unhindered(const AnalysisContext& context, const std::vector<bool>& at,
                                   const std::function<bool()>& stop) {
-  std::vector<NodeTimes> nodes(ground.forest.nodes.size());
-  const std::vector<Nanoseconds> earliest = earliest_releases(ground, stop);
+  std::vector<NodeTimes> nodes(context.forest.nodes.size());
+  const std::vector<Nanoseconds> earliest = earliest_releases(context, stop);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const Segment& of = ground.segment(static_cast<int>(n));
+    const Segment& of = context.segment(static_cast<int>(n));
     NodeTimes& mine = nodes[n];
     mine.earliest = mine.latest = earliest[n];
     mine.effects.assign(of.steps.size(), NodeTimes::unknown);
     mine.arrivals.assign(of.waits.size(), 0);
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
-      const Step& step = ground.step_at(of.steps[s].step);
+      const Step& step = context.step_at(of.steps[s].step);
       const bool asked = at[static_cast<std::size_t>(of.steps[s].step)] || step.kind == Kind::send ||
                          step.kind == Kind::set || step.kind == Kind::wait || step.kind == Kind::complete ||
                          may_match_nothing(step);
@@ -42,57 +42,61 @@ std::vector<NodeTimes> unhindered(const Ground& ground, const std::vector<bool>&
   return nodes;
 }
 
-/// Raises all times together until they agree. Each pass derives the latest releases from the latest effects,
-/// and these from the work that the releases can pile up (J. C. Palencia, M. González Harbour 1998; the
-/// argument that the least solution bounds every run is in docs/compositional.md).
-class Solver : private Ground {
+/// Raises all times together until they agree. Each iteration derives the latest releases from the latest
+/// effects, and these from the work that the releases can pile up (J. C. Palencia, M. González Harbour 1998;
+/// the argument that the least solution bounds every run is in docs/internals/compositional.md).
+class Solver : private AnalysisContext {
  public:
-  Solver(const Ground& ground, const std::vector<bool>& at, const std::function<bool()>& stop)
-      : Ground(ground),
+  Solver(const AnalysisContext& context, const std::vector<bool>& at, const std::function<bool()>& stop)
+      : AnalysisContext(context),
         stop_(stop),
-        nodes_(unhindered(ground, at, stop)),
-        demand_(ground, nodes_, stop),
-        releases_(*this, nodes_, demand_) {}
+        nodes_(unhindered(context, at, stop)),
+        interference_(context, nodes_, stop),
+        releases_(*this, nodes_, interference_) {}
 
   Times run() {
-    times_.trouble.resize(problem.threads.size());
+    times_.unbounded_reason.resize(problem.threads.size());
     times_.blocked.assign(problem.threads.size(), false);
-    for (std::size_t t = 0; t < problem.threads.size(); ++t) times_.trouble[t] = conduct.threads[t].trouble;
+    for (std::size_t t = 0; t < problem.threads.size(); ++t)
+      times_.unbounded_reason[t] = behaviours.threads[t].unbounded_reason;
     since_.assign(problem.threads.size(), -1);
     const Slots slots(*this);
     do {
       solve();
       times_.nodes = nodes_;
       if (times_.interrupted) return std::move(times_);
-    } while (finds_trouble(slots));
+    } while (finds_unbounded_threads(slots));
     name_roots();
-    find_pace(*this, times_);
-    times_.since_event = since_events(*this, times_, demand_);
-    demand_.go_on();
-    times_.demand = std::make_shared<const Demand>(demand_);
+    find_inter_arrivals(*this, times_);
+    times_.since_event = since_events(*this, times_, interference_);
+    interference_.go_on();
+    times_.interference = std::make_shared<const Interference>(interference_);
     return std::move(times_);
   }
 
  private:
   NodeTimes& times(int n) { return nodes_[static_cast<std::size_t>(n)]; }
 
-  Nanoseconds latest_release(int n) const { return releases_.latest(n, times_.trouble, times_.blocked).at; }
+  Nanoseconds latest_release(int n) const {
+    return releases_.latest(n, times_.unbounded_reason, times_.blocked).at;
+  }
 
   bool update(int n) {
     NodeTimes& mine = times(n);
     const NodeTimes before = mine;
     mine.latest = std::max(mine.latest, latest_release(n));
-    // Later than what can pile up: something on the way does not keep pace.
-    if (mine.latest < never && mine.latest - mine.earliest > demand_.greatest_jitter(n)) mine.latest = never;
-    demand_.announce(n, mine);
+    // Later than what can pile up: something on the way does not keep up.
+    if (mine.latest < never && mine.latest - mine.earliest > interference_.greatest_jitter(n))
+      mine.latest = never;
+    interference_.announce(n, mine);
     const Segment& of = segment(n);
-    const Nanoseconds keeps = mine.latest >= never ? 0 : demand_.blocking(n);
+    const Nanoseconds keeps = mine.latest >= never ? 0 : interference_.blocking(n);
     std::map<Nanoseconds, Nanoseconds> known;
     const auto done = [&](Nanoseconds part) {
       if (mine.latest >= never) return never;
       if (of.steps.empty()) return mine.latest;  // reaching a wait needs no processor
       const auto [place, fresh] = known.emplace(part, 0);
-      if (fresh) place->second = demand_.finish(n, part, keeps);
+      if (fresh) place->second = interference_.finish(n, part, keeps);
       return place->second;
     };
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
@@ -129,9 +133,10 @@ class Solver : private Ground {
   }
 
   void solve() {
-    for (std::size_t n = 0; n < forest.nodes.size(); ++n) demand_.announce(static_cast<int>(n), nodes_[n]);
+    for (std::size_t n = 0; n < forest.nodes.size(); ++n)
+      interference_.announce(static_cast<int>(n), nodes_[n]);
     std::vector<int> dirty(problem.processors.size(), everybody);  // by processor: delays_up_to()
-    for (int pass = 0; pass < most_passes; ++pass) {
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
       find_overlaps(dirty);
       std::vector<int> now = dirty;
       dirty.assign(dirty.size(), nobody);
@@ -162,16 +167,16 @@ class Solver : private Ground {
       for (Nanoseconds& each : mine.effects) each = each == NodeTimes::unknown ? each : never;
       mine.worked = mine.effects;
       mine.arrivals.assign(mine.arrivals.size(), never);
-      demand_.announce(static_cast<int>(n), mine);
+      interference_.announce(static_cast<int>(n), mine);
     }
   }
 
-  /// Tells the demand what does not overlap by now. `dirty`: where it is less than before, which may delay
-  /// anybody there.
+  /// Tells the interference what does not overlap by now. `dirty`: where it is less than before, which may
+  /// delay anybody there.
   void find_overlaps(std::vector<int>& dirty) {
-    std::vector<bool> home_again;
-    for (std::size_t t = 0; t < conduct.threads.size(); ++t)
-      home_again.push_back(at_home_again(*this, nodes_, static_cast<int>(t)));
+    std::vector<bool> done_before_next;
+    for (std::size_t t = 0; t < behaviours.threads.size(); ++t)
+      done_before_next.push_back(is_done_before_next(*this, nodes_, static_cast<int>(t)));
     std::vector<bool> in_turn(forest.sources.size(), true);
     for (std::size_t n = 0; n < forest.nodes.size(); ++n) {
       const auto source = static_cast<std::size_t>(forest.nodes[n].source);
@@ -183,55 +188,56 @@ class Solver : private Ground {
       const auto processor = static_cast<std::size_t>(thread_of(static_cast<int>(n)).processor);
       if (in_turn_[source] != in_turn[source]) dirty[processor] = everybody;
     }
-    demand_.find_order(home_again, in_turn, stop_);
-    demand_.find_bursts(nodes_, home_again, times_.blocked);
+    interference_.find_order(done_before_next, in_turn, stop_);
+    interference_.find_bursts(nodes_, done_before_next, times_.blocked);
     in_turn_ = in_turn;
   }
 
   /// Whether something is found that the times do not count with yet.
-  bool finds_trouble(const Slots& slots) {
+  bool finds_unbounded_threads(const Slots& slots) {
     bool found = false;
-    const auto trouble = [this](int thread) -> std::string& {
-      return times_.trouble[static_cast<std::size_t>(thread)];
+    const auto unbounded_reason = [this](int thread) -> std::string& {
+      return times_.unbounded_reason[static_cast<std::size_t>(thread)];
     };
-    std::vector<Slots::Trouble> fresh;
-    for (Slots::Trouble& each : slots.trouble(times_)) {
+    std::vector<Slots::UnboundedThread> fresh;
+    for (Slots::UnboundedThread& each : slots.unbounded_threads(times_)) {
       const auto thread = static_cast<std::size_t>(each.thread);
-      found = found || trouble(each.thread).empty() || (each.blocked && !times_.blocked[thread]);
+      found = found || unbounded_reason(each.thread).empty() || (each.blocked && !times_.blocked[thread]);
       if (each.blocked) times_.blocked[thread] = true;
-      if (!trouble(each.thread).empty()) continue;
-      trouble(each.thread) = thread_at(each.thread).name + " " + each.why;
+      if (!unbounded_reason(each.thread).empty()) continue;
+      unbounded_reason(each.thread) = thread_at(each.thread).name + " " + each.why;
       fresh.push_back(std::move(each));
     }
-    for (const Slots::Trouble& each : fresh) {
+    for (const Slots::UnboundedThread& each : fresh) {
       for (int taker : each.takers) {
-        if (taker != each.thread && !trouble(taker).empty())
+        if (taker != each.thread && !unbounded_reason(taker).empty())
           since_[static_cast<std::size_t>(each.thread)] = taker;
       }
     }
     return found;
   }
 
-  /// Adds to each trouble the one that it comes from in the end.
+  /// Adds the original reason to each reason that follows from another.
   void name_roots() {
-    const std::vector<std::string> own = times_.trouble;
+    const std::vector<std::string> own = times_.unbounded_reason;
     for (std::size_t t = 0; t < own.size(); ++t) {
       std::set<int> seen{static_cast<int>(t)};
       int at = static_cast<int>(t);
       for (int next = since_[t]; next >= 0 && seen.insert(next).second;
            next = since_[static_cast<std::size_t>(next)])
         at = next;
-      if (at != static_cast<int>(t)) times_.trouble[t] += ", since " + own[static_cast<std::size_t>(at)];
+      if (at != static_cast<int>(t))
+        times_.unbounded_reason[t] += ", since " + own[static_cast<std::size_t>(at)];
     }
   }
 
   const std::function<bool()>& stop_;
   std::vector<NodeTimes> nodes_;
-  Demand demand_;
+  Interference interference_;
   Releases releases_;
   Times times_;
   std::vector<bool> in_turn_;  // by source, as it was last found
-  std::vector<int> since_;     // by thread: the one whose trouble brought about its own; -1: none
+  std::vector<int> since_;     // by thread: the thread that makes it unbounded; -1: none
 };
 
 }  // namespace
@@ -243,9 +249,9 @@ std::size_t place_of(const Segment& segment, int step) {
   return segment.steps.size();
 }
 
-Times times_of(const Problem& problem, const Forest& forest, const Conduct& conduct,
+Times times_of(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
                const std::vector<bool>& at, const std::function<bool()>& stop) {
-  return Solver({problem, forest, conduct}, at, stop).run();
+  return Solver({problem, forest, behaviours}, at, stop).run();
 }
 
 Nanoseconds latest_effect(const Forest& forest, const std::vector<NodeTimes>& nodes, int node, int step) {

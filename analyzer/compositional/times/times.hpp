@@ -6,33 +6,33 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/compositional/causes/conduct.hpp"
+#include "analyzer/compositional/causes/thread_behaviour.hpp"
 
 namespace pal::analyzer::compositional {
 
-/// All times count from the nominal instant of the occurrence of the node's source; those of a module's start
-/// from time 0. `never`: no bound.
+/// Times count from the nominal instant of the occurrence of the node's source; for the start of a module
+/// from time 0. `never`: unbounded.
 struct NodeTimes {
   Nanoseconds earliest = 0;  // release
   Nanoseconds latest = 0;    // release
   Nanoseconds finish = 0;    // of the whole segment
   std::vector<Nanoseconds>
       effects;  // latest effect of each of the segment's steps that anything depends on, else `unknown`
-  std::vector<Nanoseconds> worked;    // the same, but for a send's wait for its slot
+  std::vector<Nanoseconds> worked;    // the same without the time that a send is blocked on its slot
   std::vector<Nanoseconds> arrivals;  // latest arrival at each of the segment's waits
   static constexpr Nanoseconds unknown = -1;
 };
 
-/// What an instant is due to: it is that of what is waited for, and `after` more.
+/// What determines an instant: the instant of what is waited for, plus `after`.
 struct Due {
   enum class By {
     source,   // the nominal instant of its source
-    held,     // its thread was held in the last send of its round
-    home,     // its thread comes home for the first time
+    held,     // its thread was blocked in the last send of the previous job
+    idle,     // its thread is idle for the first time
     arrival,  // `node` arrives at the wait or CONCURRENT `step`
     blocks,   // the blocks that `node` has started at `step` are over
     message,  // `node` has sent by `step`
-    put,      // `node` has come to where `step` puts, or waits for its slot
+    put,      // `node` has reached the put of `step`, or is blocked on its slot
   };
   Nanoseconds at = 0;  // `never`: no bound
   By by = By::source;
@@ -41,27 +41,27 @@ struct Due {
   Nanoseconds after = 0;
 };
 
-class Demand;
+class Interference;
 
 struct Times {
   std::vector<NodeTimes> nodes;
   /// The same counted from the event itself, which may come after its nominal instant; of what no event
   /// brings about they are those of `nodes`.
   std::vector<NodeTimes> since_event;
-  /// By thread, why nothing bounds when it goes on; empty if something does.
-  std::vector<std::string> trouble;
-  std::vector<bool> blocked;  // by thread: it may have to wait in a send
-  /// By source: its events are all taken before the next can come.
+  /// By thread: why its times are unbounded; empty if they are bounded.
+  std::vector<std::string> unbounded_reason;
+  std::vector<bool> blocked;  // by thread: it may be blocked in a send
+  /// By source: each event is received before the next can come.
   std::vector<bool> no_overrun;
-  /// By source: latest distance from one occurrence to the next, and of the first from time 0; `never`: none.
+  /// By source: greatest inter-arrival time, and latest first occurrence after time 0; `never`: unbounded.
   std::vector<Due> longest_gap;
   std::vector<Due> first;
-  std::shared_ptr<const Demand> demand;  // with the jitter found
+  std::shared_ptr<const Interference> interference;  // with the jitter found
   bool interrupted = false;
 };
 
-/// `at`: steps whose times are asked for, besides those that the analysis needs.
-Times times_of(const Problem& problem, const Forest& forest, const Conduct& conduct,
+/// `at`: further steps whose times are needed.
+Times times_of(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
                const std::vector<bool>& at, const std::function<bool()>& stop);
 
 /// Where a segment has a step; the number of its steps: it has not.

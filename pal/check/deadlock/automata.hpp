@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "pal/check/conditions/guards.hpp"
 #include "pal/check/deadlock/threads.hpp"
-#include "pal/check/guards.hpp"
 #include "pal/pan/flow.hpp"
 #include "pal/pan/network.hpp"
 

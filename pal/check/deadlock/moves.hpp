@@ -1,6 +1,6 @@
-// What can happen next in a skill, without times (docs/execution-model.md): every wait that can give up may
-// do so at any moment, a device sends its events whenever somebody waits for them and answers every request
-// at some time.
+// What can happen next in a skill, without times (docs/reference/execution-model.md): every wait that can
+// give up may do so at any moment, a device sends its events whenever somebody waits for them and answers
+// every request at some time.
 #pragma once
 
 #include <array>

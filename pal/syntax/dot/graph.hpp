@@ -2,7 +2,7 @@
 //
 // Not read by Graphviz' own cgraph, which writes SVG for us: it keeps no places, so that no error could name
 // a line; it reports to one place for the whole program; and it is made for texts that one trusts
-// (docs/pan.md).
+// (docs/reference/pan.md).
 #pragma once
 
 #include <cstddef>

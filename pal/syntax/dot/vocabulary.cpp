@@ -99,21 +99,21 @@ void report_strange_attribute(const DotValue& name, Diagnostics& diagnostics) {
   const auto meant = nearest(name.text, all_attributes());
   diagnostics.report(
       Code::PAL0117, name.where, "there is no attribute " + shown(name.text) + ", so it says nothing",
-      meant ? "did you mean '" + *meant + "'?" : "remove it; docs/pan.md lists the attributes");
+      meant ? "did you mean '" + *meant + "'?" : "remove it; docs/reference/pan.md lists the attributes");
 }
 
 bool check_attributes(const DotNode& node, Diagnostics& diagnostics) {
   const DotValue* word = node.values.find("pal_kind");
   if (word == nullptr) {
     diagnostics.report(Code::PAL0115, node.where, "this node has no pal_kind: nothing says what it means",
-                       "add [pal_kind=…] to the node; docs/pan.md lists the kinds");
+                       "add [pal_kind=…] to the node; docs/reference/pan.md lists the kinds");
     return false;
   }
   const DotKind* kind = dot_kind(word->text);
   if (kind == nullptr) {
     const auto meant = nearest(word->text, kind_names());
     diagnostics.report(Code::PAL0115, word->where, "there is no kind " + shown(word->text) + " of node",
-                       meant ? "did you mean '" + *meant + "'?" : "docs/pan.md lists the kinds");
+                       meant ? "did you mean '" + *meant + "'?" : "docs/reference/pan.md lists the kinds");
     return false;
   }
   bool good = true;

@@ -1,4 +1,4 @@
-// The kinds of node that a PAN has, and what each is told by: docs/pan.md as a table.
+// The kinds of node that a PAN has, and what each is told by: docs/reference/pan.md as a table.
 #pragma once
 
 #include <string>

@@ -22,12 +22,14 @@ using ModelPointer = std::unique_ptr<mjModel, DeleteModel>;
 struct Start {
   Pose tool = Pose::Identity();
   Configuration configuration;
+  std::string place;  // where the scene says so: file and line
 };
 
 /// What a scene's file comes to.
 struct LoadedScene {
   ModelPointer model;  // never null
   std::map<std::string, Pose> locations;
+  std::map<std::string, int> lines;  // of a .scene's things, by their names
   Start start;
   ToolKind tool = ToolKind::pad;
   MachineOptions machine;

@@ -28,6 +28,9 @@ Mjcf to_mjcf(const SceneDescription& description, const std::string& file);
 /// Heights of waves (two rows) and of a surface with a seam (cells of 0.5 mm across it).
 Heights wave_heights(const Thing& thing);
 Heights surface_heights(const Thing& thing);
+/// The same surface with a point in each eighth row and column, to touch: MuJoCo takes few contacts at a
+/// time.
+Heights coarser(const Heights& fine);
 
 /// The assets and the body of one thing, MJCF. Appends the height field that it needs, if any.
 struct Shape {

@@ -14,6 +14,9 @@ ModelIndex find_names(const mjModel& model, ToolKind tool, const Scene& scene);
 /// The far half of the arm meets the near half: contacts between them are found, as collisions.
 void let_arm_meet_itself(mjModel& model, const ModelIndex& index);
 
+/// The name of what a shape belongs to, "post 2"; empty if it has none.
+std::string thing_of(const mjModel& model, int geom);
+
 /// "the forearm", "post 2", "the table".
 std::string words_for(const mjModel& model, int geom);
 

@@ -61,6 +61,7 @@ struct SceneDescription {
   std::string about;
   ToolKind tool = ToolKind::pad;
   std::optional<std::array<double, 4>> start;  // x, y, z in mm, turn in degrees
+  int start_line = 0;
   Configuration configuration{.righty = true, .above = true, .flip = true};
   bool table = true;
   MachineOptions machine;

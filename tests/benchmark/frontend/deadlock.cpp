@@ -12,7 +12,7 @@
 
 #include "pal/check/check.hpp"
 #include "pal/check/deadlock/explore.hpp"
-#include "pal/check/load.hpp"
+#include "pal/check/read_sources.hpp"
 #include "tests/support/large_skill.hpp"
 
 namespace {
@@ -44,7 +44,7 @@ bool measure(const Case& one, int runs) {
   files.add("skill.pal", pal::test::LargeSkill(one.shape, one.flaw).text());
   pal::SourceManager sources;
   pal::Diagnostics diagnostics;
-  const auto trees = pal::load(files, sources, {"skill.pal"}, diagnostics);
+  const auto trees = pal::read_sources(files, sources, {"skill.pal"}, diagnostics);
   pal::Diagnostics findings;
   const auto specification = pal::check(trees, findings);
   const auto& network = specification.skills.front();

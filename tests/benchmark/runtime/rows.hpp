@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "runtime/outcome.hpp"
+#include "pal/runtime/outcome.hpp"
 
 namespace pal::benchmark {
 

@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "runtime/dispatcher.hpp"
+#include "pal/runtime/dispatcher.hpp"
 #include "tests/benchmark/runtime/rows.hpp"
 #include "tests/run/support/written_skill.hpp"
 

@@ -1,4 +1,4 @@
-// Charts against files that a person has looked at. PAL_UPDATE_GOLDEN=1 in the environment writes them anew.
+// Charts against files that a person has looked at. PAL_GOLDEN_REWRITE=1 in the environment writes them anew.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fstream>
@@ -11,9 +11,9 @@
 namespace pal::chart {
 namespace {
 
-void compare(const std::string& name, const std::string& text) {
+void expect_golden(const std::string& name, const std::string& text) {
   const std::string path = std::string(PAL_GOLDEN_DIR) + "/" + name;
-  if (std::getenv("PAL_UPDATE_GOLDEN") != nullptr) {
+  if (const char* rewrite = std::getenv("PAL_GOLDEN_REWRITE"); rewrite != nullptr && *rewrite == '1') {
     std::ofstream(path, std::ios::binary) << text;
     SUCCEED(path + " is written anew");
     return;
@@ -27,7 +27,7 @@ void compare(const std::string& name, const std::string& text) {
 
 TEST_CASE("one of everything, as data and as a picture") {
   const Timeline signs = timeline(signs_trace());
-  compare("signs.txt", dump(signs));
+  expect_golden("signs.txt", dump(signs));
   ChartOptions options;
   options.caption = {"answer-alter",
                      "response from tick of alter to TXM( correction to alter )",
@@ -37,18 +37,18 @@ TEST_CASE("one of everything, as data and as a picture") {
                      "6 ms"};
   options.highlight = Highlight{1'500'000, 9'500'000, "response to tick", true, 6'000'000};
   options.deadlines = {{8'500'000, "next tick"}};
-  compare("signs.svg", svg(signs, options));
+  expect_golden("signs.svg", svg(signs, options));
 }
 
 TEST_CASE("the touch skill, as data") {
   const Example good = worst_touch({});
   const Highlight& highlight = *good.options.highlight;
-  compare("touch.txt", dump(good.timeline, highlight.from_ns, highlight.to_ns));
+  expect_golden("touch.txt", dump(good.timeline, highlight.from_ns, highlight.to_ns));
 }
 
 TEST_CASE("the touch skill that reads first, as a picture") {
   const Example bad = worst_touch({true});
-  compare("touch_read_first.svg", svg(bad.timeline, bad.options));
+  expect_golden("touch_read_first.svg", svg(bad.timeline, bad.options));
 }
 
 }  // namespace

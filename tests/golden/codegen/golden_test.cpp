@@ -1,4 +1,4 @@
-// Plans and generated files, whole. To take new ones over after looking at them: PAL_UPDATE_GOLDEN=1.
+// Plans and generated files, whole. To take new ones over after looking at them: PAL_GOLDEN_REWRITE=1.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fstream>
@@ -6,7 +6,7 @@
 
 #include "codegen/generate.hpp"
 #include "pal/check/check.hpp"
-#include "pal/check/load.hpp"
+#include "pal/check/read_sources.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/render.hpp"
 
@@ -26,18 +26,21 @@ std::string read(const std::string& path) {
 /// Files by names that are the same wherever the source tree is.
 class InSourceTree final : public FileSystem {
  public:
+  explicit InSourceTree(std::string working_folder) : folder_(std::move(working_folder)) {}
   std::variant<std::string, FileError> read(const std::string& path,
                                             std::size_t most = largest_file) const override {
-    return disk_.read(PAL_SOURCE_DIR "/" + path, most);
+    return disk_.read(path.starts_with('/') ? path : PAL_SOURCE_DIR "/" + folder_ + path, most);
   }
 
  private:
+  std::string folder_;
   DiskFileSystem disk_;
 };
 
 struct Input {
-  Input(const std::string& skill, const std::string& environment) {
-    specification = check(load(InSourceTree(), sources, {skill, environment}, diagnostics), diagnostics);
+  Input(const std::string& skill, const std::string& environment, const std::string& working_folder = "") {
+    specification =
+        check(read_sources(InSourceTree(working_folder), sources, {skill, environment}, diagnostics), diagnostics);
     std::ostringstream findings;
     render_text(diagnostics.sorted(), sources, findings);
     INFO(findings.str());
@@ -54,8 +57,8 @@ struct Input {
   Specification specification;
 };
 
-void compare(const std::string& file, const std::string& found) {
-  if (std::getenv("PAL_UPDATE_GOLDEN") != nullptr) {
+void expect_golden(const std::string& file, const std::string& found) {
+  if (const char* rewrite = std::getenv("PAL_GOLDEN_REWRITE"); rewrite != nullptr && *rewrite == '1') {
     std::ofstream(folder + file, std::ios::binary) << found;
     return;
   }
@@ -76,8 +79,8 @@ TEST_CASE("plan and code of a skill with every statement and odd names") {
   REQUIRE(plan);
   std::ostringstream text;
   codegen::dump(*plan, text);
-  compare("odd_names.plan", text.str());
-  compare("odd_names.expected", all(codegen::emit(*plan)));
+  expect_golden("odd_names.plan", text.str());
+  expect_golden("odd_names.expected", all(codegen::emit(*plan)));
 }
 
 TEST_CASE("plan and code of a module that several blocks execute") {
@@ -86,8 +89,8 @@ TEST_CASE("plan and code of a module that several blocks execute") {
   REQUIRE(plan);
   std::ostringstream text;
   codegen::dump(*plan, text);
-  compare("at_a_time.plan", text.str());
-  compare("at_a_time.expected", all(codegen::emit(*plan)));
+  expect_golden("at_a_time.plan", text.str());
+  expect_golden("at_a_time.expected", all(codegen::emit(*plan)));
 }
 
 TEST_CASE("plan and code of a skill with arrays and texts") {
@@ -96,8 +99,8 @@ TEST_CASE("plan and code of a skill with arrays and texts") {
   REQUIRE(plan);
   std::ostringstream text;
   codegen::dump(*plan, text);
-  compare("survey.plan", text.str());
-  compare("survey.expected", all(codegen::emit(*plan)));
+  expect_golden("survey.plan", text.str());
+  expect_golden("survey.expected", all(codegen::emit(*plan)));
 }
 
 TEST_CASE("plan and code of approach to touch") {
@@ -106,8 +109,21 @@ TEST_CASE("plan and code of approach to touch") {
   REQUIRE(plan);
   std::ostringstream text;
   codegen::dump(*plan, text);
-  compare("touch.plan", text.str());
-  compare("touch.expected", all(codegen::emit(*plan)));
+  expect_golden("touch.plan", text.str());
+  expect_golden("touch.expected", all(codegen::emit(*plan)));
+}
+
+TEST_CASE("the same text from whatever folder") {
+  const std::string top = PAL_SOURCE_DIR "/skills_pal/";
+  const std::string expected = read(folder + "touch.expected");
+  const auto generated = [](Input input) {
+    const auto plan = input.plan();
+    REQUIRE(plan);
+    return all(codegen::emit(*plan));
+  };
+  CHECK(generated({"touch.pal", "../workcell.pal", "skills_pal/touch/"}) == expected);
+  CHECK(generated({"../touch/touch.pal", "../workcell.pal", "skills_pal/rub/"}) == expected);
+  CHECK(generated({top + "touch/touch.pal", top + "workcell.pal"}) == expected);
 }
 
 TEST_CASE("an environment that lacks something gives findings and no code") {

@@ -109,7 +109,7 @@ Seen watch_without(runtime::CostPolicy costs, std::uint64_t seed) {
   return watch(*skill, seen, costs, seed);
 }
 
-void check_apart(const std::vector<double>& taken, double apart) {
+void expect_apart(const std::vector<double>& taken, double apart) {
   REQUIRE(taken.size() >= profiles);
   for (std::size_t i = 1; i < profiles; ++i) CHECK(taken[i] - taken[i - 1] == Approx(apart).margin(0.002));
 }
@@ -118,8 +118,8 @@ TEST_CASE("range finder: with a courier every profile is used, without one every
   for (const auto costs :
        {runtime::CostPolicy::worst, runtime::CostPolicy::best, runtime::CostPolicy::random}) {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
-      check_apart(watch_with_courier(costs, seed).taken, 78);
-      check_apart(watch_without(costs, seed).taken, 156);
+      expect_apart(watch_with_courier(costs, seed).taken, 78);
+      expect_apart(watch_without(costs, seed).taken, 156);
     }
   }
 }

@@ -12,7 +12,45 @@ double way_along_z(const workcell::SessionResult& result) {
   return (result.log.front().tool - result.log.back().tool).z() * 1e3;
 }
 
+// At the end of the log, which goes on for 0.4 s after the skill.
+bool stands_still(const workcell::SessionResult& result) {
+  const auto& last = result.log.back();
+  const auto& before = result.log[result.log.size() - 100];
+  return (last.tool - before.tool).norm() < 1e-5;
+}
+
 }  // namespace
+
+TEST_CASE("touch comes to the plate and presses on it, completion 0, in both orders") {
+  const auto result = run({.skill = "touch", .scene = "touch"});
+  CHECK(end_of(result.outcome) == "touch 0");
+  CHECK(result.resting_force > 5);  // the threshold
+  CHECK(stands_still(result));
+  const auto read_first = run({.skill = "touch-read-first", .scene = "touch"});
+  CHECK(end_of(read_first.outcome) == "touch-read-first 0");
+  CHECK(read_first.resting_force > 5);
+  CHECK(stands_still(read_first));
+}
+
+TEST_CASE("touch meets nothing and goes back, completion 1, in both orders") {
+  const std::vector<runtime::ParameterValue> parameters{{"reach", 10}, {"approach-speed", 40}};
+  const auto result = run({.skill = "touch", .scene = "nothing", .parameters = parameters});
+  CHECK(end_of(result.outcome) == "touch 1");
+  CHECK(std::abs(way_along_z(result)) < 0.1);
+  const auto read_first = run({.skill = "touch-read-first", .scene = "nothing", .parameters = parameters});
+  CHECK(end_of(read_first.outcome) == "touch-read-first 1");
+  CHECK(std::abs(way_along_z(read_first)) < 0.1);
+}
+
+TEST_CASE("touch: the forearm hits a bar before the tool meets anything, completion 2, in both orders") {
+  const auto result = run({.skill = "touch", .scene = "bar-under-forearm"});
+  CAPTURE(result.outcome.reason);
+  CHECK(end_of(result.outcome) == "touch 2");
+  CHECK(stands_still(result));
+  const auto read_first = run({.skill = "touch-read-first", .scene = "bar-under-forearm"});
+  CHECK(end_of(read_first.outcome) == "touch-read-first 2");
+  CHECK(stands_still(read_first));
+}
 
 TEST_CASE("touch says that nothing was met only when the tool does not press") {
   // The plate is 15 mm below. At these reaches the last motion ends below, on and in it.
@@ -34,7 +72,7 @@ TEST_CASE("touch: a speed that overloads the sensor is refused before anything m
   const auto result =
       run({.skill = "touch", .scene = "touch", .parameters = {{"approach-speed", 60}, {"threshold", 40}}});
   CHECK(result.outcome.fault);
-  CHECK(result.outcome.code == 2);
+  CHECK(end_of(result.outcome) == "touch 2");
   CHECK(result.outcome.duration == runtime::Time::zero());
   CHECK(result.outcome.reason.find("at 60 mm/s a contact of 11 N/mm is felt too late") == 0);
   CHECK(result.outcome.reason.find("it may go at 27.1 mm/s") != std::string::npos);
@@ -42,7 +80,7 @@ TEST_CASE("touch: a speed that overloads the sensor is refused before anything m
   // At the speed that it names the sensor is not overloaded.
   const auto slower =
       run({.skill = "touch", .scene = "touch", .parameters = {{"approach-speed", 27.1}, {"threshold", 40}}});
-  CHECK(slower.outcome.code == 0);
+  CHECK(end_of(slower.outcome) == "touch 0");
   CHECK(slower.peak_force < 65);
 }
 
@@ -50,7 +88,7 @@ TEST_CASE("press holds the force, completion 0") {
   const auto result =
       run({.skill = "press", .scene = "plate-5", .parameters = {{"force", 8}, {"time", 0.5}}});
   CAPTURE(result.outcome.reason);
-  CHECK(result.outcome.code == 0);
+  CHECK(end_of(result.outcome) == "press 0");
   CHECK(result.outcome.overruns == 0);
   CHECK(pressing(result).back() == Approx(8).margin(0.5));
 }
@@ -59,7 +97,7 @@ TEST_CASE("press meets nothing and goes back, completion 1") {
   const auto result = run({.skill = "press",
                            .scene = "nothing",
                            .parameters = {{"search-distance", 10}, {"approach-speed", 20}}});
-  CHECK(result.outcome.code == 1);
+  CHECK(end_of(result.outcome) == "press 1");
   CHECK(result.peak_force == 0);
   CHECK(std::abs(way_along_z(result)) < 0.1);
 }
@@ -69,7 +107,7 @@ TEST_CASE("press meets the stop force and lifts off, completion 2") {
                            .scene = "touch",
                            .parameters = {{"force", 5}, {"stop-force", 7}, {"approach-speed", 25}}});
   CAPTURE(result.outcome.reason);
-  CHECK(result.outcome.code == 2);
+  CHECK(end_of(result.outcome) == "press 2");
   CHECK(result.peak_force >= 7);
   CHECK(result.resting_force == 0);
   CHECK(way_along_z(result) < 13);  // 5 mm up from where it pressed, 15 to 18 mm below the start
@@ -79,9 +117,21 @@ TEST_CASE("press meets the stop force and lifts off, completion 2") {
 TEST_CASE("press refuses a force that would be the stop force, completion 3") {
   const auto result = run({.skill = "press", .scene = "touch", .parameters = {{"force", 40}}});
   CHECK(result.outcome.fault);
-  CHECK(result.outcome.code == 3);
+  CHECK(end_of(result.outcome) == "press 3");
   CHECK(result.outcome.reason == "force must be less than stop-force");
   CHECK(result.outcome.duration == runtime::Time::zero());
+}
+
+TEST_CASE("press gives up after 10 s when the force does not stay in its band, completion 3") {
+  // The joints stick: on a stiff plate the force does not stay within 0.2 N for 3 s.
+  const auto result = run({.skill = "press",
+                           .scene = "plate-20",
+                           .parameters = {{"force", 5}, {"band", 0.2}, {"time", 3}, {"approach-speed", 20}}});
+  CHECK(end_of(result.outcome) == "press 3");
+  CHECK(result.outcome.reason.find("the force does not stay in its band") != std::string::npos);
+  CHECK(result.outcome.duration > std::chrono::seconds(13));
+  CHECK(result.outcome.duration < std::chrono::seconds(15));
+  CHECK(stands_still(result));
 }
 
 TEST_CASE("rub goes the whole distance, completion 0, by both regulators") {
@@ -93,7 +143,7 @@ TEST_CASE("rub goes the whole distance, completion 0, by both regulators") {
            {{"distance", 2}, {"direction", 90}, {"speed", 0.5}, {"vertical", 0.15}, {"band-rule", band_rule}},
        .raise = -14});
   CAPTURE(result.outcome.reason);
-  CHECK(result.outcome.code == 0);
+  CHECK(end_of(result.outcome) == "rub 0");
   CHECK((result.log.back().tool - result.log.front().tool).head<2>().norm() * 1e3 == Approx(20).margin(0.2));
   CHECK(result.resting_force > 1);
   CHECK(result.resting_force < 9);
@@ -105,7 +155,7 @@ TEST_CASE("rub hits a step and lifts off, completion 1") {
                            .parameters = {{"speed", 1}, {"stop-force", 300}, {"distance", 12}},
                            .raise = -13});
   CAPTURE(result.outcome.reason);
-  CHECK(result.outcome.code == 1);
+  CHECK(end_of(result.outcome) == "rub 1");
   const double along = (result.log.back().tool - result.log.front().tool).x() * 1e3;
   CHECK(along > 45);
   CHECK(along < 75);
@@ -122,7 +172,7 @@ TEST_CASE("rub meets the error force and stands still, completion 2") {
            .raise = -13});
   CAPTURE(result.outcome.reason);
   CHECK_FALSE(result.outcome.fault);
-  CHECK(result.outcome.code == 2);
+  CHECK(end_of(result.outcome) == "rub 2");
   CHECK(result.peak_force > 10);
 }
 

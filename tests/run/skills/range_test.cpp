@@ -21,24 +21,25 @@ TEST_CASE("standoff comes to the distance, from above and from below, completion
   const auto result =
       run({.skill = "standoff", .scene = "flat", .parameters = {{"distance", distance}, {"speed", 2}}});
   CAPTURE(result.outcome.reason);
-  REQUIRE(result.outcome.code == 0);
+  REQUIRE(end_of(result.outcome) == "standoff 0");
   // The plate is 15 mm high and its underside is at -120 mm.
   const double reached = standoff(result.log.back(), {480, -200, -105}, Eigen::Vector3d::UnitZ());
   CHECK(reached == Approx(distance).margin(0.4));
 }
 
 TEST_CASE("standoff and align say that nothing is in range, completion 1, and stand still") {
-  const std::string skill = GENERATE("standoff", "align");
-  const auto result = run({.skill = skill, .scene = "nothing-in-view"});
-  CAPTURE(result.outcome.reason);
-  CHECK(result.outcome.code == 1);
-  CHECK((result.log.back().tool - result.log.front().tool).norm() < 1e-4);
+  const auto standoff = run({.skill = "standoff", .scene = "nothing-in-view"});
+  CHECK(end_of(standoff.outcome) == "standoff 1");
+  CHECK((standoff.log.back().tool - standoff.log.front().tool).norm() < 1e-4);
+  const auto align = run({.skill = "align", .scene = "nothing-in-view"});
+  CHECK(end_of(align.outcome) == "align 1");
+  CHECK((align.log.back().tool - align.log.front().tool).norm() < 1e-4);
 }
 
 TEST_CASE("align stands square to a plate that leans about both axes, completion 0") {
   const auto result = run({.skill = "align", .scene = "tilted", .parameters = {{"tolerance", 0.1}}});
   CAPTURE(result.outcome.reason);
-  REQUIRE(result.outcome.code == 0);
+  REQUIRE(end_of(result.outcome) == "align 0");
   const double degree = 3.14159265358979 / 180;
   const Eigen::Vector3d normal = Eigen::AngleAxisd(12 * degree, Eigen::Vector3d::UnitX()) *
                                  Eigen::AngleAxisd(5 * degree, Eigen::Vector3d::UnitY()) *
@@ -50,24 +51,60 @@ TEST_CASE("align stands square to a plate that leans about both axes, completion
 TEST_CASE("align refuses what is not flat, completion 1") {
   const auto result = run({.skill = "align", .scene = "pyramid"});
   CAPTURE(result.outcome.reason);
-  CHECK(result.outcome.code == 1);
+  CHECK(end_of(result.outcome) == "align 1");
 }
 
-TEST_CASE("a skill for the range finder ends with its error completion where there is none") {
-  CHECK(run({.skill = "standoff", .scene = "touch"}).outcome.code == 2);
+TEST_CASE("standoff ends with its error completion where there is no range finder") {
+  const auto result = run({.skill = "standoff", .scene = "touch"});
+  CHECK(end_of(result.outcome) == "standoff 2");
+  CHECK((result.log.back().tool - result.log.front().tool).norm() < 1e-4);
+}
+
+TEST_CASE(
+    "standoff, align and follow-edge: the range finder is unplugged on the way, completion 2, and the tool "
+    "stands still") {
+  const std::string fault = "at 800 ms range-finder unplug";
+  const auto stopped = [](const workcell::SessionResult& result) {
+    const auto& last = result.log.back();
+    const double moved = (last.tool - result.log.front().tool).norm() +
+                         last.tool_turn.angularDistance(result.log.front().tool_turn);
+    return moved > 1e-3 && (last.tool - result.log[result.log.size() - 100].tool).norm() < 1e-5;
+  };
+  const auto standoff = run({.skill = "standoff", .scene = "flat", .fault = fault});
+  CHECK(end_of(standoff.outcome) == "standoff 2");
+  CHECK(standoff.outcome.reason == "range-finder: the link is broken: unplugged");
+  CHECK((standoff.log.back().tool - standoff.log[standoff.log.size() - 100].tool).norm() < 1e-5);
+  const auto align = run({.skill = "align", .scene = "tilted", .fault = fault});
+  CHECK(end_of(align.outcome) == "align 2");
+  CHECK(stopped(align));
+  const auto follow = run({.skill = "follow-edge", .scene = "seam", .fault = fault});
+  CHECK(end_of(follow.outcome) == "follow-edge 2");
+  CHECK(stopped(follow));
 }
 
 TEST_CASE("follow-edge goes the distance, completion 0") {
   const auto result =
       run({.skill = "follow-edge", .scene = "seam", .parameters = {{"distance", 3}, {"track", 0.6}}});
   CAPTURE(result.outcome.reason);
-  CHECK(result.outcome.code == 0);
+  CHECK(end_of(result.outcome) == "follow-edge 0");
   CHECK((result.log.back().tool - result.log.front().tool).x() * 1e3 == Approx(30).margin(3));
 }
 
 TEST_CASE("follow-edge without an edge stands still, completion 1") {
   const auto result = run({.skill = "follow-edge", .scene = "flat"});
   CAPTURE(result.outcome.reason);
-  CHECK(result.outcome.code == 1);
+  CHECK(end_of(result.outcome) == "follow-edge 1");
   CHECK((result.log.back().tool - result.log.front().tool).norm() < 1e-3);
+}
+
+TEST_CASE("follow-edge: the edge ends on the way, completion 1, and the tool stands still beyond it") {
+  const auto result = run({.skill = "follow-edge",
+                           .scene = "seam-end",
+                           .parameters = {{"distance", 15}, {"track", 0.8}, {"rotation", 0.1}}});
+  CAPTURE(result.outcome.reason);
+  CHECK(end_of(result.outcome) == "follow-edge 1");
+  const double gone = (result.log.back().tool - result.log.front().tool).x() * 1e3;
+  CHECK(gone > 60);  // the edge ends after 80 mm, and the range finder is held square to it
+  CHECK(gone < 149);
+  CHECK((result.log.back().tool - result.log[result.log.size() - 100].tool).norm() < 1e-5);
 }

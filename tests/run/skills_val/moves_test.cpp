@@ -29,7 +29,7 @@ TEST_CASE("move-to-location: 0, with all joints together and in a straight line"
   Workshop shop(scene("parts"));
   const auto outcome = shop.run(
       "move-to-location", {text("location", "PLACE"), {.name = "straight", .value = straight ? 1.0 : 0.0}});
-  CHECK(outcome.code == 0);
+  CHECK(end_of(outcome) == "move-to-location 0");
   CHECK_FALSE(outcome.fault);
   CHECK(stands(shop, shop.location("PLACE")));
   const Vector3d begin = 1e3 * shop.log().front().tool, way = (shop.location("PLACE") - begin).normalized();
@@ -45,7 +45,7 @@ TEST_CASE("move-to-location: slower takes longer") {
     Workshop shop(scene("parts"));
     const auto outcome =
         shop.run("move-to-location", {text("location", "PLACE"), {.name = "speed", .value = speed}});
-    CHECK(outcome.code == 0);
+    CHECK(end_of(outcome) == "move-to-location 0");
     *time = outcome.duration;
   }
   CHECK(slow > 2 * fast);
@@ -58,7 +58,7 @@ TEST_CASE("move-to-location: 1, beyond the arm's reach, and nothing moves") {
   shop.cell().val_store().locations["FAR"] = far;
   const Vector3d before = shop.tip();
   const auto outcome = shop.run("move-to-location", {text("location", "FAR")});
-  CHECK(outcome.code == 1);
+  CHECK(end_of(outcome) == "move-to-location 1");
   CHECK_FALSE(outcome.fault);
   CHECK(stands(shop, before));
 }
@@ -67,7 +67,7 @@ TEST_CASE("move-to-location: 2, a location that nobody taught") {
   Workshop shop(scene("parts"));
   const Vector3d before = shop.tip();
   const auto outcome = shop.run("move-to-location", {text("location", "NOWHERE")});
-  CHECK(outcome.code == 2);
+  CHECK(end_of(outcome) == "move-to-location 2");
   CHECK(outcome.reason.find("VAL: Undefined value NOWHERE") != std::string::npos);
   CHECK(stands(shop, before));
 }
@@ -76,7 +76,7 @@ TEST_CASE("move-to-location: 2, a post in the way") {
   Workshop shop(scene("posts"));
   const auto outcome =
       shop.run("move-to-location", {text("location", "BEYOND"), {.name = "straight", .value = 1}});
-  CHECK(outcome.code == 2);
+  CHECK(end_of(outcome) == "move-to-location 2");
   CHECK(shop.cell().workcell().fault().has_value());
   CHECK((shop.tip() - shop.location("BEYOND")).norm() > 50);
   const Vector3d stopped = shop.tip();
@@ -94,7 +94,7 @@ TEST_CASE(
   shop.cell().station().timeline().after(std::chrono::milliseconds(500),
                                          [&] { val->wire->cut("a rat has bitten through it"); });
   const auto outcome = shop.run("move-to-location", {text("location", "PLACE")});
-  CHECK(outcome.code == 2);
+  CHECK(end_of(outcome) == "move-to-location 2");
   CAPTURE(outcome.reason);
   CHECK(outcome.reason.find("VAL: line to VAL broken") != std::string::npos);
   CHECK(stands(shop, shop.location("PLACE")));
@@ -107,7 +107,7 @@ TEST_CASE("move-cartesian: 0, at the pose, in a straight line past the posts") {
                                                    {.name = "z", .value = -30},
                                                    {.name = "o", .value = -60},
                                                    {.name = "speed", .value = 250}});
-  CHECK(outcome.code == 0);
+  CHECK(end_of(outcome) == "move-cartesian 0");
   CHECK(stands(shop, {520, -330, -30}));
   CHECK(axis_z(shop).z() == Approx(-1).margin(1e-4));
 }
@@ -129,7 +129,7 @@ TEST_CASE("move-cartesian: 1, out of reach and through a singular pose; nothing 
                                                    {.name = "o", .value = way.o},
                                                    {.name = "a", .value = way.a},
                                                    {.name = "speed", .value = 500}});
-  CHECK(outcome.code == 1);
+  CHECK(end_of(outcome) == "move-cartesian 1");
   CHECK_FALSE(outcome.fault);
   CHECK(stands(shop, before));
 }
@@ -139,7 +139,7 @@ TEST_CASE("move-cartesian: 2, a post in the way") {
   const auto outcome =
       shop.run("move-cartesian",
                {{.name = "x", .value = 480}, {.name = "y", .value = -30}, {.name = "z", .value = -60}});
-  CHECK(outcome.code == 2);
+  CHECK(end_of(outcome) == "move-cartesian 2");
   CHECK(shop.cell().workcell().fault().has_value());
 }
 
@@ -163,7 +163,7 @@ TEST_CASE("relative-move: 0, moved and turned in the tool's own frame") {
                                                   {.name = "rx", .value = 10},
                                                   {.name = "ry", .value = 20},
                                                   {.name = "rz", .value = 30}});
-  CHECK(outcome.code == 0);
+  CHECK(end_of(outcome) == "relative-move 0");
   constexpr double degree = std::numbers::pi / 180;
   const sim::Pose expected = before * Eigen::Translation3d(0.040, -0.030, -0.050) *
                              Eigen::Isometry3d(Eigen::AngleAxisd(30 * degree, Vector3d::UnitZ()) *
@@ -178,7 +178,7 @@ TEST_CASE("relative-move: 1, beyond the arm's reach, and nothing moves") {
   Workshop shop(scene("nothing"));
   REQUIRE(shop.run("move-cartesian", {{.name = "x", .value = 700}}).code == 0);
   const Vector3d before = shop.tip();
-  CHECK(shop.run("relative-move", {{.name = "dx", .value = 300}}).code == 1);
+  CHECK(end_of(shop.run("relative-move", {{.name = "dx", .value = 300}})) == "relative-move 1");
   CHECK(stands(shop, before));
 }
 
@@ -192,6 +192,6 @@ TEST_CASE("relative-move: 1, to where the wrist is stretched, a singular pose; n
 TEST_CASE("relative-move: 2, the table in the way") {
   Workshop shop(scene("parts"));
   const auto outcome = shop.run("relative-move", {{.name = "dz", .value = 150}});  // 122 mm above the table
-  CHECK(outcome.code == 2);
+  CHECK(end_of(outcome) == "relative-move 2");
   CHECK(shop.cell().workcell().fault().has_value());
 }

@@ -20,7 +20,7 @@ TEST_CASE("palletize: 0, parts at the places that come next, row by row") {
             .code == 0);
     const auto outcome = shop.run("palletize", {{.name = "placed", .value = placed}});
     CAPTURE(placed, outcome.reason);
-    CHECK(outcome.code == 0);
+    CHECK(end_of(outcome) == "palletize 0");
     CHECK_FALSE(outcome.fault);
   }
   number = 0;
@@ -36,7 +36,7 @@ TEST_CASE("palletize: 1, the pallet is full, and nothing moves") {
   REQUIRE(shop.run("pick-at-location", {text("location", "PART1")}).code == 0);
   const Vector3d before = shop.tip();
   const auto outcome = shop.run("palletize", {{.name = "rows", .value = 2}, {.name = "placed", .value = 6}});
-  CHECK(outcome.code == 1);
+  CHECK(end_of(outcome) == "palletize 1");
   CHECK_FALSE(outcome.fault);
   CHECK(shop.cell().workcell().holds_part());
   CHECK((shop.tip() - before).norm() < 0.1);
@@ -46,7 +46,7 @@ TEST_CASE("palletize: 2, nothing held, and nothing moves") {
   Workshop shop(scene("pallet"));
   const Vector3d before = shop.tip();
   const auto outcome = shop.run("palletize");
-  CHECK(outcome.code == 2);
+  CHECK(end_of(outcome) == "palletize 2");
   CHECK(outcome.reason.find("the fingers hold nothing") != std::string::npos);
   CHECK((shop.tip() - before).norm() < 0.1);
 }
@@ -59,7 +59,7 @@ TEST_CASE("palletize: 2, a part is at the place already; the arm stands still") 
       shop.run("pick-at-location", {text("location", "PART2"), {.name = "approach", .value = 100}}).code ==
       0);
   const auto outcome = shop.run("palletize", {{.name = "approach", .value = 100}});
-  CHECK(outcome.code == 2);
+  CHECK(end_of(outcome) == "palletize 2");
   CHECK(shop.cell().workcell().fault().has_value());
   CHECK(shop.cell().workcell().holds_part());
 }

@@ -12,7 +12,7 @@ TEST_CASE("pick-at-location: 0, the part hangs above its place") {
   Workshop shop(scene("parts"));
   const Vector3d before = shop.middle("part");
   const auto outcome = shop.run("pick-at-location", {{.name = "approach", .value = 80}});
-  CHECK(outcome.code == 0);
+  CHECK(end_of(outcome) == "pick-at-location 0");
   CHECK_FALSE(outcome.fault);
   CHECK(shop.cell().workcell().holds_part());
   CHECK((shop.tip() - shop.location("PART") - Vector3d(0, 0, 80)).norm() < 0.2);
@@ -28,7 +28,7 @@ TEST_CASE("pick-at-location: 0, without a pause between closing and lifting") {
 TEST_CASE("pick-at-location: 1, nothing there: the fingers are open again, above the location") {
   Workshop shop(scene("empty-place"));
   const auto outcome = shop.run("pick-at-location", {{.name = "approach", .value = 80}});
-  CHECK(outcome.code == 1);
+  CHECK(end_of(outcome) == "pick-at-location 1");
   CHECK_FALSE(outcome.fault);
   CHECK(shop.cell().workcell().gripper_width() == Approx(80).margin(0.5));
   CHECK((shop.tip() - shop.location("PART") - Vector3d(0, 0, 80)).norm() < 0.2);
@@ -38,7 +38,7 @@ TEST_CASE("pick-at-location: 2, a location that nobody taught") {
   Workshop shop(scene("parts"));
   const Vector3d before = shop.tip();
   const auto outcome = shop.run("pick-at-location", {text("location", "NOWHERE")});
-  CHECK(outcome.code == 2);
+  CHECK(end_of(outcome) == "pick-at-location 2");
   CHECK(outcome.reason.find("Undefined value NOWHERE") != std::string::npos);
   CHECK((shop.tip() - before).norm() < 0.1);
 }
@@ -50,7 +50,7 @@ TEST_CASE("pick-at-location: 2, a location out of reach; the arm stands still") 
   shop.cell().val_store().locations["FAR"] = far;
   const Vector3d before = shop.tip();
   const auto outcome = shop.run("pick-at-location", {text("location", "FAR")});
-  CHECK(outcome.code == 2);
+  CHECK(end_of(outcome) == "pick-at-location 2");
   CHECK((shop.tip() - before).norm() < 0.1);
   CHECK(shop.cell().workcell().idle());
 }

@@ -13,7 +13,7 @@ TEST_CASE("place-at-location: 0, the part stands at its place, the fingers above
   const Vector3d before = shop.middle("part");
   REQUIRE(shop.run("pick-at-location").code == 0);
   const auto outcome = shop.run("place-at-location");
-  CHECK(outcome.code == 0);
+  CHECK(end_of(outcome) == "place-at-location 0");
   CHECK_FALSE(outcome.fault);
   CHECK((shop.middle("part") - before - (shop.location("PLACE") - shop.location("PART"))).norm() < 0.3);
   CHECK(shop.cell().workcell().gripper_width() == Approx(80).margin(0.5));
@@ -24,7 +24,7 @@ TEST_CASE("place-at-location: 1, nothing held, and nothing moves") {
   Workshop shop(scene("parts"));
   const Vector3d before = shop.tip();
   const auto outcome = shop.run("place-at-location");
-  CHECK(outcome.code == 1);
+  CHECK(end_of(outcome) == "place-at-location 1");
   CHECK_FALSE(outcome.fault);
   CHECK((shop.tip() - before).norm() < 0.1);
 }
@@ -37,7 +37,7 @@ TEST_CASE("place-at-location: 1, the place is taken: the part is held above it a
   const Vector3d taken = shop.middle("part 2");
   const auto outcome =
       shop.run("place-at-location", {text("location", "PART2"), {.name = "approach", .value = 100}});
-  CHECK(outcome.code == 1);
+  CHECK(end_of(outcome) == "place-at-location 1");
   CHECK_FALSE(outcome.fault);
   CHECK_FALSE(shop.cell().workcell().fault().has_value());
   CHECK(shop.cell().workcell().holds_part());
@@ -55,7 +55,7 @@ TEST_CASE("place-at-location: without feeling, what stands at the place is lifte
   const auto outcome =
       shop.run("place-at-location",
                {text("location", "PART2"), {.name = "approach", .value = 100}, {.name = "feel", .value = 0}});
-  CHECK(outcome.code == 1);
+  CHECK(end_of(outcome) == "place-at-location 1");
   CHECK((shop.middle("part 2") - taken).norm() > 50);
 }
 
@@ -67,7 +67,7 @@ TEST_CASE(
   const auto outcome =
       shop.run("place-at-location",
                {text("location", "TAKEN"), {.name = "approach", .value = 100}, {.name = "feel", .value = 0}});
-  CHECK(outcome.code == 1);
+  CHECK(end_of(outcome) == "place-at-location 1");
   CHECK_FALSE(shop.cell().workcell().fault().has_value());
   CHECK((shop.tip() - shop.location("TAKEN") - Vector3d(0, 0, 100)).norm() < 0.2);
 }
@@ -76,7 +76,7 @@ TEST_CASE("place-at-location: 2, a post on the way there; the arm stands still")
   const ChangedScene changed("parts", "post at 460 -50 height 120");
   Workshop shop(changed.scene());
   REQUIRE(shop.run("pick-at-location").code == 0);
-  CHECK(shop.run("place-at-location").code == 2);
+  CHECK(end_of(shop.run("place-at-location")) == "place-at-location 2");
   CHECK(shop.cell().workcell().fault().has_value());
   CHECK(shop.tip().y() < 0);
 }
@@ -85,7 +85,7 @@ TEST_CASE("place-at-location: 2, a location that nobody taught; the part stays i
   Workshop shop(scene("parts"));
   REQUIRE(shop.run("pick-at-location").code == 0);
   const auto outcome = shop.run("place-at-location", {text("location", "NOWHERE")});
-  CHECK(outcome.code == 2);
+  CHECK(end_of(outcome) == "place-at-location 2");
   CHECK(outcome.reason.find("Undefined value NOWHERE") != std::string::npos);
   CHECK(shop.cell().workcell().holds_part());
 }

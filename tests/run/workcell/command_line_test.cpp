@@ -187,9 +187,22 @@ TEST_CASE("bad input: place, cause, hint, status, and no files") {
           "unit\n");
   refused({"run", "touch", "--set", "reach=5", "--set", "threshold=4", "--set", "reach=6"}, ExitStatus::usage,
           "workcell: error: --set reach=6: reach has been set before, to 5\n  hint: set it once\n");
+  refused({"run", "named-touch", "--set", "location=A", "--set", "location=B"}, ExitStatus::usage,
+          "workcell: error: --set location=B: location has been set before, to \"A\"\n  hint: set it once\n");
   refused({"run", "touch", "--set", "reach"}, ExitStatus::usage,
           "workcell: error: --set reach: a parameter is set by name=value\n  hint: write --set "
           "approach-speed=20\n");
+}
+
+TEST_CASE("a file of faults that says nothing is refused") {
+  const Folder folder;
+  fs::create_directories(folder.path());
+  const std::string file = folder.path() + "/empty.fault";
+  std::ofstream(file) << "# nothing yet\n\n";
+  const Answer answer = workcell({"run", "touch", "--fault", file});
+  CHECK(answer.status == ExitStatus::wrong_specification);
+  CHECK(answer.error == "workcell: error: " + file + ": the file says nothing that is to go wrong\n" +
+                            "  hint: write a line, for example: at 500 ms force-torque dropout\n");
 }
 
 TEST_CASE("a command line that is wrong is a matter of usage") {
@@ -248,10 +261,10 @@ TEST_CASE("progress: a line a simulated second, or one that is rewritten") {
   std::istringstream lines(plain.out);
   std::string line;
   std::getline(lines, line);
-  CHECK(line.find("   1.000 s") == 0);
+  CHECK(line.find("    1.00 s") == 0);
   CHECK(line.find(" x  moving      force   0.0 N  tool ") != std::string::npos);
   std::getline(lines, line);
-  CHECK(line.find("   2.0") == 0);
+  CHECK(line.find("    2.0") == 0);
   CHECK(line.find("pressing") != std::string::npos);
   CHECK(plain.out.find('\r') == std::string::npos);
 
@@ -265,7 +278,7 @@ TEST_CASE("progress: a line a simulated second, or one that is rewritten") {
   cell.advance_to(std::chrono::milliseconds(300));
   now += std::chrono::milliseconds(50);
   progress.show();
-  CHECK(out.str().find("\r   0.300 s    3.0 x  standing") == 0);
+  CHECK(out.str().find("\r    0.30 s    3.0 x  standing") == 0);
   progress.end();
   CHECK(out.str().back() == '\n');
 }

@@ -5,6 +5,7 @@
 #include "runtime/drivers/streams/carrier.hpp"
 #include "sim/cell/cell.hpp"
 #include "sim/program/session.hpp"
+#include "skills_pal/registry.hpp"
 #include "skills_pal/touch/touch.hpp"
 
 using namespace pal;
@@ -97,6 +98,58 @@ TEST_CASE("each fault of a line is a clear end of the skill, with the arm at res
     const auto& last = result.log.back();
     const auto& before = result.log[result.log.size() - 100];
     CHECK((last.tool - before.tool).norm() < 1e-5);
+  }
+}
+
+TEST_CASE("each fault of the arm is a clear end of the skill, with the template's code and the arm at rest") {
+  struct Case {
+    const char* skill;
+    const char* scene;
+    std::vector<runtime::ParameterValue> parameters;
+    int code;
+    bool fault;
+    const char* said;  // by ALTER as the reason, by VAL as the controller's words
+  };
+  for (const Case& each :
+       {Case{"touch",
+             "bar-under-forearm",
+             {{"approach-speed", 60}},
+             2,
+             true,
+             "alter: the forearm hit the bar"},
+        Case{"align",
+             "near-limit",
+             {},
+             2,
+             true,
+             "alter: cannot make the motion: joint 4 would leave its range of -110 to 170 degrees"},
+        Case{"relative-move", "near-limit", {{"ry", 10}}, 1, false, "Joint out of range Jt 4"},
+        Case{"touch",
+             "edge-of-reach",
+             {{"reach", 300}, {"approach-speed", 60}},
+             2,
+             true,
+             "alter: cannot make the motion: the tool would be out of the arm's reach"},
+        Case{"relative-move", "edge-of-reach", {{"dz", 300}}, 1, false, "Location too far"},
+        Case{"align",
+             "near-singularity",
+             {},
+             2,
+             true,
+             "alter: cannot make the motion: joint 4 would turn at "},
+        Case{"relative-move", "near-singularity", {{"rx", 10}}, 1, false, "Joint too fast Jt 4"}}) {
+    CAPTURE(each.skill, each.scene);
+    Session one = session();
+    one.scene = sim::find_scene(each.scene, {PAL_SCENE_DIR});
+    one.parameters = each.parameters;
+    const SessionResult result = run_session(*skills::make_skill(each.skill), one);
+    CHECK(result.outcome.code == each.code);
+    CHECK(result.outcome.fault == each.fault);
+    CHECK((each.fault ? result.outcome.reason : result.controller).find(each.said) == 0);
+    REQUIRE(result.log.size() > 100);
+    const auto& last = result.log.back();
+    const auto& before = result.log[result.log.size() - 100];
+    CHECK((last.tool - before.tool).norm() < 1e-4);
   }
 }
 

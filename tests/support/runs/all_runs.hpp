@@ -1,4 +1,4 @@
-// What a skill does, read off docs/execution-model.md once more: it walks the graphs of the modules
+// What a skill does, read off docs/reference/execution-model.md once more: it walks the graphs of the modules
 // themselves and shares nothing with the analyzer, not even its steps. Whole units of time, every order,
 // every outcome. Slow and small.
 #pragma once

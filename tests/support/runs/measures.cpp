@@ -1,4 +1,4 @@
-// What is measured of a run (docs/execution-model.md, What is measured).
+// What is measured of a run (docs/reference/execution-model.md, What is measured).
 #include <algorithm>
 
 #include "tests/support/runs/all_runs.hpp"

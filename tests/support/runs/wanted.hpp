@@ -1,4 +1,4 @@
-// What a skill is required to keep, as docs/execution-model.md measures it.
+// What a skill is required to keep, as docs/reference/execution-model.md measures it.
 #pragma once
 
 #include <set>

@@ -27,7 +27,7 @@ std::unique_ptr<test::Skill> two() {
 Analysis gives_up(const Problem& problem, const Options&) {
   Options nothing;
   nothing.max_states = 0;
-  Analysis analysis = analyze(problem, nothing);
+  Analysis analysis = analyze_exactly(problem, nothing);
   for (Verdict& verdict : analysis.verdicts) {
     verdict.gave_up = true;
     verdict.witness.reset();

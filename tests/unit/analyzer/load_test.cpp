@@ -17,7 +17,7 @@ TEST_CASE("the load of a periodic worker is its work in its period") {
       test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 40 %", worker,
                                     "PROCESSOR P0\nPROCESSOR P1\nDEVICE MC1 EVENT tick EVERY 12 ms\nTIME "
                                     "work : 1 TO 4 ms\nCOST SET 1 ms\nPLACE SM1 ON P1 PRIORITY 1\n"));
-  const Verdict verdict = analyze(*skill->problem).verdicts.front();
+  const Verdict verdict = analyze_exactly(*skill->problem).verdicts.front();
   CHECK(verdict.state == Verdict::State::fails);
   CHECK(verdict.exact);
   REQUIRE(verdict.bound);
@@ -31,7 +31,7 @@ TEST_CASE("the load of a sporadic worker is at most its work in its least separa
       small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 42 %", worker,
                   "PROCESSOR P0\nPROCESSOR P1\nDEVICE MC1 EVENT tick SPORADIC 12 ms JITTER 2 ms\nTIME "
                   "work : 1 TO 4 ms\nCOST SET 1 ms\nPLACE SM1 ON P1 PRIORITY 1\n"));
-  const Verdict verdict = analyze(*skill->problem).verdicts.front();
+  const Verdict verdict = analyze_exactly(*skill->problem).verdicts.front();
   CHECK(verdict.state == Verdict::State::holds);
   REQUIRE(verdict.bound);
   CHECK(verdict.bound->count() == 416'666'667);  // 5 ms in 12 ms, rounded up
@@ -65,7 +65,7 @@ END
                                                    "SPORADIC 5 ms\nTIME work : 5 ms\nTIME nap : 29 ms\n"
                                                    "PLACE SM1 ON P1 PRIORITY 1\nPLACE SM1.2 ON P0 PRIORITY "
                                                    "1\n"));
-  const Verdict verdict = analyze(*skill->problem).verdicts.front();
+  const Verdict verdict = analyze_exactly(*skill->problem).verdicts.front();
   CHECK(verdict.state != Verdict::State::holds);
   REQUIRE(verdict.bound);
   CHECK(verdict.bound->count() == 1'000'000'000);
@@ -83,7 +83,7 @@ BEGIN
 END
 )",
                                     "PROCESSOR P0\nTIME work : 1 TO 4 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
-  const Verdict verdict = analyze(*skill->problem).verdicts.front();
+  const Verdict verdict = analyze_exactly(*skill->problem).verdicts.front();
   CHECK(verdict.state == Verdict::State::holds);
   CHECK(verdict.bound == Duration(0));
 }
@@ -95,7 +95,7 @@ TEST_CASE("a load is exact whatever the times have in common") {
                   "work : 1 TO 3999999 ns\nCOST SET 999983 ns\nPLACE SM1 ON P1 PRIORITY 1\n"));
   Options options;
   options.max_states = 5'000;  // far fewer than there are nanoseconds
-  const Verdict verdict = analyze(*skill->problem, options).verdicts.front();
+  const Verdict verdict = analyze_exactly(*skill->problem, options).verdicts.front();
   CHECK(verdict.state == Verdict::State::fails);
   CHECK(verdict.exact);
   REQUIRE(verdict.bound);
@@ -110,7 +110,7 @@ TEST_CASE("what a load is in is a turn of its run, however it was proved") {
                   "work : 1 TO 3999999 ns\nCOST SET 999983 ns\nPLACE SM1 ON P0 PRIORITY 1\n"));
   Options options;
   options.max_states = 5'000;
-  const Verdict verdict = analyze(*skill->problem, options).verdicts.front();
+  const Verdict verdict = analyze_exactly(*skill->problem, options).verdicts.front();
   CHECK(verdict.exact);
   CHECK(verdict.explanation.find("busy for at most 4.999982 ms in every 12.000001 ms") != std::string::npos);
   CHECK(attained(verdict) == verdict.bound);
@@ -121,7 +121,7 @@ TEST_CASE("times that are long and have nothing in common take no longer") {
       test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 50 %", worker,
                                     "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 999999999999999 ns\nTIME "
                                     "work : 1 TO 399999999999997 ns\nPLACE SM1 ON P0 PRIORITY 1\n"));
-  const Verdict verdict = analyze(*skill->problem).verdicts.front();
+  const Verdict verdict = analyze_exactly(*skill->problem).verdicts.front();
   CHECK(verdict.state == Verdict::State::holds);
   CHECK(verdict.exact);
   CHECK(verdict.bound == Duration(400'000'000));
@@ -150,7 +150,7 @@ END
                                                    "PLACE SM1 ON P0 PRIORITY 1\n"));
   Options options;
   options.max_states = 5'000;
-  const Verdict verdict = analyze(*skill->problem, options).verdicts.front();
+  const Verdict verdict = analyze_exactly(*skill->problem, options).verdicts.front();
   INFO(verdict.explanation);
   CHECK(verdict.state == Verdict::State::fails);
   CHECK_FALSE(verdict.exact);
@@ -174,7 +174,7 @@ Verdict by_shares(const std::string& round, const std::string& device) {
                   "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\nTIME work : 1 TO 1000003 ns\n" + device));
   Options options;
   options.max_states = 5'000;
-  return analyze(*skill->problem, options).verdicts.front();
+  return analyze_exactly(*skill->problem, options).verdicts.front();
 }
 
 }  // namespace
@@ -238,7 +238,7 @@ END ENVIRONMENT
 )");
   Options options;
   options.max_states = 2'000;
-  const Verdict verdict = analyze(*skill->problem, options).verdicts.front();
+  const Verdict verdict = analyze_exactly(*skill->problem, options).verdicts.front();
   INFO(verdict.explanation);
   CHECK(verdict.state != Verdict::State::fails);
   REQUIRE(attained(verdict));

@@ -36,7 +36,7 @@ int count(const trace::Trace& trace, trace::Kind kind, const std::string& messag
 }
 
 Verdict only(const Problem& problem) {
-  return analyze(problem).verdicts.front();
+  return analyze_exactly(problem).verdicts.front();
 }
 
 }  // namespace
@@ -169,9 +169,9 @@ TEST_CASE("an exploration that meets its limit decides nothing") {
       "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 10 ms\nTIME work : 8 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
   Options options;
   options.max_states = 1;
-  CHECK(analyze(*skill->problem, options).verdicts.front().state == Verdict::State::undecided);
+  CHECK(analyze_exactly(*skill->problem, options).verdicts.front().state == Verdict::State::undecided);
   options.max_states = 1000;
-  CHECK(analyze(*skill->problem, options).verdicts.front().state == Verdict::State::holds);
+  CHECK(analyze_exactly(*skill->problem, options).verdicts.front().state == Verdict::State::holds);
 }
 
 TEST_CASE("an event that nobody answers fails without an overrun, even if nothing happens any more") {
@@ -218,7 +218,7 @@ BEGIN
 END
 )",
       "PROCESSOR P0\nTIME work : 1 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
-  const Analysis analysis = analyze(*skill->problem);
+  const Analysis analysis = analyze_exactly(*skill->problem);
   for (const Verdict& each : analysis.verdicts) {
     INFO(each.requirement << ": " << each.explanation);
     CHECK(each.state == Verdict::State::never);

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "analyzer/compositional/causes/apart.hpp"
+#include "analyzer/compositional/causes/cloned_blocks.hpp"
 #include "pal/pan/threads.hpp"
 #include "tests/support/skill.hpp"
 
@@ -103,27 +103,28 @@ TEST_CASE(
 TEST_CASE("kept apart, each CONCURRENT begins blocks of its own") {
   const auto made = test::sound_skill(skill("  CM1\n" + once + "  CM1\n", inner));
   const Problem& problem = *made->problem;
-  const Problem apart = compositional::apart(problem);
-  std::vector<int> begun(apart.threads.size());
-  for (const Step& step : apart.steps) {
+  const Problem cloned = compositional::clone_shared_blocks(problem);
+  std::vector<int> begun(cloned.threads.size());
+  for (const Step& step : cloned.steps) {
     for (int block : step.threads) ++begun[static_cast<std::size_t>(block)];
   }
-  for (std::size_t t = 0; t < apart.threads.size(); ++t) {
-    CHECK(begun[t] == (apart.threads[t].parent < 0 ? 0 : 1));
-    CHECK(apart.threads[t].parent < static_cast<int>(t));
+  for (std::size_t t = 0; t < cloned.threads.size(); ++t) {
+    CHECK(begun[t] == (cloned.threads[t].parent < 0 ? 0 : 1));
+    CHECK(cloned.threads[t].parent < static_cast<int>(t));
   }
   // Five times CM1, each with its own block and two sets of those of CM2: 5 * ( 1 + 2 * 2 ), SM1 and its two.
-  CHECK(apart.threads.size() == 28);
-  REQUIRE(apart.requirements.front().at.size() == apart.steps.size());
-  for (std::size_t s = 0; s < apart.steps.size(); ++s) {
-    const int statement = apart.steps[s].statement;
-    const bool works = statement >= 0 && apart.statements[static_cast<std::size_t>(statement)].text == "work";
-    CHECK(apart.requirements.front().at[s] == works);
+  CHECK(cloned.threads.size() == 28);
+  REQUIRE(cloned.requirements.front().at.size() == cloned.steps.size());
+  for (std::size_t s = 0; s < cloned.steps.size(); ++s) {
+    const int statement = cloned.steps[s].statement;
+    const bool works =
+        statement >= 0 && cloned.statements[static_cast<std::size_t>(statement)].text == "work";
+    CHECK(cloned.requirements.front().at[s] == works);
   }
   // Where nothing is shared nothing is copied.
   const auto plain =
       test::sound_skill(skill("  CONCURRENT BEGIN CM1 END BEGIN CM1 END END CONCURRENT\n", "  CM2\n"));
-  const Problem same = compositional::apart(*plain->problem);
+  const Problem same = compositional::clone_shared_blocks(*plain->problem);
   CHECK(same.threads.size() == plain->problem->threads.size());
   CHECK(same.steps.size() == plain->problem->steps.size());
 }

@@ -85,7 +85,7 @@ void add_folder(const std::string& folder, MemoryFileSystem& files, const std::s
   }
 }
 
-void check_fence(const Fence& fence, MemoryFileSystem& files) {
+void expect_fence(const Fence& fence, MemoryFileSystem& files) {
   CAPTURE(fence.line);
   const auto text = wrapped(fence);
   CAPTURE(text);
@@ -110,10 +110,11 @@ void check_fence(const Fence& fence, MemoryFileSystem& files) {
 
 std::vector<std::string> documents() {
   std::vector<std::string> paths{"README.md"};
-  for (const auto& entry : fs::directory_iterator(fs::path(PAL_SOURCE_DIR) / "docs")) {
-    const auto name = "docs/" + entry.path().filename().string();
+  const fs::path root(PAL_SOURCE_DIR);
+  for (const auto& entry : fs::recursive_directory_iterator(root / "docs")) {
+    const auto name = fs::relative(entry.path(), root).generic_string();
     // The findings' examples are checked where they come from.
-    if (entry.path().extension() == ".md" && name != "docs/diagnostics.md") paths.push_back(name);
+    if (entry.path().extension() == ".md" && name != "docs/reference/diagnostics.md") paths.push_back(name);
   }
   std::sort(paths.begin(), paths.end());
   return paths;
@@ -128,12 +129,12 @@ TEST_CASE("every piece of PAL in the documents is what it says") {
     add_folder("skills_pal", files);
     add_folder("skills_pal/touch", files);
     add_folder("skills_pal/modules", files, "../modules/");
-    for (const auto& fence : fences_of(test::source_file(path))) check_fence(fence, files);
+    for (const auto& fence : fences_of(test::source_file(path))) expect_fence(fence, files);
   }
 }
 
 TEST_CASE("the reference has examples, and they are in canonical layout") {
-  const auto fences = fences_of(test::source_file("docs/language.md"));
+  const auto fences = fences_of(test::source_file("docs/reference/language.md"));
   CHECK(fences.size() > 20);
   for (const auto& fence : fences) {
     if (!fence.after("error=").empty() || fence.is("untidy")) continue;
@@ -158,7 +159,7 @@ TEST_CASE("the reference has examples, and they are in canonical layout") {
 }
 
 TEST_CASE("the reference names every keyword") {
-  const auto reference = test::source_file("docs/language.md");
+  const auto reference = test::source_file("docs/reference/language.md");
   const auto lexer = test::source_file("grammar/PalLexer.g4");
   const std::regex keyword("\n([A-Z]+) *: [A-Z](?: [A-Z])* ;");
   int keywords = 0;

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "analyzer/replay/check_run.hpp"
+#include "analyzer/run_checker/check_run.hpp"
 #include "analyzer/runs/quick_runs.hpp"
 #include "pal/driver/witness.hpp"
 #include "tests/support/skill.hpp"

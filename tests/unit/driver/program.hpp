@@ -45,7 +45,7 @@ inline MemoryFileSystem in_memory(const std::string& text) {
 }
 
 /// Checks that a command line is refused as one, and why.
-inline void is_refused(const std::vector<std::string>& arguments, const std::string& why) {
+inline void expect_refused(const std::vector<std::string>& arguments, const std::string& why) {
   const Answer answer = pal(arguments);
   INFO(answer.err);
   CHECK(answer.status == driver::ExitStatus::usage);

@@ -169,7 +169,7 @@ TEST_CASE("replay refuses what no run says, whatever stands in the file") {
 }
 
 TEST_CASE("runs that a simulation found prove what the exact analysis has given up") {
-  const std::string places = std::string(PAL_SOURCE_DIR) + "/tests/figures/figure_3_6_places.pal";
+  const std::string places = std::string(PAL_SOURCE_DIR) + "/tests/reference/figure_3_6_places.pal";
   const File file("replay_given_up");
   pal::test::pal({"whatif", places, "--environment-name", "reading", "--place", "1", "--priorities",
                   "--max-states", "1", "--witness", file.path()});
@@ -178,7 +178,7 @@ TEST_CASE("runs that a simulation found prove what the exact analysis has given 
 }
 
 TEST_CASE("that no placement on one processor does is proved by a run for each") {
-  const std::string places = std::string(PAL_SOURCE_DIR) + "/tests/figures/figure_3_6_places.pal";
+  const std::string places = std::string(PAL_SOURCE_DIR) + "/tests/reference/figure_3_6_places.pal";
   const File file("replay_placements");
   CHECK(pal::test::pal({"whatif", places, "--environment-name", "reading", "--place", "1", "--priorities",
                         "--witness", file.path()})
@@ -201,7 +201,7 @@ TEST_CASE("that no placement on one processor does is proved by a run for each")
 }
 
 TEST_CASE("a run on the last of very many processors is confirmed, and none beyond is looked for") {
-  std::ifstream in(std::string(PAL_SOURCE_DIR) + "/tests/attack/hand/all_zero.pal");
+  std::ifstream in(std::string(PAL_SOURCE_DIR) + "/tests/differential/hand/all_zero.pal");
   std::string text(std::istreambuf_iterator<char>(in), {});
   const auto insert = [&text](const std::string& before, const std::string& what) {
     text.insert(text.find(before), what);

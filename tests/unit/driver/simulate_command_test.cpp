@@ -110,16 +110,16 @@ TEST_CASE("a run that is written shows the value that is reported") {
 }
 
 TEST_CASE("what cannot be simulated is said") {
-  is_refused({"simulate", touch}, "give an environment with --environment FILE");
-  is_refused({"simulate", touch, "-e", cell, "--runs", "0"}, "--runs");
-  is_refused({"simulate", touch, "-e", cell, "--until", "soon"}, "no length of time");
-  is_refused({"simulate", touch, "-e", cell, "--script", "/nowhere.json"}, "cannot read '/nowhere.json'");
-  is_refused({"simulate", touch, "-e", cell, "--script", touch}, "is no file of witnesses");
-  is_refused({"simulate", touch, "-e", cell, "-r", "fresh"},
-             "no requirement is called 'fresh'; there is 'answer-alter'");
-  is_refused({"simulate", touch, "-e", cell, "--until", "0", "-r", "answer-alter", "--trace", "/tmp/x"},
-             "no run shows a value of 'answer-alter'");
-  is_refused({"simulate", cell}, "there is no skill to simulate");
+  expect_refused({"simulate", touch}, "give an environment with --environment FILE");
+  expect_refused({"simulate", touch, "-e", cell, "--runs", "0"}, "--runs");
+  expect_refused({"simulate", touch, "-e", cell, "--until", "soon"}, "no length of time");
+  expect_refused({"simulate", touch, "-e", cell, "--script", "/nowhere.json"}, "cannot read '/nowhere.json'");
+  expect_refused({"simulate", touch, "-e", cell, "--script", touch}, "is no file of witnesses");
+  expect_refused({"simulate", touch, "-e", cell, "-r", "fresh"},
+                 "no requirement is called 'fresh'; there is 'answer-alter'");
+  expect_refused({"simulate", touch, "-e", cell, "--until", "0", "-r", "answer-alter", "--trace", "/tmp/x"},
+                 "no run shows a value of 'answer-alter'");
+  expect_refused({"simulate", cell}, "there is no skill to simulate");
 }
 
 namespace {

@@ -10,7 +10,7 @@ using pal::driver::ExitStatus;
 
 namespace {
 
-const std::string places = std::string(PAL_SOURCE_DIR) + "/tests/figures/figure_3_6_places.pal";
+const std::string places = std::string(PAL_SOURCE_DIR) + "/tests/reference/figure_3_6_places.pal";
 
 bool says(const Answer& answer, const std::string& text) {
   return answer.out.find(text) != std::string::npos;
@@ -40,19 +40,19 @@ TEST_CASE("how few processors do is said of the priorities that were tried") {
 }
 
 TEST_CASE("what an option cannot be is refused with what it can be") {
-  is_refused({"check", touch, "--format", "xml"}, "'xml' is none of json, junit, sarif, text");
-  is_refused({"check", touch, "--format", "1"}, "'1' is none of json, junit, sarif, text");
-  is_refused({"check", touch, "--analysis", "long"}, "'long' is none of auto, compositional, exact");
-  is_refused({"check", touch, "--max-states", "-1"}, "'-1' is no whole number from 0 on");
-  is_refused({"check", touch, "--threads", "many"}, "'many' is no whole number from 0 on");
-  is_refused({"check", touch, "--threads", "1001"}, "1001 not in range 0 to 1000");
-  is_refused({"check", touch, "--max-errors", "-1"}, "'-1' is no whole number from 0 on");
-  is_refused({"simulate", touch, "-e", cell, "--seed", "-1"}, "'-1' is no whole number from 0 on");
-  is_refused({"simulate", touch, "-e", cell, "--until", "4000000001 s"},
-             "a run is no longer than 4000000000 s");
-  is_refused({"simulate", touch, "-e", cell, "--seed", "18446744073709551616"}, "of 64 bits");
-  is_refused({"simulate", touch, "-e", cell, "--times", "odd"},
-             "'odd' is none of best, extremes, random, worst");
+  expect_refused({"check", touch, "--format", "xml"}, "'xml' is none of json, junit, sarif, text");
+  expect_refused({"check", touch, "--format", "1"}, "'1' is none of json, junit, sarif, text");
+  expect_refused({"check", touch, "--analysis", "long"}, "'long' is none of auto, compositional, exact");
+  expect_refused({"check", touch, "--max-states", "-1"}, "'-1' is no whole number from 0 on");
+  expect_refused({"check", touch, "--threads", "many"}, "'many' is no whole number from 0 on");
+  expect_refused({"check", touch, "--threads", "1001"}, "1001 not in range 0 to 1000");
+  expect_refused({"check", touch, "--max-errors", "-1"}, "'-1' is no whole number from 0 on");
+  expect_refused({"simulate", touch, "-e", cell, "--seed", "-1"}, "'-1' is no whole number from 0 on");
+  expect_refused({"simulate", touch, "-e", cell, "--until", "4000000001 s"},
+                 "a run is no longer than 4000000000 s");
+  expect_refused({"simulate", touch, "-e", cell, "--seed", "18446744073709551616"}, "of 64 bits");
+  expect_refused({"simulate", touch, "-e", cell, "--times", "odd"},
+                 "'odd' is none of best, extremes, random, worst");
 }
 
 namespace {

@@ -32,7 +32,13 @@ class Session final : public DeviceHost {
   }
 
   Time now() const override { return timeline_.now(); }
-  void at(Time when, std::function<void()> action) override { timeline_.at(when, std::move(action)); }
+  Appointment at(Time when, std::function<void()> action) override {
+    const Timeline::Token token = timeline_.at(when, std::move(action));
+    return {token.slot, token.generation};
+  }
+  void cancel(Appointment appointment) override {
+    timeline_.cancel({appointment.slot, static_cast<std::uint32_t>(appointment.order)});
+  }
   bool deliver(std::size_t port, std::span<const double> fields) override {
     deliveries.push_back({now(), port, {fields.begin(), fields.end()}});
     return true;

@@ -81,13 +81,13 @@ TEST_CASE("every example gives its finding, and every cure removes it and has no
   }
 }
 
-TEST_CASE("docs/diagnostics.md is what pal explain --all prints") {
+TEST_CASE("docs/reference/diagnostics.md is what pal explain --all prints") {
   std::ostringstream now;
   write_reference(now);
-  const auto committed = DiskFileSystem().read(PAL_SOURCE_DIR "/docs/diagnostics.md");
+  const auto committed = DiskFileSystem().read(PAL_SOURCE_DIR "/docs/reference/diagnostics.md");
   REQUIRE(std::holds_alternative<std::string>(committed));
   // Not CHECK( == ): the difference of two documents is no use to anybody.
   const bool same = std::get<std::string>(committed) == now.str();
-  INFO("write it again: pal explain --all > docs/diagnostics.md");
+  INFO("write it again: pal explain --all > docs/reference/diagnostics.md");
   CHECK(same);
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pal/check/check.hpp"
-#include "pal/check/load.hpp"
+#include "pal/check/read_sources.hpp"
 #include "pal/support/file_system.hpp"
 
 namespace pal::test {
@@ -20,7 +20,7 @@ struct Checked {
 /// Loads and checks the files named first, from `files`.
 inline Checked check_files(const FileSystem& files, const std::vector<std::string>& paths) {
   Checked result;
-  result.trees = load(files, result.sources, paths, result.diagnostics);
+  result.trees = read_sources(files, result.sources, paths, result.diagnostics);
   result.specification = pal::check(result.trees, result.diagnostics);
   return result;
 }

@@ -68,6 +68,22 @@ TEST_CASE("edge: where two surfaces meet, within 0.2 mm rms at 200 mm", "[edge]"
   CHECK(errors.slope < 0.5);
 }
 
+TEST_CASE("edge: beside a step there is no other, however much it is looked for there", "[edge]") {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> places(5, 25);
+  for (const double far : {203, 206, 215, 260})
+    for (int i = 0; i < 100; ++i) {
+      const double y = places(random);
+      const Scan seen = scan(step(y, 200, far), random);
+      EdgeOptions options;
+      options.expected = 0;
+      const std::optional<Edge> edge = find_edge(seen.profile(), options);
+      CAPTURE(far, y);
+      REQUIRE(edge);
+      CHECK(edge->y == Approx(y).margin(1));
+    }
+}
+
 TEST_CASE("edge: where the nearer surface of a step ends, within 0.2 mm rms at 200 mm", "[edge]") {
   const double far = GENERATE(203, 215, 260);
   const Errors errors = errors_of([&](double y) { return step(y, 200, far); }, 200, 0);

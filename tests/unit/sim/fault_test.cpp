@@ -1,4 +1,5 @@
 // What stops the arm by itself, and what the words for it are.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/unit/sim/scene_text.hpp"
@@ -48,6 +49,24 @@ TEST_CASE("faults: a bar under the forearm stops the arm, which names both") {
   CHECK_FALSE(workcell.fault());
   CHECK_FALSE(move_until_refused(workcell, {0, 0, 0.56, 0, 0, 0}, CorrectionFrame::tool, 60).empty());
   CHECK(told.size() == 2);
+}
+
+TEST_CASE("faults: an arm that has hit something does not go on pressing on it") {
+  // Steel fingers on a steel plate: the drives give all they have until the arm is found not to follow.
+  const SceneText text("tool gripper\nstart 480 -200 -140\nplate at 480 -200\n");
+  Workcell workcell(text.scene());
+  move_until_refused(workcell, {0, 0, 1, 0, 0, 0}, CorrectionFrame::tool, 120);
+  REQUIRE(workcell.fault());
+  double peak = 0;
+  for (const Sample& sample : workcell.log()) peak = std::max(peak, sample.contact_force);
+  CHECK(peak > 100);
+  workcell.advance_to(workcell.now() + 500ms);
+  const double rest = workcell.log().back().contact_force;
+  CAPTURE(peak, rest);
+  CHECK(rest < 0.3 * peak);  // what the gears' friction holds
+  const Eigen::Vector3d there = workcell.tool().translation();
+  workcell.advance_to(workcell.now() + 1s);
+  CHECK((workcell.tool().translation() - there).norm() < 1e-4);  // and it does not sink
 }
 
 TEST_CASE("faults: a listener that is gone is not called") {
@@ -123,8 +142,10 @@ TEST_CASE("faults: a start at which any part of the arm touches something is ref
     return std::string("loaded");
   };
   CHECK(refused("plate at 560 -200\n") == "loaded");
-  CHECK(refused("bar at 440 -200 85 length 300 turn 90\n") == "at its start the forearm touches the bar");
-  CHECK(refused("block at 560 -200 size 60 60 100\n") == "at its start the tool's tip touches the block");
+  CHECK(refused("bar at 440 -200 85 length 300 turn 90\n") ==
+        "at its start the forearm touches the bar of line 2");
+  CHECK(refused("block at 560 -200 size 60 60 100\n") ==
+        "at its start the tool's tip touches the block of line 2");
 }
 
 TEST_CASE("faults: a scene whose contacts do not fit is refused") {

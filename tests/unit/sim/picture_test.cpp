@@ -11,7 +11,7 @@ using namespace pal::sim::test;
 namespace {
 
 // A machine without the renderer must get a reason and no crash; one with it a picture.
-void check_picture(Renderer renderer) {
+void expect_picture(Renderer renderer) {
   Workcell workcell(scene("touch"));
   const Joints before = workcell.joints();
   const Picture picture = take_picture(workcell, {.width = 320, .height = 240, .renderer = renderer});
@@ -34,13 +34,13 @@ void check_picture(Renderer renderer) {
 
 // MuJoCo takes its OpenGL functions from the first renderer of the process; ctest runs each case in its own.
 TEST_CASE("pictures are drawn without a screen by EGL, or there is a reason") {
-  check_picture(Renderer::egl);
+  expect_picture(Renderer::egl);
 }
 TEST_CASE("pictures are drawn without a screen by OSMesa, or there is a reason") {
-  check_picture(Renderer::osmesa);
+  expect_picture(Renderer::osmesa);
 }
 TEST_CASE("pictures are drawn by whatever there is, or there is a reason") {
-  check_picture(Renderer::automatic);
+  expect_picture(Renderer::automatic);
 }
 
 TEST_CASE("a PNG file begins and ends as it should") {

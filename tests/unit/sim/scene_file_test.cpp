@@ -117,23 +117,34 @@ TEST_CASE("scene files: what is wrong has its line, its cause and a way out") {
   }
 }
 
-TEST_CASE("scene files: a scene in MJCF may not change what every run rests on") {
-  const auto cause = [](const std::string& option) {
-    const SceneText text(R"(<mujoco><include file="puma560.xml"/><custom><numeric name="start" )"
-                         R"(data="0.46 -0.2 -0.1 0"/></custom><option )" +
-                             option + "/></mujoco>",
-                         ".xml");
+TEST_CASE("scene files: a start that cannot be: the line that says it, and the line of what is in its way") {
+  const auto error = [](const std::string& text) {
+    const SceneText scene(text);
     try {
-      Workcell workcell(text.scene());
-    } catch (const SceneError& error) {
-      return error.cause();
+      Workcell workcell(scene.scene());
+    } catch (const SceneError& refused) {
+      return refused.place().substr(scene.file().size()) + ": " + refused.cause();
     }
     return std::string("loaded");
   };
-  CHECK(cause("") == "loaded");
-  CHECK(cause("timestep=\".002\"") == "the scene changes the time step, which is 1 ms");
-  CHECK(cause("integrator=\"Euler\"") == "the scene changes the integrator, which is the implicit one");
-  CHECK(cause("gravity=\"0 0 -1.6\"") == "the scene changes gravity, which is 9.81 m/s^2 downwards");
+  CHECK(error("\nstart 1200 0 0\n") == ":2: the arm cannot bring the tool to its start as righty above flip");
+  CHECK(error("plate at 460 -200\npost at 460 -200 height 60\nstart 460 -200 -150\n") ==
+        ":3: at its start the tool touches the post of line 2");
+  CHECK(error("start 460 -200 -190\n") == ":1: at its start the tool's tip touches the table");
+}
+
+TEST_CASE("scene files: a surface is felt where it is seen") {
+  const SceneText text("tool pad\nstart 500 -200 -100\nsurface at 500 -200\n");
+  Workcell workcell(text.scene());
+  const auto seen = workcell.cast(workcell.tool().translation(), {0, 0, -1});
+  REQUIRE(seen);
+  const double start = workcell.tool().translation().z();
+  while (workcell.log().empty() || workcell.log().back().contact_force < 1) {
+    REQUIRE_FALSE(workcell.move({0, 0, 0.3, 0, 0, 0}, CorrectionFrame::tool, workcell.now()));
+    workcell.advance_to(workcell.now() + alter_period);
+    REQUIRE(start - workcell.tool().translation().z() < *seen + 0.01);
+  }
+  CHECK(start - workcell.tool().translation().z() == Approx(*seen).margin(1.5e-3));
 }
 
 TEST_CASE("scene files: a loose body of a scene in MJCF lies on its table") {

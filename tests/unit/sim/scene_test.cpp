@@ -19,8 +19,6 @@ class Folder {
  public:
   Folder() : path_(fs::temp_directory_path() / ("pal-scenes-" + std::to_string(::getpid()))) {
     fs::create_directories(path_);
-    for (const char* part : {"puma560.xml", "cell.xml"})
-      fs::copy_file(fs::path(PAL_SCENE_DIR) / part, path_ / part);
   }
   ~Folder() { fs::remove_all(path_); }
   Folder(const Folder&) = delete;
@@ -80,18 +78,6 @@ TEST_CASE("a scene that does not exist: place, cause, hint") {
 TEST_CASE("scenes that do not load: place, cause, hint") {
   const Folder folder;
 
-  const SceneError element =
-      refused(folder.add("element", "<mujoco>\n  " + parts + "\n  <gem/>\n</mujoco>\n"));
-  CHECK(element.place() == (folder.path() / "element.xml").string() + ":3");
-  CHECK(element.cause() ==
-        "MuJoCo does not load the scene: Schema violation: unrecognized element Element 'gem'");
-  CHECK_FALSE(element.hint().empty());
-
-  const SceneError broken = refused(folder.add("broken", "<mujoco>\n  <worldbody>\n</mujoco>\n"));
-  CAPTURE(broken.what());
-  CHECK(broken.place() == (folder.path() / "broken.xml").string() + ":2");
-  CHECK_FALSE(broken.cause().empty());
-
   const SceneError armless = refused(folder.add("armless", "<mujoco><worldbody/></mujoco>"));
   CHECK(armless.cause() == "the scene has no joint 'joint1'");
   CHECK(armless.hint() == "include puma560.xml, which has it");
@@ -102,6 +88,7 @@ TEST_CASE("scenes that do not load: place, cause, hint") {
   const SceneError figures = refused(folder.add(
       "figures", "<mujoco>" + parts + R"(<custom><numeric name="start" data="1 2"/></custom></mujoco>)"));
   CHECK(figures.cause() == "the tool's start has 2 figures instead of 4");
+  CHECK(figures.place() == (folder.path() / "figures.xml").string() + ":1");
 
   const SceneError words = refused(
       folder.add("words", "<mujoco>" + parts + R"(<custom><numeric name="start" data="0.46 -0.2 -0.15 0"/>)" +
@@ -114,11 +101,75 @@ TEST_CASE("scenes that do not load: place, cause, hint") {
 
   const SceneError inside = refused(folder.add(
       "inside",
-      "<mujoco>" + parts + start +
+      "<mujoco>" + parts + "\n" + start +
           R"(<worldbody><geom type="box" size=".1 .1 .1" pos="0.46 -0.2 0.45" contype="2" conaffinity="1"/>)" +
           "</worldbody></mujoco>"));
   CHECK(inside.cause() == "at its start the tool touches something that has no name in the scene");
+  CHECK(inside.place() == (folder.path() / "inside.xml").string() + ":2");
 
   const SceneError missing = refused({"missing", folder.path() / "missing.xml"});
   CHECK(missing.cause() == "the file cannot be read");
+}
+
+TEST_CASE("a scene in MJCF that is wrong: its file, its line, and no words of a library") {
+  const Folder folder;
+  struct Case {
+    const char* inside;  // from the third line of the scene on
+    int line;
+    const char* cause;
+  };
+  for (const auto& [inside, line, cause] : {
+           Case{"<gem/>", 3, "a <mujoco> has no <gem>"},
+           Case{"<worldbody><geom kind=\"box\"/></worldbody>", 3, "a <geom> has no attribute 'kind'"},
+           Case{"<worldbody>\n<body>\n</worldbody>", 4, "the element <body> is not closed"},
+           Case{"<worldbody>\n<geom size=\".1\" material=\"gold\"/></worldbody>", 4,
+                "there is no material 'gold', which this geom names"},
+           Case{"<worldbody>\n\n<geom type=\"box\" size=\".1 a .1\"/></worldbody>", 5,
+                "'size' is not a number"},
+           Case{"<worldbody>\n<geom type=\"box\"/></worldbody>", 4, "a size is missing or not above 0"},
+           Case{"<worldbody>\n<geom type=\"bax\" size=\"1\"/></worldbody>", 4,
+                "'bax' is not a word that may stand here"},
+           Case{"<worldbody>\n<body name=\"link3\"/></worldbody>", 4,
+                "there is more than one body named 'link3'"},
+           Case{"<worldbody><body>\n<freejoint/></body></worldbody>", 3, "a body that moves has no mass"},
+           Case{"<asset>\n<mesh name=\"a\" file=\"a.stl\"/></asset>", 4, "the file "},
+           Case{"\n<include file=\"more.xml\"/>", 4, "the file "},
+           Case{"<compiler angle=\"degree\"/>", 3, "the scene changes how the arm is read: angle"},
+           Case{"<default>\n<geom friction=\"0\"/></default>", 4,
+                "the scene changes the arm: its default of <geom>"},
+           Case{"<default><default class=\"arm\"/></default>", 3,
+                "the scene changes the machine's class 'arm'"},
+       }) {
+    const SceneError error =
+        refused(folder.add("wrong", "<mujoco>\n" + parts + "\n" + inside + "\n" + start + "\n</mujoco>\n"));
+    CAPTURE(inside, error.what());
+    CHECK(error.place() == (folder.path() / "wrong.xml").string() + ":" + std::to_string(line));
+    CHECK(error.cause().find(cause) == 0);
+    CHECK_FALSE(error.hint().empty());
+    CHECK(std::string(error.what()).find("XML_ERROR") == std::string::npos);
+  }
+}
+
+TEST_CASE("a scene in MJCF that changes the physics is refused, wherever it says so") {
+  const Folder folder;
+  for (const char* option : {R"(gravity="0 0 -1")", R"(integrator="Euler")", R"(timestep="0.002")",
+                             R"(iterations="3")", R"(density="1.2")"})
+    for (const bool before : {false, true}) {
+      const std::string line = std::string("<option ") + option + "/>\n";
+      const SceneError error = refused(folder.add(
+          "other", "<mujoco>\n" + (before ? line + parts : parts + "\n" + line) + start + "</mujoco>\n"));
+      CAPTURE(option, before, error.what());
+      CHECK(error.place() == (folder.path() / "other.xml").string() + (before ? ":2" : ":3"));
+      CHECK(error.cause().find("the scene changes the physics: ") == 0);
+    }
+  // In a file that the scene includes, too.
+  folder.add("weightless", "<mujoco>\n\n<option gravity=\"0 0 0\"/></mujoco>");
+  const SceneError error = refused(
+      folder.add("using", "<mujoco><include file=\"weightless.xml\"/>" + parts + start + "</mujoco>"));
+  CHECK(error.place() == (folder.path() / "weightless.xml").string() + ":3");
+  // And a changed copy of the machine is not taken for it.
+  folder.add("puma560", "<mujoco/>");
+  CHECK(refused(folder.add("copied", "<mujoco>" + parts + start + "</mujoco>"))
+            .cause()
+            .find("is not the machine's own") != std::string::npos);
 }

@@ -18,8 +18,6 @@ class SceneText {
     std::string name = (std::filesystem::temp_directory_path() / "pal-scene-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder " + name);
     folder_ = name;
-    for (const char* part : {"puma560.xml", "cell.xml"})
-      std::filesystem::copy_file(std::filesystem::path(PAL_SCENE_DIR) / part, folder_ / part);
     file_ = folder_ / ("test" + extension);
     std::ofstream(file_) << text;
   }

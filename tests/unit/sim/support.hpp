@@ -29,9 +29,11 @@ class Host final : public runtime::DeviceHost {
   explicit Host(runtime::World& world) : world_(world) {}
 
   runtime::Time now() const override { return now_; }
-  void at(runtime::Time when, std::function<void()> action) override {
+  Appointment at(runtime::Time when, std::function<void()> action) override {
     queue_.emplace(when, std::move(action));
+    return {};
   }
+  void cancel(Appointment) override {}  // nobody asks it of this host
   bool deliver(std::size_t port, std::span<const double> fields) override {
     deliveries.push_back({now_, port, {fields.begin(), fields.end()}});
     if (on_delivery) on_delivery(deliveries.back());

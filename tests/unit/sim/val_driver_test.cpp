@@ -39,7 +39,8 @@ struct Driven : Bench {
 class Host final : public pal::runtime::DeviceHost {
  public:
   Time now() const override { return {}; }
-  void at(Time, std::function<void()>) override {}
+  Appointment at(Time, std::function<void()>) override { return {}; }
+  void cancel(Appointment) override {}
   bool deliver(std::size_t port, std::span<const double> fields) override {
     delivered.emplace_back(port, std::vector<double>(fields.begin(), fields.end()));
     return true;

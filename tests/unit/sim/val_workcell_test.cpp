@@ -115,7 +115,7 @@ TEST_CASE("VAL in the workcell: ALTER is opened through VAL, and TOOL sets the p
   REQUIRE(answer);
   CHECK(answer->ok);
   CHECK((cell.altered.tool().translation() -
-         tool_pose(cell.workcell.joints(), Pose(Eigen::Translation3d(0.049, 0, 0.397))).translation())
+         tool_pose(cell.workcell.encoder_joints(), Pose(Eigen::Translation3d(0.049, 0, 0.397))).translation())
             .norm() < 1e-9);
 }
 

@@ -12,7 +12,7 @@ namespace pal::trace {
 namespace {
 
 /// Every field equal; Actor and the other rows have no operator of their own.
-void require_same(const Trace& a, const Trace& b) {
+void expect_same(const Trace& a, const Trace& b) {
   REQUIRE(a.skill == b.skill);
   REQUIRE(a.environment == b.environment);
   REQUIRE(a.origin == b.origin);
@@ -130,7 +130,7 @@ TEST_CASE("a trace that is written and read is the same trace") {
     const Trace trace = random.make();
     const std::string text = written(trace);
     const Trace again = read(text);
-    require_same(trace, again);
+    expect_same(trace, again);
     REQUIRE(written(again) == text);
   }
 }

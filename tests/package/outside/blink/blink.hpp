@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "runtime/skill.hpp"
+#include "pal/runtime/skill.hpp"
 
 /// Switches a lamp, on first.
 std::unique_ptr<pal::runtime::Skill> blink();

@@ -3,7 +3,8 @@
 
 #include <iostream>
 
-#include "runtime/dispatcher.hpp"
+#include "pal/runtime/dispatcher.hpp"
+#include "pal/runtime/still_world.hpp"
 
 using namespace std::chrono_literals;
 using namespace pal::runtime;
@@ -50,18 +51,13 @@ class Lamp final : public Device {
   std::vector<PortSpec> ports_{{"light", true, {{"on", ""}}}};
 };
 
-class NoWorld final : public World {
- public:
-  void advance_to(Time) override {}
-};
-
 }  // namespace
 
 int main() {
   const auto skill = blink();
   Timer timer;
   Lamp lamp;
-  NoWorld world;
+  StillWorld world;
   Device* devices[] = {&timer, &lamp};
   const ParameterValue times[] = {{"times", 5}};
   const Outcome outcome = Dispatcher(devices, world).run(*skill, times);

@@ -1,17 +1,22 @@
 #include "tests/run/skills/support/physical_run.hpp"
 
 #include <stdexcept>
+#include <variant>
 
 #include "skills_pal/registry.hpp"
 
 namespace pal::test {
+
+std::string end_of(const runtime::Outcome& outcome) {
+  return outcome.trace.skill + " " + std::to_string(outcome.code);
+}
 
 sim::Scene scene(const std::string& name) {
   return sim::find_scene(name, {PAL_SOURCE_DIR "/sim/scenes", PAL_SOURCE_DIR "/tests/run/skills/scenes"});
 }
 
 workcell::SessionResult run(const PhysicalRun& wanted) {
-  const auto skill = skills::make_skill(wanted.skill);
+  std::unique_ptr<runtime::Skill> skill = skills::make_skill(wanted.skill);
   if (!skill) throw std::runtime_error("there is no skill " + wanted.skill);
   workcell::Session session;
   session.scene = scene(wanted.scene);
@@ -19,6 +24,9 @@ workcell::SessionResult run(const PhysicalRun& wanted) {
   session.seed = wanted.seed;
   session.phase = wanted.phase;
   session.raise = wanted.raise;
+  if (!wanted.fault.empty())
+    session.faults = std::get<std::vector<sim::PlannedFault>>(sim::read_faults(wanted.fault));
+  if (wanted.slower) skill = slow_down(std::move(skill), *wanted.slower);
   return workcell::run_session(*skill, session);
 }
 

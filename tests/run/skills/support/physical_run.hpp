@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/program/session.hpp"
+#include "tests/run/skills/support/slower.hpp"
 
 namespace pal::test {
 
@@ -16,10 +17,16 @@ struct PhysicalRun {
   std::uint64_t seed = 1;
   std::optional<runtime::Time> phase{};  // of ALTER; by the seed if not given
   double raise = 0;                      // of the start, mm
+  std::optional<Slower> slower{};        // than in workcell.pal
+  std::string fault{};                   // of the line to a device: "at 500 ms range-finder unplug"
 };
 
 /// Throws sim::SceneError; std::runtime_error if there is no such skill.
 workcell::SessionResult run(const PhysicalRun& wanted);
+
+/// How it ended, by the skill's name and its completion code: "press 2". tests/run/skills/endings.py looks
+/// for comparisons with it: each completion of each template has one.
+std::string end_of(const runtime::Outcome& outcome);
 
 /// The scene of this name.
 sim::Scene scene(const std::string& name);

@@ -3,19 +3,37 @@
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
+#include <variant>
 
 #include "pal/driver/proof_chart.hpp"
+#include "pal/support/file_system.hpp"
 #include "skills_pal/registry.hpp"
 
 namespace pal::test {
 
 namespace {
 
-driver::Proof prove(const std::string& name) {
+/// The disk, with a workcell.pal that is slower.
+class SlowerDisk final : public DiskFileSystem {
+ public:
+  explicit SlowerDisk(const std::optional<Slower>& slower) : slower_(slower) {}
+
+  std::variant<std::string, FileError> read(const std::string& path, std::size_t most) const override {
+    auto text = DiskFileSystem::read(path, most);
+    if (slower_ && path.ends_with("/workcell.pal"))
+      std::get<0>(text) = slow_down(std::get<0>(text), *slower_);
+    return text;
+  }
+
+ private:
+  std::optional<Slower> slower_;
+};
+
+driver::Proof prove(const std::string& name, const std::optional<Slower>& slower) {
   for (const skills::RegisteredSkill& skill : skills::registered_skills()) {
     if (skill.name != name) continue;
     const std::string folder = PAL_SOURCE_DIR "/skills_pal/";
-    const DiskFileSystem files;
+    const SlowerDisk files(slower);
     std::ostringstream out, err;
     driver::Session session;
     driver::Selection selection;
@@ -32,7 +50,8 @@ driver::Proof prove(const std::string& name) {
 
 }  // namespace
 
-ProvedBounds::ProvedBounds(const std::string& skill) : proof_(prove(skill)) {}
+ProvedBounds::ProvedBounds(const std::string& skill, const std::optional<Slower>& slower)
+    : proof_(prove(skill, slower)) {}
 
 void ProvedBounds::observe(const trace::Trace& run) {
   for (std::size_t i = 0; i < proof_.analysis.verdicts.size(); ++i) {
@@ -50,6 +69,14 @@ double ProvedBounds::greatest_part() const {
   double greatest = 0;
   for (const auto& [requirement, worst] : worst_) greatest = std::max(greatest, worst.part());
   return greatest;
+}
+
+bool ProvedBounds::fails(const std::string& requirement) const {
+  return std::any_of(proof_.analysis.verdicts.begin(), proof_.analysis.verdicts.end(),
+                     [&](const analyzer::Verdict& verdict) {
+                       return verdict.requirement == requirement &&
+                              verdict.state == analyzer::Verdict::State::fails;
+                     });
 }
 
 bool ProvedBounds::all_hold() const {

@@ -2,17 +2,20 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "pal/driver/proof.hpp"
 #include "runtime/trace/trace.hpp"
+#include "tests/run/skills/support/slower.hpp"
 
 namespace pal::test {
 
 class ProvedBounds {
  public:
-  /// Proves the skill in its workcell. Throws std::runtime_error if its PAL is wrong.
-  explicit ProvedBounds(const std::string& skill);
+  /// Proves the skill in its workcell, or in one that is slower. Throws std::runtime_error if its PAL is
+  /// wrong.
+  explicit ProvedBounds(const std::string& skill, const std::optional<Slower>& slower = std::nullopt);
 
   /// Measures the skill's requirements in a run of it.
   void observe(const trace::Trace& run);
@@ -27,6 +30,8 @@ class ProvedBounds {
   /// The greatest part of its bound that a requirement came to; 0 if none was measured.
   double greatest_part() const;
   bool all_hold() const;
+  /// Whether the requirement of this name fails; one that is undecided does not.
+  bool fails(const std::string& requirement) const;
 
  private:
   driver::Proof proof_;

@@ -1,0 +1,305 @@
+#include "analyzer/compositional/breakdown.hpp"
+
+#include <algorithm>
+
+#include "analyzer/compositional/times/release.hpp"
+#include "analyzer/compositional/times/slots.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using By = Due::By;
+
+constexpr std::size_t most_addends = 400;
+
+/// Follows latest instants back to where their sources begin.
+class Writer {
+ public:
+  explicit Writer(const View& view)
+      : view_(view),
+        context_{view.problem, view.forest, view.behaviours},
+        nominal_{view.times.nodes, {context_, view.times.nodes, *view.times.interference}, Since::occurrence},
+        since_event_{view.times.since_event,
+                     {context_, view.times.since_event, view.times.nodes, *view.times.interference},
+                     Since::release} {}
+
+  std::vector<Addend> run(const Sum& bound) {
+    for (const Sum::Addend& each : bound.addends()) add(each);
+    if (out_.size() > most_addends) out_.clear();
+    return std::move(out_);
+  }
+
+ private:
+  /// What instants count from: the nominal instants of their sources, or the events themselves.
+  struct Clock {
+    const std::vector<NodeTimes>& nodes;
+    Releases releases;
+    Since since;  // what the ends of segments count from
+
+    const NodeTimes& times(int node) const { return nodes[static_cast<std::size_t>(node)]; }
+  };
+
+  void say(Nanoseconds amount, const std::string& actor, std::string what, int statement = -1) {
+    if (amount == 0) return;
+    Addend made{amount, actor, std::move(what), "", 0};
+    if (statement >= 0) {
+      const Statement& of = view_.problem.statements[static_cast<std::size_t>(statement)];
+      made.file = of.file;
+      made.line = of.line;
+    }
+    out_.push_back(std::move(made));
+  }
+
+  const std::string& thread_name(int thread) const { return context_.thread_at(thread).name; }
+  const std::string& actor(int node) const { return thread_name(view_.forest.thread_of(node)); }
+
+  std::string text(int step) const {
+    const int statement = context_.step_at(step).statement;
+    return statement < 0 ? "a test" : view_.problem.statements[static_cast<std::size_t>(statement)].text;
+  }
+
+  /// Where a node begins, in the text.
+  int statement_of(int node) const {
+    const Segment& of = context_.segment(node);
+    for (const Segment::Passed& passed : of.steps) {
+      const int statement = context_.step_at(passed.step).statement;
+      if (statement >= 0) return statement;
+    }
+    return -1;
+  }
+
+  void add(const Sum::Addend& each) {
+    const Term& term = each.term;
+    switch (term.kind) {
+      case Term::Kind::latest:
+      case Term::Kind::since_event: {
+        const Clock& clock = term.kind == Term::Kind::latest ? nominal_ : since_event_;
+        if (each.amount == instant(clock, term)) return until(clock, term.node, term.step);
+        return say(each.amount, actor(term.node), "at the latest, until " + place(term), statement(term));
+      }
+      case Term::Kind::earliest:
+        return say(each.amount, actor(term.node), "at the earliest, until " + place(term), statement(term));
+      case Term::Kind::release:
+        if (each.amount == nominal_.times(term.node).latest) return release(nominal_, term.node);
+        return say(each.amount, actor(term.node), "begins at the latest", statement_of(term.node));
+      case Term::Kind::gap:
+        return inter_arrival(term.source, view_.times.longest_gap[static_cast<std::size_t>(term.source)],
+                             each.amount, false);
+      case Term::Kind::first:
+        return inter_arrival(term.source, view_.times.first[static_cast<std::size_t>(term.source)],
+                             each.amount, true);
+      case Term::Kind::said:
+        if (term.node >= 0) return say(each.amount, actor(term.node), term.what, statement(term));
+        return say(each.amount, term.source < 0 ? "" : source_name(term.source), term.what);
+    }
+  }
+
+  /// To a source's next occurrence, or the first.
+  void inter_arrival(int source, const Due& next, Nanoseconds amount, bool first) {
+    const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
+    const std::string& name = source_name(source);
+    if (of.kind == Source::Kind::event) {
+      say(amount - next.after, name, "finds nobody who waits for it before");
+      return say(next.after, name, first ? "comes for the first time" : "comes again");
+    }
+    if (amount != next.at || next.node < 0)
+      return say(amount, name, first ? "comes to its first job" : "comes to its next job");
+    wait_for(nominal_, next, name, feed_device(of, next));
+  }
+
+  static int feed_device(const Source& of, const Due& next) {
+    for (const Source::Feed& feed : of.feeds) {
+      if (feed.node == next.node && std::count(feed.sends.begin(), feed.sends.end(), next.step) > 0)
+        return feed.device;
+    }
+    return -1;
+  }
+
+  /// `name` waits for an arrival, or for what was sent.
+  void wait_for(const Clock& clock, const Due& due, const std::string& name, int device) {
+    const int statement = context_.step_at(due.step).statement;
+    if (due.by == By::arrival) {
+      until_arrival(clock, due.node, due.step);
+      return say(due.after, name, "waits at " + text(due.step), statement);
+    }
+    if (due.by == By::put) return until_put(clock, due.node, due.step);
+    until(clock, due.node, due.step);
+    if (device < 0) return say(due.after, name, "waits until " + text(due.step) + " has arrived", statement);
+    say(due.after, view_.problem.devices[static_cast<std::size_t>(device)].name, "answers " + text(due.step),
+        statement);
+  }
+
+  Nanoseconds instant(const Clock& clock, const Term& term) const {
+    return term.step < 0 ? clock.times(term.node).finish
+                         : latest_effect(view_.forest, clock.nodes, term.node, term.step);
+  }
+  std::string place(const Term& term) const {
+    return term.step < 0 ? "the end of the segment" : text(term.step) + " has its effect";
+  }
+  int statement(const Term& term) const {
+    return term.step < 0 ? statement_of(term.node) : context_.step_at(term.step).statement;
+  }
+
+  std::string source_name(int source) const {
+    const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
+    return of.kind == Source::Kind::event ? view_.problem.devices[static_cast<std::size_t>(of.device)].name
+                                          : thread_name(of.thread);
+  }
+
+  /// To the latest effect of a step of a node, or to the end of its segment.
+  void until(const Clock& clock, int node, int step) {
+    const Segment& of = context_.segment(node);
+    if (step < 0) {
+      return work(clock, node, of.worst, -1, [](const NodeTimes& times) { return times.finish; });
+    }
+    const std::size_t at = place_of(of, step);
+    work(clock, node, of.steps[at].worst, step, [at](const NodeTimes& times) { return times.effects[at]; });
+  }
+
+  /// To where a step puts, or waits for its slot.
+  void until_put(const Clock& clock, int node, int step) {
+    const Segment& of = context_.segment(node);
+    const std::size_t at = place_of(of, step);
+    work(clock, node, of.steps[at].worst, step, [at](const NodeTimes& times) { return times.worked[at]; });
+  }
+
+  /// To the latest arrival at a wait or CONCURRENT.
+  void until_arrival(const Clock& clock, int node, int step) {
+    const Segment& of = context_.segment(node);
+    for (std::size_t w = 0; w < of.waits.size(); ++w) {
+      if (of.waits[w].step != step) continue;
+      return work(clock, node, of.waits[w].worst, step,
+                  [w](const NodeTimes& times) { return times.arrivals[w]; });
+    }
+    work(clock, node, of.worst, -1, [](const NodeTimes& times) { return times.finish; });
+  }
+
+  /// To when `part` of the node's work is done, at the instant `done_of` its times; it ends with `step`.
+  template <class DoneOf>
+  void work(const Clock& asked, int node, Nanoseconds part, int step, const DoneOf& done_of) {
+    if (out_.size() > most_addends) return;
+    const Nanoseconds done = done_of(asked.times(node));
+    // What is no later after the event than after its nominal instant is followed from there.
+    const Clock& clock = done == done_of(nominal_.times(node)) ? nominal_ : asked;
+    const Nanoseconds released = clock.times(node).latest;
+    release(clock, node);
+    if (done == released) return;
+    if (ends_by_window(clock, node, part, done)) {
+      window(clock, node, part);
+      return actions(node, part, step);
+    }
+    // A send waits for its slot.
+    const bool sends = step >= 0 && context_.step_at(step).kind == Step::Kind::send;
+    say(done - released, actor(node), sends ? "is blocked at " + text(step) : "is blocked in its last send",
+        step < 0 ? -1 : context_.step_at(step).statement);
+  }
+
+  bool ends_by_window(const Clock& clock, int node, Nanoseconds part, Nanoseconds done) const {
+    const Interference& interference = *view_.times.interference;
+    const Nanoseconds end = interference.finish(node, part, interference.blocking(node), clock.since);
+    return done == (clock.since == Since::release ? plus(clock.times(node).latest, end) : end);
+  }
+
+  /// What keeps the node from its processor.
+  void window(const Clock& clock, int node, Nanoseconds part) {
+    const FinishBreakdown breakdown = view_.times.interference->breakdown(node, part, clock.since);
+    if (out_.size() + breakdown.others.size() > most_addends) return out_.resize(most_addends + 1);
+    const std::string& name = actor(node);
+    if (breakdown.blocking > 0) {
+      const int thread = view_.times.interference->blocking_thread(node);
+      say(breakdown.blocking, name,
+          "is kept from its processor by " + thread_name(thread) + ", which cannot be preempted");
+    }
+    for (const Share& share : breakdown.others) {
+      const int other = view_.times.interference->node_of(share.transaction, share.task);
+      const std::string times = share.jobs == 1 ? "" : ", " + std::to_string(share.jobs) + " times";
+      const bool itself = view_.forest.thread_of(other) == view_.forest.thread_of(node);
+      say(share.work, name,
+          (itself ? "does other work first" : "is kept from its processor by " + actor(other)) + times,
+          statement_of(other));
+    }
+    say(-breakdown.done_before, name, "of all that, so much is over before it is released");
+  }
+
+  /// The actions on the longest way to `part` of the node's work.
+  void actions(int node, Nanoseconds part, int step) {
+    const Segment& of = context_.segment(node);
+    std::vector<int> way;
+    Nanoseconds left = part;
+    int next = step;
+    for (std::size_t s = of.steps.size(); s-- > 0 && left > 0;) {
+      const Segment::Passed& passed = of.steps[s];
+      const std::vector<int>& after = context_.step_at(passed.step).next;
+      const bool leads =
+          way.empty() && (next < 0 || passed.step == next)
+              ? true
+              : std::find(after.begin(), after.end(), next) != after.end() || begins_with(of, s);
+      if (!leads || passed.worst != left) continue;
+      way.push_back(passed.step);
+      left -= own(of, s);
+      next = passed.step;
+    }
+    const std::string& name = actor(node);
+    for (std::size_t w = way.size(); w-- > 0;) {
+      const Nanoseconds cost = own(of, place_of(of, way[w]));
+      say(cost, name, "runs " + text(way[w]), context_.step_at(way[w]).statement);
+      part -= cost;
+    }
+    say(part, name, "runs", statement_of(node));
+  }
+
+  /// Whether a segment's place is that of the wait that begins it.
+  static bool begins_with(const Segment& of, std::size_t place) {
+    return place == 0 && of.steps.front().step == of.beginning.step;
+  }
+  /// Processor time of a step on its segment.
+  Nanoseconds own(const Segment& of, std::size_t place) const {
+    return begins_with(of, place) ? of.steps[place].worst : context_.step_at(of.steps[place].step).cost.worst;
+  }
+
+  /// To the latest release of a node.
+  void release(const Clock& asked, int node) {
+    const Nanoseconds at = asked.times(node).latest;
+    const Clock& clock = at == nominal_.times(node).latest ? nominal_ : asked;
+    const Due latest = clock.releases.latest(node, view_.times.unbounded_reason, view_.times.blocked);
+    const Node& of = context_.node(node);
+    const std::string& name = actor(node);
+    if (latest.at != at || deep_ > 200) return say(at, name, "begins so late", statement_of(node));
+    ++deep_;
+    switch (latest.by) {
+      case By::source:
+        say(latest.after, source_name(of.source), "comes so late");
+        break;
+      case By::held:
+        say(at, name, "was blocked in its previous job");
+        break;
+      case By::idle:
+        say(at, name, "comes to its first wait");
+        break;
+      case By::blocks:
+        say(at, name, "waits for its blocks", context_.step_at(latest.step).statement);
+        break;
+      case By::arrival:
+      case By::message:
+      case By::put:
+        wait_for(clock, latest, name, of.device);
+        break;
+    }
+    --deep_;
+  }
+
+  const View& view_;
+  AnalysisContext context_;
+  Clock nominal_;
+  Clock since_event_;
+  std::vector<Addend> out_;
+  int deep_ = 0;
+};
+
+}  // namespace
+
+std::vector<Addend> breakdown_of(const View& view, const Sum& bound) {
+  return Writer(view).run(bound);
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,14 @@
+// The breakdown of a bound into its addends.
+#pragma once
+
+#include "analyzer/compositional/measures/measures.hpp"
+#include "analyzer/verdict/verdict.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// The addends of a bound; they add up to the nanosecond. They are the actions, interference, waits and
+/// messages on the way to its latest instants, each with its place in the text, less the earliest instants
+/// that it subtracts. Empty if there are too many to read.
+std::vector<Addend> breakdown_of(const View& view, const Sum& bound);
+
+}  // namespace pal::analyzer::compositional

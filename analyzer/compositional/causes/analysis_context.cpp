@@ -1,0 +1,127 @@
+#include "analyzer/compositional/causes/analysis_context.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+using Release = Node::Release;
+
+constexpr int most_iterations = 50;
+
+Nanoseconds best_arrival(const Segment& segment, int wait) {
+  for (const Segment::Arrival& each : segment.waits) {
+    if (each.step == wait) return each.best;
+  }
+  for (const Segment::Arrival& each : segment.forks) {
+    if (each.step == wait) return each.best;
+  }
+  return 0;
+}
+
+Nanoseconds best_effect(const Segment& segment, int step) {
+  for (const Segment::Passed& each : segment.steps) {
+    if (each.step == step) return each.best;
+  }
+  return 0;
+}
+
+/// From those that are known of its causes.
+Nanoseconds earliest_release(const AnalysisContext& context, int n, const std::vector<Nanoseconds>& known) {
+  const Node& node = context.node(n);
+  const auto at = [&known](int other) { return known[static_cast<std::size_t>(other)]; };
+  Nanoseconds value = 0;
+  if (node.release == Release::message) {
+    Nanoseconds sent = never;
+    for (int send : node.sends) sent = std::min(sent, best_effect(context.segment(node.cause), send));
+    value = plus(plus(at(node.cause), sent), context.way(n).best);
+  }
+  const auto& previous = context.behaviours.previous[static_cast<std::size_t>(n)];
+  const Beginning& begins = context.segment(n).beginning;
+  if (!previous.empty()) {
+    Nanoseconds soonest = never;
+    for (int before : previous)
+      soonest = std::min(soonest, plus(at(before), best_arrival(context.segment(before), begins.step)));
+    const bool gives_up = begins.kind == Beginning::Kind::give_up;
+    value = std::max(value, plus(soonest, gives_up ? context.step_at(begins.step).within.value_or(0) : 0));
+  } else if (node.release == Release::fork) {
+    value = plus(at(node.cause), best_arrival(context.segment(node.cause), node.cause_step));
+  }
+  return value;
+}
+
+}  // namespace
+
+std::vector<int> AnalysisContext::endings_before_idle(int thread) const {
+  std::vector<int> found;
+  std::set<int> seen;
+  for (int t = thread; t >= 0; t = thread_at(t).parent) {
+    for (const StartEnding& of : behaviours.start_endings[static_cast<std::size_t>(t)])
+      if (seen.insert(of.node).second && !in_job(of.own)) found.push_back(of.node);
+  }
+  return found;
+}
+
+std::vector<int> AnalysisContext::endings_before_first(int loop) const {
+  const Source& of = forest.sources[static_cast<std::size_t>(loop)];
+  if (of.kind != Source::Kind::loop) return {};
+  std::vector<int> found = endings_before_idle(of.thread);
+  for (const Source::Feed& feed : of.feeds) {
+    if (feed.node < 0 || source(feed.node).kind != Source::Kind::start) continue;
+    const std::vector<int>& endings = behaviours.endings[static_cast<std::size_t>(node(feed.node).source)];
+    found.insert(found.end(), endings.begin(), endings.end());
+  }
+  return found;
+}
+
+bool may_give_up(const Problem& problem, int request) {
+  const int answer = problem.channels[static_cast<std::size_t>(request)].answer;
+  return std::any_of(problem.steps.begin(), problem.steps.end(), [&](const Step& step) {
+    return step.kind == Kind::wait && step.within &&
+           std::find(step.channels.begin(), step.channels.end(), answer) != step.channels.end();
+  });
+}
+
+Range AnalysisContext::device_time(int device) const {
+  const auto& behaviour = problem.devices[static_cast<std::size_t>(device)].behaviour;
+  if (const auto* request = std::get_if<pan::RequestDevice>(&behaviour))
+    return {request->answer.best.count(), request->answer.worst.count()};
+  if (const auto* frames = std::get_if<pan::FrameDevice>(&behaviour))
+    return {frames->collecting.count(), frames->period.count() + frames->collecting.count()};
+  return {0, never};
+}
+
+Range AnalysisContext::way(int n) const {
+  if (node(n).device >= 0) return device_time(node(n).device);
+  return latency(problem, sent_channel(n), forest.thread_of(node(n).cause), forest.thread_of(n));
+}
+
+Nanoseconds AnalysisContext::answer_queue(int device, int request) const {
+  const Device& of = problem.devices[static_cast<std::size_t>(device)];
+  const auto* behaviour = std::get_if<pan::RequestDevice>(&of.behaviour);
+  if (behaviour == nullptr) return 0;
+  // It takes any of those that wait: the others could be served again and again before this one.
+  if (of.requests.size() > 1) return never;
+  return may_give_up(problem, request) ? behaviour->answer.worst.count() : 0;
+}
+
+/// Lower bounds, each got from lower bounds; the last ones are the greatest.
+std::vector<Nanoseconds> earliest_releases(const AnalysisContext& context,
+                                           const std::function<bool()>& stop) {
+  std::vector<Nanoseconds> known(context.forest.nodes.size(), 0);
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    bool changed = false;
+    for (std::size_t n = 0; n < known.size(); ++n) {
+      if (stop && stop()) return known;
+      const Nanoseconds value = earliest_release(context, static_cast<int>(n), known);
+      changed = changed || value != known[n];
+      known[n] = value;
+    }
+    if (!changed) break;
+  }
+  return known;
+}
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,50 @@
+// What all stages of the time analysis read: the problem, its forest of causes, and how its threads behave.
+#pragma once
+
+#include "analyzer/compositional/causes/thread_behaviour.hpp"
+
+namespace pal::analyzer::compositional {
+
+struct AnalysisContext {
+  const Problem& problem;
+  const Forest& forest;
+  const ThreadBehaviours& behaviours;
+
+  const Node& node(int n) const { return forest.nodes[static_cast<std::size_t>(n)]; }
+  const Segment& segment(int n) const { return forest.segment_of(node(n)); }
+  const Source& source(int n) const { return forest.sources[static_cast<std::size_t>(node(n).source)]; }
+  const Step& step_at(int step) const { return problem.steps[static_cast<std::size_t>(step)]; }
+  const Thread& thread_at(int thread) const { return problem.threads[static_cast<std::size_t>(thread)]; }
+  const Thread& thread_of(int n) const { return thread_at(forest.thread_of(n)); }
+  const ThreadBehaviour& behaviour_of(int thread) const {
+    return behaviours.threads[static_cast<std::size_t>(thread)];
+  }
+  int job_start_of(int n) const { return behaviours.job_start[static_cast<std::size_t>(n)]; }
+  bool in_job(int n) const { return compositional::in_job(forest, behaviours, n); }
+  /// The node itself or its nearest cause that belongs to `thread`; -1: there is none.
+  int nearest(int n, int thread) const {
+    return forest.thread_of(n) == thread ? n : forest.cause_in(n, thread);
+  }
+  /// Nodes that may end the skill or a thread before `thread` is idle for the first time: those of `thread`,
+  /// of its parents, and of the threads they wait for.
+  std::vector<int> endings_before_idle(int thread) const;
+  /// The same before the first job of a loop. An event has none.
+  std::vector<int> endings_before_first(int loop) const;
+  int sent_channel(int n) const { return step_at(node(n).sends.front()).channels.front(); }
+
+  /// Time from a request to its answer when the device is free.
+  Range device_time(int device) const;
+  /// Time from the send until the node's message, or the device's answer to it, can be received.
+  Range way(int n) const;
+  /// How long a request may queue at a device that answers on request; `never`: unbounded.
+  Nanoseconds answer_queue(int device, int request) const;
+};
+
+/// Whether a wait for the answer to a request may time out.
+bool may_give_up(const Problem& problem, int request);
+
+/// The earliest release of each node after the nominal instant of its source. After `stop` has returned true,
+/// a lower bound of it.
+std::vector<Nanoseconds> earliest_releases(const AnalysisContext& context, const std::function<bool()>& stop);
+
+}  // namespace pal::analyzer::compositional

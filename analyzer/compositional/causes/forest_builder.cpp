@@ -1,0 +1,376 @@
+// Builds the forest of causes: each source, and whatever it triggers, until nothing new is triggered.
+#include "analyzer/compositional/causes/forest.hpp"
+
+#include <algorithm>
+
+#include "analyzer/compositional/causes/job_distance.hpp"
+#include "analyzer/compositional/causes/protocol.hpp"
+#include "analyzer/compositional/causes/refusal.hpp"
+#include "analyzer/compositional/causes/sequence.hpp"
+#include "analyzer/compositional/causes/takers.hpp"
+#include "analyzer/problem/flow.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+
+class ForestBuilder {
+ public:
+  ForestBuilder(const Problem& problem, Forest& forest, const std::function<bool()>& stop)
+      : problem_(problem),
+        forest_(forest),
+        stop_(stop),
+        sequence_(problem),
+        takers_(problem, forest.segments) {
+    forest.withdrawn = withdrawn_requests(problem);
+    most_nodes_ = 40 * problem.steps.size() + 4'000;
+  }
+
+  void plant() {
+    forest_.refusal = refusal_of(problem_, forest_.segments, stop_);
+    if (forest_.refusal.empty()) find_limited();
+    if (!forest_.refusal.empty()) return;
+    for (int attempt = 0; attempt < 60; ++attempt) {
+      forest_.nodes.clear();
+      planted_.clear();
+      forest_.sources.clear();
+      const std::size_t before = cuts_.size();
+      found_.clear();
+      sources();
+      for (std::size_t s = 0; s < forest_.sources.size() && forest_.refusal.empty(); ++s) {
+        grow(static_cast<int>(s));
+      }
+      if (!forest_.refusal.empty()) return;
+      cuts_.insert(found_.begin(), found_.end());
+      if (cuts_.size() == before) return;
+    }
+    forest_.refusal = "the modules wait for one another in too many circles";
+  }
+
+ private:
+  const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
+  Node& node(int index) { return forest_.nodes[static_cast<std::size_t>(index)]; }
+
+  void find_limited() {
+    limited_.assign(problem_.steps.size(), false);
+    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+      const Step& step = problem_.steps[s];
+      if (step.kind != Kind::wait || !step.within || forest_.segments.owner(static_cast<int>(s)) < 0)
+        continue;
+      if (stop_ && stop_()) forest_.refusal = "it was interrupted";
+      if (!forest_.refusal.empty()) return;
+      limited_[s] = !loops_by_limits(static_cast<int>(s));
+    }
+  }
+
+  /// Whether the thread can come back to a wait by way of waits with limits alone.
+  bool loops_by_limits(int wait) const {
+    return follow(problem_, step_at(wait).next, [&](int at) {
+      if (at == wait) return Course::found;
+      return step_at(at).kind == Kind::wait && !step_at(at).within ? Course::ends : Course::goes_on;
+    });
+  }
+
+  void sources() {
+    for (std::size_t d = 0; d < problem_.devices.size(); ++d) {
+      const auto* event = std::get_if<pan::EventDevice>(&problem_.devices[d].behaviour);
+      if (event == nullptr || problem_.devices[d].event < 0) continue;
+      Source source;
+      source.kind = Source::Kind::event;
+      source.device = static_cast<int>(d);
+      source.period = event->period.count();
+      source.jitter = event->jitter.count();
+      source.regular = !event->sporadic;
+      forest_.sources.push_back(source);
+    }
+    for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
+      if (problem_.threads[t].parent >= 0) continue;
+      Source source;
+      source.thread = static_cast<int>(t);
+      source.period = never;
+      forest_.sources.push_back(source);
+    }
+    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+      const int thread = forest_.segments.owner(static_cast<int>(s));
+      if (thread < 0 || !begins_anew(static_cast<int>(s))) continue;
+      Source source;
+      source.kind = Source::Kind::joined;
+      source.thread = thread;
+      source.fork = static_cast<int>(s);
+      source.period = never;
+      forest_.sources.push_back(source);
+    }
+    for (int segment : cuts_) {
+      Source source;
+      source.kind = Source::Kind::loop;
+      source.segment = segment;
+      source.thread = forest_.segments[segment].beginning.thread;
+      source.period = least_job_distance(problem_, forest_.segments[segment].beginning);
+      if (source.period == 0) {
+        forest_.refusal = "nothing says how long a job of module " +
+                          problem_.threads[static_cast<std::size_t>(source.thread)].name + " takes at least";
+      }
+      forest_.sources.push_back(source);
+    }
+  }
+
+  void grow(int source) {
+    const Source& of = forest_.sources[static_cast<std::size_t>(source)];
+    switch (of.kind) {
+      case Source::Kind::event:
+        message({source, -1, Node::Release::root, -1, {}, -1},
+                problem_.devices[static_cast<std::size_t>(of.device)].event);
+        break;
+      case Source::Kind::start:
+        effect({source, -1, Node::Release::root, -1, {}, -1}, {Beginning::Kind::entry, of.thread, -1, -1});
+        break;
+      case Source::Kind::joined:
+        effect({source, -1, Node::Release::root, -1, {}, -1},
+               {Beginning::Kind::joined, of.thread, of.fork, -1});
+        break;
+      case Source::Kind::loop:
+        add({source, -1, Node::Release::root, -1, {}, -1}, of.segment);
+        break;
+    }
+    while (!open_.empty() && forest_.refusal.empty()) {
+      const int at = open_.back();
+      open_.pop_back();
+      add_effects(at);
+      if (stop_ && stop_()) forest_.refusal = "it was interrupted";
+    }
+    open_.clear();
+  }
+
+  /// How something comes about.
+  struct Link {
+    int source;
+    int cause;
+    Node::Release release;
+    int step;  // wait or fork
+    std::vector<int> sends;
+    int device;
+  };
+
+  void add_effects(int at) {
+    const Segment segment = forest_.segments[node(at).segment];
+    const int source = node(at).source;
+    for (std::vector<int>& sends : alternatives(segment)) {
+      const int channel = step_at(sends.front()).channels.front();
+      const Channel& of = problem_.channels[static_cast<std::size_t>(channel)];
+      if (of.receiver_device < 0) {
+        message({source, at, Node::Release::message, -1, std::move(sends), -1}, channel);
+      } else if (of.served && of.answer >= 0) {
+        message({source, at, Node::Release::message, -1, std::move(sends), of.receiver_device}, of.answer);
+      }
+    }
+    for (const Segment::Arrival& wait : segment.waits) {
+      const Step& step = step_at(wait.step);
+      if (!step.within) continue;
+      const int thread = segment.beginning.thread;
+      const Link link{source, at, Node::Release::limit, wait.step, {}, -1};
+      effect(link, {Beginning::Kind::give_up, thread, wait.step, -1});
+      if (!limited_[static_cast<std::size_t>(wait.step)]) continue;
+      for (std::size_t arm = 0; arm < step.channels.size(); ++arm) {
+        effect(link, {Beginning::Kind::arm, thread, wait.step, static_cast<int>(arm)});
+      }
+    }
+    for (const Segment::Arrival& fork : segment.forks) {
+      const Link link{source, at, Node::Release::fork, fork.step, {}, -1};
+      for (int block : step_at(fork.step).threads) effect(link, {Beginning::Kind::entry, block, -1, -1});
+      const std::vector<int>& blocks = step_at(fork.step).threads;
+      const bool goes_on = std::any_of(blocks.begin(), blocks.end(), [this](int block) {
+        return problem_.threads[static_cast<std::size_t>(block)].can_end;
+      });
+      if (goes_on && !begins_anew(fork.step))
+        effect(link, {Beginning::Kind::joined, segment.beginning.thread, fork.step, -1});
+    }
+  }
+
+  /// What comes after a CONCURRENT, once in a skill's life, of which a block ends in an unknown job.
+  bool begins_anew(int fork) const {
+    const Step& step = step_at(fork);
+    if (step.kind != Kind::fork) return false;
+    return std::any_of(step.threads.begin(), step.threads.end(), [this](int block) {
+      return problem_.threads[static_cast<std::size_t>(block)].can_end && !ends_straight(problem_, block);
+    });
+  }
+
+  /// The segment's sends, those of one channel together if a run passes only one of them.
+  std::vector<std::vector<int>> alternatives(const Segment& segment) const {
+    std::map<int, std::vector<int>> by_channel;
+    for (const Segment::Passed& passed : segment.steps) {
+      const Step& step = step_at(passed.step);
+      if (step.kind == Kind::send) by_channel[step.channels.front()].push_back(passed.step);
+    }
+    std::vector<std::vector<int>> all;
+    for (auto& [channel, sends] : by_channel) {
+      bool alternatives = true;
+      for (int first : sends) {
+        for (int second : sends)
+          alternatives = alternatives && !comes_after(problem_, segment, first, second);
+      }
+      if (alternatives) {
+        all.push_back(std::move(sends));
+      } else {
+        for (int send : sends) all.push_back({send});
+      }
+    }
+    return all;
+  }
+
+  void message(const Link& link, int channel) {
+    const std::optional<std::set<int>> known = takers_of(link, channel);
+    for (const Taker& taker : takers_.of(channel)) {
+      if (known && !known->contains(taker.step)) continue;
+      // Such waits are counted by their own threads' jobs.
+      if (limited_[static_cast<std::size_t>(taker.step)]) continue;
+      effect(link, {Beginning::Kind::arm, taker.thread, taker.step, taker.arm});
+    }
+  }
+
+  /// The waits that may take an answer: those that come after its request, if it is known which that is.
+  std::optional<std::set<int>> takers_of(const Link& link, int channel) {
+    const int request = problem_.channels[static_cast<std::size_t>(channel)].answers;
+    if (request < 0) return {};
+    if (link.device >= 0) return takers_.after(link.sends);
+    for (int at = link.cause; at >= 0; at = node(at).cause) {
+      const Beginning& begins = forest_.segment_of(node(at)).beginning;
+      const bool asked = begins.kind == Beginning::Kind::arm && node(at).release == Node::Release::message &&
+                         node(at).device < 0 &&
+                         step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)] == request;
+      if (!asked) continue;
+      // Between the two its module may have taken another request elsewhere, and answer that.
+      if (!takers_.last_taken_at(link.sends, request, begins.step)) return {};
+      return takers_.after(node(at).sends);
+    }
+    return {};
+  }
+
+  /// Whether a segment may begin after all that leads to it.
+  bool may_follow(const Link& link, const Beginning& beginning) {
+    for (int at = link.cause; at >= 0; at = node(at).cause) {
+      if (!sequence_.may_follow(forest_.segment_of(node(at)).beginning, beginning)) return false;
+    }
+    return true;
+  }
+
+  void effect(const Link& link, const Beginning& beginning) {
+    if (!may_follow(link, beginning)) return;
+    const int segment = forest_.segments.find(beginning);
+    if (forest_.segments[segment].spins) {
+      forest_.refusal = "module " + problem_.threads[static_cast<std::size_t>(beginning.thread)].name +
+                        " has a loop that may repeat without waiting, any number of times";
+      return;
+    }
+    if (cuts_.contains(segment)) {
+      for (Source& loop : forest_.sources) {
+        if (loop.kind == Source::Kind::loop && loop.segment == segment) {
+          loop.feeds.push_back({link.cause, link.sends, link.step, link.device});
+        }
+      }
+      return;
+    }
+    const bool again = comes_again(segment);
+    std::vector<int> circle;
+    for (int at = link.cause; at >= 0; at = node(at).cause) {
+      // A way through something that comes once in a skill's life is no circle.
+      if (again && !comes_again(node(at).segment)) break;
+      circle.push_back(at);
+      if (node(at).segment != segment) continue;
+      if (again && is_asked_anew(circle)) break;
+      if (again) found_.insert(cut(circle));
+      return;
+    }
+    add(link, segment);
+  }
+
+  void add(const Link& link, int segment) {
+    if (forest_.nodes.size() >= most_nodes_) {
+      forest_.refusal = "the modules' messages have too many ways to go";
+      return;
+    }
+    Node made;
+    made.release = link.release;
+    made.segment = segment;
+    made.source = link.source;
+    made.cause = link.cause;
+    made.cause_step = link.step;
+    made.sends = link.sends;
+    made.device = link.device;
+    made.depth = link.cause < 0 ? 0 : node(link.cause).depth + 1 + (link.device >= 0 ? 1 : 0);
+    const int index = static_cast<int>(forest_.nodes.size());
+    forest_.nodes.push_back(made);
+    if (link.cause >= 0) {
+      node(link.cause).effects.push_back(index);
+    } else {
+      forest_.sources[static_cast<std::size_t>(link.source)].roots.push_back(index);
+    }
+    open_.push_back(index);
+    ++planted_[segment];
+  }
+
+  bool comes_again(int segment) {
+    const auto [place, fresh] = comes_again_.emplace(segment, false);
+    if (fresh) place->second = recurrent(problem_, forest_.segments[segment].beginning);
+    return place->second;
+  }
+
+  bool takes_request(int index) const {
+    const Beginning& begins = forest_.segment_of(forest_.nodes[static_cast<std::size_t>(index)]).beginning;
+    if (begins.kind != Beginning::Kind::arm) return false;
+    const int channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
+    return problem_.channels[static_cast<std::size_t>(channel)].answer >= 0;
+  }
+
+  /// Whether a circle leads back to a server that somebody asks once more. If that goes on for ever, the
+  /// asking is a circle, too, and is found there. Ways that part and ask multiply: not too often.
+  bool is_asked_anew(const std::vector<int>& circle) {
+    constexpr int most_askings = 128;
+    return takes_request(circle.back()) && planted_[node(circle.back()).segment] < most_askings &&
+           !std::all_of(circle.begin(), circle.end(), [this](int index) { return takes_request(index); });
+  }
+
+  /// The segment of a circle of causes that its jobs are counted at: one of a thread that in this circle
+  /// only waits for what it asked for, if there is one.
+  int cut(const std::vector<int>& circle) {
+    const auto asks_only = [this](int index) {
+      const Beginning& begins = forest_.segment_of(node(index)).beginning;
+      if (begins.kind == Beginning::Kind::give_up) return true;
+      if (begins.kind != Beginning::Kind::arm) return false;
+      const int channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
+      return problem_.channels[static_cast<std::size_t>(channel)].answers >= 0;
+    };
+    for (int index : circle) {
+      const int thread = forest_.thread_of(index);
+      const bool client = std::all_of(circle.begin(), circle.end(), [&](int other) {
+        return forest_.thread_of(other) != thread || asks_only(other);
+      });
+      if (client) return node(index).segment;
+    }
+    return node(circle.back()).segment;
+  }
+
+  const Problem& problem_;
+  Forest& forest_;
+  const std::function<bool()>& stop_;
+  Sequence sequence_;
+  Takers takers_;
+  std::vector<bool> limited_;  // by wait: each of its branches is counted as an effect of reaching it
+  std::set<int> cuts_;
+  std::set<int> found_;
+  std::map<int, bool> comes_again_;
+  std::map<int, int> planted_;  // by segment: nodes
+  std::vector<int> open_;
+  std::size_t most_nodes_ = 0;
+};
+
+}  // namespace
+
+Forest forest_of(const Problem& problem, const std::function<bool()>& stop) {
+  Forest forest(problem);
+  ForestBuilder(problem, forest, stop).plant();
+  return forest;
+}
+
+}  // namespace pal::analyzer::compositional

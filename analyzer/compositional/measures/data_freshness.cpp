@@ -1,0 +1,332 @@
+#include "analyzer/compositional/measures/data_freshness.hpp"
+
+#include <algorithm>
+
+#include "analyzer/compositional/measures/staleness.hpp"
+#include "analyzer/machine/watch.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+using Release = Node::Release;
+
+constexpr int most_iterations = 60;
+using Known = DataFreshness::Known;
+
+/// `known`, if anything, so much earlier.
+Known earlier(const Known& known, const Sum& by) {
+  return known && by.bounded() ? Known(*known - by) : std::nullopt;
+}
+
+/// What is known if both are, and if one of them is, nobody knows which.
+Known both(const Known& one, const Known& other) {
+  if (!one || !other) return one ? one : other;
+  return greater(*one, *other);
+}
+Known either(const Known& one, const Known& other) {
+  return one && other ? Known(less(*one, *other)) : std::nullopt;
+}
+
+bool same(const Known& one, const Known& other) {
+  return one.has_value() == other.has_value() && (!one || one->value() == other->value());
+}
+
+}  // namespace
+
+DataFreshness::DataFreshness(const View& view, const Requirement& requirement)
+    : view_(view),
+      problem_(view.problem),
+      requirement_(requirement),
+      begins_(view.forest.nodes.size()),
+      effects_(view.forest.nodes.size()),
+      arrivals_(view.forest.nodes.size()),
+      latched_(problem_.threads.size()) {
+  for (std::size_t t = 0; t < problem_.threads.size(); ++t)
+    regular_.push_back(regular(view, static_cast<int>(t)));
+  for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+    const int owner = view.forest.segments.owner(static_cast<int>(s));
+    if (owner >= 0 && problem_.steps[s].kind == Kind::read)
+      latched_[static_cast<std::size_t>(owner)].insert(problem_.steps[s].condition);
+  }
+  if (requirement.condition < 0) find_setters();
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    if (requirement.condition < 0) ages_.clear();  // samples on their way to conditions
+    bool changed = false;
+    for (std::size_t n = 0; n < begins_.size(); ++n) changed = visit(static_cast<int>(n)) || changed;
+    if (!changed) return;
+  }
+}
+
+Known DataFreshness::at(StepEffect effect) const {
+  const Segment& segment = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(effect.node)]);
+  const auto& effects = effects_[static_cast<std::size_t>(effect.node)];
+  for (std::size_t s = 0; s < segment.steps.size() && s < effects.size(); ++s) {
+    if (segment.steps[s].step == effect.step) return effects[s];
+  }
+  return std::nullopt;
+}
+
+void DataFreshness::find_setters() {
+  for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+    if (problem_.steps[s].kind != Kind::set) continue;
+    auto& at = set_at_[problem_.steps[s].condition];
+    at.resize(problem_.steps.size());
+    at[s] = true;
+  }
+  for (const auto& [condition, at] : set_at_) {
+    for (int thread : owners(view_, at))
+      setters_[condition].push_back({thread, std::make_unique<StatementOccurrences>(view_, thread, at)});
+  }
+}
+
+/// Follows the node's ways; true: something more is known than before.
+bool DataFreshness::visit(int node) {
+  const auto n = static_cast<std::size_t>(node);
+  const Segment& segment = view_.forest.segment_of(view_.forest.nodes[n]);
+  const Beginning& begins = segment.beginning;
+  State first = begin(node);
+  first.known = both(first.known, begins_[n].known);
+  first.set = both(first.set, begins_[n].set);
+  const bool changed = !same(first.known, begins_[n].known) || !same(first.set, begins_[n].set);
+  begins_[n] = first;
+  std::map<int, State> reached;
+  const auto reach = [&](int step, const State& state) {
+    const auto [place, fresh] = reached.emplace(step, state);
+    if (fresh) return;
+    place->second.known = either(place->second.known, state.known);
+    place->second.set = either(place->second.set, state.set);
+  };
+  std::vector<Known> effects;
+  const bool after_wait = begins.kind == Beginning::Kind::arm || begins.kind == Beginning::Kind::give_up;
+  if (begins.kind == Beginning::Kind::entry) {
+    reach(problem_.threads[static_cast<std::size_t>(begins.thread)].entry, first);
+  } else {
+    const Step& step = problem_.steps[static_cast<std::size_t>(begins.step)];
+    if (after_wait) effects.push_back(first.known);
+    const bool arm = begins.kind == Beginning::Kind::arm;
+    const bool joined = begins.kind == Beginning::Kind::joined;
+    reach(joined ? step.next.front()
+          : arm  ? step.next[static_cast<std::size_t>(begins.arm)]
+                 : step.next.back(),
+          first);
+  }
+  for (std::size_t s = after_wait ? 1 : 0; s < segment.steps.size(); ++s) {
+    const int step = segment.steps[s].step;
+    State state = reached.at(step);
+    transfer(node, step, state);
+    effects.push_back(state.known);
+    for (int next : problem_.steps[static_cast<std::size_t>(step)].next) reach(next, state);
+  }
+  const bool more =
+      changed || !std::equal(effects.begin(), effects.end(), effects_[n].begin(), effects_[n].end(), same);
+  effects_[n] = std::move(effects);
+  arrivals_[n] = std::move(reached);
+  return more;
+}
+
+DataFreshness::State DataFreshness::begin(int node) const {
+  const auto n = static_cast<std::size_t>(node);
+  const Node& of = view_.forest.nodes[n];
+  State state;
+  const auto arrived = [this](int before, int step) {
+    const auto& arrivals = arrivals_[static_cast<std::size_t>(before)];
+    const auto found = arrivals.find(step);
+    return found == arrivals.end() ? State{} : found->second;
+  };
+  const auto& previous = view_.behaviours.previous[n];
+  if (!previous.empty()) {
+    state = {Sum::unbounded(), Sum::unbounded()};
+    for (int before : previous) {
+      const State there = arrived(before, view_.forest.segment_of(of).beginning.step);
+      state.known = either(state.known, there.known);
+      state.set = either(state.set, there.set);
+    }
+  } else if (of.release == Release::fork && of.cause >= 0) {
+    state = arrived(of.cause, of.cause_step);
+  } else if (in_recurring_job(view_, node)) {
+    state = before_idle(node);
+  }
+  if (of.release == Release::fork && view_.forest.segment_of(of).beginning.kind == Beginning::Kind::joined)
+    state.set = both(state.set, set_by_blocks(of));
+  // At time 0 nobody knows more, and a condition has the value that it is born with.
+  if (view_.forest.sources[static_cast<std::size_t>(of.source)].kind == Source::Kind::start) {
+    state.known = both(state.known, Sum());
+    state.set = both(state.set, Sum());
+  }
+  state.known = both(state.known, told(node));
+  return state;
+}
+
+/// Last set by the blocks that have ended when a node begins.
+Known DataFreshness::set_by_blocks(const Node& joined) const {
+  Known latest;
+  for (int block : problem_.steps[static_cast<std::size_t>(joined.cause_step)].threads) {
+    if (!problem_.threads[static_cast<std::size_t>(block)].can_end) continue;
+    Known soonest = Sum::unbounded();
+    for (int n : view_.behaviours.threads[static_cast<std::size_t>(block)].nodes) {
+      const int job_start = view_.behaviours.job_start[static_cast<std::size_t>(n)];
+      if (view_.forest.nodes[static_cast<std::size_t>(job_start)].cause != joined.cause) continue;
+      for (const auto& [step, state] : arrivals_[static_cast<std::size_t>(n)]) {
+        if (problem_.steps[static_cast<std::size_t>(step)].kind == Kind::end)
+          soonest = either(soonest, state.set);
+      }
+    }
+    if (soonest && soonest->bounded()) latest = both(latest, soonest);
+  }
+  return latest;
+}
+
+/// From the previous job; the first job begins with what is younger than the skill.
+DataFreshness::State DataFreshness::before_idle(int node) const {
+  const int thread = view_.forest.thread_of(node);
+  const int source = recurring_source(view_, thread);
+  if (source < 0 || !regular_[static_cast<std::size_t>(thread)]) return {};
+  if (!in_order(view_, thread)) return {};
+  const ThreadBehaviour& of = view_.behaviours.threads[static_cast<std::size_t>(thread)];
+  State state{Sum::unbounded(), Sum::unbounded()};
+  for (int other : of.nodes) {
+    if (!in_recurring_job(view_, other)) continue;
+    const auto& arrivals = arrivals_[static_cast<std::size_t>(other)];
+    const Segment& segment = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(other)]);
+    for (const Segment::Arrival& wait : segment.waits) {
+      if (wait.step != of.idle_wait) continue;
+      const auto found = arrivals.find(of.idle_wait);
+      const State there = found == arrivals.end() ? State{} : found->second;
+      state.known = either(state.known, there.known);
+      state.set = either(state.set, there.set);
+    }
+  }
+  const Sum distance = gap(view_, source);
+  const Sum begin = first(view_, source);
+  const auto since = [&](const Known& before) -> Known {
+    if (before && !before->bounded()) return std::nullopt;  // it never returns to its idle wait
+    return either(earlier(before, distance), earlier(Sum(), begin));
+  };
+  return {since(state.known), since(state.set)};
+}
+
+bool DataFreshness::sampled(int channel) const {
+  const auto& samples = requirement_.samples;
+  return std::find(samples.begin(), samples.end(), channel) != samples.end();
+}
+
+/// By the message that begins the node.
+Known DataFreshness::told(int node) const {
+  if (requirement_.condition >= 0) return std::nullopt;
+  const Node& of = view_.forest.nodes[static_cast<std::size_t>(node)];
+  const Source& source = view_.forest.sources[static_cast<std::size_t>(of.source)];
+  if (of.release == Release::message) return told_by(of.cause, of.sends, of.device);
+  if (of.release != Release::root) return std::nullopt;
+  if (source.kind == Source::Kind::event) {
+    const int event = problem_.devices[static_cast<std::size_t>(source.device)].event;
+    return sampled(event) ? Known(Sum()) : std::nullopt;
+  }
+  return source.kind == Source::Kind::loop ? told_in_loop(source, of.source) : std::nullopt;
+}
+
+/// A message carries what its sender knows; a device's answer says what was so after the request.
+Known DataFreshness::told_by(int sender, const std::vector<int>& sends, int device) const {
+  Known known = Sum::unbounded();
+  for (int send : sends) {
+    if (device < 0) {
+      known = either(known, at({sender, send}));
+      continue;
+    }
+    const int request = problem_.steps[static_cast<std::size_t>(send)].channels.front();
+    const int answer = problem_.channels[static_cast<std::size_t>(request)].answer;
+    known = either(known, sampled(answer) ? Known(earliest(view_, sender, send)) : std::nullopt);
+  }
+  return known && known->bounded() ? known : std::nullopt;
+}
+
+/// By what leads to the next job of a loop.
+Known DataFreshness::told_in_loop(const Source& source, int index) const {
+  Known known = Sum::unbounded();
+  for (const Source::Feed& feed : source.feeds) {
+    if (feed.node < 0 || feed.sends.empty()) return std::nullopt;
+    const int from = view_.forest.nodes[static_cast<std::size_t>(feed.node)].source;
+    const bool own = from == index;
+    if (!own && view_.forest.sources[static_cast<std::size_t>(from)].kind != Source::Kind::start)
+      return std::nullopt;
+    const Sum distance = own ? gap(view_, index) : first(view_, index);
+    known = either(known, earlier(told_by(feed.node, feed.sends, feed.device), distance));
+  }
+  return known && known->bounded() ? known : std::nullopt;
+}
+
+/// Whether a step surely reads a condition, or has read it before for this very test.
+bool DataFreshness::surely_read(int step, int condition) const {
+  const Step& of = problem_.steps[static_cast<std::size_t>(step)];
+  if (of.kind == Kind::read) return of.condition == condition;
+  const auto thread = static_cast<std::size_t>(view_.forest.segments.owner(step));
+  return tests(of, condition) && !latched_[thread].contains(condition);
+}
+
+void DataFreshness::transfer(int node, int step, State& state) {
+  const Step& of = problem_.steps[static_cast<std::size_t>(step)];
+  const int thread = view_.forest.thread_of(node);
+  const Sum now = earliest(view_, node, step);
+  if (requirement_.condition >= 0) {
+    if (of.kind == Kind::set && of.condition == requirement_.condition) state.set = now;
+    if (surely_read(step, requirement_.condition)) {
+      const Known read = earlier(now, age_when_read(requirement_.condition, thread));
+      state.known = both(both(state.known, read), state.set);
+    }
+    return;
+  }
+  for (const auto& [condition, at] : set_at_) {
+    if (!surely_read(step, condition)) continue;
+    state.known = both(state.known, earlier(now, age_when_read(condition, thread)));
+  }
+}
+
+Sum DataFreshness::age_when_read(int condition, int reader) {
+  const auto [place, fresh] = ages_.emplace(std::pair{condition, reader}, Sum::unbounded());
+  if (fresh) {
+    place->second =
+        requirement_.condition >= 0 ? value_age(view_, condition, reader).sum : sample_age(condition, reader);
+  }
+  return place->second;
+}
+
+/// Greatest time since the sample that a condition carries when it is read. Before the first set of a job
+/// it is no longer than the skill has run.
+Sum DataFreshness::sample_age(int condition, int reader) const {
+  const auto found = setters_.find(condition);
+  if (found == setters_.end()) return Sum::unbounded();
+  Sum at_set;                       // age of the sample at any set
+  Sum distance = Sum::unbounded();  // sets
+  Sum until_first = Sum::unbounded();
+  Sum together = Sum::unbounded();  // both, of the one setter
+  bool later = false;               // sets that are neither in jobs nor at the start
+  for (const Setter& setter : found->second) {
+    const StatementOccurrences& sets = *setter.sets;
+    const auto age = [&](StepEffect effect) {
+      const Known known = at(effect);
+      return known ? latest(view_, effect.node, effect.step) - *known : Sum::unbounded();
+    };
+    Sum soonest = Sum::unbounded();
+    Known known = Sum::unbounded();
+    for (const StepEffect& effect : sets.in_jobs()) {
+      soonest = less(soonest, earliest(view_, effect.node, effect.step));
+      known = either(known, at(effect));
+      at_set = greater(at_set, age(effect));
+    }
+    for (const StepEffect& effect : sets.before_jobs()) {
+      const int source = view_.forest.nodes[static_cast<std::size_t>(effect.node)].source;
+      later = later || view_.forest.sources[static_cast<std::size_t>(source)].kind != Source::Kind::start;
+      at_set = greater(at_set, age(effect));
+    }
+    if (!sets.in_every_job() || sets.in_jobs().empty() || !outlasts(view_, setter.thread, reader)) continue;
+    const Sum& set_again = replaced(view_, sets, setter.thread, reader);
+    const Sum next = sets.next_or_end(set_again);
+    until_first = less(until_first, sets.first_or_end(set_again));
+    distance = less(distance, next - soonest);
+    if (known) together = next - *known;
+  }
+  if (found->second.size() > 1 || later) together = distance + at_set;
+  return greater(together, until_first);
+}
+
+}  // namespace pal::analyzer::compositional

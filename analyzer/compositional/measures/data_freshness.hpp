@@ -1,0 +1,66 @@
+// How fresh the data of a thread are: the least recent sample of a device, or set of a condition, that it may
+// work with.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "analyzer/compositional/measures/statement_occurrences.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// Data only get fresher: a read or a message never replaces data of a thread by older ones. So each path by
+/// which data must arrive gives a lower bound of the instant of their sample. It counts from the nominal
+/// instant of the node's source. Where that instant plus the bound is not after time 0, the thread may have
+/// no data yet; data that it has are younger than the skill.
+///
+/// M. Günzel and others, Timing analysis of asynchronized distributed cause-effect chains, 2021: the chains
+/// are followed backward, from the statement to the last message or read before it.
+class DataFreshness {
+ public:
+  /// The instant of the sample; nothing: there is none.
+  using Known = std::optional<Sum>;
+
+  DataFreshness(const View& view, const Requirement& requirement);
+
+  /// At the effect of a step in a node.
+  Known at(StepEffect effect) const;
+
+ private:
+  struct State {
+    Known known;
+    Known set;  // the last set of the condition on the thread's own path
+  };
+  struct Setter {
+    int thread;
+    std::unique_ptr<StatementOccurrences> sets;
+  };
+
+  void find_setters();
+  bool visit(int node);
+  State begin(int node) const;
+  State before_idle(int node) const;
+  Known set_by_blocks(const Node& joined) const;
+  Known told(int node) const;
+  Known told_by(int sender, const std::vector<int>& sends, int device) const;
+  Known told_in_loop(const Source& source, int index) const;
+  void transfer(int node, int step, State& state);
+  Sum age_when_read(int condition, int reader);
+  Sum sample_age(int condition, int reader) const;
+  bool surely_read(int step, int condition) const;
+  bool sampled(int channel) const;
+
+  const View& view_;
+  const Problem& problem_;
+  const Requirement& requirement_;
+  std::vector<State> begins_;                   // by node
+  std::vector<std::vector<Known>> effects_;     // by node and place in its segment
+  std::vector<std::map<int, State>> arrivals_;  // by node: at the waits and forks that end it
+  std::vector<bool> regular_;                   // by thread
+  std::vector<std::set<int>> latched_;          // by thread: conditions that it reads by RPC
+  std::map<int, std::vector<bool>> set_at_;     // by condition
+  std::map<int, std::vector<Setter>> setters_;  // by condition
+  std::map<std::pair<int, int>, Sum> ages_;     // by condition and reader
+};
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,148 @@
+#include "analyzer/compositional/measures/event_propagation.hpp"
+
+#include <algorithm>
+
+#include "analyzer/compositional/causes/analysis_context.hpp"
+#include "analyzer/problem/flow.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+using Release = Node::Release;
+
+}  // namespace
+
+std::string EventPropagation::unbounded_reason_of(int n) const {
+  return view_.times.unbounded_reason[static_cast<std::size_t>(view_.forest.thread_of(n))];
+}
+
+bool EventPropagation::certain(int n) {
+  const auto thread = static_cast<std::size_t>(view_.forest.thread_of(n));
+  // A device is closed until somebody waits for its event.
+  const bool opens = node(view_.behaviours.job_start[static_cast<std::size_t>(n)]).release == Release::root;
+  if (view_.lasts(static_cast<int>(thread)) && (view_.begun[thread] || opens)) return true;
+  // A block that the event itself starts, and that ends.
+  const Thread& block = problem_.threads[thread];
+  const bool started = node(view_.behaviours.job_start[static_cast<std::size_t>(n)]).release == Release::fork;
+  if (started && block.can_end && view_.lively[thread] &&
+      !view_.behaviours.threads[static_cast<std::size_t>(block.parent)].may_be_cancelled) {
+    return true;
+  }
+  if (why_.empty()) {
+    why_ = view_.times.unbounded_reason[thread];
+    if (why_.empty()) why_ = problem_.threads[thread].name + " may leave its job, or wait in it for ever";
+  }
+  return false;
+}
+
+Sum EventPropagation::node_value(int n) {
+  // A job may come back to a wait, and to this node, an unknown number of times.
+  const auto [place, fresh] = nodes_.emplace(n, Sum::unbounded());
+  if (!fresh) return place->second;
+  Sum value = Sum::unbounded();
+  if (certain(n)) {
+    value = beginning_value(n);
+    if (!value.bounded() && why_.empty()) why_ = unbounded_reason_of(n);
+  }
+  place->second = value;
+  return value;
+}
+
+Sum EventPropagation::beginning_value(int n) {
+  const Beginning& begins = segment(n).beginning;
+  if (begins.kind == Beginning::Kind::entry)
+    return step_value(n, problem_.threads[static_cast<std::size_t>(begins.thread)].entry);
+  const Step& step = step_at(begins.step);
+  if (begins.kind == Beginning::Kind::joined) return step_value(n, step.next.front());
+  if (at_[static_cast<std::size_t>(begins.step)]) return reached(n, begins.step);
+  const bool gives_up = begins.kind == Beginning::Kind::give_up;
+  return step_value(n, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
+}
+
+Sum EventPropagation::step_value(int n, int at) {
+  const auto known = [&](int step) { return steps_.contains({n, step}); };
+  const auto leads_on = [&](int step) {
+    const Kind kind = step_at(step).kind;
+    const bool ends = kind == Kind::wait || kind == Kind::fork || kind == Kind::complete || kind == Kind::end;
+    return !ends && !at_[static_cast<std::size_t>(step)] && !known(step);
+  };
+  backwards(problem_, at, leads_on, [&](int step) {
+    if (!known(step)) steps_[{n, step}] = value_of_step(n, step);
+  });
+  return steps_.at({n, at});
+}
+
+Sum EventPropagation::value_of_step(int n, int at) {
+  const Step& step = step_at(at);
+  Sum value = Sum::unbounded();
+  if (step.kind == Kind::wait) {
+    value = wait_value(n, at);
+  } else if (step.kind == Kind::fork) {
+    const bool is_end = at_[static_cast<std::size_t>(at)];
+    value = is_end ? finished(n) : fork_value(n, at);
+  } else if (at_[static_cast<std::size_t>(at)] || step.kind == Kind::complete) {
+    value = reached(n, at);
+  } else if (step.kind != Kind::end) {
+    value = may_match_nothing(step) ? reached(n, at) : no_way();
+    for (int next : step.next) {
+      const auto after = steps_.find({n, next});
+      value = greater(value, after == steps_.end() ? Sum::unbounded() : after->second);
+    }
+    if (step.kind == Kind::send && is_put(at)) value = less(value, sent_value(n, at));
+  }
+  return value;
+}
+
+bool EventPropagation::is_put(int send) {
+  const int request = problem_.channels[static_cast<std::size_t>(step_at(send).channels.front())].answers;
+  if (request < 0 || !view_.forest.withdrawn[static_cast<std::size_t>(request)]) return true;
+  if (why_.empty()) why_ = "an answer may be discarded, since its request has been withdrawn";
+  return false;
+}
+
+Sum EventPropagation::sent_value(int n, int send) {
+  const int channel = step_at(send).channels.front();
+  if (problem_.channels[static_cast<std::size_t>(channel)].answer >= 0 && may_give_up(problem_, channel)) {
+    if (why_.empty()) why_ = "a request may be withdrawn before it is taken";
+    return Sum::unbounded();
+  }
+  int taker = -1;
+  for (int effect : node(n).effects) {
+    const auto& sends = node(effect).sends;
+    if (std::find(sends.begin(), sends.end(), send) == sends.end()) continue;
+    if (taker >= 0 || node(effect).release != Release::message) return Sum::unbounded();
+    taker = effect;
+  }
+  if (taker < 0 || view_.forest.thread_of(taker) == view_.forest.thread_of(n)) return Sum::unbounded();
+  // What comes back to a thread in the middle of its job is followed there.
+  if (!view_.behaviours.previous[static_cast<std::size_t>(taker)].empty()) return Sum::unbounded();
+  return node_value(taker);
+}
+
+Sum EventPropagation::fork_value(int n, int fork) {
+  Sum value = Sum::unbounded();
+  for (int effect : node(n).effects) {
+    if (node(effect).release == Release::fork && node(effect).cause_step == fork)
+      value = less(value, node_value(effect));
+  }
+  return value;
+}
+
+Sum EventPropagation::wait_value(int n, int wait) {
+  const int thread = view_.forest.thread_of(n);
+  if (wait == view_.behaviours.threads[static_cast<std::size_t>(thread)].idle_wait) return Sum::unbounded();
+  Sum value = no_way();
+  bool any = false;
+  for (int other : view_.behaviours.threads[static_cast<std::size_t>(thread)].nodes) {
+    const auto& previous = view_.behaviours.previous[static_cast<std::size_t>(other)];
+    if (segment(other).beginning.step != wait ||
+        std::find(previous.begin(), previous.end(), n) == previous.end())
+      continue;
+    any = true;
+    value = greater(value, node_value(other));
+  }
+  return any ? value : Sum::unbounded();
+}
+
+}  // namespace pal::analyzer::compositional

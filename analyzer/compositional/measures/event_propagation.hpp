@@ -1,0 +1,67 @@
+// What an event, or a message, brings about: where its response is.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analyzer/compositional/measures/measures.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// Follows an event, or a message, from node to node and thread to thread, as far as every run must propagate
+/// it: until one of the statements `at` takes effect or the skill ends.
+class EventPropagation {
+ public:
+  /// What times count from.
+  enum class Since { event, nominal };
+
+  EventPropagation(const View& view, const std::vector<bool>& at, Since since)
+      : view_(view), problem_(view.problem), at_(at), since_(since) {}
+
+  /// Latest first effect of a statement, if a message triggers this node.
+  Sum node_value(int n);
+  /// The same for the message that `n` sends by `send` to its only receiver.
+  Sum sent_value(int n, int send);
+  /// Whether the thread of the node makes progress in every run, as long as the skill lasts.
+  bool certain(int n);
+  /// Why a value is unbounded; empty if no reason was found.
+  const std::string& why() const { return why_; }
+
+ private:
+  /// No path leads from here to an answer, nor to anything else.
+  static Sum no_way() { return Sum::number(-1); }
+
+  const Node& node(int n) const { return view_.forest.nodes[static_cast<std::size_t>(n)]; }
+  const Segment& segment(int n) const { return view_.forest.segment_of(node(n)); }
+  const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
+
+  Sum reached(int n, int step) const {
+    return since_ == Since::event ? since_event(view_, n, step) : latest(view_, n, step);
+  }
+  Sum finished(int n) const {
+    return since_ == Since::event ? finish_since_event(view_, n) : finish(view_, n);
+  }
+  std::string unbounded_reason_of(int n) const;
+  /// Whether the message is put and not withdrawn before it is received. Otherwise it has no response, and
+  /// does not propagate its event.
+  bool is_put(int send);
+  Sum beginning_value(int n);
+  Sum step_value(int n, int at);
+  /// The same from the results of the steps that follow.
+  Sum value_of_step(int n, int at);
+  /// Each block propagates the event, and so does its parent after they have ended.
+  Sum fork_value(int n, int fork);
+  Sum wait_value(int n, int wait);
+
+  const View& view_;
+  const Problem& problem_;
+  const std::vector<bool>& at_;
+  Since since_;
+  std::map<int, Sum> nodes_;
+  std::map<std::pair<int, int>, Sum> steps_;
+  std::string why_;
+};
+
+}  // namespace pal::analyzer::compositional

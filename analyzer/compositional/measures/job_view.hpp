@@ -1,0 +1,40 @@
+// Properties of a thread's jobs that several measures need.
+#pragma once
+
+#include "analyzer/compositional/measures/measures.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// Whether a node belongs to a job of its thread. What a thread does before its first job does not.
+bool in_job(const View& view, int node);
+
+/// The source of a thread's jobs; -1: there is none, or there are several.
+int source_of_jobs(const View& view, int thread);
+
+/// Whether a thread is a block that its parent starts in each of its jobs. Each start is then a job of the
+/// block.
+bool starts_in_jobs(const View& view, int thread);
+
+/// Whether a thread begins and continues with its jobs in every run, as long as it is not cancelled.
+bool goes_on(const View& view, int thread);
+
+/// The recurring source of a thread's jobs; -1: there is none, or there are several.
+int recurring_source(const View& view, int thread);
+
+/// Whether a node belongs to a job of the recurring source.
+bool in_recurring_job(const View& view, int node);
+
+/// Whether every occurrence of the recurring source triggers a job, as long as the thread is idle.
+bool regular(const View& view, int thread);
+
+/// Whether a thread's jobs come in the order of the occurrences of its recurring source: there is only one
+/// path from the source to the job. On one of several paths a later occurrence may overtake an earlier one.
+bool in_order(const View& view, int thread);
+
+/// Nodes of the step's thread that contain it.
+std::vector<int> nodes_with(const View& view, int step);
+
+/// The threads that own the steps of `at`.
+std::set<int> owners(const View& view, const std::vector<bool>& at);
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,211 @@
+#include "analyzer/compositional/measures/statement_occurrences.hpp"
+
+#include <algorithm>
+
+#include "analyzer/compositional/causes/analysis_context.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
+#include "analyzer/problem/flow.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+using Kind = Step::Kind;
+
+/// Steps from which one of `at` may come in the same thread.
+std::vector<bool> reaching(const Problem& problem, const std::vector<bool>& at) {
+  std::vector<bool> found = at;
+  found.resize(problem.steps.size());
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t s = problem.steps.size(); s-- > 0;) {
+      if (found[s]) continue;
+      const auto& next = problem.steps[s].next;
+      found[s] = std::any_of(next.begin(), next.end(),
+                             [&](int after) { return found[static_cast<std::size_t>(after)]; });
+      changed = changed || found[s];
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+StatementOccurrences::StatementOccurrences(const View& view, int thread, const std::vector<bool>& at)
+    : view_(view),
+      thread_(thread),
+      at_(at),
+      reachable_(reaching(view.problem, at)),
+      begins_again_(recurrent(view.problem, {Beginning::Kind::entry, thread, -1, -1})) {
+  const ThreadBehaviour& of = view.behaviours.threads[static_cast<std::size_t>(thread)];
+  for (int n : of.nodes) {
+    for (const Segment::Passed& passed :
+         view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(n)]).steps) {
+      if (!at[static_cast<std::size_t>(passed.step)]) continue;
+      (in_recurring_job(view, n) ? in_jobs_ : before_jobs_).push_back({n, passed.step});
+    }
+  }
+  const int source = recurring_source(view, thread);
+  if (source < 0 || !regular(view, thread)) return;
+  gap_ = compositional::gap(view, source);
+  first_ = compositional::first(view, source);
+  Way job;
+  for (int n : of.nodes) {
+    const bool begins = view.behaviours.job_start[static_cast<std::size_t>(n)] == n;
+    if (begins && in_recurring_job(view, n)) merge(job, begun(n));
+  }
+  in_every_job_ = !job.ends_job && !job.lost;
+  may_skip_ = job.ends_job;
+  latest_ = job.latest;
+  released_ = job.released;
+  find_ends(source);
+}
+
+void StatementOccurrences::find_ends(int source) {
+  const AnalysisContext context{view_.problem, view_.forest, view_.behaviours};
+  const auto after_one = [&](int n) {
+    for (; n >= 0; n = context.node(n).cause) {
+      if (view_.forest.thread_of(n) == thread_ && surely_occurs(n)) return true;
+    }
+    return false;
+  };
+  for (int n : view_.behaviours.endings[static_cast<std::size_t>(source)]) {
+    ended_ = greater(ended_, finish(view_, n));
+    if (!after_one(n)) ended_before_ = greater(ended_before_, finish(view_, n));
+  }
+  const auto instead = [&](const std::vector<int>& endings) {
+    for (int n : endings) ended_at_start_ = greater(ended_at_start_, finish(view_, n));
+  };
+  instead(context.endings_before_idle(thread_));
+  instead(context.endings_before_first(source));
+}
+
+Sum StatementOccurrences::next_or_end(const Sum& effect) const {
+  return greater(gap_ + greater(effect, ended_before_), ended_);
+}
+
+Sum StatementOccurrences::first_or_end(const Sum& effect) const {
+  return greater(first_ + greater(effect, ended_before_), ended_at_start_);
+}
+
+/// Whether all ways through the node's segment pass one.
+bool StatementOccurrences::surely_occurs(int node) const {
+  const std::optional<int> first = opening(node);
+  return !first || !follow(view_.problem, {*first}, [this](int at) {
+    const Step& step = view_.problem.steps[static_cast<std::size_t>(at)];
+    if (at_[static_cast<std::size_t>(at)]) return Course::ends;
+    const bool over = step.kind == Kind::wait || step.kind == Kind::fork || step.next.empty();
+    return over || may_match_nothing(step) ? Course::found : Course::goes_on;
+  });
+}
+
+void StatementOccurrences::merge(Way& into, const Way& other) const {
+  into.latest = greater(into.latest, other.latest);
+  into.released = greater(into.released, other.released);
+  into.ends_job = into.ends_job || other.ends_job;
+  into.lost = into.lost || other.lost || !other.latest.bounded();
+}
+
+std::optional<int> StatementOccurrences::opening(int node) const {
+  const Beginning& begins =
+      view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(node)]).beginning;
+  if (begins.kind == Beginning::Kind::entry)
+    return view_.problem.threads[static_cast<std::size_t>(begins.thread)].entry;
+  const Step& step = view_.problem.steps[static_cast<std::size_t>(begins.step)];
+  if (begins.kind == Beginning::Kind::joined) return step.next.front();
+  if (at_[static_cast<std::size_t>(begins.step)]) return std::nullopt;
+  const bool gives_up = begins.kind == Beginning::Kind::give_up;
+  return gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)];
+}
+
+Way StatementOccurrences::begun(int node) {
+  const std::optional<int> first = opening(node);
+  if (first) return from(node, *first);
+  const int wait = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(node)]).beginning.step;
+  return {compositional::latest(view_, node, wait), release(view_, node), false, false};
+}
+
+Way StatementOccurrences::from_entry() {
+  Way way;
+  bool any = false;
+  for (int n : view_.behaviours.threads[static_cast<std::size_t>(thread_)].nodes) {
+    if (view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(n)]).beginning.kind ==
+        Beginning::Kind::entry) {
+      any = true;
+      merge(way, begun(n));
+    }
+  }
+  way.lost = way.lost || !any;
+  return way;
+}
+
+Way StatementOccurrences::after(StepEffect effect) {
+  Way way;
+  const Beginning& begins =
+      view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(effect.node)]).beginning;
+  const Step& step = view_.problem.steps[static_cast<std::size_t>(effect.step)];
+  if (step.kind == Kind::wait) {
+    const bool gives_up = begins.kind == Beginning::Kind::give_up;
+    return from(effect.node, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
+  }
+  if (step.next.empty()) way = {finish(view_, effect.node), release(view_, effect.node), false, false};
+  for (int next : step.next) merge(way, from(effect.node, next));
+  return way;
+}
+
+Way StatementOccurrences::from(int node, int at) {
+  const auto leads_on = [&](int step) {
+    const Kind kind = view_.problem.steps[static_cast<std::size_t>(step)].kind;
+    const bool ends = kind == Kind::wait || kind == Kind::fork || !reachable_[static_cast<std::size_t>(step)];
+    return !ends && !at_[static_cast<std::size_t>(step)] && !known_.contains({node, step});
+  };
+  backwards(view_.problem, at, leads_on, [&](int step) {
+    const auto [place, fresh] = known_.emplace(std::pair{node, step}, Way{Sum(), Sum(), false, true});
+    if (fresh) place->second = way_from(node, step);
+  });
+  return known_.at({node, at});
+}
+
+Way StatementOccurrences::way_from(int node, int at) {
+  const Step& step = view_.problem.steps[static_cast<std::size_t>(at)];
+  Way way;
+  if (!reachable_[static_cast<std::size_t>(at)]) {
+    if (begins_again_) {
+      way.ends_job = true;
+    } else {
+      way = {finish(view_, node), release(view_, node), false, false};
+    }
+  } else if (step.kind == Kind::wait || step.kind == Kind::fork) {
+    way = beyond_wait(node, at);
+  } else if (at_[static_cast<std::size_t>(at)]) {
+    way = {compositional::latest(view_, node, at), release(view_, node), false, false};
+  } else {
+    // The skill may end.
+    if (may_match_nothing(step)) way = {finish(view_, node), release(view_, node), false, false};
+    for (int next : step.next) {
+      const auto after = known_.find({node, next});
+      merge(way, after == known_.end() ? Way{Sum(), Sum(), false, true} : after->second);
+    }
+  }
+  way.lost = way.lost || !way.latest.bounded();
+  return way;
+}
+
+/// What the thread does when its wait, or its blocks, are over.
+Way StatementOccurrences::beyond_wait(int node, int wait) {
+  const ThreadBehaviour& of = view_.behaviours.threads[static_cast<std::size_t>(thread_)];
+  if (wait == of.idle_wait) return {Sum(), Sum(), true, false};
+  Way way;
+  bool any = false;
+  for (int other : of.nodes) {
+    const Beginning& begins =
+        view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(other)]).beginning;
+    const auto& previous = view_.behaviours.previous[static_cast<std::size_t>(other)];
+    if (begins.step != wait || std::find(previous.begin(), previous.end(), node) == previous.end()) continue;
+    any = true;
+    merge(way, begun(other));
+  }
+  way.lost = way.lost || !any;
+  return way;
+}
+
+}  // namespace pal::analyzer::compositional

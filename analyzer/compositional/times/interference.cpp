@@ -1,0 +1,290 @@
+#include "analyzer/compositional/times/interference.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "analyzer/compositional/causes/alternatives.hpp"
+#include "analyzer/compositional/causes/job_distance.hpp"
+
+namespace pal::analyzer::compositional {
+namespace {
+
+constexpr int most_iterations = 1'000;
+
+std::vector<bool> preemptive(const Problem& problem) {
+  std::vector<bool> all;
+  for (const pan::Processor& processor : problem.processors) all.push_back(processor.preemptive);
+  return all;
+}
+
+/// Whether `other` comes of what `node` does.
+bool brings_about(const AnalysisContext& context, int node, int other) {
+  int at = context.node(other).cause;
+  while (at >= 0 && at != node) at = context.node(at).cause;
+  return at == node;
+}
+
+}  // namespace
+
+Interference::Interference(const AnalysisContext& context, const std::vector<NodeTimes>& nodes,
+                           const std::function<bool()>& stop)
+    : context_(context),
+      windows_(preemptive(context.problem), stop),
+      task_(nodes.size()),
+      nodes_of_(context.forest.sources.size()),
+      threads_on_(context.problem.processors.size()),
+      burst_(context.problem.threads.size()),
+      order_(order_of(context, stop)),
+      never_together_(never_together(context.problem, context.forest, stop)) {
+  std::vector<Transaction> transactions(context.forest.sources.size());
+  for (std::size_t s = 0; s < transactions.size(); ++s) {
+    transactions[s].period = context.forest.sources[s].period;
+    transactions[s].regular = context.forest.sources[s].regular;
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const int n = static_cast<int>(i);
+    const Thread& thread = context.thread_of(n);
+    auto& tasks = transactions[static_cast<std::size_t>(context.node(n).source)].tasks;
+    task_[i] = static_cast<int>(tasks.size());
+    nodes_of_[static_cast<std::size_t>(context.node(n).source)].push_back(n);
+    tasks.push_back(
+        {thread.processor, thread.priority, context.segment(n).worst, nodes[i].earliest, 0, {}, {}});
+  }
+  for (std::size_t n = 0; n < nodes.size(); ++n) precede(context, static_cast<int>(n), transactions);
+  for (const std::vector<int>& alternatives : context.behaviours.alternatives) {
+    std::vector<int> tasks;
+    for (int n : alternatives) tasks.push_back(task_[static_cast<std::size_t>(n)]);
+    const int source = context.node(alternatives.front()).source;
+    transactions[static_cast<std::size_t>(source)].exclude(std::move(tasks), piled_up(alternatives));
+  }
+  for (Transaction& transaction : transactions) windows_.add(std::move(transaction));
+  for (std::size_t t = 0; t < context.problem.threads.size(); ++t)
+    threads_on_[static_cast<std::size_t>(context.problem.threads[t].processor)].push_back(
+        static_cast<int>(t));
+  nodes_on_.resize(context.problem.processors.size());
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    nodes_on_[static_cast<std::size_t>(context.thread_of(static_cast<int>(n)).processor)].push_back(
+        static_cast<int>(n));
+  for (std::size_t t = 0; t < context.problem.threads.size(); ++t)
+    pauses_.push_back(pauses(static_cast<int>(t)));
+}
+
+/// A thread that asks for what begins its next job may find it there when it returns to its idle wait, and go
+/// on.
+bool Interference::pauses(int thread) const {
+  const Thread& of = context_.thread_at(thread);
+  if (context_.problem.processors[static_cast<std::size_t>(of.processor)].preemptive) return true;
+  std::vector<bool> owned;
+  for (int n : context_.behaviour_of(thread).job_starts) {
+    const Source& source = context_.source(n);
+    if (source.kind != Source::Kind::loop || source.thread != thread || context_.node(n).cause >= 0) continue;
+    owned.resize(context_.problem.steps.size());
+    for (std::size_t s = 0; s < owned.size(); ++s)
+      owned[s] = context_.forest.segments.owner(static_cast<int>(s)) == thread;
+    if (!waits_between_jobs(context_.problem, context_.segment(n).beginning, owned)) return false;
+  }
+  return true;
+}
+
+/// Enters the node with the causes on its processor that are done before it begins.
+void Interference::precede(const AnalysisContext& context, int node,
+                           std::vector<Transaction>& transactions) const {
+  Transaction& of = transactions[static_cast<std::size_t>(context.node(node).source)];
+  if (of.period == never) return;
+  const int task = task_[static_cast<std::size_t>(node)];
+  const Task& self = of.tasks[static_cast<std::size_t>(task)];
+  for (int at = node; context.node(at).cause >= 0; at = context.node(at).cause) {
+    const int cause = task_[static_cast<std::size_t>(context.node(at).cause)];
+    Task& before = of.tasks[static_cast<std::size_t>(cause)];
+    if (before.processor != self.processor || before.priority > self.priority) continue;
+    if (ends_with_cause(context.problem, context.forest, at)) before.followers.push_back(task);
+  }
+}
+
+/// What comes later never counts. Nor does, on a preemptive processor, what is over before the node is
+/// released, if nothing that counts has its priority or a lower one (down to the node's): while it had the
+/// processor nothing that counts was waiting, so a window that begins when it ends has all that can delay the
+/// node.
+///
+/// A thread's own segments are one after the other. Those of the node's job are over when it is released.
+/// Another job may still be at work then, also in what occurs once: its thread was sent something else
+/// before, or serves a request that was withdrawn.
+void Interference::exclude(int node, bool done_before_next, bool in_turn) {
+  const Thread& mine = context_.thread_of(node);
+  const auto n = static_cast<std::size_t>(node);
+  const int thread = context_.forest.thread_of(node);
+  const auto once_with = [&](int other) {
+    return context_.source(node).period == never && context_.forest.thread_of(other) == thread &&
+           context_.node(other).source == context_.node(node).source;
+  };
+  const auto comes_later = [&](int other) {
+    return (once_with(other) && brings_about(context_, node, other)) ||
+           std::binary_search(order_.later[n].begin(), order_.later[n].end(), other);
+  };
+  const auto never_overlap = [&](int other) {
+    return (done_before_next && context_.forest.thread_of(other) == thread) ||
+           (once_with(other) && context_.job_start_of(other) == context_.job_start_of(node)) ||
+           (in_turn && std::binary_search(never_together_[n].begin(), never_together_[n].end(), other)) ||
+           std::binary_search(order_.never_overlapping[n].begin(), order_.never_overlapping[n].end(), other);
+  };
+  const auto& here = nodes_on_[static_cast<std::size_t>(mine.processor)];
+  const bool preemptive = context_.problem.processors[static_cast<std::size_t>(mine.processor)].preemptive;
+  int nearest = preemptive ? std::numeric_limits<int>::max() : mine.priority;  // least priority that counts
+  for (int other : here) {
+    const int priority = context_.thread_of(other).priority;
+    const bool works = other != node && context_.segment(other).worst > 0 && priority >= mine.priority;
+    if (works && !comes_later(other) && !never_overlap(other)) nearest = std::min(nearest, priority);
+  }
+  std::vector<std::pair<int, int>> without;
+  for (int other : here) {
+    if (other == node) continue;
+    if (comes_later(other) || (never_overlap(other) && context_.thread_of(other).priority < nearest))
+      without.emplace_back(context_.node(other).source, task_[static_cast<std::size_t>(other)]);
+  }
+  std::sort(without.begin(), without.end());
+  windows_.set_without(context_.node(node).source, task_[n], std::move(without));
+}
+
+void Interference::find_order(const std::vector<bool>& done_before_next, const std::vector<bool>& in_turn,
+                              const std::function<bool()>& stop) {
+  for (std::size_t n = 0; n < task_.size(); ++n) {
+    if (stop && stop()) return;
+    const auto thread = static_cast<std::size_t>(context_.forest.thread_of(static_cast<int>(n)));
+    const auto source = static_cast<std::size_t>(context_.node(static_cast<int>(n)).source);
+    const bool known = !done_before_next_.empty() && done_before_next_[thread] == done_before_next[thread] &&
+                       in_turn_[source] == in_turn[source];
+    if (!known) exclude(static_cast<int>(n), done_before_next[thread], in_turn[source]);
+  }
+  done_before_next_ = done_before_next;
+  in_turn_ = in_turn;
+}
+
+Nanoseconds Interference::greatest_jitter(int node) const {
+  const Source& of = context_.source(node);
+  if (of.period == never) return never;
+  return plus(of.jitter, work_of(2 * context_.node(node).depth + 2, of.period));
+}
+
+Nanoseconds Interference::piled_up(const std::vector<int>& alternatives) const {
+  const Source& of = context_.source(alternatives.front());
+  if (of.period == never) return never;
+  std::set<int> threads;
+  std::set<int> slots;  // by channel
+  std::set<int> asked;  // by channel: a device may be serving its request
+  for (int n : alternatives) {
+    for (int at = n; at >= 0; at = context_.node(at).cause) {
+      threads.insert(context_.forest.thread_of(at));
+      if (context_.node(at).release != Node::Release::message) continue;
+      const int channel = context_.sent_channel(at);
+      slots.insert(channel);
+      if (context_.node(at).device < 0) continue;
+      asked.insert(channel);
+      slots.insert(context_.problem.channels[static_cast<std::size_t>(channel)].answer);
+    }
+  }
+  // And the slot of the event, or of the message, that begins the occurrence.
+  const auto places = static_cast<Nanoseconds>(threads.size() + slots.size() + asked.size() + 1);
+  return plus(of.jitter, work_of(places, of.period));
+}
+
+void Interference::announce(int node, const NodeTimes& times) {
+  const Nanoseconds jitter = times.latest >= never ? never : times.latest - times.earliest;
+  windows_.set_jitter(context_.node(node).source, task_[static_cast<std::size_t>(node)], jitter,
+                      greatest_jitter(node));
+}
+
+/// Who was held in a send may find what it asked for before that when it returns to its idle wait, and go on
+/// for one job more.
+void Interference::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& done_before_next,
+                               const std::vector<bool>& blocked) {
+  burst_.assign(context_.problem.threads.size(), 0);
+  for (std::size_t t = 0; t < burst_.size(); ++t) {
+    const int processor = context_.problem.threads[t].processor;
+    if (context_.problem.processors[static_cast<std::size_t>(processor)].preemptive) continue;
+    const Nanoseconds found = burst(static_cast<int>(t), nodes, done_before_next[t] && pauses_[t]);
+    burst_[t] = blocked[t] ? plus(found, found) : found;
+  }
+}
+
+/// Work of a thread, if `jobs_of` says of a transaction how often what it releases with a jitter comes.
+template <class JobsOf>
+Nanoseconds Interference::work_of_thread(int thread, const JobsOf& jobs_of) const {
+  std::map<int, Tally> tallies;  // by source
+  for (int n : context_.behaviour_of(thread).nodes) {
+    if (context_.segment(n).worst == 0) continue;
+    const int source = context_.node(n).source;
+    const Transaction& of = windows_.transaction(source);
+    const int task = task_[static_cast<std::size_t>(n)];
+    tallies.try_emplace(source, of, source, nullptr)
+        .first->second.add(task, jobs_of(of, of.tasks[static_cast<std::size_t>(task)].jitter));
+  }
+  Nanoseconds work = 0;
+  for (auto& [source, tally] : tallies) {
+    const Transaction& of = windows_.transaction(source);
+    work = plus(work, tally.total([&](const Alternatives& all) { return jobs_of(of, all.jitter); }));
+  }
+  return work;
+}
+
+/// A thread goes on without a pause as long as it finds messages.
+Nanoseconds Interference::burst(int thread, const std::vector<NodeTimes>& nodes,
+                                bool done_before_next) const {
+  const Nanoseconds once =
+      work_of_thread(thread, [](const Transaction&, Nanoseconds) { return Nanoseconds{1}; });
+  if (once == 0 || done_before_next) return once;
+  Nanoseconds late = 0;
+  for (int n : context_.behaviour_of(thread).nodes) {
+    const NodeTimes& times = nodes[static_cast<std::size_t>(n)];
+    late = std::max(late, times.finish >= never ? never : times.finish - times.earliest);
+  }
+  Nanoseconds length = once;
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const Nanoseconds next = work_of_thread(thread, [&](const Transaction& of, Nanoseconds jitter) {
+      return releases(of.period, jitter, plus(length, late));
+    });
+    if (next <= length) return length;
+    length = next;
+  }
+  return never;
+}
+
+int Interference::blocking_thread(int node) const {
+  const Thread& mine = context_.thread_of(node);
+  if (context_.problem.processors[static_cast<std::size_t>(mine.processor)].preemptive) return -1;
+  int longest = -1;
+  for (int t : threads_on_[static_cast<std::size_t>(mine.processor)]) {
+    if (context_.thread_at(t).priority >= mine.priority) continue;
+    if (longest < 0 || burst_[static_cast<std::size_t>(t)] > burst_[static_cast<std::size_t>(longest)])
+      longest = t;
+  }
+  return longest;
+}
+
+Nanoseconds Interference::blocking(int node) const {
+  const int thread = blocking_thread(node);
+  return thread < 0 ? 0 : burst_[static_cast<std::size_t>(thread)];
+}
+
+Nanoseconds Interference::finish(int node, Nanoseconds part, Nanoseconds blocking, Since since) const {
+  return windows_.finish(context_.node(node).source, task_[static_cast<std::size_t>(node)], part, blocking,
+                         since);
+}
+
+FinishBreakdown Interference::breakdown(int node, Nanoseconds part, Since since) const {
+  return windows_.breakdown(context_.node(node).source, task_[static_cast<std::size_t>(node)], part,
+                            blocking(node), since);
+}
+
+Nanoseconds stops_within(const Problem& problem, const BusyWindows& windows, int block) {
+  const Thread& of = problem.threads[static_cast<std::size_t>(block)];
+  Nanoseconds longest = windows.level(of.processor, of.priority);
+  for (std::size_t t = 0; t < problem.threads.size(); ++t) {
+    if (problem.threads[t].parent == block)
+      longest = std::max(longest, stops_within(problem, windows, static_cast<int>(t)));
+  }
+  return longest;
+}
+
+}  // namespace pal::analyzer::compositional

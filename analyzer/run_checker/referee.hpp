@@ -1,0 +1,249 @@
+// The state of a run as far as its events tell, and the rules that each event must keep.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "analyzer/run_checker/check_run.hpp"
+#include "analyzer/run_checker/requirement_monitor.hpp"
+
+namespace pal::analyzer::rules {
+
+/// A rule is broken.
+class Broken : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class Referee {
+ public:
+  Referee(const Problem& problem, const Requirement* requirement, const std::vector<trace::Event>& events,
+          BusyFrom busy_from);
+
+  /// Everything up to the end, and on to `until` without a further event; throws Broken. False: `stop`, which
+  /// is asked now and then, ended it before.
+  bool follow(std::optional<Nanoseconds> until, const std::function<bool()>& stop);
+
+  Nanoseconds now() const { return now_; }
+  const RequirementMonitor& monitor() const { return monitor_; }
+  /// Whether one of the steps `at` can still come, now.
+  bool may_come(const std::vector<bool>& at) const;
+
+ private:
+  using Event = trace::Event;
+  using Kind = trace::Kind;
+
+  enum class Mode {
+    off,
+    arrived,   // at a wait, at this instant: it is not known yet whether it blocks
+    ready,     // needs the processor for its statement
+    running,   // has had the processor for it, and has it now
+    stopped,   // … and was preempted
+    waiting,   // for a message
+    sending,   // for a free slot
+    joining,   // for its blocks
+    finished,  // cancelled, and done with its last statement
+  };
+
+  struct Party {
+    Mode mode = Mode::off;
+    int step = -1;
+    Nanoseconds reached = 0;     // the statement
+    std::size_t reached_by = 0;  // with this event
+    std::size_t with = 0;  // … and together with those that have the same number, in the order of `place`
+    std::size_t place = 0;
+    Nanoseconds work = 0;
+    Nanoseconds since = 0;  // running: since when
+    bool gives_up = false;
+    bool must_stop = false;  // cancelled
+    int claim = -1;          // channel of the message that is this thread's
+    bool withdrawn = false;  // … and is gone
+    bool acted = false;      // the put, take, set or read of the statement has happened at this instant
+    bool told = false;       // joining: that it waits for its blocks
+    std::map<int, bool> latched;
+    std::map<int, bool> reads;  // at this instant, for a test
+  };
+
+  /// When a message is there for one group of threads: some instant in [lo, hi].
+  struct Arrival {
+    Nanoseconds lo = 0;
+    Nanoseconds hi = 0;
+  };
+
+  /// A request on its way to its answer.
+  struct Asked {
+    static constexpr int device = -1;
+    int owner = device;
+    bool withdrawn = false;
+  };
+
+  struct Slot {
+    bool full = false;
+    bool claimed = false;
+    bool immediate[2] = {true, true};
+    Arrival arrival[2];  // at threads on the sender's processor; on others
+    int from = -1;       // the sender's processor; -1: a device
+    Nanoseconds put = 0;
+    std::size_t put_by = 0;      // the event
+    std::size_t emptied_by = 0;  // the event that freed it last
+    std::vector<Asked> asked;    // of a request: those whose answer was not taken yet, the oldest first
+    bool answers = false;        // of an answer: the message in the slot answers the oldest of those
+    bool to_be_dropped = false;  // the message in the slot was withdrawn
+    bool there_again = false;    // a block that was stopped was to take it
+    bool given_up = false;       // of a request: its withdrawal has begun, and nobody has given up yet
+  };
+
+  struct Outside {
+    bool open = false;
+    Nanoseconds opened = 0;
+    Nanoseconds count = 0;     // events or frames so far
+    Nanoseconds first_lo = 0;  // the first nominal event or frame is in [first_lo, first_hi]
+    Nanoseconds first_hi = 0;
+    Nanoseconds last_nominal = 0;  // sporadic: the earliest that the last can have been due
+    bool busy = false;
+    Nanoseconds busy_since = 0;
+    Nanoseconds frame_at = -1;
+    std::set<int> served;   // request channels
+    std::set<int> answers;  // due at this instant
+    bool any_put = false;   // of them
+  };
+
+  struct Queued {
+    int thread;
+    Nanoseconds at;
+    std::size_t after;  // how many effects
+    bool ordered;       // an event of the run says when in what follows from one effect it came
+    std::size_t with;   // those that came with one another did so in their order; 0: with nobody
+    bool front;
+    bool arrived;  // at a wait: it is not known yet whether it comes to the queue
+    bool told;     // that it is ready
+  };
+
+  // The run, and what must be so whenever time goes on (referee.cpp).
+  void handle(const Event& event);
+  void check_between(const Event& event) const;
+  bool is_effect(const Event& event) const;
+  void check_settled() const;
+  void leave_instant(Nanoseconds next) const;
+  void check_stopped(int thread) const;
+  void check_thread(int thread, Nanoseconds next) const;
+  void check_processors() const;
+
+  // Processors (referee_processors.cpp) and statements (referee_statements.cpp).
+  void started(const Event& event);
+  void stopped(const Event& event);
+  void done(const Event& event);
+  void blocked(const Event& event);
+  void gave_up(const Event& event);
+  void was_ready(const Event& event);
+  void cancelled(const Event& event);
+  void condition(const Event& event);
+  void reach(int thread, int step);
+  void hold(int thread);
+  void begin_blocks(int thread);
+  bool admits() const;
+  void block_over(int parent);
+  void resolve(int thread);
+  void again(int thread);
+  void release(int thread);
+  void enqueue(int thread, bool front, bool ordered, std::size_t with);
+  void arrive(int thread);
+  bool found_there(int thread, int channel) const;
+  bool left_to_later(int channel, int thread) const;
+  bool comes_to_queue(const Queued& queued) const;
+  void check_turn(int thread) const;
+  void check_work(int thread) const;
+  int next_of_test(int thread) const;
+  Range cost(int thread) const;
+
+  // Messages (referee_messages.cpp).
+  void fill(int channel, int processor);
+  void put(const Event& event);
+  void take(const Event& event);
+  void drop(const Event& event);
+  void claim_withdrawn(int channel);
+  void empty(int channel);
+  void asks(int request, int owner);
+  std::optional<std::size_t> answered_next(int answer) const;
+  bool wanted(int answer) const;
+  void answered_in_vain(int answer);
+  void withdraw(int request, std::optional<int> owner);
+  void gives_up(int request);
+  int who_gives_up(int request) const;
+  void hands_over(int block, int parent);
+  void abandon(int thread);
+  std::size_t next_of(int actor, std::size_t after) const;
+  bool goes_on(int thread) const;
+  bool takes_next(int thread) const;
+  Arrival& arrival(int channel, int thread);
+  const Arrival& arrival(int channel, int thread) const;
+  bool surely_there(int channel, int thread) const;
+  void not_there_yet(int channel, int thread);
+  int message_of(int thread, const std::vector<int>& candidates) const;
+
+  // Devices (referee_devices.cpp).
+  void open_device(int device);
+  void device_event(const Event& event, int device);
+  void occurrence(int device, int channel, bool overrun);
+  void due(int device, Nanoseconds period, Nanoseconds late);
+  void busy(int device);
+  bool serves_somebody(int device) const;
+  void idle(int device);
+  void delivered(int device, int channel);
+  void check_not_idle(int request) const;
+  void check_asked(int message) const;
+  void check_device(int device, Nanoseconds next) const;
+
+  Party& party(int thread) { return threads_[static_cast<std::size_t>(thread)]; }
+  const Party& party(int thread) const { return threads_[static_cast<std::size_t>(thread)]; }
+  const Thread& thread_of(int thread) const { return problem_.threads[static_cast<std::size_t>(thread)]; }
+  const Step& step_of(int thread) const {
+    return problem_.steps[static_cast<std::size_t>(party(thread).step)];
+  }
+  Slot& slot(int channel) { return slots_[static_cast<std::size_t>(channel)]; }
+  const Slot& slot(int channel) const { return slots_[static_cast<std::size_t>(channel)]; }
+  const Channel& channel_of(int channel) const {
+    return problem_.channels[static_cast<std::size_t>(channel)];
+  }
+  int& holder(int thread) { return holders_[static_cast<std::size_t>(thread_of(thread).processor)]; }
+  [[noreturn]] void broken(const std::string& what) const { throw Broken(what); }
+  /// The rule is put together of its parts only when it is broken.
+  template <class... Parts>
+  void demand(bool kept, const Parts&... parts) const {
+    if (!kept) broken((std::string() + ... + parts));
+  }
+  const std::string& name(int thread) const { return thread_of(thread).name; }
+
+  const Problem& problem_;
+  const std::vector<Event>& events_;
+  std::vector<std::vector<std::size_t>> events_of_;  // by actor
+  std::size_t at_ = 0;                               // the event in question
+  std::size_t effects_ = 0;  // before it: what does not follow from something else at its instant
+  Nanoseconds now_ = 0;
+  std::size_t with_ = 0;     // a number for the threads that reach their statements together
+  std::size_t reached_ = 0;  // how many have reached one
+  bool beginning_ = true;
+  bool withdrawing_ = false;     // who goes on otherwise may come before or after who goes on now
+  Nanoseconds dropped_at_ = -1;  // when a message was withdrawn last
+  int midway_ = -1;              // the thread whose effect has begun and is not done; -1: none
+  bool completed_ = false;
+  bool ended_ = false;
+  std::vector<Party> threads_;
+  std::vector<Slot> slots_;
+  std::vector<Outside> devices_;
+  std::vector<int> holders_;    // by processor: who has it; -1: nobody
+  std::vector<int> preempted_;  // by processor: who has just lost it to somebody who is still to start; -1
+  std::vector<Queued> queue_;
+  std::vector<bool> conditions_;
+  std::vector<std::pair<int, int>>
+      passed_;  // at this instant: threads and statements of CONCURRENTs that were over at once
+
+  RequirementMonitor monitor_;
+};
+
+}  // namespace pal::analyzer::rules

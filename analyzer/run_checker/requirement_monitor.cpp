@@ -1,0 +1,263 @@
+#include "analyzer/run_checker/requirement_monitor.hpp"
+
+#include <algorithm>
+
+namespace pal::analyzer::rules {
+
+RequirementMonitor::RequirementMonitor(const Problem& problem, const Requirement* requirement,
+                                       BusyFrom busy_from)
+    : problem_(problem),
+      requirement_(requirement),
+      busy_from_(busy_from),
+      threads_(problem.threads.size(), none),
+      channels_(problem.channels.size(), none),
+      serving_(problem.channels.size(), none),
+      due_(problem.channels.size(), none),
+      conditions_(problem.conditions.size(), none),
+      busy_since_(problem.processors.size()),
+      paused_(problem.processors.size(), -1),
+      working_(problem.processors.size()),
+      occurrence_(problem.channels.size(), none) {
+  if (requirement == nullptr || requirement->condition < 0) return;
+  // Until the first set, what a condition says dates from the start.
+  conditions_[static_cast<std::size_t>(requirement->condition)] = birth();
+  reference_ = 0;
+}
+
+bool RequirementMonitor::of_condition(int condition) const {
+  return requirement_ != nullptr && requirement_->condition == condition;
+}
+
+bool RequirementMonitor::of_samples() const {
+  return requirement_ != nullptr && !requirement_->samples.empty();
+}
+
+bool RequirementMonitor::is_sample(int channel) const {
+  return of_samples() && std::find(requirement_->samples.begin(), requirement_->samples.end(), channel) !=
+                             requirement_->samples.end();
+}
+
+bool RequirementMonitor::is_event(int channel) const {
+  return is(Measure::response) && requirement_->is_event(channel);
+}
+
+int RequirementMonitor::birth() {
+  births_.push_back(now_);
+  answered_.push_back(false);
+  return static_cast<int>(births_.size()) - 1;
+}
+
+void RequirementMonitor::show(Nanoseconds born, int step) {
+  const int statement = step < 0 ? -1 : problem_.steps[static_cast<std::size_t>(step)].statement;
+  measured_.push_back({now_ - born, born, now_, statement});
+}
+
+void RequirementMonitor::begins(int block, int parent) {
+  thread(block) = thread(parent);
+}
+
+void RequirementMonitor::ends(int index) {
+  thread(index) = none;
+}
+
+void RequirementMonitor::passes(int index, int step) {
+  if (requirement_ == nullptr || requirement_->at.empty()) return;
+  if (!requirement_->at[static_cast<std::size_t>(step)]) return;
+  switch (requirement_->measure) {
+    case Measure::age:
+      if (thread(index) != none) show(births_[static_cast<std::size_t>(thread(index))], step);
+      return;
+    case Measure::response:
+      return respond(index, step);
+    case Measure::reaction:
+      return react(index, step);
+    case Measure::interval:
+      if (last_pass_) show(*last_pass_, step);
+      last_pass_ = now_;
+      return;
+    default:
+      return;
+  }
+}
+
+void RequirementMonitor::respond(int index, int step) {
+  const int event = thread(index);
+  if (event == none || answered_[static_cast<std::size_t>(event)]) return;
+  for (int earlier = 0; earlier < event; ++earlier) {
+    if (!answered_[static_cast<std::size_t>(earlier)]) failed_ = true;
+  }
+  answered_[static_cast<std::size_t>(event)] = true;
+  show(births_[static_cast<std::size_t>(event)], step);
+}
+
+/// What changes just after the last value that was reflected is reflected by a later one.
+void RequirementMonitor::react(int index, int step) {
+  if (reference_ == none || thread(index) <= reference_) return;
+  show(births_[static_cast<std::size_t>(reference_)], step);
+  reference_ = thread(index);
+}
+
+void RequirementMonitor::completes(int, int step, int code) {
+  if (is(Measure::duration) && requirement_->code == code) show(0, step);
+}
+
+void RequirementMonitor::skill_ends() {
+  for (std::size_t p = 0; p < busy_since_.size(); ++p) idle(static_cast<int>(p));
+  ended_ = true;
+}
+
+void RequirementMonitor::sets(int index, int condition) {
+  if (of_condition(condition)) conditions_[static_cast<std::size_t>(condition)] = birth();
+  if (of_samples()) conditions_[static_cast<std::size_t>(condition)] = thread(index);
+}
+
+void RequirementMonitor::reads(int index, int condition) {
+  const int known = conditions_[static_cast<std::size_t>(condition)];
+  if (of_condition(condition)) thread(index) = known;
+  if (of_samples()) thread(index) = std::max(thread(index), known);
+}
+
+void RequirementMonitor::busy(int processor) {
+  const auto index = static_cast<std::size_t>(processor);
+  if (!is(Measure::busy) || working_[index]) return;
+  working_[index] = true;
+  std::vector<Nanoseconds>& since = busy_since_[index];
+  if (paused_[index] != now_) since.clear();
+  const bool anew = since.empty() || (busy_from_ == BusyFrom::each_pause && since.back() != now_);
+  if (anew) since.push_back(now_);
+}
+
+void RequirementMonitor::idle(int processor) {
+  const std::vector<int>& watched = requirement_ == nullptr ? std::vector<int>() : requirement_->processors;
+  if (!is(Measure::busy) || std::find(watched.begin(), watched.end(), processor) == watched.end()) return;
+  const auto index = static_cast<std::size_t>(processor);
+  if (!working_[index]) return;
+  working_[index] = false;
+  for (const Nanoseconds born : busy_since_[index]) show(born, -1);
+  paused_[index] = now_;
+}
+
+void RequirementMonitor::puts(int index, int to) {
+  const int carried = is(Measure::response) || of_samples() ? thread(index) : none;
+  const bool answered =
+      is(Measure::response) && carried != none && answered_[static_cast<std::size_t>(carried)];
+  channel(to) = is_event(to) ? birth() : answered ? none : carried;
+}
+
+void RequirementMonitor::takes(int index, int from) {
+  const int carried = channel(from);
+  if (is(Measure::response)) {
+    if (carried != none && !answered_[static_cast<std::size_t>(carried)]) thread(index) = carried;
+  } else if (of_samples()) {
+    thread(index) = std::max(thread(index), carried);
+  }
+}
+
+void RequirementMonitor::empties(int of) {
+  channel(of) = none;
+  occurrence_[static_cast<std::size_t>(of)] = none;
+}
+
+void RequirementMonitor::serves(int request, bool first) {
+  int& carried = serving_[static_cast<std::size_t>(request)];
+  carried = is(Measure::response) ? channel(request) : none;
+  const int answer = problem_.channels[static_cast<std::size_t>(request)].answer;
+  if (!is_sample(answer)) return;
+  carried =
+      first || births_.empty() || births_.back() != now_ ? birth() : static_cast<int>(births_.size()) - 1;
+  if (reference_ == none) reference_ = carried;
+}
+
+void RequirementMonitor::is_due(int request) {
+  due_[static_cast<std::size_t>(request)] = serving_[static_cast<std::size_t>(request)];
+}
+
+void RequirementMonitor::event(int device, int of, bool lost) {
+  const bool responds = is_event(of);
+  if (lost) {
+    failed_ = failed_ || responds;
+    occurrence(device, true);
+    return;
+  }
+  channel(of) = responds || is_sample(of) ? birth() : none;
+  if (is_sample(of) && reference_ == none) reference_ = channel(of);
+  occurrence_[static_cast<std::size_t>(of)] = static_cast<int>(lost_.size());
+  occurrence(device, false);
+}
+
+void RequirementMonitor::answers(int of, bool lost) {
+  if (lost) {
+    failed_ = failed_ || is_event(of);
+    return;
+  }
+  const auto request = static_cast<std::size_t>(problem_.channels[static_cast<std::size_t>(of)].answers);
+  channel(of) = is_event(of) ? birth() : due_[request];
+  occurrence_[static_cast<std::size_t>(of)] = static_cast<int>(lost_.size());
+}
+
+void RequirementMonitor::served(int device, bool lost) {
+  occurrence(device, lost);
+}
+
+void RequirementMonitor::frame_for_nobody(int device) {
+  if (!lost_.empty()) occurrence(device, true);
+}
+
+void RequirementMonitor::occurrence(int device, bool lost) {
+  if (!is(Measure::loss) || requirement_->device != device) return;
+  lost_.push_back(lost);
+  show_losses();
+}
+
+/// A message that was put is taken out of its slot unused. One that awaited a response does so no more.
+void RequirementMonitor::withdrawn(int of) {
+  if (is_event(of) && channel(of) != none) answered_[static_cast<std::size_t>(channel(of))] = true;
+  const int index = occurrence_[static_cast<std::size_t>(of)];
+  if (!is(Measure::loss) ||
+      requirement_->device != problem_.channels[static_cast<std::size_t>(of)].sender_device)
+    return;
+  if (index == none ||
+      lost_.size() - static_cast<std::size_t>(index) > 2 * static_cast<std::size_t>(requirement_->in) - 1)
+    return;
+  lost_[static_cast<std::size_t>(index)] = true;
+  show_losses();
+}
+
+/// The most in any row of so many, as far back as one that was withdrawn now can have lain.
+void RequirementMonitor::show_losses() {
+  const auto in = static_cast<std::size_t>(requirement_->in);
+  const std::size_t first = lost_.size() < 2 * in - 1 ? 0 : lost_.size() - (2 * in - 1);
+  Nanoseconds most = 0;
+  for (std::size_t from = first; from < lost_.size(); ++from) {
+    Nanoseconds lost = 0;
+    for (std::size_t i = from; i < std::min(from + in, lost_.size()); ++i) lost += lost_[i] ? 1 : 0;
+    most = std::max(most, lost);
+  }
+  measured_.push_back({most, now_, now_, -1});
+}
+
+std::optional<Nanoseconds> RequirementMonitor::growing_since() const {
+  if (requirement_ == nullptr || ended_) return std::nullopt;
+  switch (requirement_->measure) {
+    case Measure::response:
+      for (std::size_t event = 0; event < births_.size(); ++event) {
+        if (!answered_[event]) return births_[event];
+      }
+      return std::nullopt;
+    case Measure::reaction:
+      if (reference_ == none) return std::nullopt;
+      return births_[static_cast<std::size_t>(reference_)];
+    case Measure::interval:
+      return requirement_->at_least ? std::nullopt : last_pass_;
+    case Measure::busy:
+      for (const int processor : requirement_->processors) {
+        const auto index = static_cast<std::size_t>(processor);
+        if (working_[index]) return busy_since_[index].front();
+      }
+      return std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace pal::analyzer::rules

@@ -1,0 +1,95 @@
+// Measures a requirement while the referee follows a run.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "analyzer/run_checker/check_run.hpp"
+
+namespace pal::analyzer::rules {
+
+/// Told of everything that may count, in the order of the run. What is measured is in
+/// docs/reference/execution-model.md. Births (of events, of samples, of values of a condition) are numbered as they
+/// come.
+class RequirementMonitor {
+ public:
+  /// Without a requirement, or of a load, nothing is measured.
+  RequirementMonitor(const Problem& problem, const Requirement* requirement, BusyFrom busy_from);
+
+  void at(Nanoseconds now) { now_ = now; }
+
+  // Threads.
+  void begins(int block, int parent);
+  void ends(int thread);
+  void passes(int thread, int step);
+  void completes(int thread, int step, int code);
+  void sets(int thread, int condition);
+  void reads(int thread, int condition);
+  void busy(int processor);
+  void idle(int processor);
+
+  // Messages. What the thread carries goes with one that it puts.
+  void puts(int thread, int channel);
+  void takes(int thread, int channel);
+  void empties(int channel);
+  void withdrawn(int channel);
+
+  // Devices. `first`: of several requests that one frame serves.
+  void serves(int request, bool first);
+  /// What it has served is to be answered now; it may begin to serve the next before.
+  void is_due(int request);
+  void event(int device, int channel, bool lost);
+  void answers(int channel, bool lost);
+  void served(int device, bool lost);
+  void frame_for_nobody(int device);
+
+  const std::vector<Measured>& measured() const { return measured_; }
+  bool failed() const { return failed_; }
+  /// Since when a value has been growing that is not measured yet.
+  std::optional<Nanoseconds> growing_since() const;
+  void skill_ends();
+
+ private:
+  using Measure = Requirement::Measure;
+  static constexpr int none = -1;
+
+  bool is(Measure measure) const { return requirement_ != nullptr && requirement_->measure == measure; }
+  bool of_condition(int condition) const;
+  bool of_samples() const;
+  bool is_sample(int channel) const;
+  bool is_event(int channel) const;
+  int birth();
+  int& thread(int index) { return threads_[static_cast<std::size_t>(index)]; }
+  int& channel(int index) { return channels_[static_cast<std::size_t>(index)]; }
+  void show(Nanoseconds born, int step);
+  void respond(int thread, int step);
+  void react(int thread, int step);
+  void occurrence(int device, bool lost);
+  void show_losses();
+
+  const Problem& problem_;
+  const Requirement* requirement_;
+  BusyFrom busy_from_;
+  Nanoseconds now_ = 0;
+  std::vector<Nanoseconds> births_;
+  std::vector<bool> answered_;   // events
+  std::vector<int> threads_;     // the birth that each carries
+  std::vector<int> channels_;    // and each message
+  std::vector<int> serving_;     // and the answer to each request that is being served
+  std::vector<int> due_;         // … to each that has been
+  std::vector<int> conditions_;  // and each condition
+  int reference_ = none;         // reactions: the latest birth that a statement has reflected
+  std::optional<Nanoseconds> last_pass_;
+  std::vector<std::vector<Nanoseconds>>
+      busy_since_;                   // by processor; several, with pauses of no length between
+  std::vector<Nanoseconds> paused_;  // by processor: when it had nothing to do last; -1: never
+  std::vector<bool> working_;        // by processor
+  std::vector<bool> lost_;           // by occurrence
+  std::vector<int> occurrence_;      // of the message in each channel
+  std::vector<Measured> measured_;
+  bool failed_ = false;
+  bool ended_ = false;
+};
+
+}  // namespace pal::analyzer::rules

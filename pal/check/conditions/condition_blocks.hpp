@@ -1,0 +1,31 @@
+// How a CONCURRENT ends, as far as conditions go.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "pal/check/conditions/condition_concern.hpp"
+#include "pal/check/conditions/condition_state.hpp"
+#include "pal/pan/network.hpp"
+
+namespace pal::frontend::conditions {
+
+/// An SPC that a block finishes before it is cancelled.
+struct LastSet {
+  Thread block;
+  pan::Set set;
+  bool value = false;
+};
+
+struct Ending {
+  State state;                  // the blocks are gone, their parent is behind the CONCURRENT
+  std::optional<LastSet> last;  // of several the last one
+};
+
+/// All blocks of thread `parent` that can end have ended. Of the others, each has stopped or finishes the SPC
+/// that it is at.
+std::vector<Ending> endings(const pan::Network& network, const Concern& concern, const State& state,
+                            std::int32_t parent);
+
+}  // namespace pal::frontend::conditions

@@ -1,0 +1,44 @@
+// All runs of one module with its blocks and the modules it executes, as far as conditions go.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pal/pan/flow.hpp"
+#include "pal/pan/network.hpp"
+
+namespace pal::frontend {
+
+/// One step of a run that has to do with conditions.
+struct RunStep {
+  std::string thread;  // "SM1.2"
+  pan::ModuleId module;
+  pan::NodeId node;
+  std::string what;  // "sets pc-force to FALSE"
+};
+
+/// What the exploration found of one CASE.
+struct CaseOutcome {
+  std::vector<bool> taken;                           // by arm
+  std::optional<std::vector<RunStep>> no_arm_holds;  // a shortest run after which none does
+};
+
+struct ConditionRuns {
+  bool complete = true;  // false: there were too many states, and arms not taken prove nothing
+  std::map<std::pair<pan::ModuleId, pan::NodeId>, CaseOutcome> cases;  // those that were reached
+  std::map<std::pair<pan::ModuleId, pan::NodeId>, bool>
+      loops;  // UNTILs that were reached: some run ends there
+};
+
+/// Explores every interleaving. Waits may always go on: talk with others is left out, so that there are more
+/// runs than there can be, and not fewer. SPC without a value takes both; a condition that other threads set
+/// may have any value at each read. RPC latches for the next test of its thread; a test reads what is not
+/// latched, at one instant. When CONCURRENT ends, a block that cannot end has stopped, or finishes the
+/// statement it is at (docs/reference/execution-model.md). `root` has a body and is not executed by another
+/// module.
+ConditionRuns explore_conditions(const pan::Network& network, const pan::Flow& flow, pan::ModuleId root);
+
+}  // namespace pal::frontend

@@ -1,0 +1,12 @@
+#include "pal/check/conditions/guards.hpp"
+
+namespace pal::frontend {
+
+void conditions_of(const pan::Guard& guard, std::vector<pan::ConditionId>& result) {
+  if (guard.kind == pan::Guard::Kind::equals &&
+      std::find(result.begin(), result.end(), guard.condition) == result.end())
+    result.push_back(guard.condition);
+  for (const auto& term : guard.terms) conditions_of(term, result);
+}
+
+}  // namespace pal::frontend

@@ -1,0 +1,19 @@
+// From one skill, and what its file sees, to its network.
+#pragma once
+
+#include "pal/check/network/scope.hpp"
+#include "pal/pan/network.hpp"
+#include "pal/support/diagnostic.hpp"
+#include "pal/syntax/tree.hpp"
+
+namespace pal::frontend {
+
+/// Reports names that mean nothing, and what is wrong with the template.
+pan::Network build_network(const Scope& scope, const syntax::SkillUnit& skill, Diagnostics& diagnostics);
+
+/// All modules that the scope's first file sees, without a template. Reports what a template would not
+/// change.
+pan::Network build_sketch(const Scope& scope, const std::string& name, SourceSpan where,
+                          Diagnostics& diagnostics);
+
+}  // namespace pal::frontend

@@ -1,0 +1,156 @@
+#include "pal/check/network/build_template.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "pal/check/network/parameters.hpp"
+#include "pal/check/report.hpp"
+#include "pal/pan/dump.hpp"
+#include "pal/support/diagnostic_code.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+class TemplateBuilder {
+ public:
+  TemplateBuilder(const syntax::SkillUnit& skill, Names& names, pan::Network& network,
+                  Diagnostics& diagnostics)
+      : skill_(skill), names_(names), network_(network), diagnostics_(diagnostics) {}
+
+  void build() {
+    auto& result = network_.skill;
+    result.name = skill_.name.text;
+    result.descriptions = skill_.descriptions;
+    result.preconditions = skill_.preconditions;
+    result.postconditions = skill_.postconditions;
+    result.model_data = skill_.model_data;
+    result.where = skill_.where;
+    list(skill_.skill_methods, pan::ModuleKind::skill_module);
+    list(skill_.sensor_drivers, pan::ModuleKind::sensor_driver);
+    list(skill_.logical_sensors, pan::ModuleKind::logical_sensor);
+    list(skill_.machine_controllers, pan::ModuleKind::machine_controller);
+    contingencies();
+    parameters();
+    completions();
+    if (skill_.skill_methods.empty()) {
+      diagnostics_.report(Code::PAL0610, skill_.where,
+                          "skill " + quoted(skill_.name.text) + " has no skill method",
+                          "add SKILL METHOD and the skill module that carries it out");
+    }
+  }
+
+ private:
+  void list(const std::vector<syntax::Name>& listed, pan::ModuleKind kind) {
+    std::map<std::string, const syntax::Name*> seen;
+    for (const auto& name : listed) {
+      const auto [first, fresh] = seen.emplace(name.text, &name);
+      if (!fresh) {
+        auto& finding = diagnostics_.report(Code::PAL0213, name.where, quoted(name.text) + " is listed twice",
+                                            "remove one of them");
+        finding.notes.push_back({first->second->where, "it is also listed here"});
+        continue;
+      }
+      enter(name, kind);
+    }
+  }
+
+  std::optional<pan::ModuleId> enter(const syntax::Name& name, pan::ModuleKind kind) {
+    const auto id = names_.module(name, true);
+    if (!id) return std::nullopt;
+    const auto& module = network_.modules[id->index()];
+    if (module.kind != kind) {
+      auto& finding = diagnostics_.report(
+          Code::PAL0208, name.where,
+          quoted(name.text) + " is a " + kind_text(module.kind) + ", but is listed as a " + kind_text(kind),
+          "list it in the slot of its kind");
+      finding.notes.push_back({module.where, "it is declared here"});
+    }
+    return id;
+  }
+
+  void contingencies() {
+    std::map<int, SourceSpan> seen;
+    for (const auto& written : skill_.contingencies) {
+      const auto [first, fresh] = seen.emplace(written.number, written.where);
+      if (!fresh) {
+        auto& finding =
+            diagnostics_.report(Code::PAL0606, written.where,
+                                "contingency " + std::to_string(written.number) + " is declared twice",
+                                "give each contingency its own number");
+        finding.notes.push_back({first->second, "it is also declared here"});
+      }
+      pan::Contingency contingency{written.number, written.description, {}, written.where};
+      if (!written.method) {
+        diagnostics_.report(Code::PAL0605, written.where,
+                            "contingency " + std::to_string(written.number) + " has no method",
+                            "add METHOD and the contingency module that deals with it");
+      } else if (const auto id = enter(*written.method, pan::ModuleKind::contingency_module)) {
+        contingency.method = *id;
+      }
+      network_.skill.contingencies.push_back(std::move(contingency));
+    }
+  }
+
+  void parameters() {
+    std::map<std::string, const syntax::Name*> seen;
+    for (const auto& written : skill_.parameters) {
+      const auto [first, fresh] = seen.emplace(written.name.text, &written.name);
+      if (!fresh) {
+        report_twice(diagnostics_, "parameter", written.name, *first->second);
+        continue;
+      }
+      network_.skill.parameters.push_back(build_parameter(written, diagnostics_));
+    }
+  }
+
+  void completions() {
+    std::map<int, SourceSpan> seen;
+    bool has_error = false;
+    for (const auto& written : skill_.completions) {
+      const auto [first, fresh] = seen.emplace(written.code, written.where);
+      if (!fresh) {
+        auto& finding = diagnostics_.report(
+            Code::PAL0606, written.where, "completion " + std::to_string(written.code) + " is declared twice",
+            "give each completion its own code");
+        finding.notes.push_back({first->second, "it is also declared here"});
+        continue;
+      }
+      has_error = has_error || written.kind == pan::Completion::Kind::error;
+      check_contingency(written);
+      network_.skill.completions.push_back(
+          {written.code, written.kind, written.contingency, written.description, written.where});
+    }
+    if (!has_error) {
+      diagnostics_.report(
+          Code::PAL0609, skill_.where, "skill " + quoted(skill_.name.text) + " has no error completion",
+          "add COMPLETION 2 ERROR, with a code of its own: every fault ends the skill with it");
+    }
+  }
+
+  void check_contingency(const syntax::Completion& completion) {
+    if (completion.kind != pan::Completion::Kind::contingency) return;
+    for (const auto& contingency : skill_.contingencies) {
+      if (contingency.number == completion.contingency) return;
+    }
+    diagnostics_.report(Code::PAL0608, completion.where,
+                        "completion " + std::to_string(completion.code) + " is for contingency " +
+                            std::to_string(completion.contingency) + ", which the template does not have",
+                        "add the contingency, or correct its number");
+  }
+
+  const syntax::SkillUnit& skill_;
+  Names& names_;
+  pan::Network& network_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void build_template(const syntax::SkillUnit& skill, Names& names, pan::Network& network,
+                    Diagnostics& diagnostics) {
+  TemplateBuilder(skill, names, network, diagnostics).build();
+}
+
+}  // namespace pal::frontend

@@ -1,0 +1,176 @@
+#include "pal/check/network/environment.hpp"
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pal/check/report.hpp"
+#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/duration_text.hpp"
+#include "pal/support/nearest.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+Interval& place_of(pan::Environment& environment, syntax::CostItem::Kind kind) {
+  switch (kind) {
+    case syntax::CostItem::Kind::send:
+      return environment.costs.send;
+    case syntax::CostItem::Kind::receive:
+      return environment.costs.receive;
+    case syntax::CostItem::Kind::set:
+      return environment.costs.set;
+    case syntax::CostItem::Kind::read:
+      return environment.costs.read;
+    case syntax::CostItem::Kind::test:
+      return environment.costs.test;
+    case syntax::CostItem::Kind::latency_within:
+      return environment.latency.within_processor;
+    case syntax::CostItem::Kind::latency_between:
+      return environment.latency.between_processors;
+  }
+  return environment.costs.send;
+}
+
+pan::Resources::List names_of(const std::optional<syntax::NameSlot>& slot) {
+  if (!slot) return std::nullopt;
+  std::vector<std::string> names;
+  for (const auto& name : slot->names) names.push_back(name.text);
+  return names;
+}
+
+/// Reports keys that come a second time.
+template <class Key>
+class Once {
+ public:
+  Once(std::string what, Diagnostics& diagnostics) : what_(std::move(what)), diagnostics_(diagnostics) {}
+
+  void check(const Key& key, const std::string& shown, SourceSpan where) {
+    const auto [first, fresh] = seen_.emplace(key, where);
+    if (fresh) return;
+    auto& finding =
+        diagnostics_.report(Code::PAL0711, where, what_ + shown + " is given twice", "remove one of them");
+    finding.notes.push_back({first->second, "it is also given here"});
+    finding.fix = {{where, ""}};
+  }
+
+ private:
+  std::string what_;
+  Diagnostics& diagnostics_;
+  std::map<Key, SourceSpan> seen_;
+};
+
+class BehaviourCheck {
+ public:
+  BehaviourCheck(SourceSpan where, Diagnostics& diagnostics) : where_(where), diagnostics_(diagnostics) {}
+
+  void operator()(const pan::EventDevice& device) const {
+    period(device.period);
+    phase(device.phase, device.period);
+    if (device.answer_within && *device.answer_within == Duration{}) {
+      diagnostics_.report(Code::PAL0708, where_, "an answer within no time cannot be given",
+                          "allow some time");
+    }
+    const Duration apart = device.period - device.jitter;
+    if (device.answer_within > apart && apart > Duration{}) {
+      diagnostics_.report(Code::PAL0728, where_,
+                          "the answer is due within " + to_text(*device.answer_within) +
+                              ", but the next event may come after " + to_text(apart),
+                          "allow at most " + to_text(apart) + ", or write a requirement for the RESPONSE");
+    }
+    if (device.sporadic && device.phase) {
+      diagnostics_.report(Code::PAL0712, where_, "a sporadic event has no phase",
+                          "remove PHASE, or write EVERY");
+    }
+  }
+  void operator()(const pan::RequestDevice&) const {}
+  void operator()(const pan::FrameDevice& device) const {
+    period(device.period);
+    phase(device.phase, device.period);
+    if (device.collecting == Duration{} && device.period > Duration{}) {
+      diagnostics_.report(Code::PAL0708, where_, "a frame is collected in no time",
+                          "give the time that it takes");
+    }
+    if (device.collecting > device.period && device.period > Duration{}) {
+      diagnostics_.report(Code::PAL0710, where_,
+                          "a frame is collected in " + to_text(device.collecting) +
+                              ", longer than its period of " + to_text(device.period),
+                          "make COLLECTING at most EVERY");
+    }
+  }
+
+ private:
+  void period(Duration value) const {
+    if (value > Duration{}) return;
+    diagnostics_.report(Code::PAL0708, where_, "the period must be more than nothing", "give a time above 0");
+  }
+  void phase(const std::optional<Duration>& value, Duration period) const {
+    if (!value || period <= Duration{} || *value < period) return;
+    diagnostics_.report(Code::PAL0709, where_,
+                        "the phase of " + to_text(*value) + " is not below the period of " + to_text(period),
+                        "write the phase within one period");
+  }
+
+  SourceSpan where_;
+  Diagnostics& diagnostics_;
+};
+
+void check_placements(const pan::Environment& environment, Diagnostics& diagnostics) {
+  std::vector<std::string> processors;
+  for (const auto& processor : environment.processors) processors.push_back(processor.name);
+  const std::set<std::string> known(processors.begin(), processors.end());
+  if (known.empty()) return;  // said once, of the environment
+  for (const auto& placement : environment.placements) {
+    if (known.contains(placement.processor) || placement.processor.empty()) continue;
+    const auto meant =
+        may_guess(diagnostics, processors.size()) ? nearest(placement.processor, processors) : std::nullopt;
+    diagnostics.report(
+        Code::PAL0713, placement.where,
+        "there is no processor " + quoted(placement.processor) + " in this environment",
+        meant ? "did you mean " + quoted(*meant) + "?" : "add PROCESSOR " + placement.processor);
+  }
+}
+
+void check_twice(const syntax::EnvironmentUnit& written, Diagnostics& diagnostics) {
+  Once<std::string> processors("processor ", diagnostics);
+  for (const auto& p : written.processors) processors.check(p.name, quoted(p.name), p.where);
+  Once<std::string> devices("device ", diagnostics);
+  for (const auto& d : written.devices) devices.check(d.device, quoted(d.device), d.where);
+  Once<std::string> places("the place of ", diagnostics);
+  for (const auto& p : written.placements) places.check(p.thread, quoted(p.thread), p.where);
+  Once<std::pair<std::string, std::string>> times("the time of ", diagnostics);
+  for (const auto& t : written.activities) times.check({t.activity, t.module}, quoted(t.activity), t.where);
+  Once<syntax::CostItem::Kind> costs("this cost", diagnostics);
+  for (const auto& c : written.costs) costs.check(c.kind, "", c.where);
+}
+
+}  // namespace
+
+pan::Environment build_environment(const syntax::EnvironmentUnit& written, Diagnostics& diagnostics) {
+  pan::Environment result;
+  result.name = written.name.text;
+  result.descriptions = written.descriptions;
+  result.processors = written.processors;
+  result.devices = written.devices;
+  result.placements = written.placements;
+  result.activities = written.activities;
+  result.where = written.where;
+  result.resources = {names_of(written.resources.sensor_drivers), names_of(written.resources.logical_sensors),
+                      names_of(written.resources.machine_controllers), names_of(written.resources.skills)};
+  for (const auto& cost : written.costs) place_of(result, cost.kind) = cost.time;
+  check_twice(written, diagnostics);
+  check_placements(result, diagnostics);
+  for (const auto& device : result.devices) {
+    std::visit(BehaviourCheck(device.where, diagnostics), device.behaviour);
+  }
+  if (result.processors.empty()) {
+    diagnostics.report(Code::PAL0714, written.where,
+                       "environment " + quoted(written.name.text) + " has no processor", "add PROCESSOR P0");
+  }
+  return result;
+}
+
+}  // namespace pal::frontend

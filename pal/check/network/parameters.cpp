@@ -1,0 +1,200 @@
+#include "pal/check/network/parameters.hpp"
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "pal/check/report.hpp"
+#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/utf8.hpp"
+#include "pal/units/conversion.hpp"
+#include "pal/units/unit.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+/// Why a value in one unit is none in the other.
+std::string difference(const units::Unit& left, const units::Unit& right) {
+  if (left.dimension != right.dimension) return "they measure different things";
+  if (left.from_zero != right.from_zero) return "their zeros differ";
+  if (left.power_of_pi != right.power_of_pi)
+    return "one is so many times pi of the other, which is no fraction";
+  return "the value is too great";
+}
+
+/// The first character that is no printable ASCII, for a message; nothing if there is none.
+std::optional<std::string> first_not_printable(std::string_view text) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] >= ' ' && text[at] <= '~') continue;
+    const auto code = static_cast<unsigned char>(text[at]);
+    if (code < 0x80) return "a control character";
+    return quoted(std::string(text.substr(at, utf8::decode(text.substr(at)).bytes)));
+  }
+  return std::nullopt;
+}
+
+class ParameterBuilder {
+ public:
+  ParameterBuilder(const syntax::Parameter& written, Diagnostics& diagnostics)
+      : written_(written), diagnostics_(diagnostics) {}
+
+  pan::Parameter build() {
+    pan::Parameter result;
+    result.name = written_.name.text;
+    result.type = written_.type;
+    result.unit = written_.unit;
+    result.description = written_.description;
+    result.where = written_.where;
+    check_presence();
+    if (is_text()) {
+      result.default_text = default_text();
+      return result;
+    }
+    check_range_unit();
+    const auto value = in_unit(written_.default_value, {});
+    const auto low = in_unit(written_.low, range_unit());
+    const auto high = in_unit(written_.high, range_unit());
+    result.low = is_boolean() ? 0 : low.value_or(0);
+    result.high = is_boolean() ? 1 : high.value_or(result.low);
+    result.default_value = value.value_or(result.low);
+    if (low && high && *low > *high) {
+      report(Code::PAL0603, " has a range that runs backwards", "write the smaller figure first");
+    } else if (low && high && value && (*value < *low || *value > *high)) {
+      report(Code::PAL0602, " has a default outside its range", "change the default or the range");
+    }
+    for (const auto& figure : {low, high, value}) {
+      if (written_.type != pan::ScalarType::integer || !figure || std::trunc(*figure) == *figure) continue;
+      report(Code::PAL0611, " is INTEGER, but not all of its figures are whole",
+             "use whole figures, or REAL");
+      break;
+    }
+    return result;
+  }
+
+ private:
+  bool is_boolean() const { return written_.type == pan::ScalarType::boolean; }
+  bool is_text() const { return written_.type == pan::ScalarType::text; }
+
+  void report(Code code, const std::string& what, const std::string& hint) {
+    diagnostics_.report(code, written_.where, "parameter " + quoted(written_.name.text) + what, hint);
+  }
+
+  void check_presence() {
+    if (is_text()) {
+      if (!written_.default_value)
+        report(Code::PAL0604, " has no default", "add DEFAULT and a text in quotes");
+      if (written_.low) report(Code::PAL0604, " is TEXT and has a range", "remove RANGE");
+      return;
+    }
+    if (!written_.default_value || (!is_boolean() && !written_.low)) {
+      report(Code::PAL0604, is_boolean() ? " has no default" : " needs a default and a range",
+             is_boolean() ? "add DEFAULT TRUE or DEFAULT FALSE"
+                          : "add DEFAULT 5 RANGE 1 TO 40, with its own figures");
+    }
+    if (is_boolean() && written_.low) report(Code::PAL0604, " is BOOLEAN and has a range", "remove RANGE");
+  }
+
+  /// RANGE 10 mm/s TO 60: what 60 is in cannot be told.
+  void check_range_unit() {
+    if (!written_.low || !written_.high || written_.low->unit.empty() || !written_.high->unit.empty()) return;
+    diagnostics_.report(Code::PAL0613, written_.low->where,
+                        "the range of " + quoted(written_.name.text) + " has a unit at its first value only",
+                        "write the unit behind the second value: it stands for both");
+  }
+
+  /// RANGE 1 TO 6 cm/s: one unit behind the second stands for both.
+  std::string range_unit() const { return written_.high ? written_.high->unit : std::string(); }
+
+  /// The value in the unit of the parameter; `otherwise` is its unit if it has none of its own.
+  std::optional<double> in_unit(const std::optional<syntax::Literal>& literal, const std::string& otherwise) {
+    if (!literal || !check_type(*literal)) return std::nullopt;
+    const auto& unit = literal->unit.empty() ? otherwise : literal->unit;
+    if (unit.empty() || unit == written_.unit) return literal->value;
+    const auto from = units::parse_unit(unit);
+    const auto to = written_.unit.empty() ? units::Unit{} : units::parse_unit(written_.unit);
+    if (!from || !to) return std::nullopt;  // reported where it stands
+    const auto factor = units::factor(*from, *to);
+    const auto value = factor ? units::converted(literal->digits, *factor) : std::nullopt;
+    // A unit that stands for both values of a range is wrong once.
+    if (!value && !literal->unit.empty()) report_unit(*literal, unit, *from, *to);
+    return value;
+  }
+
+  /// Empty if what is written is no text that the parameter can hold.
+  std::string default_text() {
+    if (!written_.default_value) return {};
+    const auto& literal = *written_.default_value;
+    const auto name = quoted(written_.name.text);
+    if (!literal.text) {
+      diagnostics_.report(Code::PAL0614, literal.where,
+                          "parameter " + name + " is TEXT: its default is a text",
+                          "write it in quotes, or declare the parameter REAL, INTEGER or BOOLEAN");
+      return {};
+    }
+    if (const auto foreign = first_not_printable(*literal.text)) {
+      diagnostics_.report(
+          Code::PAL0617, literal.where,
+          "the default of " + name + " has " + *foreign + "; a TEXT holds printable ASCII only",
+          "spell it with letters, digits, signs and spaces of ASCII");
+      return {};
+    }
+    if (literal.text->size() > pan::longest_text) {
+      diagnostics_.report(Code::PAL0617, literal.where,
+                          "the default of " + name + " has " + std::to_string(literal.text->size()) +
+                              " characters; a TEXT holds at most " + std::to_string(pan::longest_text),
+                          "shorten it");
+      return {};
+    }
+    return *literal.text;
+  }
+
+  bool check_type(const syntax::Literal& literal) {
+    if (literal.text) {
+      diagnostics_.report(Code::PAL0614, literal.where,
+                          "parameter " + quoted(written_.name.text) +
+                              (is_boolean() ? " is BOOLEAN: it is no text" : " is a number: it is no text"),
+                          is_boolean() ? "write TRUE or FALSE, or declare the parameter TEXT"
+                                       : "write a number, or declare the parameter TEXT");
+      return false;
+    }
+    const bool truth = literal.digits.empty();
+    if (truth == is_boolean()) return true;
+    diagnostics_.report(
+        Code::PAL0614, literal.where,
+        "parameter " + quoted(written_.name.text) +
+            (truth ? " is a number: it is not TRUE or FALSE" : " is BOOLEAN: it is no number"),
+        truth ? "write a number, or declare the parameter BOOLEAN"
+              : "write TRUE or FALSE, or declare the parameter REAL or INTEGER");
+    return false;
+  }
+
+  void report_unit(const syntax::Literal& literal, const std::string& unit, const units::Unit& from,
+                   const units::Unit& to) {
+    if (written_.unit.empty() && from.dimension != to.dimension) {
+      diagnostics_.report(
+          Code::PAL0613, literal.where,
+          "parameter " + quoted(written_.name.text) + " is a plain number, not one of " + quoted(unit),
+          "remove the unit here, or declare the parameter in " + unit);
+      return;
+    }
+    const auto own = written_.unit.empty() ? "plain numbers" : written_.unit;
+    diagnostics_.report(Code::PAL0613, literal.where,
+                        quoted(unit) + " does not convert to " + (written_.unit.empty() ? own : quoted(own)) +
+                            ", the unit of parameter " + quoted(written_.name.text) + ": " +
+                            difference(from, to),
+                        "write the value in " + own + ", or declare the parameter in " + unit);
+  }
+
+  const syntax::Parameter& written_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+pan::Parameter build_parameter(const syntax::Parameter& written, Diagnostics& diagnostics) {
+  return ParameterBuilder(written, diagnostics).build();
+}
+
+}  // namespace pal::frontend

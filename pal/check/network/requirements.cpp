@@ -1,0 +1,282 @@
+#include "pal/check/network/requirements.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "pal/check/report.hpp"
+#include "pal/pan/dump.hpp"
+#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/nearest.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+constexpr std::size_t most_compared = 2000;  // statements that a misspelt one is held against
+
+class RequirementBuilder {
+ public:
+  RequirementBuilder(Names& names, pan::Network& network, Diagnostics& diagnostics)
+      : names_(names), network_(network), diagnostics_(diagnostics), bodies_known_(names.all_known()) {}
+
+  void build(const syntax::Requirement& written) {
+    if (auto measure = std::visit([&](const auto& m) { return build_measure(m); }, written.measure)) {
+      network_.requirements.push_back({written.name.text, std::move(*measure), written.limit, written.where});
+    }
+  }
+
+ private:
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::Load& load) {
+    return pan::Load{load.processor ? load.processor->text : std::string()};
+  }
+
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::BusyPeriod& busy) {
+    return pan::BusyPeriod{busy.processor ? busy.processor->text : std::string()};
+  }
+
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::Age& age) {
+    auto of = known(age.of);
+    auto at = statements(age.at);
+    if (!of || at.empty()) return std::nullopt;
+    return pan::Age{std::move(*of), std::move(at)};
+  }
+
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::Reaction& reaction) {
+    auto of = known(reaction.of);
+    auto at = statements(reaction.at);
+    if (!of || at.empty()) return std::nullopt;
+    return pan::Reaction{std::move(*of), std::move(at)};
+  }
+
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::Passes& passes) {
+    auto at = statements(passes.at);
+    if (at.empty()) return std::nullopt;
+    return pan::Passes{std::move(at), passes.least, passes.most};
+  }
+
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::Loss& loss) {
+    const auto of = names_.party(loss.of);
+    if (!of) return std::nullopt;
+    if (!is_device(*of)) {
+      diagnostics_.report(Code::PAL0818, loss.of.name.where,
+                          quoted(loss.of.name.text) + " is no device: its messages wait until they are taken",
+                          "name a device, or a module without a body");
+      return std::nullopt;
+    }
+    return pan::Loss{*of, loss.most, loss.in};
+  }
+
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::Completing& completing) {
+    const auto& listed = network_.skill.completions;
+    if (std::none_of(listed.begin(), listed.end(),
+                     [&](const pan::Completion& each) { return each.code == completing.code; })) {
+      diagnostics_.report(Code::PAL0817, completing.where,
+                          "the skill has no completion " + std::to_string(completing.code),
+                          "list it: COMPLETION " + std::to_string(completing.code) + " …");
+      return std::nullopt;
+    }
+    return pan::Completing{completing.code};
+  }
+
+  bool is_device(const pan::Party& party) const {
+    const auto* module = std::get_if<pan::ModuleId>(&party);
+    return module == nullptr || network_.modules[module->index()].body.empty();
+  }
+
+  std::optional<pan::Known> known(const syntax::Known& written) {
+    if (const auto* name = std::get_if<syntax::Name>(&written.of)) {
+      const auto condition = names_.condition(*name);
+      if (!condition) return std::nullopt;
+      return *condition;
+    }
+    const auto& sample = std::get<syntax::Known::Sample>(written.of);
+    const auto message = names_.message(sample.message);
+    const auto sender = names_.party(sample.from);
+    if (!message || !sender) return std::nullopt;
+    std::vector<pan::ChannelId> channels = channels_of(*message, *sender);
+    const std::string from = quoted(sample.from.name.text);
+    if (!is_device(*sender)) {
+      diagnostics_.report(Code::PAL0819, sample.from.name.where,
+                          from + " is no device: it measures nothing itself",
+                          "name the device that the values come from");
+      return std::nullopt;
+    }
+    if (channels.empty()) {
+      diagnostics_.report(
+          Code::PAL0819, sample.message.where,
+          "nobody waits for " + quoted(network_.messages[message->index()].name) + " from " + from,
+          "name a message of a device that a module of the skill waits for");
+      return std::nullopt;
+    }
+    return channels;
+  }
+
+  std::optional<pan::Measure> build_measure(const syntax::Requirement::Response& response) {
+    const auto message = names_.message(response.event);
+    const auto sender = names_.party(response.of);
+    auto at = statements(response.to);
+    if (!message || !sender) return std::nullopt;
+    std::vector<pan::ChannelId> of = channels_of(*message, *sender);
+    if (of.empty()) {
+      diagnostics_.report(Code::PAL0803, response.event.where,
+                          "nobody waits for " + quoted(network_.messages[message->index()].name) + " from " +
+                              quoted(response.of.name.text),
+                          "name a message that somebody waits for");
+      return std::nullopt;
+    }
+    if (at.empty()) return std::nullopt;
+    return pan::Response{std::move(of), std::move(at)};
+  }
+
+  /// On which the party sends this message.
+  std::vector<pan::ChannelId> channels_of(pan::MessageId message, const pan::Party& sender) const {
+    std::vector<pan::ChannelId> channels;
+    for (std::size_t c = 0; c < network_.channels.size(); ++c) {
+      const pan::Channel& channel = network_.channels[c];
+      if (channel.sender == sender && channel.message == message) channels.push_back(pan::ChannelId(c));
+    }
+    return channels;
+  }
+
+  /// All statements that the pattern means; reports if there are none.
+  std::vector<pan::StatementRef> statements(const syntax::Step& step) {
+    std::optional<pan::ModuleId> only;
+    if (step.in) {
+      only = names_.callee(*step.in);
+      if (!only) return {};
+    }
+    const auto matches = matcher(step);
+    if (!matches) return {};
+    std::vector<pan::StatementRef> result;
+    for (std::size_t m = 0; m < network_.modules.size(); ++m) {
+      const pan::ModuleId module(m);
+      if (only && *only != module) continue;
+      const auto& nodes = network_.modules[m].body.nodes;
+      for (std::size_t n = 0; n < nodes.size(); ++n) {
+        if (matches->is(nodes[n].content, network_)) result.push_back({module, pan::NodeId(n)});
+      }
+    }
+    // A statement with an unknown name in it is left out of its module: its own finding says so.
+    if (result.empty() && bodies_known_) report_missing(step, only);
+    return result;
+  }
+
+  void report_missing(const syntax::Step& step, std::optional<pan::ModuleId> only) {
+    const auto meant = nearest(text_of(step), statements_of(only));
+    auto& finding = diagnostics_.report(
+        Code::PAL0802, step.where,
+        only ? "there is no such statement in " + quoted(step.in->name.text)
+             : std::string("there is no such statement in this skill"),
+        meant ? "did you mean " + *meant + "?"
+              : "write the statement as it stands in the module, without kind words if you like");
+    if (meant && !step.in) finding.fix = {{step.where, *meant}};
+  }
+
+  /// In canonical spelling.
+  static std::string text_of(const syntax::Step& step) {
+    const std::string message = (step.message.request ? "request " : "") + step.message.name.text;
+    const std::string& party = step.party.name.text;
+    switch (step.kind) {
+      case syntax::Step::Kind::wait:
+        return "WTM( " + message + " from " + party + " )";
+      case syntax::Step::Kind::send:
+        return "TXM( " + message + (step.message.request ? " from " : " to ") + party + " )";
+      case syntax::Step::Kind::set:
+        return "SPC( " + step.name.text + (!step.value ? "" : *step.value ? " = TRUE" : " = FALSE") + " )";
+      case syntax::Step::Kind::read:
+        return "RPC( " + step.name.text + " )";
+      case syntax::Step::Kind::perform:
+        return step.name.text;
+    }
+    return {};
+  }
+
+  /// That a requirement could name, of one module or of all.
+  std::vector<std::string> statements_of(std::optional<pan::ModuleId> only) const {
+    std::vector<std::string> texts;
+    if (!may_guess(diagnostics_, network_.modules.size())) return texts;
+    for (std::size_t m = 0; m < network_.modules.size(); ++m) {
+      if (only && only->index() != m) continue;
+      const auto& nodes = network_.modules[m].body.nodes;
+      for (std::size_t n = 0; n < nodes.size() && texts.size() < most_compared; ++n)
+        texts.push_back(pan::statement_text(network_, pan::ModuleId(m), pan::NodeId(n)));
+    }
+    return texts;
+  }
+
+  struct Matcher {
+    syntax::Step::Kind kind;
+    std::optional<pan::MessageId> message;
+    std::optional<pan::Party> party;
+    std::optional<pan::ConditionId> condition;
+    std::optional<bool> value;
+    std::string name;
+
+    bool is(const pan::Content& content, const pan::Network& network) const {
+      switch (kind) {
+        case syntax::Step::Kind::wait: {
+          const auto* wait = std::get_if<pan::Wait>(&content);
+          return wait != nullptr &&
+                 std::any_of(wait->channels.begin(), wait->channels.end(), [&](pan::ChannelId id) {
+                   const auto& channel = network.channels[id.index()];
+                   return channel.message == *message && channel.sender == *party;
+                 });
+        }
+        case syntax::Step::Kind::send: {
+          const auto* send = std::get_if<pan::Send>(&content);
+          if (send == nullptr) return false;
+          const auto& channel = network.channels[send->channel.index()];
+          return channel.message == *message && channel.receiver == *party;
+        }
+        case syntax::Step::Kind::set: {
+          const auto* set = std::get_if<pan::Set>(&content);
+          return set != nullptr && set->condition == *condition && (!value || set->value == value);
+        }
+        case syntax::Step::Kind::read: {
+          const auto* read = std::get_if<pan::Read>(&content);
+          return read != nullptr && read->condition == *condition;
+        }
+        case syntax::Step::Kind::perform: {
+          const auto* perform = std::get_if<pan::Perform>(&content);
+          return perform != nullptr && network.activities[perform->activity.index()].name == name;
+        }
+      }
+      return false;
+    }
+  };
+
+  std::optional<Matcher> matcher(const syntax::Step& step) {
+    Matcher result{step.kind, {}, {}, {}, step.value, step.name.text};
+    if (step.kind == syntax::Step::Kind::wait || step.kind == syntax::Step::Kind::send) {
+      result.message = names_.message(step.message);
+      result.party = names_.party(step.party);
+      if (!result.message || !result.party) return std::nullopt;
+    }
+    if (step.kind == syntax::Step::Kind::set || step.kind == syntax::Step::Kind::read) {
+      result.condition = names_.condition(step.name);
+      if (!result.condition) return std::nullopt;
+    }
+    return result;
+  }
+
+  Names& names_;
+  pan::Network& network_;
+  Diagnostics& diagnostics_;
+  bool bodies_known_;  // every name in the modules means something
+};
+
+}  // namespace
+
+void build_requirements(const syntax::SkillUnit& skill, Names& names, pan::Network& network,
+                        Diagnostics& diagnostics) {
+  std::map<std::string, const syntax::Name*> seen;
+  RequirementBuilder builder(names, network, diagnostics);
+  for (const auto& requirement : skill.requirements) {
+    const auto [first, fresh] = seen.emplace(requirement.name.text, &requirement.name);
+    if (!fresh) report_twice(diagnostics, "requirement", requirement.name, *first->second);
+    builder.build(requirement);
+  }
+}
+
+}  // namespace pal::frontend

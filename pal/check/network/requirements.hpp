@@ -1,0 +1,14 @@
+// Requirements: the statements and channels that they mean.
+#pragma once
+
+#include "pal/check/network/names.hpp"
+#include "pal/pan/network.hpp"
+#include "pal/syntax/tree.hpp"
+
+namespace pal::frontend {
+
+/// Fills in Network::requirements. Reports those that name nothing.
+void build_requirements(const syntax::SkillUnit& skill, Names& names, pan::Network& network,
+                        Diagnostics& diagnostics);
+
+}  // namespace pal::frontend

@@ -1,0 +1,53 @@
+#include <map>
+
+#include "pal/check/report.hpp"
+#include "pal/check/rules/blocks.hpp"
+#include "pal/check/rules/families.hpp"
+#include "pal/support/diagnostic_code.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+std::string party_name(const pan::Network& network, const pan::Party& party) {
+  if (const auto* device = std::get_if<pan::DeviceId>(&party)) return network.devices[device->index()].name;
+  return network.modules[std::get<pan::ModuleId>(party).index()].name;
+}
+
+void check_blocks(const pan::Network& network, pan::ModuleId module, const pan::Node& fork,
+                  Diagnostics& diagnostics) {
+  std::map<pan::ChannelId, SourceSpan> earlier;  // the first request in a block before
+  for (std::size_t block = 0; block < fork.out.size(); ++block) {
+    std::map<pan::ChannelId, SourceSpan> requests;
+    each_node_of_block(network, module, fork, block, [&](const pan::Node& node) {
+      const auto* send = std::get_if<pan::Send>(&node.content);
+      if (send == nullptr || !network.channels[send->channel.index()].answer.valid()) return;
+      requests.emplace(send->channel, node.where);
+    });
+    for (const auto& [request, where] : requests) {
+      const auto [entry, fresh] = earlier.emplace(request, where);
+      if (fresh) continue;
+      const pan::Channel& channel = network.channels[request.index()];
+      const pan::Channel& answer = network.channels[channel.answer.index()];
+      auto& finding = diagnostics.report(
+          Code::PAL0307, where,
+          quoted(network.messages[answer.message.index()].name) + " is requested from " +
+              quoted(party_name(network, channel.receiver)) + " in two blocks of one CONCURRENT",
+          "let one block ask and wait for it, or use another message in the other");
+      finding.notes.push_back({entry->second, "it is also requested here"});
+    }
+  }
+}
+
+}  // namespace
+
+void check_askers(const pan::Network& network, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < network.modules.size(); ++i) {
+    for (const auto& node : network.modules[i].body.nodes) {
+      if (std::holds_alternative<pan::Fork>(node.content))
+        check_blocks(network, pan::ModuleId(i), node, diagnostics);
+    }
+  }
+}
+
+}  // namespace pal::frontend

@@ -1,0 +1,73 @@
+#include <string>
+
+#include "pal/check/conditions/condition_runs.hpp"
+#include "pal/check/rules/families.hpp"
+#include "pal/pan/dump.hpp"
+#include "pal/support/diagnostic_code.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+void report_no_arm(const pan::Node& node, const std::vector<RunStep>& run, const pan::Network& network,
+                   Diagnostics& diagnostics) {
+  auto& finding =
+      diagnostics.report(Code::PAL0405, node.where,
+                         "no arm of this CASE may hold, and the skill would end with its error completion",
+                         "add an arm for this, or test what cannot change meanwhile");
+  // The end of the run says how it comes about; its beginning is the same for most.
+  constexpr std::size_t most_notes = 8;
+  const auto first = run.size() > most_notes ? run.size() - most_notes : 0;
+  for (auto i = first; i < run.size(); ++i) {
+    const auto& step = run[i];
+    const auto& where = network.modules[step.module.index()].body[step.node].where;
+    const char* lead = i == first ? (first == 0 ? "first, " : "in the end, ") : "then ";
+    finding.notes.push_back({where, lead + step.thread + " " + step.what});
+  }
+}
+
+void report_dead_arms(const pan::Graph& graph, const pan::Node& node, const std::vector<bool>& taken,
+                      const pan::Network& network, Diagnostics& diagnostics) {
+  const auto& guards = std::get<pan::Choose>(node.content).guards;
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    if (taken[i]) continue;
+    auto& finding =
+        diagnostics.report(Code::PAL0406, node.where,
+                           "the arm ( " + guard_text(network, guards[i]) + " ) of this CASE is never taken",
+                           "remove it, or correct its condition");
+    if (node.out[i] != node.mate) finding.notes.push_back({graph[node.out[i]].where, "it begins with this"});
+  }
+}
+
+void report_endless(const pan::Node& until, const pan::Graph& graph, const pan::Network& network,
+                    Diagnostics& diagnostics) {
+  const auto& guard = *std::get<pan::Until>(until.content).guard;
+  auto& finding = diagnostics.report(
+      Code::PAL0503, until.where,
+      "this loop never ends: no run makes " + guard_text(network, guard) + " hold here",
+      "set what it waits for inside the loop, or write UNTIL( forever ) if it is never to end");
+  finding.notes.push_back({graph[until.mate].where, "the loop begins here"});
+}
+
+}  // namespace
+
+void check_cases(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < network.modules.size(); ++i) {
+    const auto& module = network.modules[i];
+    if (module.body.empty() || module.executed_by.valid()) continue;
+    const auto runs = explore_conditions(network, flow, pan::ModuleId(i));
+    for (const auto& [place, outcome] : runs.cases) {
+      const auto& node = network.modules[place.first.index()].body[place.second];
+      if (outcome.no_arm_holds) report_no_arm(node, *outcome.no_arm_holds, network, diagnostics);
+      if (runs.complete)
+        report_dead_arms(network.modules[place.first.index()].body, node, outcome.taken, network,
+                         diagnostics);
+    }
+    for (const auto& [place, ends] : runs.loops) {
+      const auto& body = network.modules[place.first.index()].body;
+      if (runs.complete && !ends) report_endless(body[place.second], body, network, diagnostics);
+    }
+  }
+}
+
+}  // namespace pal::frontend

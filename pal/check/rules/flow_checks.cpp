@@ -1,0 +1,128 @@
+#include <string>
+#include <vector>
+
+#include "pal/check/report.hpp"
+#include "pal/check/rules/families.hpp"
+#include "pal/check/rules/zero_time.hpp"
+#include "pal/pan/dump.hpp"
+#include "pal/support/diagnostic_code.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+class FlowCheck {
+ public:
+  FlowCheck(const pan::Network& network, const pan::Flow& flow, const ZeroTimePaths& zero_time,
+            pan::ModuleId module, Diagnostics& diagnostics)
+      : network_(network),
+        flow_(flow),
+        zero_time_(zero_time),
+        module_(module),
+        nodes_(network.modules[module.index()].body.nodes),
+        diagnostics_(diagnostics) {}
+
+  void check() {
+    unreached();
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (std::holds_alternative<pan::Loop>(nodes_[i].content)) spinning(pan::NodeId(i));
+    }
+  }
+
+ private:
+  /// The first statement of each stretch that is never reached.
+  void unreached() {
+    bool before = true;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const bool here = flow_.reached(module_, pan::NodeId(i));
+      if (!here && before && pan::is_statement(nodes_[i].content)) report_unreached(i);
+      // Places where branches come together say nothing of what was written.
+      if (here || pan::is_statement(nodes_[i].content)) before = here;
+    }
+  }
+
+  void report_unreached(std::size_t index) {
+    const auto& node = nodes_[index];
+    const auto* cause = index > 0 ? &nodes_[index - 1] : nullptr;
+    const bool ended = cause != nullptr && std::holds_alternative<pan::Complete>(cause->content);
+    if (ended && std::holds_alternative<pan::Complete>(node.content)) {
+      auto& finding = diagnostics_.report(Code::PAL0505, node.where,
+                                          "the skill has sent its completion already", "remove it");
+      finding.fix = {{node.where, ""}};
+      finding.notes.push_back({cause->where, "it ends here"});
+      return;
+    }
+    auto& finding = diagnostics_.report(Code::PAL0501, node.where, "this statement is never reached",
+                                        "remove it, or give the statement before it a way to end");
+    if (cause == nullptr || !cause->where.valid()) return;
+    if (ended) {
+      finding.notes.push_back({cause->where, "the skill ends here"});
+    } else if (std::holds_alternative<pan::Until>(cause->content)) {
+      finding.notes.push_back({cause->where, "this loop never ends"});
+    } else if (std::holds_alternative<pan::Execute>(cause->content)) {
+      finding.notes.push_back({cause->where, "this module never ends"});
+    } else if (std::holds_alternative<pan::Join>(cause->content)) {
+      finding.notes.push_back({nodes_[cause->mate.index()].where, "no block of this CONCURRENT can end"});
+    } else if (std::holds_alternative<pan::Merge>(cause->content)) {
+      finding.notes.push_back({nodes_[cause->mate.index()].where, "no branch of this ends"});
+    }
+  }
+
+  /// A way through the body of the loop on which nothing pauses.
+  void spinning(pan::NodeId loop) {
+    const auto until = nodes_[loop.index()].mate;
+    if (!flow_.reached(module_, loop) || !flow_.reached(module_, until)) return;
+    std::vector<pan::NodeId> from(nodes_.size());
+    std::vector<bool> seen(nodes_.size(), false);
+    std::vector<pan::NodeId> open{loop};
+    seen[loop.index()] = true;
+    for (std::size_t at = 0; at < open.size(); ++at) {
+      const auto here = open[at];
+      if (here == until) {
+        report_spinning(loop, until, from);
+        return;
+      }
+      if (!zero_time_.takes_no_time(module_, here)) continue;
+      for (const auto to : zero_time_.next(module_, here)) {
+        if (to < loop || to > until || seen[to.index()]) continue;
+        seen[to.index()] = true;
+        from[to.index()] = here;
+        open.push_back(to);
+      }
+    }
+  }
+
+  void report_spinning(pan::NodeId loop, pan::NodeId until, const std::vector<pan::NodeId>& from) {
+    auto& finding =
+        diagnostics_.report(Code::PAL0502, nodes_[loop.index()].where,
+                            "this loop can go round without waiting for anything, and keep its processor",
+                            "wait for a message or do an activity on every way through it");
+    std::vector<pan::NodeId> path;
+    for (auto at = from[until.index()]; at.valid() && at != loop; at = from[at.index()]) path.push_back(at);
+    for (auto at = path.rbegin(); at != path.rend(); ++at) {
+      const auto& node = nodes_[at->index()];
+      if (!pan::is_statement(node.content)) continue;
+      finding.notes.push_back({node.where, "by way of " + statement_text(network_, module_, *at)});
+    }
+    finding.notes.push_back({nodes_[until.index()].where, "and back from here"});
+  }
+
+  const pan::Network& network_;
+  const pan::Flow& flow_;
+  const ZeroTimePaths& zero_time_;
+  pan::ModuleId module_;
+  const std::vector<pan::Node>& nodes_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void check_flow(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics) {
+  const ZeroTimePaths zero_time(network, flow);
+  for (std::size_t i = 0; i < network.modules.size(); ++i) {
+    if (network.modules[i].body.empty()) continue;
+    FlowCheck(network, flow, zero_time, pan::ModuleId(i), diagnostics).check();
+  }
+}
+
+}  // namespace pal::frontend

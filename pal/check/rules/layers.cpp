@@ -1,0 +1,98 @@
+#include <set>
+#include <string>
+#include <utility>
+
+#include "pal/check/report.hpp"
+#include "pal/check/rules/families.hpp"
+#include "pal/pan/dump.hpp"
+#include "pal/support/diagnostic_code.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+/// The boxes of figure 3.3 from top to bottom. Talk is between neighbours.
+enum class Layer { skill, logical_sensor, machine_controller, sensor_driver, device };
+
+Layer layer(const pan::Network& network, const pan::Party& party) {
+  const auto* module = std::get_if<pan::ModuleId>(&party);
+  if (module == nullptr) return Layer::device;
+  switch (network.modules[module->index()].kind) {
+    case pan::ModuleKind::skill_module:
+    case pan::ModuleKind::contingency_module:
+      return Layer::skill;
+    case pan::ModuleKind::logical_sensor:
+      return Layer::logical_sensor;
+    case pan::ModuleKind::machine_controller:
+      return Layer::machine_controller;
+    case pan::ModuleKind::sensor_driver:
+      return Layer::sensor_driver;
+  }
+  return Layer::device;
+}
+
+bool may_talk(Layer a, Layer b) {
+  if (b < a) std::swap(a, b);
+  switch (a) {
+    case Layer::skill:
+      return b == Layer::logical_sensor || b == Layer::machine_controller;
+    case Layer::logical_sensor:
+      return b == Layer::sensor_driver;
+    case Layer::machine_controller:
+    case Layer::sensor_driver:
+      return b == Layer::device;
+    case Layer::device:
+      return false;
+  }
+  return false;
+}
+
+std::string described(const pan::Network& network, const pan::Party& party) {
+  const auto* module = std::get_if<pan::ModuleId>(&party);
+  const auto kind = module == nullptr ? "device" : kind_text(network.modules[module->index()].kind);
+  return kind + " " + quoted(party_name(network, party));
+}
+
+std::string partners(Layer layer) {
+  switch (layer) {
+    case Layer::skill:
+      return "go by way of a neighbour: skill and contingency modules talk with logical sensors and machine "
+             "controllers";
+    case Layer::logical_sensor:
+      return "go by way of a neighbour: logical sensors talk with sensor drivers below and skill modules "
+             "above";
+    case Layer::machine_controller:
+      return "go by way of a neighbour: machine controllers talk with skill modules and with devices";
+    case Layer::sensor_driver:
+      return "go by way of a neighbour: sensor drivers talk with logical sensors and with devices";
+    case Layer::device:
+      return "go by way of a neighbour: only sensor drivers and machine controllers talk with devices";
+  }
+  return {};
+}
+
+}  // namespace
+
+void check_layers(const pan::Network& network, Diagnostics& diagnostics) {
+  std::set<std::pair<pan::Party, pan::Party>> seen;
+  for (const auto& channel : network.channels) {
+    auto pair = std::pair(channel.sender, channel.receiver);
+    if (pair.second < pair.first) std::swap(pair.first, pair.second);
+    if (!seen.insert(pair).second) continue;
+    if (channel.sender == channel.receiver) {
+      diagnostics.report(Code::PAL0305, channel.where,
+                         quoted(party_name(network, channel.sender)) + " sends itself a message",
+                         "remove it: what a module knows it need not be told");
+      continue;
+    }
+    const auto from = layer(network, channel.sender);
+    const auto to = layer(network, channel.receiver);
+    if (may_talk(from, to)) continue;
+    diagnostics.report(
+        Code::PAL0301, channel.where,
+        described(network, channel.sender) + " may not talk to " + described(network, channel.receiver),
+        partners(from == Layer::device ? to : from));
+  }
+}
+
+}  // namespace pal::frontend

@@ -1,0 +1,177 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pal/check/report.hpp"
+#include "pal/check/rules/families.hpp"
+#include "pal/support/diagnostic_code.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+/// The nodes of all modules, by module and node.
+using Marks = std::vector<std::vector<bool>>;
+
+/// Where a thread comes to have a message: a module of it takes one, or an activity of one writes it. A
+/// module and those that it executes keep their messages together.
+class Sources {
+ public:
+  Sources(const pan::Network& network, const pan::Flow& flow, pan::ModuleId module, pan::MessageId message)
+      : network_(network), flow_(flow), outermost_(outermost(module)), message_(message) {}
+
+  bool any() const {
+    for (std::size_t m = 0; m < network_.modules.size(); ++m) {
+      if (outermost(pan::ModuleId(m)) == outermost_ && gives_any(network_.modules[m].body)) return true;
+    }
+    return false;
+  }
+
+  /// Nodes that some way from the thread's start reaches without the message. Behind an Execute these are the
+  /// ways through the module, whoever executed it.
+  Marks reached_without() {
+    for (const auto& module : network_.modules) reached_.emplace_back(module.body.nodes.size(), false);
+    reach(outermost_, pan::NodeId(0));
+    while (!open_.empty()) {
+      const auto [module, at] = open_.back();
+      open_.pop_back();
+      go_on(module, at);
+    }
+    return std::move(reached_);
+  }
+
+ private:
+  struct Place {
+    pan::ModuleId module;
+    pan::NodeId node;
+  };
+
+  pan::ModuleId outermost(pan::ModuleId module) const {
+    while (network_.modules[module.index()].executed_by.valid())
+      module = network_.modules[module.index()].executed_by;
+    return module;
+  }
+
+  void reach(pan::ModuleId module, pan::NodeId node) {
+    auto& reached = reached_[module.index()];
+    if (!node.valid() || reached.empty() || reached[node.index()]) return;
+    reached[node.index()] = true;
+    open_.push_back({module, node});
+  }
+
+  void go_on(pan::ModuleId module, pan::NodeId at) {
+    const auto& body = network_.modules[module.index()].body;
+    if (const auto* execute = std::get_if<pan::Execute>(&body[at].content)) {
+      reach(execute->module, pan::NodeId(0));
+      if (ends_without(execute->module)) leave(module, at);
+      return;
+    }
+    if (at.index() + 1 == body.nodes.size()) return_to_callers(module);
+    for (const auto next : flow_.next(module, at)) {
+      if (next.valid() && !gives(body[at], next)) reach(module, next);
+    }
+  }
+
+  void leave(pan::ModuleId module, pan::NodeId execute) {
+    for (const auto next : flow_.next(module, execute)) reach(module, next);
+  }
+
+  bool ends_without(pan::ModuleId module) const {
+    const auto& reached = reached_[module.index()];
+    return reached.empty() || reached.back();
+  }
+
+  void return_to_callers(pan::ModuleId module) {
+    const auto caller = network_.modules[module.index()].executed_by;
+    if (!caller.valid()) return;
+    const auto& nodes = network_.modules[caller.index()].body.nodes;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const auto* execute = std::get_if<pan::Execute>(&nodes[i].content);
+      if (execute == nullptr || execute->module != module || !reached_[caller.index()][i]) continue;
+      leave(caller, pan::NodeId(i));
+    }
+  }
+
+  bool gives_any(const pan::Graph& body) const {
+    return std::any_of(body.nodes.begin(), body.nodes.end(), [&](const pan::Node& node) {
+      return std::any_of(node.out.begin(), node.out.end(),
+                         [&](pan::NodeId next) { return gives(node, next); });
+    });
+  }
+
+  /// On the way from the node to the one after it.
+  bool gives(const pan::Node& node, pan::NodeId next) const {
+    if (const auto* perform = std::get_if<pan::Perform>(&node.content)) {
+      const auto& writes = network_.activities[perform->activity.index()].writes;
+      return std::find(writes.begin(), writes.end(), message_) != writes.end();
+    }
+    const auto* wait = std::get_if<pan::Wait>(&node.content);
+    if (wait == nullptr) return false;
+    for (std::size_t i = 0; i < wait->channels.size() && i < node.out.size(); ++i) {
+      if (node.out[i] == next && network_.channels[wait->channels[i].index()].message == message_)
+        return true;
+    }
+    return false;
+  }
+
+  const pan::Network& network_;
+  const pan::Flow& flow_;
+  pan::ModuleId outermost_;
+  pan::MessageId message_;
+  Marks reached_;
+  std::vector<Place> open_;
+};
+
+void check_activity(const pan::Network& network, const pan::Flow& flow, const pan::Activity& activity,
+                    pan::ActivityId id, Diagnostics& diagnostics) {
+  const auto& module = network.modules[activity.module.index()];
+  for (const auto message : activity.reads) {
+    Sources sources(network, flow, activity.module, message);
+    const auto& name = network.messages[message.index()].name;
+    if (!sources.any()) {
+      diagnostics.report(
+          Code::PAL0509, activity.where,
+          quoted(activity.name) + " reads " + quoted(name) + ", which " + quoted(module.name) + " never has",
+          "take it by a WTM before, let an activity write it, or do not read it");
+      continue;
+    }
+    const auto without = sources.reached_without()[activity.module.index()];
+    for (std::size_t i = 0; i < module.body.nodes.size(); ++i) {
+      const auto* perform = std::get_if<pan::Perform>(&module.body.nodes[i].content);
+      if (perform == nullptr || perform->activity != id || !without[i]) continue;
+      auto& finding = diagnostics.report(
+          Code::PAL0510, module.body.nodes[i].where,
+          quoted(activity.name) + " may read " + quoted(name) + " before " + quoted(module.name) + " has one",
+          "take one first on every way to here; until then all its fields are 0");
+      finding.notes.push_back({activity.where, "it reads it by this"});
+      break;
+    }
+  }
+}
+
+void check_condition(const pan::Network& network, const pan::Flow& flow, const pan::Condition& condition,
+                     Diagnostics& diagnostics) {
+  if (!condition.writer.valid()) return;
+  const auto& writer = network.modules[condition.writer.index()];
+  for (const auto message : condition.from) {
+    if (Sources(network, flow, condition.writer, message).any()) continue;
+    auto& finding = diagnostics.report(
+        Code::PAL0511, condition.where,
+        quoted(condition.name) + " is computed from " + quoted(network.messages[message.index()].name) +
+            ", which " + quoted(writer.name) + " never has",
+        "let " + writer.name + " take it before it sets the condition, or remove it from FROM");
+    finding.notes.push_back({writer.where, "this module sets it"});
+  }
+}
+
+}  // namespace
+
+void check_readers(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < network.activities.size(); ++i) {
+    check_activity(network, flow, network.activities[i], pan::ActivityId(i), diagnostics);
+  }
+  for (const auto& condition : network.conditions) check_condition(network, flow, condition, diagnostics);
+}
+
+}  // namespace pal::frontend

@@ -1,0 +1,86 @@
+#include "pal/check/rules/sensors.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "pal/check/report.hpp"
+#include "pal/support/diagnostic_code.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+/// What a body does, by name, and the first statement that does it.
+using Uses = std::map<std::string, SourceSpan>;
+
+bool is_kind(const pan::Network& network, const pan::Party& party, pan::ModuleKind kind) {
+  const auto* module = std::get_if<pan::ModuleId>(&party);
+  return module != nullptr && network.modules[module->index()].kind == kind;
+}
+
+Uses drivers_of(const pan::Network& network, pan::ModuleId sensor) {
+  Uses drivers;
+  for (const auto& channel : network.channels) {
+    for (const auto& [one, other] :
+         {std::pair(channel.sender, channel.receiver), std::pair(channel.receiver, channel.sender)}) {
+      if (one != pan::Party(sensor) || !is_kind(network, other, pan::ModuleKind::sensor_driver)) continue;
+      drivers.emplace(network.modules[std::get<pan::ModuleId>(other).index()].name, channel.where);
+    }
+  }
+  return drivers;
+}
+
+Uses information_of(const pan::Network& network, pan::ModuleId sensor) {
+  Uses information;
+  for (const auto& channel : network.channels) {
+    const auto& message = network.messages[channel.message.index()];
+    if (channel.sender != pan::Party(sensor) || message.asks_for.valid()) continue;
+    if (is_kind(network, channel.receiver, pan::ModuleKind::sensor_driver)) continue;
+    information.emplace(message.name, channel.where);
+  }
+  return information;
+}
+
+/// The two sides of a slot must name the same.
+void compare(const syntax::NameSlot& slot, const Uses& uses, Code code, const std::string& sensor,
+             const char* does, Diagnostics& diagnostics) {
+  for (const auto& name : slot.names) {
+    if (uses.contains(name.text)) continue;
+    diagnostics.report(code, name.where, quoted(sensor) + " never " + does + " " + quoted(name.text),
+                       "remove it here, or add what the body lacks");
+  }
+  for (const auto& [used, where] : uses) {
+    const bool named = std::any_of(slot.names.begin(), slot.names.end(),
+                                   [&name = used](const auto& n) { return n.text == name; });
+    if (named) continue;
+    auto& finding =
+        diagnostics.report(code, slot.where, quoted(sensor) + " also " + does + " " + quoted(used),
+                           "add " + used + " to this slot");
+    finding.notes.push_back({where, "the talk is here"});
+  }
+}
+
+}  // namespace
+
+void check_sensors(const Names& names, const pan::Network& network, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < network.modules.size(); ++i) {
+    const pan::ModuleId id(i);
+    const auto* unit = names.unit_of(id);
+    if (unit == nullptr || !unit->sensor.where.valid()) continue;
+    if (unit->kind != pan::ModuleKind::logical_sensor) {
+      diagnostics.report(Code::PAL0640, unit->sensor.where, "only a logical sensor has this slot",
+                         "write DESCRIPTION for a text; what a module uses is seen from its body");
+      continue;
+    }
+    if (!unit->has_body) continue;
+    if (const auto& drivers = unit->sensor.drivers) {
+      compare(*drivers, drivers_of(network, id), Code::PAL0641, unit->name.text, "talks with", diagnostics);
+    }
+    if (const auto& returns = unit->sensor.returns) {
+      compare(*returns, information_of(network, id), Code::PAL0642, unit->name.text, "returns", diagnostics);
+    }
+  }
+}
+
+}  // namespace pal::frontend

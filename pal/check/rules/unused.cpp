@@ -1,0 +1,98 @@
+#include "pal/check/rules/unused.hpp"
+
+#include <set>
+#include <string>
+#include <variant>
+
+#include "pal/check/report.hpp"
+#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/nearest.hpp"
+
+namespace pal::frontend {
+namespace {
+
+/// Names that the skills use, by sort.
+struct Used {
+  std::set<std::string> messages;
+  std::set<std::string> conditions;
+  std::set<std::string> parties;  // modules and devices
+  std::set<std::string> activities;
+};
+
+Used used_by(const std::vector<const pan::Network*>& skills) {
+  Used used;
+  for (const pan::Network* skill : skills) {
+    for (const auto& message : skill->messages) used.messages.insert(message.name);
+    for (const auto& condition : skill->conditions) used.conditions.insert(condition.name);
+    for (const auto& module : skill->modules) used.parties.insert(module.name);
+    for (const auto& device : skill->devices) used.parties.insert(device.name);
+    for (const auto& activity : skill->activities) used.activities.insert(activity.name);
+  }
+  return used;
+}
+
+class UnusedCheck {
+ public:
+  UnusedCheck(const std::vector<const pan::Network*>& skills, Diagnostics& diagnostics)
+      : used_(used_by(skills)), diagnostics_(diagnostics) {}
+
+  void check(const syntax::Tree& tree) {
+    for (const auto& unit : tree.units) {
+      if (const auto* message = std::get_if<syntax::MessageUnit>(&unit)) {
+        declared("message", message->name, used_.messages);
+      } else if (const auto* condition = std::get_if<syntax::ConditionUnit>(&unit)) {
+        declared("condition", condition->name, used_.conditions);
+      } else if (const auto* device = std::get_if<syntax::DeviceUnit>(&unit)) {
+        declared("device", device->name, used_.parties);
+      }
+    }
+  }
+
+  void check(const pan::Environment& environment) {
+    for (const auto& device : environment.devices) {
+      if (!used_.parties.contains(device.device))
+        given("device " + quoted(device.device), device.where, nearest_of(device.device, used_.parties));
+    }
+    for (const auto& time : environment.activities) {
+      if (!used_.activities.contains(time.activity))
+        given("activity " + quoted(time.activity), time.where, nearest_of(time.activity, used_.activities));
+    }
+    for (const auto& placement : environment.placements) {
+      const std::string module = placement.thread.substr(0, placement.thread.find_first_of("./"));
+      if (!used_.parties.contains(module))
+        given("module " + quoted(module), placement.where, nearest_of(module, used_.parties));
+    }
+  }
+
+ private:
+  void declared(const char* what, const syntax::Name& name, const std::set<std::string>& used) {
+    if (name.text.empty() || used.contains(name.text)) return;
+    diagnostics_.report(Code::PAL0217, name.where,
+                        std::string(what) + " " + quoted(name.text) + " is never used",
+                        "use it, or remove it");
+  }
+
+  void given(const std::string& what, SourceSpan where, const std::optional<std::string>& meant) {
+    diagnostics_.report(Code::PAL0731, where, "no skill of this file has " + what,
+                        meant ? "did you mean " + quoted(*meant) + "?" : "remove the line");
+  }
+
+  static std::optional<std::string> nearest_of(const std::string& name, const std::set<std::string>& known) {
+    return nearest(name, {known.begin(), known.end()});
+  }
+
+  Used used_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void check_unused(const syntax::Tree& tree, const std::vector<const pan::Network*>& skills,
+                  const std::vector<const pan::Environment*>& environments, Diagnostics& diagnostics) {
+  if (skills.empty()) return;
+  UnusedCheck check(skills, diagnostics);
+  check.check(tree);
+  for (const auto* environment : environments) check.check(*environment);
+}
+
+}  // namespace pal::frontend

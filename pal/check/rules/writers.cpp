@@ -1,0 +1,71 @@
+#include <map>
+#include <set>
+#include <vector>
+
+#include "pal/check/report.hpp"
+#include "pal/check/rules/blocks.hpp"
+#include "pal/check/rules/families.hpp"
+#include "pal/support/diagnostic_code.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+using Sets = std::map<pan::ConditionId, SourceSpan>;  // the first SPC of each condition
+
+void check_modules(const pan::Network& network, Diagnostics& diagnostics) {
+  std::map<pan::ConditionId, std::pair<pan::ModuleId, SourceSpan>> first;
+  std::set<std::pair<pan::ConditionId, pan::ModuleId>> reported;
+  for (std::size_t i = 0; i < network.modules.size(); ++i) {
+    const pan::ModuleId module(i);
+    for (const auto& node : network.modules[i].body.nodes) {
+      const auto* set = std::get_if<pan::Set>(&node.content);
+      if (set == nullptr) continue;
+      const auto [entry, fresh] = first.emplace(set->condition, std::pair(module, node.where));
+      if (fresh || entry->second.first == module || !reported.emplace(set->condition, module).second)
+        continue;
+      auto& finding =
+          diagnostics.report(Code::PAL0401, node.where,
+                             "condition " + quoted(network.conditions[set->condition.index()].name) +
+                                 " is set by " + quoted(network.modules[entry->second.first.index()].name) +
+                                 " and by " + quoted(network.modules[i].name),
+                             "let one module set it, and use another condition in the other");
+      finding.notes.push_back({entry->second.second, "it is also set here"});
+    }
+  }
+}
+
+void check_blocks(const pan::Network& network, pan::ModuleId module, const pan::Node& fork,
+                  Diagnostics& diagnostics) {
+  Sets earlier;
+  for (std::size_t block = 0; block < fork.out.size(); ++block) {
+    Sets sets;
+    each_node_of_block(network, module, fork, block, [&sets](const pan::Node& node) {
+      if (const auto* set = std::get_if<pan::Set>(&node.content)) sets.emplace(set->condition, node.where);
+    });
+    for (const auto& [condition, where] : sets) {
+      const auto [entry, fresh] = earlier.emplace(condition, where);
+      if (fresh) continue;
+      auto& finding = diagnostics.report(Code::PAL0402, where,
+                                         "condition " + quoted(network.conditions[condition.index()].name) +
+                                             " is set in two blocks of one CONCURRENT",
+                                         "let one block set it, and use another condition in the other");
+      finding.notes.push_back({entry->second, "it is also set here"});
+    }
+  }
+}
+
+}  // namespace
+
+void check_writers(const pan::Network& network, Diagnostics& diagnostics) {
+  check_modules(network, diagnostics);
+  for (std::size_t i = 0; i < network.modules.size(); ++i) {
+    for (const auto& node : network.modules[i].body.nodes) {
+      if (std::holds_alternative<pan::Fork>(node.content)) {
+        check_blocks(network, pan::ModuleId(i), node, diagnostics);
+      }
+    }
+  }
+}
+
+}  // namespace pal::frontend

@@ -1,0 +1,190 @@
+#include "pal/check/shared_messages.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "pal/check/report.hpp"
+#include "pal/pan/threads.hpp"
+#include "pal/support/diagnostic_code.hpp"
+
+namespace pal::frontend {
+
+namespace {
+
+/// Of these there is an error already (PAL0730), or there will be: a skill has far fewer blocks.
+constexpr std::size_t most_blocks = 10'000;
+
+/// Who runs a body: a thread, and where the environment has it.
+struct Runner {
+  std::string name;
+  bool is_block = false;
+  const pan::Placement* place = nullptr;
+};
+
+/// A statement that uses what its module keeps of a message.
+struct Use {
+  pan::MessageId message;
+  bool writes = false;
+  Runner by;
+  SourceSpan where;
+};
+
+class Finder {
+ public:
+  Finder(const pan::Network& network, const pan::Environment& environment, Diagnostics& diagnostics)
+      : network_(network), environment_(environment), diagnostics_(diagnostics) {}
+
+  void find() {
+    for (std::size_t m = 0; m < network_.modules.size(); ++m) {
+      const pan::Module& module = network_.modules[m];
+      if (module.body.empty() || module.executed_by.valid()) continue;
+      const Runner runner{module.name, false, pan::place_of(environment_, module.name)};
+      std::set<pan::ModuleId> entered;
+      const std::vector<Use> all =
+          uses_of(pan::ModuleId(m), 0, module.body.nodes.size(), runner, runner, entered);
+      for (const auto& [write, other] : found_) {
+        // What nobody reads is not kept.
+        const bool kept = std::any_of(all.begin(), all.end(), [&id = write.message](const Use& use) {
+          return use.message == id && !use.writes;
+        });
+        if (kept) report(write, other);
+      }
+      found_.clear();
+    }
+  }
+
+ private:
+  /// The uses in nodes [begin, end), which `thread` follows in a body that `runner` runs, each kind once.
+  /// Compares the blocks in them.
+  std::vector<Use> uses_of(pan::ModuleId id, std::size_t begin, std::size_t end, const Runner& thread,
+                           const Runner& runner, std::set<pan::ModuleId>& entered) {
+    std::vector<Use> result;
+    const pan::Module& module = network_.modules[id.index()];
+    const auto& nodes = module.body.nodes;
+    for (std::size_t n = begin; n < end; ++n) {
+      const pan::Node& node = nodes[n];
+      if (const auto* fork = std::get_if<pan::Fork>(&node.content)) {
+        join(uses_of_blocks(id, node, *fork, runner), result);
+        n = node.mate.index();
+      } else if (const auto* execute = std::get_if<pan::Execute>(&node.content)) {
+        if (!entered.insert(execute->module).second) continue;
+        const auto& body = network_.modules[execute->module.index()].body.nodes;
+        join(uses_of(execute->module, 0, body.size(), thread, thread, entered), result);
+      } else {
+        add_uses(node, thread, result);
+      }
+    }
+    return result;
+  }
+
+  std::vector<Use> uses_of_blocks(pan::ModuleId id, const pan::Node& here, const pan::Fork& fork,
+                                  const Runner& runner) {
+    std::vector<Use> earlier;
+    for (std::size_t i = 0; i < fork.threads.size() && ++blocks_ <= most_blocks; ++i) {
+      Runner block;
+      block.name = pan::block_name(runner.name, runner.is_block,
+                                   network_.modules[id.index()].threads[fork.threads[i]]);
+      block.is_block = true;
+      const pan::Placement* own = pan::place_of(environment_, block.name);
+      block.place = own != nullptr ? own : runner.place;
+      const std::size_t end = i + 1 < here.out.size() ? here.out[i + 1].index() : here.mate.index();
+      std::set<pan::ModuleId> entered;
+      const std::vector<Use> uses = uses_of(id, here.out[i].index(), end, block, runner, entered);
+      compare(earlier, uses);
+      join(uses, earlier);
+    }
+    return earlier;
+  }
+
+  void add_uses(const pan::Node& node, const Runner& thread, std::vector<Use>& result) const {
+    const auto add = [&](pan::MessageId message, bool writes) {
+      if (network_.messages[message.index()].fields.empty()) return;
+      join({{message, writes, thread, node.where}}, result);
+    };
+    if (const auto* wait = std::get_if<pan::Wait>(&node.content)) {
+      for (const pan::ChannelId channel : wait->channels)
+        add(network_.channels[channel.index()].message, true);
+    } else if (const auto* send = std::get_if<pan::Send>(&node.content)) {
+      add(network_.channels[send->channel.index()].message, false);
+    } else if (const auto* perform = std::get_if<pan::Perform>(&node.content)) {
+      const pan::Activity& activity = network_.activities[perform->activity.index()];
+      for (const pan::MessageId message : activity.reads) add(message, false);
+      for (const pan::MessageId message : activity.writes) add(message, true);
+    } else if (const auto* set = std::get_if<pan::Set>(&node.content); set != nullptr && !set->value) {
+      for (const pan::MessageId message : network_.conditions[set->condition.index()].from)
+        add(message, false);
+    }
+  }
+
+  static void join(const std::vector<Use>& more, std::vector<Use>& into) {
+    for (const Use& use : more) {
+      const bool known = std::any_of(into.begin(), into.end(), [&](const Use& other) {
+        return std::tie(other.message, other.writes, other.by.name) ==
+               std::tie(use.message, use.writes, use.by.name);
+      });
+      if (!known) into.push_back(use);
+    }
+  }
+
+  /// One block's uses against another's: a write in the one, a use in the other, at the same time.
+  void compare(const std::vector<Use>& earlier, const std::vector<Use>& later) {
+    for (const Use& a : later) {
+      for (const Use& b : earlier) {
+        if (a.message != b.message || (!a.writes && !b.writes)) continue;
+        const Use& write = a.writes ? a : b;
+        const Use& other = a.writes ? b : a;
+        if (meet(a.by, b.by) && seen_.emplace(a.message, write.by.name, other.by.name).second)
+          found_.emplace_back(write, other);
+      }
+    }
+  }
+
+  /// Whether the one may be at a statement while the other is at one.
+  bool meet(const Runner& a, const Runner& b) const {
+    if (a.place == nullptr || b.place == nullptr) return false;  // an error of its own
+    if (a.place->processor != b.place->processor) return true;
+    const auto processor =
+        std::find_if(environment_.processors.begin(), environment_.processors.end(),
+                     [&](const pan::Processor& each) { return each.name == a.place->processor; });
+    return processor != environment_.processors.end() && processor->preemptive &&
+           a.place->priority != b.place->priority;
+  }
+
+  void report(const Use& write, const Use& other) {
+    const std::string message = quoted(network_.messages[write.message.index()].name);
+    const bool two = write.by.place->processor != other.by.place->processor;
+    const std::string where = two ? "on " + write.by.place->processor + " and " + other.by.place->processor
+                                  : "with two priorities on " + write.by.place->processor;
+    auto& finding = diagnostics_.report(Code::PAL0732, other.where,
+                                        message + " is " + (other.writes ? "written" : "read") + " in " +
+                                            other.by.name + " while " + write.by.name +
+                                            " may write it: they run " + where + " in " + environment_.name,
+                                        "pass what " + other.by.name +
+                                            " needs by a condition, let it take a message of its own, or "
+                                            "place both with one priority on one processor");
+    finding.notes.push_back({write.where, "it is written here"});
+    finding.notes.push_back({write.by.place->where, write.by.name + " is placed here"});
+    if (other.by.place != write.by.place)
+      finding.notes.push_back({other.by.place->where, other.by.name + " is placed here"});
+  }
+
+  const pan::Network& network_;
+  const pan::Environment& environment_;
+  Diagnostics& diagnostics_;
+  std::size_t blocks_ = 0;
+  std::vector<std::pair<Use, Use>> found_;  // a write, and another use at the same time
+  std::set<std::tuple<pan::MessageId, std::string, std::string>> seen_;
+};
+
+}  // namespace
+
+void check_shared_messages(const pan::Network& network, const pan::Environment& environment,
+                           Diagnostics& diagnostics) {
+  Finder(network, environment, diagnostics).find();
+}
+
+}  // namespace pal::frontend

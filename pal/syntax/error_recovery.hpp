@@ -1,0 +1,60 @@
+// What the parser does after a mistake. Private to pal/syntax: shows ANTLR.
+#pragma once
+
+#include <antlr4-runtime.h>
+
+#include <cstddef>
+#include <string>
+
+#include "pal/support/diagnostic.hpp"
+#include "pal/syntax/tokens.hpp"
+
+namespace pal::syntax {
+
+// A file that is not PAL at all needs no more than this to see it.
+constexpr std::size_t most_reports = 20;
+
+/// Says that no more mistakes of this file are told.
+void report_too_many(Diagnostics& diagnostics, SourceSpan where);
+
+/// Says each mistake once, and goes on at the next statement, slot or unit:
+/// - A word that is in the way is dropped, one that is missing is made up, if the rest then fits.
+/// - Otherwise the statement is given up, and the next line that can go on here is looked for. A reserved
+/// word that
+///   belongs to a statement around this one is left to it: a forgotten END CASE costs that statement only.
+class ErrorRecovery : public antlr4::DefaultErrorStrategy {
+ public:
+  /// `reported` mistakes of this file were told before; after `most_reports` of them no more are.
+  ErrorRecovery(const Tokens& tokens, Diagnostics& diagnostics, std::size_t reported = 0)
+      : tokens_(tokens), diagnostics_(diagnostics), reported_(reported) {}
+
+  void recover(antlr4::Parser* parser, std::exception_ptr error) override;
+  void sync(antlr4::Parser* parser) override;
+
+ protected:
+  /// What was told last is a form of other languages (foreign_form).
+  bool foreign() const { return foreign_; }
+  void reportNoViableAlternative(antlr4::Parser* parser, const antlr4::NoViableAltException& e) override;
+  void reportInputMismatch(antlr4::Parser* parser, const antlr4::InputMismatchException& e) override;
+  void reportUnwantedToken(antlr4::Parser* parser) override;
+  void reportMissingToken(antlr4::Parser* parser) override;
+  antlr4::Token* singleTokenDeletion(antlr4::Parser* parser) override;
+
+ private:
+  /// Nothing is returned, and nothing reported, of what was reported before.
+  virtual Diagnostic* report(antlr4::Parser* parser, const antlr4::Token* at, std::string message,
+                             std::string hint = {});
+  /// The next word is not what has to come: says so where it is missing.
+  void report_unexpected(antlr4::Parser* parser, const antlr4::Token* at, const std::string& expected);
+  /// If a compound statement or a unit lacks its end here: says so and returns true.
+  bool report_missing_end(antlr4::Parser* parser, const antlr4::Token* at);
+  bool goes_on_at(antlr4::Parser* parser, const antlr4::misc::IntervalSet& follow);
+  void skip_in_parentheses(antlr4::Parser* parser, bool with_the_last);
+
+  const Tokens& tokens_;
+  Diagnostics& diagnostics_;
+  std::size_t reported_ = 0;
+  bool foreign_ = false;
+};
+
+}  // namespace pal::syntax

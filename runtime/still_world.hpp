@@ -1,0 +1,14 @@
+// A world in which nothing moves by itself: for skills whose devices do everything.
+#pragma once
+
+#include "pal/runtime/device.hpp"
+
+namespace pal::runtime {
+
+/// `Dispatcher dispatcher(devices, world);` with a `StillWorld world;`: time goes from event to event.
+class StillWorld final : public World {
+ public:
+  void advance_to(Time) override {}
+};
+
+}  // namespace pal::runtime

@@ -1,0 +1,196 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "operations/load.hpp"
+#include "pal/support/render.hpp"
+#include "runtime/run_control.hpp"
+#include "runtime_system/announcement.hpp"
+#include "runtime_system/client.hpp"
+#include "sim/program/command_line.hpp"
+#include "sim/program/interrupt.hpp"
+
+namespace pal::workcell {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace std::chrono_literals;
+
+/// The operation with the files of its sub-operations, by their names. The server does not read our files.
+std::string files_of(const std::string& main, std::ostream& error) {
+  SourceManager sources;
+  Diagnostics diagnostics;
+  const auto program = operations::load(DiskFileSystem(), sources, main, diagnostics);
+  if (!program || diagnostics.has_errors()) {
+    render_text(diagnostics.sorted(), sources, error);
+    const bool unreadable = sources.size() == 0;
+    throw Failure(unreadable ? ExitStatus::usage : ExitStatus::wrong_specification, main,
+                  unreadable ? "it cannot be read" : "the operation has errors, so nothing moved",
+                  "pal operation check shows them all");
+  }
+  Json json{{"main", main}, {"files", Json::object()}};
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const FileId file(i);
+    json["files"][sources.name(file)] = std::string(sources.text(file));
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// One connection: what the person asked for, and what is told of it.
+class Terminal {
+ public:
+  Terminal(const RemoteCommand& command, std::ostream& out) : out_(out) {
+    const std::string path =
+        command.announcement.empty() ? runtime_system::default_announcement() : command.announcement;
+    try {
+      const auto announced = runtime_system::read_announcement(path);
+      client_.emplace(announced.address, announced.port);
+      const Json hello{{"token", announced.token},
+                       {"name", fmt::format("workcell operation {}", command.verb)}};
+      state_ = call("hello", hello.dump());
+    } catch (const std::exception& problem) {
+      throw Failure(ExitStatus::usage, "server", problem.what(),
+                    "start one with 'workcell serve', or name its file: --at FILE");
+    }
+    if (!command.log.empty()) {
+      log_.open(command.log, std::ios::binary);
+      if (!log_) throw Failure(ExitStatus::usage, "--log " + command.log, "it cannot be written");
+    }
+  }
+
+  Json call(const std::string& method, const std::string& parameters = "{}") {
+    return Json::parse(client_->call(method, parameters));
+  }
+  const Json& state() const { return state_; }
+  void refresh() { state_ = call("state"); }
+
+  /// Asks for it, and tells what happens until the operation halts. Ctrl-C stops it.
+  ExitStatus follow(const std::string& method) {
+    call("watch");
+    call(method);
+    return tell_until_it_halts();
+  }
+  /// Tells what happens, until Ctrl-C.
+  ExitStatus watch() {
+    runtime::RunControl control;
+    const Interrupt interrupt(control);
+    call("watch", R"({"since": 0})");
+    while (!control.stopping()) {
+      const auto text = client_->next(200ms);
+      if (text) tell(Json::parse(*text));
+    }
+    return ExitStatus::done;
+  }
+
+  void tell_state() {
+    out_ << fmt::format("cell {}: {}; operation {}: {} at {}, last code {}, {} steps{}{}; controls: {}\n",
+                        text("cell"), text("activity"), text("operation", "none"), text("state"),
+                        text("token", "-"), state_.value("last_code", 0), state_.value("steps", 0),
+                        text("reason").empty() ? "" : ": ", text("reason"), text("controls", "nobody"));
+  }
+
+ private:
+  std::string text(const char* field, const char* otherwise = "") const {
+    const std::string found = state_.value(field, std::string());
+    return found.empty() ? otherwise : found;
+  }
+  ExitStatus tell_until_it_halts() {
+    runtime::RunControl control;
+    const Interrupt interrupt(control);
+    bool asked = false;
+    for (;;) {
+      if (control.stopping() && !std::exchange(asked, true)) call("operation.stop");
+      const auto received = client_->next(200ms);
+      if (!received) continue;
+      const Json event = Json::parse(*received);
+      tell(event);
+      const Json& params = event["params"];
+      if (params.value("event", "") != "state" || params.value("state", "") == "running") continue;
+      const std::string state = params.value("state", "");
+      return state == "failed" || state == "stopped" ? ExitStatus::error_completion : ExitStatus::done;
+    }
+  }
+  void tell(const Json& message) {
+    if (message.value("method", "") != "event") return;
+    Json event = message["params"];
+    const std::string kind = event.value("event", "");
+    if (kind == "ends") {
+      tell_step(event);
+    } else if (kind == "state" && event.value("state", "") != "running") {
+      out_ << fmt::format("{} at {} after {} steps{}{}\n", event.value("state", ""), event.value("token", ""),
+                          event.value("steps", 0), event.value("reason", "").empty() ? "" : ": ",
+                          event.value("reason", ""))
+           << std::flush;
+    } else if (kind == "loaded") {
+      out_ << fmt::format("operation {}\n", event.value("operation", "")) << std::flush;
+    }
+  }
+  void tell_step(Json step) {
+    const double seconds = step.value("end_s", 0.0) - step.value("begin_s", 0.0);
+    if (step.contains("skill")) {
+      out_ << fmt::format("{:4}  {}: {} ended with code {} after {:.3f} s: {}\n", step.value("step", 0),
+                          step.value("icon", ""), step.value("skill", ""), step.value("code", 0), seconds,
+                          step.value("reason", ""));
+    } else {
+      out_ << fmt::format("{:4}  {}: waited {:.3f} s\n", step.value("step", 0), step.value("icon", ""),
+                          seconds);
+    }
+    out_ << std::flush;
+    if (!log_.is_open()) return;
+    for (const char* ours : {"number", "time_s", "event"}) step.erase(ours);
+    log_ << step.dump() << '\n' << std::flush;
+  }
+
+  std::ostream& out_;
+  std::optional<runtime_system::Client> client_;
+  std::ofstream log_;
+  Json state_;
+};
+
+ExitStatus obey(const RemoteCommand& command, Terminal& terminal, std::ostream& out, std::ostream& error) {
+  if (command.verb == "state") {
+    terminal.tell_state();
+    return ExitStatus::done;
+  }
+  if (command.verb == "watch") return terminal.watch();
+  if (command.verb == "stop" || command.verb == "pause") {
+    terminal.call("operation." + command.verb);
+    out << (command.verb == "stop" ? "told to stop\n" : "told to pause after the current skill\n");
+    return ExitStatus::done;
+  }
+  if (!command.file.empty()) terminal.call("operation.load", files_of(command.file, error));
+  for (const std::string& text : command.breakpoints) {
+    const operations::Breakpoint breakpoint = breakpoint_of(text);
+    Json json{{"icon", breakpoint.icon}};
+    if (breakpoint.code) json["code"] = *breakpoint.code;
+    terminal.call("operation.break", json.dump());
+  }
+  if (!command.from.empty()) terminal.call("operation.from", Json{{"icon", command.from}}.dump());
+  if (command.verb == "run" && command.detach) {
+    terminal.call("operation.run");
+    terminal.call("controls.release");
+    out << "it runs; 'workcell operation watch' tells what happens\n";
+    return ExitStatus::done;
+  }
+  return terminal.follow("operation." + command.verb);
+}
+
+}  // namespace
+
+ExitStatus command_server(const RemoteCommand& command, std::ostream& out, std::ostream& error) {
+  Terminal terminal(command, out);
+  try {
+    return obey(command, terminal, out, error);
+  } catch (const runtime_system::RemoteError& problem) {
+    throw Failure(ExitStatus::wrong_specification, "server", problem.what());
+  } catch (const Failure&) {
+    throw;
+  } catch (const std::exception& problem) {
+    throw Failure(ExitStatus::error_completion, "server", problem.what());
+  }
+}
+
+}  // namespace pal::workcell

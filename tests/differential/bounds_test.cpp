@@ -1,0 +1,369 @@
+// Programs that break what the compositional analysis might take for granted.
+#include <catch2/catch.hpp>
+#include <numeric>
+
+#include "analyzer/compositional/causes/alternatives.hpp"
+#include "analyzer/compositional/causes/analysis_context.hpp"
+#include "analyzer/compositional/compositional.hpp"
+#include "analyzer/compositional/times/busy_window.hpp"
+#include "analyzer/exact/exact.hpp"
+#include "analyzer/runs/simulate.hpp"
+#include "tests/differential/not_below.hpp"
+#include "tests/support/any_skill.hpp"
+#include "tests/support/project_file.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+
+namespace {
+
+/// The text of a skill in tests/differential/bounds.
+std::string program(const std::string& name) {
+  return test::project_file("tests/differential/bounds/" + name + ".pal");
+}
+
+/// `text` with `other` wherever it has `part`.
+std::string replaced(std::string text, const std::string& part, const std::string& other) {
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + other.size()))
+    text.replace(at, part.size(), other);
+  return text;
+}
+
+/// The greatest value that a few runs show of the first requirement, and the compositional bound; nothing:
+/// there is none.
+struct Shown {
+  Nanoseconds greatest = 0;
+  std::optional<Duration> bound;
+  std::string why;
+};
+
+Shown show(const std::string& text) {
+  const auto skill = test::meaningful_skill(text);
+  Shown shown;
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  shown.bound = analysis.verdicts.front().bound;
+  shown.why = analysis.verdicts.front().explanation;
+  const Watch watch = watch_of(*skill->problem, skill->problem->requirements.front());
+  const Machine machine(*skill->problem, watch);
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SimulationOptions options;
+    options.times = seed % 2 == 0 ? SimulationOptions::Times::extremes : SimulationOptions::Times::random;
+    options.seed = seed;
+    options.until = 2'000'000'000;
+    options.record = false;
+    for (const Measurement& measured : simulate(machine, options).measured)
+      shown.greatest = std::max(shown.greatest, measured.value);
+  }
+  return shown;
+}
+
+/// A controller that looks for a request after each tick, and a method.
+std::string looks(const std::string& limited, const std::string& method, const std::string& measure) {
+  return R"(DEVICE robot
+MESSAGE tick  : SIGNAL
+MESSAGE state : SIGNAL
+SKILL looks
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT r : )" +
+         measure + R"(
+END SKILL
+Machine Controller: MC1
+  ACTIVITY work
+BEGIN
+  REPEAT
+    WTM( tick from robot )
+    )" + limited +
+         R"(
+    work
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY rest
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+)" + method +
+         R"(  UNTIL( forever )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PROCESSOR P1
+  PROCESSOR P2
+  PLACE MC1 ON P0 PRIORITY 1
+  PLACE SM1 ON P1 PRIORITY 1
+)" + std::string(method.find("BEGIN") == std::string::npos ? "" : "  PLACE SM1.1 ON P2 PRIORITY 1\n") +
+         R"(  TIME work : 1 ms
+  TIME rest : 3 TO 6 ms
+  COST RECEIVE 1 ms
+  DEVICE robot EVENT tick EVERY 100 ms
+END ENVIRONMENT
+)";
+}
+
+const std::string answer_in_time = R"(WTM( request state from SM1 ) WITHIN 5 ms
+      TXM( state to SM1 )
+    ELSE
+      Do Nothing
+    END WTM)";
+
+const std::string gives_up = R"(    rest
+    TXM( request state from MC1 )
+    WTM( state from MC1 ) WITHIN 0.5 ms
+      Do Nothing
+    ELSE
+      Do Nothing
+    END WTM
+)";
+
+const std::string is_cancelled = R"(    CONCURRENT
+    BEGIN
+      REPEAT
+        rest
+        TXM( request state from MC1 )
+        WTM( state from MC1 )
+      UNTIL( forever )
+    END
+    BEGIN
+      rest
+    END
+    END CONCURRENT
+)";
+
+}  // namespace
+
+TEST_CASE("a limit counts anew when a request is withdrawn while it is being taken") {
+  // MC1 has begun to receive the request when SM1 gives up: it comes to its wait once more, as often as SM1
+  // asks.
+  const std::string measure = "RESPONSE FROM tick OF robot TO work AT MOST 100 ms";
+  for (const std::string& method : {gives_up, is_cancelled}) {
+    const Shown shown = show(looks(answer_in_time, method, measure));
+    CHECK(shown.greatest > 8'000'000);
+    INFO(shown.why);
+    CHECK_FALSE(shown.bound);
+  }
+}
+
+TEST_CASE("each request that is withdrawn while it is being taken costs a receive") {
+  const auto skill = test::meaningful_skill(looks(answer_in_time, gives_up, "LOAD OF P0 AT MOST 10 %"));
+  const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
+  // In a round that never ends MC1 receives for 1 ms, for nothing, every 6.5 ms at the least.
+  if (bound.bound) CHECK(bound.bound->count() >= 150'000'000);
+}
+
+TEST_CASE("a condition is as it was left by a block that was cancelled in the CONCURRENT before") {
+  const Shown shown = show(program("left"));
+  CHECK(shown.greatest > 300'000'000);
+  if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
+}
+
+TEST_CASE("each branch on the way to a thread that is busy elsewhere has a slot that fills") {
+  // While SM1 waits for LS1 a message of each branch of MC1 comes to it, and MC1 waits with one more and a
+  // tick. Then SM1 works for all of them, before SD1 looks.
+  const Shown shown = show(program("branches_pile_up"));
+  CHECK(shown.greatest > 6'000'000);
+  INFO(shown.why);
+  if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
+}
+
+TEST_CASE("of rounds that begin in several ways a later one may be the sooner") {
+  // What SD1 sends by LS2 is there at once, and what it sends by LS1 10 ms later: at the same instant as what
+  // it sends by LS2 a period later, which SM1 may take first.
+  CHECK(test::exact_and_not_below(program("rounds_overtake")) > 20'000'000);
+  CHECK(test::exact_and_not_below(program("reads_overtake")) > 20'000'000);
+}
+
+TEST_CASE("the load of an activity of many seconds is that of one of as many milliseconds") {
+  // 20 s in every 100 s. In nanoseconds of work for each second that is a product beyond 64 bits.
+  for (const std::string unit : {"ms", "s", "min"}) {
+    INFO(unit);
+    const auto skill = test::meaningful_skill(replaced(program("slow"), " ms", " " + unit));
+    const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
+    REQUIRE(bound.bound);
+    CHECK(bound.bound->count() == 200'000'000);
+    CHECK(bound.state != Verdict::State::holds);
+  }
+}
+
+TEST_CASE("a processor that can do nothing but work has no longest busy period") {
+  // Events every microsecond, 100 s of work for each: in 100 s that adds up to more than 64 bits hold.
+  std::string text = replaced(program("slow"), "LOAD OF P0 AT MOST 10 %", "BUSY PERIOD OF P0 AT MOST 300 s");
+  text = replaced(replaced(text, "100 ms", "1 us"), "20 ms", "100 s");
+  const Verdict bound = analyze_compositionally(*test::meaningful_skill(text)->problem).verdicts.front();
+  CHECK_FALSE(bound.bound);
+  CHECK(bound.state != Verdict::State::holds);
+}
+
+TEST_CASE("a round of more than seventy years is a round") {
+  std::string works;
+  for (int n = 0; n < 2400; ++n) works += "    work\n";
+  const auto skill = test::meaningful_skill(replaced(program("long"), "    work\n", works));
+  const Verdict load = analyze_compositionally(*skill->problem).verdicts.front();
+  // The rounds come too late for times to be known, so no rate is: not that which a sum beyond 64 bits has.
+  CHECK_FALSE(load.bound);
+  CHECK(load.state == Verdict::State::undecided);
+}
+
+TEST_CASE("a load whose round has a thousand actions and more ends in time") {
+  // Its linear program has a round of more terms than Z3 minds its limit on time for: it went on for more
+  // than ten minutes.
+  std::string works;
+  for (int n = 0; n < 1400; ++n) works += "    work\n";
+  const auto skill = test::meaningful_skill(replaced(program("long"), "    work\n", works));
+  CHECK(analyze_exactly(*skill->problem).verdicts.front().state != Verdict::State::holds);
+}
+
+TEST_CASE("a module may have as many statements in a row as there may be in a skill") {
+  // Calls within calls, one for each statement, did not find the room.
+  std::string works;
+  for (int n = 0; n < 28'000; ++n) works += "    short\n";
+  const auto skill = test::meaningful_skill(replaced(program("in_a_row"), "    short\n", works));
+  for (const Verdict& each : analyze_compositionally(*skill->problem).verdicts) {
+    REQUIRE(each.bound);
+    CHECK(each.bound->count() >= 28'000'000);
+  }
+}
+
+TEST_CASE("the compositional analysis asks whether to end at each segment") {
+  // Two thousand that share a processor take a minute, and five thousand in a row with two ways on from each
+  // a minute and a half.
+  int asked = 0;
+  Options options;
+  options.stop = [&asked] { return ++asked > 20; };
+  const auto skill = test::meaningful_skill(program("slow"));
+  const Verdict load = analyze_compositionally(*skill->problem, options).verdicts.front();
+  CHECK(asked > 20);
+  CHECK_FALSE(load.bound);
+}
+
+TEST_CASE("a window among many tasks is given up when nobody waits for it any more") {
+  // Two thousand ways through branches, with three sources on one processor, took half a minute each.
+  bool over = false;
+  compositional::BusyWindows windows({true}, [&over] { return over; });
+  for (int n = 0; n < 2; ++n) {
+    compositional::Transaction many;
+    many.period = 1'000;
+    for (Nanoseconds t = 0; t < 40; ++t) many.tasks.push_back({0, 1, 1, t, 0, {}, {}});
+    windows.add(many);
+  }
+  CHECK(windows.finish(0, 0, 1, 0) == 80);
+  over = true;
+  CHECK(windows.finish(0, 0, 1, 0) == compositional::never);
+  windows.go_on();
+  CHECK(windows.finish(0, 0, 1, 0) == 80);
+}
+
+TEST_CASE("the compositional analysis asks whether to end at each request") {
+  // Six thousand requests in one module, beside blocks of twelve thousand statements, took twelve seconds
+  // more than they were given.
+  const auto skill = test::meaningful_skill(program("in_turns"));
+  CHECK(compositional::forest_of(*skill->problem, [] { return true; }).refusal == "it was interrupted");
+}
+
+TEST_CASE("the compositional analysis asks whether to end while it looks at ways that multiply") {
+  // Sixty modules with 2^8 ways through a round, on one processor, took three seconds more than they were
+  // given.
+  const auto skill =
+      test::meaningful_skill(replaced(program("branches_pile_up"), "0 TO 95 ms", "5 TO 95 ms"));
+  const compositional::Forest forest = compositional::forest_of(*skill->problem, {});
+  const auto known = [&](const std::function<bool()>& stop) {
+    std::size_t pairs = compositional::alternatives_of(*skill->problem, forest, stop).size();
+    for (const auto& others : compositional::never_together(*skill->problem, forest, stop))
+      pairs += others.size();
+    return pairs;
+  };
+  CHECK(known({}) > 0);
+  CHECK(known([] { return true; }) == 0);
+  // A module with 2^14 ways took five seconds more: none of them is looked at any more.
+  const compositional::ThreadBehaviours behaviours =
+      compositional::thread_behaviours_of(*skill->problem, forest, {});
+  const auto earliest = [&](const std::function<bool()>& stop) {
+    const auto all = compositional::earliest_releases({*skill->problem, forest, behaviours}, stop);
+    return std::accumulate(all.begin(), all.end(), Nanoseconds{0});
+  };
+  CHECK(earliest({}) > 0);
+  CHECK(earliest([] { return true; }) == 0);
+}
+
+TEST_CASE("a request that a block takes may be answered at once when the block has ended") {
+  // Every other answer needs 10 ms of work: SM1 works for 2 ms in every 12 ms, not for 1 ms in every 11 ms.
+  const auto skill = test::meaningful_skill(program("in_turns"));
+  const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
+  if (bound.bound) CHECK(bound.bound->count() >= 166'666'666);
+}
+
+TEST_CASE("what comes after an answer comes also if a block took its request") {
+  // MC1 answers the second request after its blocks; the first is the last that its own thread has taken.
+  const Shown shown = show(program("answered_after_block"));
+  CHECK(shown.greatest > 50'000'000);
+  if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
+}
+
+TEST_CASE(
+    "why there is no bound: a thread that comes to its statement in every job is not said to pass it by") {
+  // The sensor is asked as soon as the last value is filtered. As far as the bounds know rounds may come as
+  // fast as with the least filtering, and each take the most: nothing bounds when one is over.
+  const auto skill = test::meaningful_skill(program("polled"));
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  REQUIRE(analysis.verdicts.size() == 3);
+  for (const Verdict& verdict : analysis.verdicts) {
+    INFO(verdict.requirement << ": " << verdict.explanation);
+    CHECK(verdict.explanation.find("nothing bounds when SD1") != std::string::npos);
+    CHECK_FALSE(verdict.bound);
+  }
+}
+
+TEST_CASE("why there is no bound: a thread that may pass its statement by is said to") {
+  const auto skill = test::meaningful_skill(replaced(program("polled"), "    SPC( contact )\n  UNTIL",
+                                                     "    CASE\n      ( contact ): Do Nothing\n      ( NOT "
+                                                     "contact ): SPC( contact )\n    END CASE\n  UNTIL"));
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  const std::string& why = analysis.verdicts.front().explanation;
+  INFO(why);
+  CHECK(why.find("SD1 need not come to it in every job") != std::string::npos);
+}
+
+TEST_CASE("why there is no bound: a block that passes its statement in every job may leave them") {
+  const auto skill = test::meaningful_skill(program("leaves"));
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  CHECK(analysis.verdicts.front().explanation.find("SM1.1 may leave its loop") != std::string::npos);
+}
+
+TEST_CASE("why there is no bound: the unbounded thread that keeps another waiting is named") {
+  const auto skill = test::meaningful_skill(test::project_file("tests/differential/served/by_module.pal"));
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  const auto says = [](const Verdict& verdict) {
+    return verdict.explanation.find("when LS1 comes to it, since SM1 may still be waiting") !=
+           std::string::npos;
+  };
+  CHECK(std::any_of(analysis.verdicts.begin(), analysis.verdicts.end(), says));
+}
+
+TEST_CASE("what adds up to an age says whether the value waits for the first set or for the next") {
+  // Until the first set, 10 + 2 ms after the start at the latest, the value is as old as the skill. Later
+  // there are 10 + 2 - 1 ms from a set to the next; if filtering may take no time, as many.
+  const auto added_up = [](const std::string& text) {
+    const auto skill = test::meaningful_skill(text);
+    const Analysis analysis = analyze_compositionally(*skill->problem);
+    std::string all;
+    for (const Addend& each : analysis.verdicts.front().addends)
+      all += std::to_string(each.amount / 1'000'000) + " " + each.actor + " " + each.what + "\n";
+    return all;
+  };
+  const std::string text = program("not_yet_set");
+  CHECK(added_up(text) == "10 clock comes for the first time\n2 SD1 runs filter\n3 MC1 runs obey\n");
+  CHECK(added_up(replaced(text, "1 TO 2 ms", "0 TO 2 ms")) ==
+        "10 clock comes again\n2 SD1 runs filter\n3 MC1 runs obey\n");
+}
+
+TEST_CASE("a round may ask on and on, of somebody who answers once") {
+  // MC1 comes back to its wait within one round, and what it asks first it is answered: that is no circle of
+  // causes. The second request finds the skill at its end, 1 ms after the tick.
+  const Shown shown = show(program("asks_on"));
+  INFO(shown.why);
+  REQUIRE(shown.bound);
+  CHECK(shown.bound->count() == 1'000'000);
+  CHECK(shown.greatest <= shown.bound->count());
+}

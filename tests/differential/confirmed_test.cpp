@@ -1,0 +1,105 @@
+// What the analysis shows, and what the simulator makes, of skills of every kind, before the referee.
+#include <catch2/catch.hpp>
+#include <iostream>
+#include <numeric>
+
+#include "analyzer/analysis.hpp"
+#include "analyzer/runs/simulate.hpp"
+#include "tests/support/confirm.hpp"
+#include "tests/support/kept.hpp"
+#include "tests/support/kinds.hpp"
+#include "tests/support/mutant.hpp"
+#include "tests/support/setting.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+using test::setting;
+
+namespace {
+
+struct Tally {
+  std::size_t skills = 0;
+  std::size_t witnesses = 0;
+  std::size_t explained = 0;
+  std::size_t events = 0;  // of simulated runs
+};
+
+Nanoseconds sum(const std::vector<Addend>& addends) {
+  return std::accumulate(addends.begin(), addends.end(), Nanoseconds{0},
+                         [](Nanoseconds all, const Addend& each) { return all + each.amount; });
+}
+
+void explain(const Analysis& analysis, Tally& tally) {
+  for (const Verdict& verdict : analysis.verdicts) {
+    INFO(verdict.requirement << ": " << verdict.explanation);
+    tally.witnesses += verdict.witness ? 1 : 0;
+    CHECK(test::unexplained(verdict) == "");
+    if (verdict.addends.empty()) continue;
+    REQUIRE(verdict.bound);
+    CHECK(sum(verdict.addends) == verdict.bound->count());
+    ++tally.explained;
+  }
+}
+
+void simulate_some(const Problem& problem, std::uint64_t seed, Tally& tally) {
+  const Watch nothing;
+  const Machine machine(problem, nothing);
+  using Times = SimulationOptions::Times;
+  for (const Times times : {Times::random, Times::extremes, Times::worst, Times::best}) {
+    SimulationOptions options;
+    options.times = times;
+    options.seed = seed;
+    options.until = 1'000'000'000;
+    options.max_events = 400;
+    const trace::Trace made = simulate(machine, options).trace;
+    INFO("times " << static_cast<int>(times));
+    CHECK(rules::check_run(problem, nullptr, made).broken == "");
+    tally.events += made.events.size();
+  }
+}
+
+void expect_sound(const std::string& text, std::uint64_t seed, Tally& tally) {
+  const auto skill = test::any_skill(text);
+  if (!skill->problem) return;
+  ++tally.skills;
+  INFO("seed " << seed << "\n" << text);
+  simulate_some(*skill->problem, seed, tally);
+  Options options;
+  options.max_states = setting("PAL_CLASSES", 200);
+  for (const AnalysisChoice choice : {AnalysisChoice::exact, AnalysisChoice::automatic}) {
+    const Analysis analysis = analyze(*skill->problem, choice, options);
+    CHECK(test::unconfirmed(*skill->problem, analysis) == "");
+    explain(analysis, tally);
+  }
+}
+
+void say(const Tally& tally) {
+  std::cout << tally.skills << " skills, " << tally.witnesses << " witnesses, " << tally.explained
+            << " explained, " << tally.events << " events simulated\n";
+  CHECK(tally.witnesses > 0);
+  CHECK(tally.events > 0);
+}
+
+}  // namespace
+
+TEST_CASE("the referee confirms what is shown of skills of every kind, and it adds up") {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  Tally tally;
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 20); ++seed) {
+    const int mistakes = static_cast<int>(seed / test::kinds().size() % 4);
+    expect_sound(test::Mutant(seed, test::skill_of_any_kind(seed), test::has_meaning).text(mistakes), seed,
+                 tally);
+  }
+  say(tally);
+}
+
+TEST_CASE("the referee confirms what is shown of the skills that the tests keep, and it adds up") {
+  const std::vector<std::string> all = test::kept_skills();
+  const std::uint64_t first = setting("PAL_SEED", 0);
+  Tally tally;
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", all.size()); ++seed) {
+    const int mistakes = static_cast<int>(seed / all.size() % 5);
+    expect_sound(test::Mutant(seed, all[seed % all.size()], test::has_meaning).text(mistakes), seed, tally);
+  }
+  say(tally);
+}

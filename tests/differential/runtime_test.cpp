@@ -1,0 +1,272 @@
+// The runtime against the analyzer: programs by chance, run as generated code would run them; every run keeps
+// the rules, and measures no more than was proved.
+#include <catch2/catch.hpp>
+#include <iostream>
+#include <sstream>
+
+#include "analyzer/exact/exact.hpp"
+#include "analyzer/run_checker/check_run.hpp"
+#include "codegen/plan.hpp"
+#include "runtime/trace/measure.hpp"
+#include "tests/support/any_skill.hpp"
+#include "tests/support/mutant.hpp"
+#include "tests/support/planned_skill.hpp"
+#include "tests/support/random_cell.hpp"
+#include "tests/support/setting.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+using pal::test::setting;
+
+namespace {
+
+/// Every third one is changed in a few places.
+std::string program(std::uint64_t seed, int longest) {
+  const std::string text = test::RandomCell(seed, longest, static_cast<int>(seed / 3 % 3)).text();
+  if (seed % 3 != 0) return text;
+  const auto accepts = [](const std::string& changed) {
+    return test::any_skill(changed)->problem.has_value();
+  };
+  return test::Mutant(seed, text, accepts).text(1 + static_cast<int>(seed / 3 % 5));
+}
+
+class Still final : public runtime::World {
+ public:
+  void advance_to(runtime::Time) override {}
+};
+
+test::Dealer dealer(std::uint64_t seed) {
+  return [engine = std::mt19937_64(seed)](std::uint64_t n) mutable { return engine() % n; };
+}
+
+trace::Trace run(const codegen::Plan& plan, std::uint64_t seed, runtime::CostPolicy costs,
+                 runtime::Time horizon) {
+  test::PlannedSkill skill(plan, dealer(seed));
+  std::vector<std::unique_ptr<runtime::Device>> devices;
+  std::vector<runtime::Device*> attached;
+  for (const std::string& name : plan.devices) {
+    devices.push_back(test::planned_device(plan, name, dealer(seed + devices.size() + 1)));
+    attached.push_back(devices.back().get());
+  }
+  Still world;
+  runtime::RunOptions options;
+  options.costs = costs;
+  options.seed = seed;
+  options.horizon = horizon;
+  options.trace_capacity = 4096;
+  runtime::Outcome outcome = runtime::Dispatcher(attached, world).run(skill, {}, options);
+  if (outcome.fault) {
+    // What led to the fault is a run all the same, up to the instant before.
+    const std::int64_t end = outcome.trace.events.empty() ? 0 : outcome.trace.events.back().time_ns;
+    std::erase_if(outcome.trace.events, [end](const trace::Event& event) { return event.time_ns >= end; });
+  }
+  return std::move(outcome.trace);
+}
+
+/// The run with the tables of `problem`. Every name is there, and once.
+trace::Trace retold(trace::Trace run, const Problem& problem) {
+  trace::Trace tables = empty_trace(problem);
+  std::map<std::string, int> actors;
+  for (std::size_t a = 0; a < tables.actors.size(); ++a) {
+    INFO(tables.actors[a].name);
+    REQUIRE(actors.emplace(tables.actors[a].name, static_cast<int>(a)).second);
+  }
+  std::map<std::tuple<std::string, std::string, int>, int> statements;
+  for (std::size_t s = 0; s < tables.statements.size(); ++s) {
+    const trace::Statement& of = tables.statements[s];
+    statements.emplace(std::tuple(of.module, of.text, of.line), static_cast<int>(s));
+  }
+  for (trace::Event& event : run.events) {
+    if (event.actor >= 0) {
+      const trace::Actor& actor = run.actors[static_cast<std::size_t>(event.actor)];
+      INFO(actor.name);
+      const auto found = actors.find(actor.name);
+      REQUIRE(found != actors.end());
+      event.actor = found->second;
+      const trace::Actor& same = tables.actors[static_cast<std::size_t>(event.actor)];
+      CHECK(same.processor == actor.processor);
+      CHECK(same.priority == actor.priority);
+    }
+    if (event.statement < 0) continue;
+    const trace::Statement& of = run.statements[static_cast<std::size_t>(event.statement)];
+    const auto found = statements.find(std::tuple(of.module, of.text, of.line));
+    event.statement = found == statements.end() ? -2 : found->second;
+  }
+  // The start of the skill is no statement of a problem.
+  std::erase_if(run.events, [&run](const trace::Event& event) {
+    return event.statement == -2 && event.kind == trace::Kind::done;
+  });
+  tables.events = std::move(run.events);
+  return tables;
+}
+
+std::string told(const trace::Trace& run) {
+  std::ostringstream out;
+  for (const trace::Event& event : run.events) {
+    out << event.time_ns << " " << trace::name(event.kind) << " "
+        << (event.actor < 0 ? "" : run.actors[static_cast<std::size_t>(event.actor)].name) << " "
+        << (event.statement < 0 ? std::to_string(event.statement)
+                                : run.statements[static_cast<std::size_t>(event.statement)].text)
+        << " " << event.subject << " " << event.value << "\n";
+  }
+  return out.str();
+}
+
+/// What the trace alone shows of the requirement (runtime/trace/measure.hpp).
+std::pair<std::int64_t, bool> measured(const trace::Trace& run, const Problem& problem,
+                                       const Requirement& requirement) {
+  std::vector<trace::StatementName> at;
+  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    if (!requirement.at[s] || problem.steps[s].statement < 0) continue;
+    const Statement& of = problem.statements[static_cast<std::size_t>(problem.steps[s].statement)];
+    at.push_back({of.module, of.text, of.line});
+  }
+  std::vector<trace::Occurrence> found;
+  bool failed = false;
+  if (requirement.measure == Requirement::Measure::age) {
+    found = trace::ages(run, problem.conditions[static_cast<std::size_t>(requirement.condition)], at);
+  } else {
+    const int channel = requirement.events.front();
+    const auto responses = trace::responses(run, sender_name(problem, channel),
+                                            problem.channels[static_cast<std::size_t>(channel)].message, at);
+    found = responses.answered;
+    failed = responses.missed > 0;
+  }
+  const trace::Occurrence* longest = trace::longest(found);
+  return {longest == nullptr ? -1 : longest->length_ns(), failed};
+}
+
+}  // namespace
+
+TEST_CASE("the runtime keeps the rules, and measures no more than was proved") {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 60);
+  const std::uint64_t runs = setting("PAL_RUNS", 9);
+  const int longest = static_cast<int>(setting("PAL_LONGEST", 5));
+  std::size_t skills = 0, traces = 0, events = 0, values = 0, attained = 0, within = 0;
+  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
+    const std::string text = program(seed, longest);
+    const auto skill = test::any_skill(text);
+    if (!skill->problem) continue;
+    Diagnostics diagnostics;
+    const auto plan =
+        codegen::make_plan(skill->specification.skills.front(), skill->specification.environments.front(),
+                           skill->sources, diagnostics);
+    INFO("seed " << seed << "\n" << text << test::messages(diagnostics));
+    REQUIRE(plan);
+    const Problem& problem = *skill->problem;
+    Options options;
+    options.max_states = setting("PAL_CLASSES", 3'000);
+    const Analysis analysis = analyze_exactly(problem, options);
+    ++skills;
+    within += std::any_of(problem.threads.begin(), problem.threads.end(),
+                          [](const Thread& thread) { return thread.name.find('/') != std::string::npos; });
+    for (std::uint64_t each = 0; each < runs; ++each) {
+      const auto costs = each % 3 == 0   ? runtime::CostPolicy::worst
+                         : each % 3 == 1 ? runtime::CostPolicy::best
+                                         : runtime::CostPolicy::random;
+      const auto made = retold(run(*plan, seed * 100 + each, costs, std::chrono::milliseconds(200)), problem);
+      if (made.events.empty()) continue;  // it spins at its beginning
+      ++traces;
+      events += made.events.size();
+      std::string wrong;
+      for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
+        const Requirement& requirement = problem.requirements[r];
+        if (requirement.measure == Requirement::Measure::load) continue;
+        const Verdict& verdict = analysis.verdicts[r];
+        const rules::Ruling ruling = rules::check_run(problem, &requirement, made);
+        if (!ruling.broken.empty() && wrong.empty()) wrong = "broken " + ruling.broken;
+        const auto [value, failed] = measured(made, problem, requirement);
+        std::int64_t confirmed = -1;
+        for (const rules::Measured& of : ruling.measured) confirmed = std::max(confirmed, of.value);
+        if (wrong.empty() && !failed && confirmed != value)
+          wrong = requirement.name + " measures " + std::to_string(value) + ", the referee " +
+                  std::to_string(confirmed);
+        if (wrong.empty() && ruling.failed != failed) wrong = requirement.name + " failed or not";
+        values += value >= 0 ? 1 : 0;
+        attained += verdict.bound && value == verdict.bound->count() ? 1 : 0;
+        if (wrong.empty() && verdict.bound && (failed || value > verdict.bound->count()))
+          wrong = requirement.name + " bound " + std::to_string(verdict.bound->count()) + " measured " +
+                  std::to_string(value);
+        if (wrong.empty() && verdict.state == Verdict::State::holds && (failed || value > requirement.limit))
+          wrong = requirement.name + " holds, and measured " + std::to_string(value);
+      }
+      if (wrong.empty()) continue;
+      std::cout << "seed " << seed << " run " << each << ": " << wrong << std::endl;
+      INFO("run " << each << "\n" << told(made));
+      CHECK(wrong == "");
+      break;
+    }
+  }
+  std::cout << skills << " skills, " << traces << " runs of " << events << " events, " << values
+            << " values, " << attained << " at the bound; " << within
+            << " skills with blocks in executed blocks\n";
+  CHECK(traces > 0);
+}
+
+TEST_CASE("blocks of a CONCURRENT in a loop that goes on for ever are known for what they can do") {
+  const auto skill = test::any_skill(R"(MESSAGE tick : SIGNAL
+DEVICE robot
+SKILL s
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+END SKILL
+Machine Controller: MC1
+  ACTIVITY hold
+BEGIN
+  REPEAT
+    CONCURRENT
+    BEGIN
+      WTM( tick from robot )
+    END
+    BEGIN
+      REPEAT
+        hold
+      UNTIL( forever )
+    END
+    END CONCURRENT
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY think
+BEGIN
+  WTM( Coordinator )
+  think
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P
+  PLACE SM1 ON P PRIORITY 1
+  PLACE MC1 ON P PRIORITY 1
+  TIME hold : 1 ms
+  TIME think : 1 ms
+  DEVICE robot EVENT tick EVERY 9 ms
+END ENVIRONMENT
+)");
+  Diagnostics diagnostics;
+  const auto plan =
+      codegen::make_plan(skill->specification.skills.front(), skill->specification.environments.front(),
+                         skill->sources, diagnostics);
+  REQUIRE(plan);
+  for (const codegen::PlannedThread& thread : plan->threads) {
+    INFO(thread.pal_name);
+    CHECK(thread.can_end ==
+          (thread.pal_name != "MC1" && thread.pal_name != "MC1.2" && thread.pal_name != "SM1"));
+  }
+}
+
+TEST_CASE("a block within a block begins with what that block had read") {
+  using trace::Kind;
+  trace::Trace run;
+  run.actors = {{"SM1", false, "P", 1}, {"inner", false, "P", 1, 0}, {"innermost", false, "P", 1, 1}};
+  run.statements = {{"SM1", "CONCURRENT", "", 1}, {"SM1", "RPC( c )", "", 2}, {"SM1", "think", "", 3}};
+  run.conditions = {"c"};
+  run.events = {{0, Kind::block, 0, 0, -1, 0}, {0, Kind::start, 1, 1, -1, 0}, {5, Kind::read, 1, 1, 0, 0},
+                {5, Kind::done, 1, 1, -1, 0},  {5, Kind::block, 1, 0, -1, 0}, {5, Kind::start, 2, 2, -1, 0},
+                {9, Kind::done, 2, 2, -1, 0}};
+  const auto found = trace::ages(run, "c", {{"SM1", "think", 3}});
+  REQUIRE(found.size() == 1);
+  CHECK(found.front().length_ns() == 9);
+}

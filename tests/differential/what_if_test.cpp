@@ -1,0 +1,212 @@
+// What is said of other figures and other places, against runs that are made without the analyzer.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+#include "analyzer/whatif/placement.hpp"
+#include "analyzer/whatif/slack.hpp"
+#include "tests/differential/by_hand.hpp"
+#include "tests/support/any_skill.hpp"
+#include "tests/support/chain_system.hpp"
+#include "tests/support/random_cell.hpp"
+#include "tests/support/runs/all_runs.hpp"
+#include "tests/support/setting.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+using test::setting;
+
+namespace {
+
+constexpr Duration nanosecond{1};
+constexpr int cap = 60;
+
+/// What all runs make of a requirement.
+enum class Kept { yes, no, not_known };
+
+std::string in_nanoseconds(std::string text) {
+  for (std::size_t at = 0; (at = text.find(" ms", at)) != std::string::npos;) text.replace(at, 3, " ns");
+  return text;
+}
+
+Options few_states() {
+  Options options;
+  options.max_states = setting("PAL_CLASSES", 3'000);
+  return options;
+}
+
+/// A skill with those of its requirements that hold, each of a time with a little more than it takes.
+class Tight {
+ public:
+  explicit Tight(std::uint64_t seed) {
+    const int deep = static_cast<int>(seed % 2);
+    text = in_nanoseconds(test::RandomCell(seed, 3, deep, test::RandomCell::Asks::all).text());
+    skill_ = test::any_skill(text);
+    if (!skill_->problem) return;
+    network = skill_->specification.skills.front();
+    environment = skill_->specification.environments.front();
+    for (pan::DeviceTiming& timing : environment.devices) {
+      if (auto* event = std::get_if<pan::EventDevice>(&timing.behaviour)) event->answer_within.reset();
+    }
+    std::vector<pan::Requirement> kept;
+    for (const pan::Requirement& each : network.requirements) tighten(each, seed, kept);
+    network.requirements = std::move(kept);
+  }
+
+  std::optional<Problem> problem(const pan::Environment& there) const {
+    Diagnostics diagnostics;
+    return make_problem(network, there, diagnostics);
+  }
+
+  std::string text;
+  pan::Network network;
+  pan::Environment environment;
+
+ private:
+  void tighten(pan::Requirement requirement, std::uint64_t seed, std::vector<pan::Requirement>& kept) const {
+    pan::Network alone = network;
+    alone.requirements = {requirement};
+    Diagnostics diagnostics;
+    const auto problem = make_problem(alone, environment, diagnostics);
+    if (!problem || problem->requirements.size() != 1) return;
+    const Verdict verdict = analyze_exactly(*problem, few_states()).verdicts.front();
+    if (!verdict.bound || !verdict.exact || verdict.state == Verdict::State::never) return;
+    const bool timed = verdict.measure != Requirement::Measure::loss &&
+                       verdict.measure != Requirement::Measure::interval &&
+                       verdict.measure != Requirement::Measure::load;
+    if (timed) requirement.limit = *verdict.bound + Duration(seed % 4);
+    if (timed || verdict.state == Verdict::State::holds) kept.push_back(std::move(requirement));
+  }
+
+  std::unique_ptr<test::Skill> skill_;
+};
+
+Kept kept(const Tight& skill, const pan::Environment& environment, const Requirement& requirement) {
+  for (const test::Wanted& wanted : test::wanted(skill.network, environment)) {
+    if (wanted.name != requirement.name) continue;
+    test::AllRuns runs(skill.network, environment, wanted, nanosecond, cap);
+    const test::Seen seen = runs.enumerate(setting("PAL_STATES", 15'000));
+    using Kind = test::Wanted::Kind;
+    const bool broken =
+        wanted.kind == Kind::load    ? seen.load.work * 1'000'000'000 > requirement.limit * seen.load.time
+        : wanted.kind == Kind::least ? seen.least >= 0 && seen.least < requirement.limit
+                                     : seen.failed || seen.unanswered || seen.greatest > requirement.limit;
+    return broken ? Kept::no : seen.complete ? Kept::yes : Kept::not_known;
+  }
+  return Kept::not_known;
+}
+
+/// A requirement that some run breaks, if one is seen.
+std::string broken(const Tight& skill, const pan::Environment& environment) {
+  const auto problem = skill.problem(environment);
+  REQUIRE(problem);
+  for (const Requirement& each : problem->requirements) {
+    if (kept(skill, environment, each) == Kept::no) return each.name;
+  }
+  return "";
+}
+
+pan::Environment grown(const Tight& skill, const std::string& figure, Duration extra) {
+  pan::Environment there = skill.environment;
+  Interval& time = *find_figure(there, figure);
+  time.worst += extra;
+  return there;
+}
+
+}  // namespace
+
+TEST_CASE("with a slack no run breaks anything, and with a nanosecond more some run breaks what is named") {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  std::size_t held = 0;
+  std::size_t failed = 0;
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 20); ++seed) {
+    const Tight skill(seed);
+    if (skill.network.requirements.empty()) continue;
+    const auto problem = skill.problem(skill.environment);
+    REQUIRE(problem);
+    for (const Slack& slack : slacks(skill.network, skill.environment, few_states())) {
+      // Of more there are too many runs.
+      if (slack.figure.empty() || !slack.holds || *slack.holds > Duration(6)) continue;
+      INFO("seed " << seed << " " << slack.figure << ": " << slack.holds->count() << "\n" << skill.text);
+      // Not even on the way there.
+      for (Duration extra(0); extra <= *slack.holds; ++extra) {
+        CHECK(broken(skill, grown(skill, slack.figure, extra)) == "");
+        ++held;
+      }
+      if (!slack.fails || *slack.fails > Duration(7)) continue;
+      REQUIRE(slack.requirement >= 0);
+      const Requirement& named = problem->requirements[static_cast<std::size_t>(slack.requirement)];
+      INFO(named.name << " fails with " << slack.fails->count());
+      const pan::Environment there = grown(skill, slack.figure, *slack.fails);
+      const Kept seen = kept(skill, there, named);
+      CHECK(seen != Kept::yes);
+      failed += seen == Kept::no ? 1 : 0;
+    }
+  }
+  std::cout << held << " growths that hold, " << failed << " that fail, compared with all runs\n";
+  CHECK(held > 0);
+  CHECK(failed > 0);
+}
+
+TEST_CASE("what meets everything in some places no run breaks there, and what is refuted some run breaks") {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 100);
+  std::size_t meet = 0;
+  std::size_t refuted = 0;
+  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
+    const Tight skill(seed);
+    const auto problem = skill.problem(skill.environment);
+    if (skill.network.requirements.empty() || !problem || problem->threads.size() > 4) continue;
+    Judge judge(skill.network, few_states());
+    PlacementOptions how;
+    how.priorities = seed % 2 == 0;
+    how.most = 8;
+    const Placements on = placements_on(1 + static_cast<int>(seed % 3), skill.environment, judge, how);
+    CHECK(on.tried == on.meet.size() + on.refuted.size() + on.undecided.size());
+    INFO("seed " << seed << "\n" << skill.text);
+    for (const Placed& each : on.meet) {
+      CHECK(broken(skill, placed(skill.environment, each.seats)) == "");
+      ++meet;
+    }
+    for (const Placed& each : on.refuted) {
+      const Requirement& named = problem->requirements[static_cast<std::size_t>(each.ruling.requirement)];
+      INFO(named.name);
+      const pan::Environment there = placed(skill.environment, each.seats);
+      const Kept seen = kept(skill, there, named);
+      CHECK(seen != Kept::yes);
+      refuted += seen == Kept::no ? 1 : 0;
+    }
+  }
+  std::cout << meet << " placements that meet everything, " << refuted
+            << " that are refuted, compared with all runs\n";
+  CHECK(meet > 0);
+  if (rounds >= 100) CHECK(refuted > 0);  // one skill in ten or so has one
+}
+
+TEST_CASE("figures that are all nothing grow together, too, each as much as any other") {
+  // MC1 interrupts SM1, receives, obeys and sends: three times 2 ms.
+  const auto skill = test::meaningful_skill(test::program("hand/all_zero"));
+  const Slack together =
+      slacks(skill->specification.skills.front(), skill->specification.environments.front(), few_states())
+          .back();
+  CHECK(together.figure.empty());
+  CHECK(together.exact());
+  CHECK(together.holds == Duration(2'000'000));
+  CHECK(together.fails == Duration(2'000'001));
+}
+
+TEST_CASE("no run refutes a skill that has more threads than can be followed") {
+  Problem problem = test::problem_of(test::pairs_of_drivers(140));
+  std::vector<std::size_t> all;
+  for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
+    problem.requirements[r].limit = 4'000'000;
+    all.push_back(r);
+  }
+  const pan::Network network;
+  Judge judge(network, Options());
+  // Every second one may be interrupted and takes 6 ms then.
+  const Ruling ruling = judge.ask(problem, all);
+  CHECK(ruling.state == Verdict::State::undecided);
+  CHECK(ruling.requirement % 2 == 0);
+}

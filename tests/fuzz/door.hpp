@@ -1,0 +1,85 @@
+// A session of the run-time system, fed with any bytes.
+#pragma once
+
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "runtime_system/session.hpp"
+
+namespace pal::fuzz {
+
+/// Counts what moves; nothing lasts.
+class Counting final : public operations::SkillRunner {
+ public:
+  operations::SkillResult run(const std::string&, const std::vector<operations::Parameter>&) override {
+    ++moved;
+    if (moved > 100) desk->end();  // an endless operation
+    return {};
+  }
+  void delay(Duration length) override {
+    time_ += length;
+    if (++waited_ > 100) desk->end();
+  }
+  Duration now() const override { return time_; }
+  void stop() noexcept override {}
+  void allow() override {}
+  int moved = 0;
+  runtime_system::Desk* desk = nullptr;
+
+ private:
+  Duration time_{};
+  int waited_ = 0;
+};
+
+class Door final : public runtime_system::EventSink {
+ public:
+  using Make = std::unique_ptr<runtime_system::Session> (*)(runtime_system::Lobby&, runtime_system::Mouth);
+
+  explicit Door(Make make)
+      : session(make(lobby, {[](const std::string&) {}, [](const auto& sample) { sample(0); },
+                             [this] { hung_up = true; }})) {
+    runner.desk = &desk;
+  }
+  void happened(const runtime_system::Event& event) override {
+    history.add(event);
+    waiting.push_back(event);
+  }
+  /// One message, and what the cell makes of it. Nothing may move before the token has been shown.
+  void give(std::string_view text) {
+    if (hung_up) return;
+    session->take(text);
+    desk.work();
+    for (const auto& event : std::exchange(waiting, {})) session->happened(event);
+    if (!session->admitted() && !was_admitted && runner.moved > 0) std::abort();
+    was_admitted = was_admitted || session->admitted();
+  }
+
+  static operations::Skills skills() {
+    pan::Template skill;
+    skill.name = "rub";
+    pan::Parameter number, text, truth;
+    number.name = "distance";
+    number.high = 50;
+    text.name = "location";
+    text.type = pan::ScalarType::text;
+    truth.name = "band-rule";
+    truth.type = pan::ScalarType::boolean;
+    skill.parameters = {number, text, truth};
+    skill.completions.resize(2);
+    skill.completions[1].code = 1;
+    skill.completions[1].kind = pan::Completion::Kind::error;
+    return {{"rub", skill}};
+  }
+
+  Counting runner;
+  runtime_system::History history;
+  std::vector<runtime_system::Event> waiting;
+  runtime_system::Desk desk{runner, skills(), *this};
+  runtime_system::Lobby lobby{desk, history, "0123456789abcdef0123456789abcdef",
+                              [](const std::function<void()>& action) { action(); }};
+  bool hung_up = false, was_admitted = false;
+  std::unique_ptr<runtime_system::Session> session;
+};
+
+}  // namespace pal::fuzz

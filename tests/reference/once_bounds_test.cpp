@@ -1,0 +1,107 @@
+// Bounds of what a thread is sent once while it is at work, by numbers that can be reckoned by hand.
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "tests/reference/bounds_by_hand.hpp"
+
+using pal::test::expect_bounds;
+
+namespace {
+
+/// SM1 talks to MC1, whose work takes 4 ms, once; how long until it completes is asked.
+std::string once(const std::string& server, const std::string& client) {
+  return R"(
+MESSAGE early  : SIGNAL
+MESSAGE late   : SIGNAL
+MESSAGE taken  : SIGNAL
+MESSAGE done   : SIGNAL
+MESSAGE motion : SIGNAL
+SKILL once
+  MACHINE CONTROLLER MC1
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT span : DURATION TO COMPLETION 0 AT MOST 1 s
+END SKILL
+Machine Controller: MC1
+  ACTIVITY work
+BEGIN
+  REPEAT
+)" + server +
+         R"(
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY pause
+BEGIN
+  WTM( Coordinator )
+)" + client +
+         R"(
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PROCESSOR P1
+  PLACE SM1 ON P0 PRIORITY 1
+  PLACE MC1 ON P1 PRIORITY 1
+  TIME work  : 4 ms
+  TIME pause : 1 ms
+  COST TEST 1 ms
+END ENVIRONMENT
+)";
+}
+
+}  // namespace
+
+TEST_CASE("what a thread is sent next may come while it is still at work") {
+  // 4 ms for the first, then 4 for the second, which came at 1. The bound does not know that the first was
+  // begun before.
+  expect_bounds(once(R"(
+    WTM FIRST
+      ( early from SM1 ):
+        work
+      ( late from SM1 ):
+        work
+        TXM( done to SM1 )
+    END WTM
+)",
+                     "TXM( early to MC1 )\npause\nTXM( late to MC1 )\nWTM( done from MC1 )\n"),
+                {{9, 8}});
+}
+
+TEST_CASE("a thread that answers first and works then is at work when it is sent more") {
+  expect_bounds(once(R"(
+    WTM FIRST
+      ( early from SM1 ):
+        TXM( taken to SM1 )
+        work
+      ( late from SM1 ):
+        work
+        TXM( done to SM1 )
+    END WTM
+)",
+                     "TXM( early to MC1 )\nWTM( taken from MC1 )\npause\nTXM( late to MC1 )\n"
+                     "WTM( done from MC1 )\n"),
+                {{9, 8}});
+}
+
+TEST_CASE("a server goes on with a request that was withdrawn") {
+  // The client gives up at 2, asks again at 3 after its test, and is served from 4 to 8. The bound counts
+  // both ways on which it may ask for the second time.
+  expect_bounds(once(R"(
+    WTM( request motion from SM1 )
+    work
+    TXM( motion to SM1 )
+)",
+                     R"(
+  TXM( request motion from MC1 )
+  WTM( motion from MC1 ) WITHIN 2 ms
+    pause
+  ELSE
+    Do Nothing
+  END WTM
+  TXM( request motion from MC1 )
+  WTM( motion from MC1 )
+)"),
+                {{15, 8}});
+}

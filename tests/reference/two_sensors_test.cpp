@@ -1,0 +1,53 @@
+// Two chains of sensors, of which a requirement needs one (docs/internals/slices.md).
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "analyzer/analysis.hpp"
+#include "analyzer/slice/cone.hpp"
+#include "tests/support/project_file.hpp"
+#include "tests/support/skill.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+
+namespace {
+
+std::unique_ptr<test::Skill> seam_on(const std::string& workcell) {
+  const std::string folder = "tests/reference/two_sensors/";
+  return test::sound_skill(test::project_file(folder + "skill.pal") +
+                           test::project_file(folder + workcell + ".pal"));
+}
+
+std::vector<std::string> left_out(const Problem& problem) {
+  const Cone cone = cone_of(problem, problem.requirements.front());
+  std::vector<std::string> names;
+  for (std::size_t t = 0; t < cone.threads.size(); ++t) {
+    if (!cone.threads[t]) names.push_back(problem.threads[t].name);
+  }
+  for (std::size_t d = 0; d < cone.devices.size(); ++d) {
+    if (!cone.devices[d]) names.push_back(problem.devices[d].name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("a chain of sensors on a processor of its own has no say") {
+  const auto skill = seam_on("three");
+  CHECK(left_out(*skill->problem) == std::vector<std::string>{"LS1", "SD1", "SM1.1", "camera"});
+  const Verdict verdict = analyze(*skill->problem, AnalysisChoice::automatic).verdicts.front();
+  CHECK(verdict.state == VerdictState::holds);
+  CHECK(verdict.bound == Duration(7'900'000));
+  CHECK(verdict.statistics.classes < 100'000);
+}
+
+// Its driver goes before what is measured, as often as the camera lets it; the rest of the chain goes after.
+TEST_CASE("of a chain on the same processor only what goes before is kept") {
+  const auto skill = seam_on("one");
+  CHECK(left_out(*skill->problem) == std::vector<std::string>{"LS1", "SM1.1", "camera"});
+  const Verdict verdict = analyze(*skill->problem, AnalysisChoice::automatic).verdicts.front();
+  CHECK(verdict.state == VerdictState::holds);
+  REQUIRE(verdict.bound);
+  CHECK(*verdict.bound <= Duration(8'300'000));
+}
