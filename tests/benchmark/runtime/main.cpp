@@ -1,6 +1,6 @@
 // bench_runtime [ROUNDS]: what a Send, Receive, Reply round trip costs, beside other ways to pass a message
 // and its answer. All are measured in turns in one run, in
-// processor time, or by the wall where it says so; figures are medians (docs/benchmarks.md).
+// processor time, or by the wall where it says so; figures are medians (docs/internals/benchmarks.md).
 #include <time.h>
 
 #include <algorithm>
