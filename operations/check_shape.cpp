@@ -51,8 +51,26 @@ void check_connection(const Operation& operation, const Icon& icon, const Connec
   }
 }
 
+/// What is counted can end normally.
+void check_counts(const Operation& operation, const Icon& icon, Diagnostics& diagnostics) {
+  for (const Parameter& parameter : icon.parameters) {
+    if (parameter.count_of.empty()) continue;
+    const auto counted = find_icon(operation, parameter.count_of);
+    const IconKind kind = counted ? operation.icons[*counted].kind : IconKind::merge;
+    if (kind == IconKind::skill || kind == IconKind::sub_operation) continue;
+    const auto near = nearest(parameter.count_of, ids(operation));
+    diagnostics.report(Code::PAL1004, parameter.where,
+                       fmt::format("operation '{}' has no skill or sub-operation '{}' to count",
+                                   operation.name, parameter.count_of),
+                       near && *near != parameter.count_of
+                           ? fmt::format("did you mean '{}'?", *near)
+                           : "name an icon of this operation that runs a skill or a sub-operation");
+  }
+}
+
 void check_connections(const Operation& operation, Diagnostics& diagnostics) {
   for (const Icon& icon : operation.icons) {
+    check_counts(operation, icon, diagnostics);
     const bool ends = icon.kind == IconKind::exit || icon.kind == IconKind::restart;
     if (icon.kind == IconKind::branch) {
       for (const Way& way : icon.ways)

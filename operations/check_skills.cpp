@@ -31,7 +31,12 @@ bool is_text(char c) {
   return c >= ' ' && c <= '~';
 }
 
-bool fits(const pan::Parameter& parameter, const Value& value) {
+bool fits(const pan::Parameter& parameter, const Parameter& given) {
+  const Value& value = given.value;
+  const bool number_wanted =
+      parameter.type == pan::ScalarType::real || parameter.type == pan::ScalarType::integer;
+  // How far a count goes is known when it runs.
+  if (!given.count_of.empty()) return number_wanted;
   if (parameter.type == pan::ScalarType::boolean) return std::holds_alternative<bool>(value);
   if (parameter.type == pan::ScalarType::text) {
     const auto* text = std::get_if<std::string>(&value);
@@ -71,10 +76,10 @@ class SkillChecks {
     for (const pan::Parameter& parameter : skill.parameters) {
       names.push_back(parameter.name);
       if (parameter.name != given.name) continue;
-      if (!fits(parameter, given.value))
+      if (!fits(parameter, given))
         diagnostics_.report(
             Code::PAL1009, given.where,
-            fmt::format("'{}' of skill '{}' cannot be {}", given.name, skill.name, to_text(given.value)),
+            fmt::format("'{}' of skill '{}' cannot be {}", given.name, skill.name, to_text(given)),
             fmt::format("write {}", type_text(parameter)));
       return;
     }

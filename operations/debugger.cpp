@@ -40,7 +40,7 @@ void list(const Program& program, std::size_t operation, const std::string& pref
     out << fmt::format("  {}{}  {}", prefix, icon.id, name(icon.kind));
     if (!icon.skill.empty() && icon.skill != icon.id) out << ' ' << icon.skill;
     for (const Parameter& parameter : icon.parameters)
-      out << fmt::format("  {}={}", parameter.name, to_text(parameter.value));
+      out << fmt::format("  {}={}", parameter.name, to_text(parameter));
     out << '\n';
     if (icon.kind != IconKind::sub_operation) continue;
     if (const auto sub = find_sub_operation(program, shown, icon))

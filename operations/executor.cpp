@@ -130,6 +130,7 @@ std::vector<Executor::Frame> Executor::find(const std::string& path) const {
 void Executor::start_from(const std::string& icon) {
   if (state_ == ExecutionState::running) throw ExecutionError("a skill is running; pause first");
   token_ = find(icon);
+  counts_.clear();
   last_code_ = 0;
   state_ = ExecutionState::ready;
   stop_.store(false, std::memory_order_relaxed);
@@ -146,6 +147,7 @@ void Executor::set_parameter(const std::string& icon, const std::string& paramet
                                   [&](const Parameter& each) { return each.name == parameter; });
   if (given != found.parameters.end()) {
     given->value = std::move(value);
+    given->count_of.clear();
   } else {
     found.parameters.push_back({parameter, std::move(value), {}, {}});
   }
@@ -201,6 +203,7 @@ void Executor::act() {
       return halt(ExecutionState::failed, fmt::format("'{}' has no operation", token()));
     case IconKind::restart:
       token_.back().icon = start_of(operation());
+      forget_counts(token_.back().operation);
       return;
     case IconKind::exit:
       return exit_operation();
@@ -211,14 +214,15 @@ void Executor::act() {
 
 void Executor::act_skill() {
   const Icon& here = icon();
-  Step step{++steps_, token(), here.skill, here.parameters, {}, runner_.now(), {}};
+  Step step{++steps_, token(), here.skill, counted(here.parameters), {}, runner_.now(), {}};
   if (observer_ != nullptr) observer_->begins(step);
-  step.result = runner_.run(here.skill, here.parameters);
+  step.result = runner_.run(here.skill, step.parameters);
   step.end = runner_.now();
   if (observer_ != nullptr) observer_->done(step);
   if (step.result.kind == SkillResult::Kind::stopped)
     return halt(ExecutionState::stopped, "stopped in " + token());
   last_code_ = step.result.code;
+  if (step.result.kind == SkillResult::Kind::normal) count_here();
   const auto way = route(operation(), here, last_code_, step.result.kind == SkillResult::Kind::normal);
   if (way) return go(*way);
   halt(ExecutionState::failed, fmt::format("'{}' ended with code {}, which nobody handles: {}", token(),
@@ -231,7 +235,26 @@ void Executor::go(const Connection& to) {
   token_.back().icon = *next;
 }
 
+std::vector<Parameter> Executor::counted(std::vector<Parameter> parameters) const {
+  for (Parameter& parameter : parameters) {
+    if (parameter.count_of.empty()) continue;
+    const auto found = counts_.find({token_.back().operation, parameter.count_of});
+    parameter.value = found == counts_.end() ? 0.0 : static_cast<double>(found->second);
+    parameter.count_of.clear();
+  }
+  return parameters;
+}
+
+void Executor::count_here() {
+  ++counts_[{token_.back().operation, icon().id}];
+}
+
+void Executor::forget_counts(std::size_t operation) {
+  std::erase_if(counts_, [&](const auto& each) { return each.first.first == operation; });
+}
+
 void Executor::enter(std::size_t operation) {
+  forget_counts(operation);
   token_.push_back({operation, start_of(program_.operations[operation])});
 }
 
@@ -241,6 +264,7 @@ void Executor::exit_operation() {
   if (token_.size() == 1)
     return halt(ExecutionState::ended, fmt::format("exit '{}' with code {}", path, last_code_));
   token_.pop_back();
+  if (last_code_ == 0) count_here();
   if (const auto way = route(operation(), icon(), last_code_, last_code_ == 0)) return go(*way);
   halt(ExecutionState::failed,
        fmt::format("'{}' ended with code {}, which nobody handles", token(), last_code_));

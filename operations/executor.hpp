@@ -2,9 +2,11 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "operations/check.hpp"
@@ -138,6 +140,9 @@ class Executor {
   void go(const Connection& to);
   void enter(std::size_t operation);
   void exit_operation();
+  std::vector<Parameter> counted(std::vector<Parameter> parameters) const;
+  void count_here();
+  void forget_counts(std::size_t operation);
   void halt(ExecutionState state, std::string reason);
 
   Program program_;
@@ -150,7 +155,8 @@ class Executor {
   std::string reason_;
   int last_code_ = 0;
   std::size_t steps_ = 0;
-  std::size_t idle_ = 0;  // icons since something last happened
+  std::map<std::pair<std::size_t, std::string>, std::size_t> counts_;  // normal ends, by operation and icon
+  std::size_t idle_ = 0;                                               // icons since something last happened
   bool initialised_ = false;
   std::atomic<bool> pause_ = false;
   std::atomic<bool> stop_ = false;

@@ -70,4 +70,8 @@ std::string to_text(const Value& value) {
   return "\"" + std::get<std::string>(value) + "\"";
 }
 
+std::string to_text(const Parameter& parameter) {
+  return parameter.count_of.empty() ? to_text(parameter.value) : "the count of " + parameter.count_of;
+}
+
 }  // namespace pal::operations

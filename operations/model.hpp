@@ -27,6 +27,8 @@ struct Parameter {
   Value value;
   SourceSpan where;  // of the value
   SourceSpan name_where;
+  /// Not empty: the value is how often this icon, of the same operation, has ended normally since START.
+  std::string count_of{};
 };
 
 /// One output of a CASE.
@@ -97,5 +99,7 @@ const std::vector<std::string>& icon_kind_names();
 
 /// "5", "true", "\"HOME\"".
 std::string to_text(const Value& value);
+/// Likewise; of a count "the count of put".
+std::string to_text(const Parameter& parameter);
 
 }  // namespace pal::operations

@@ -84,6 +84,16 @@ bool is_code(const JsonValue& value) {
   return value.kind == Kind::number && value.whole && std::abs(value.number) <= 1e6;
 }
 
+/// {"count-of": "icon"}
+std::string read_count(const JsonValue& object, Fields& fields) {
+  if (object.members.size() == 1 && object.members[0].name == "count-of" &&
+      object.members[0].value.kind == Kind::text && !object.members[0].value.text.empty())
+    return object.members[0].value.text;
+  fields.report(object.where, "a count has the field 'count-of' and no other",
+                "write {\"count-of\": \"icon\"}");
+  return {};
+}
+
 std::vector<Parameter> read_parameters(const JsonValue* object, Fields& fields) {
   std::vector<Parameter> result;
   if (object == nullptr) return result;
@@ -99,8 +109,12 @@ std::vector<Parameter> read_parameters(const JsonValue* object, Fields& fields) 
       case Kind::text:
         parameter.value = member.value.text;
         break;
+      case Kind::object:
+        parameter.count_of = read_count(member.value, fields);
+        if (parameter.count_of.empty()) continue;
+        break;
       default:
-        fields.report(member.value.where, "a parameter is a number, true, false or a text",
+        fields.report(member.value.where, "a parameter is a number, true, false, a text or a count",
                       "write one of these");
         continue;
     }

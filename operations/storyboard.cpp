@@ -115,7 +115,7 @@ class Teller {
       std::string unit;
       for (const pan::Parameter& parameter : skill.parameters)
         if (parameter.name == given.name && !parameter.unit.empty()) unit = " " + parameter.unit;
-      texts.push_back(fmt::format("{} {}{}", given.name, to_text(given.value), unit));
+      texts.push_back(fmt::format("{} {}{}", given.name, to_text(given), given.count_of.empty() ? unit : ""));
     }
     return texts.empty() ? "" : fmt::format(", with {}", fmt::join(texts, ", "));
   }

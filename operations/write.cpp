@@ -29,8 +29,14 @@ Json json(const Icon& icon) {
   result["id"] = icon.id;
   result["kind"] = name(icon.kind);
   put(result, "skill", icon.skill);
-  for (const Parameter& parameter : icon.parameters)
-    result["parameters"][parameter.name] = json(parameter.value);
+  for (const Parameter& parameter : icon.parameters) {
+    Json& value = result["parameters"][parameter.name];
+    if (parameter.count_of.empty()) {
+      value = json(parameter.value);
+    } else {
+      value["count-of"] = parameter.count_of;
+    }
+  }
   put(result, "operation", icon.operation);
   put(result, "file", icon.file);
   if (icon.kind == IconKind::delay) result["seconds"] = number(icon.seconds);

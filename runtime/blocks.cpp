@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "runtime/run.hpp"
-
 namespace pal::runtime {
 
 using State = ThreadControl::State;
@@ -11,20 +9,20 @@ using State = ThreadControl::State;
 void Blocks::start(ConcurrentOperation& concurrent) {
   Thread& parent = concurrent.thread();
   parent.control.forked = &concurrent;
-  run_.block(parent, -1);
+  flow_.block(parent, -1);
   for (const int block : concurrent.blocks()) {
-    Thread& thread = run_.thread(block);
+    Thread& thread = this->thread(block);
     thread.control.parent = &parent;
-    run_.begin(thread);
+    flow_.begin(thread);
   }
 }
 
 void Blocks::ended(Thread& thread) {
   thread.control.state = State::ended;
   thread.control.operation = nullptr;
-  run_.scheduler().leave(thread);
+  executive_.leave(thread);
   if (thread.control.parent == nullptr) return;
-  run_.mail().hand_over(thread, *thread.control.parent);
+  mail_.hand_over(thread, *thread.control.parent);
   child_ended(*thread.control.parent);
 }
 
@@ -32,17 +30,17 @@ void Blocks::child_ended(Thread& parent) {
   ThreadControl& control = parent.control;
   if (control.forked == nullptr) return;  // a stopped child was the last, see below
   const auto blocks = control.forked->blocks();
-  const auto alive = [this](int block) { return run_.thread(block).control.state != State::ended; };
+  const auto alive = [this](int block) { return this->thread(block).control.state != State::ended; };
   const bool goes_on = std::any_of(blocks.begin(), blocks.end(), [&](int block) {
-    return alive(block) && run_.thread(block).control.spec->can_end;
+    return alive(block) && this->thread(block).control.spec->can_end;
   });
   if (goes_on && !control.cancelled) return;
   for (const int block : blocks) {
-    if (alive(block) && !run_.thread(block).control.cancelled) cancel(run_.thread(block));
+    if (alive(block) && !this->thread(block).control.cancelled) cancel(this->thread(block));
   }
   if (control.forked == nullptr || std::any_of(blocks.begin(), blocks.end(), alive)) return;
   control.forked = nullptr;
-  run_.proceed(parent);
+  flow_.proceed(parent);
 }
 
 void Blocks::cancel(Thread& thread) {
@@ -50,7 +48,7 @@ void Blocks::cancel(Thread& thread) {
   control.cancelled = true;
   if (control.forked != nullptr) {
     for (const int block : control.forked->blocks()) {
-      Thread& child = run_.thread(block);
+      Thread& child = this->thread(block);
       if (control.forked == nullptr) break;
       if (child.control.state != State::ended && !child.control.cancelled) cancel(child);
     }
@@ -62,11 +60,8 @@ void Blocks::cancel(Thread& thread) {
 
 void Blocks::stop(Thread& thread) {
   ThreadControl& control = thread.control;
-  run_.record(trace::Kind::cancel, thread);
-  control.waiting = nullptr;
-  control.sending = nullptr;
-  ++control.wait_token;
-  run_.mail().abandon(thread);
+  journal_.record(trace::Kind::cancel, thread);
+  mail_.abandon(thread);
   control.task.reset();
   ended(thread);
 }

@@ -2,13 +2,18 @@
 // paragraph).
 #pragma once
 
-#include "runtime/thread.hpp"
+#include <deque>
+
+#include "pal/runtime/thread.hpp"
+#include "runtime/flow.hpp"
+#include "runtime/mail.hpp"
 
 namespace pal::runtime {
 
 class Blocks {
  public:
-  explicit Blocks(Run& run) : run_(run) {}
+  Blocks(Executive& executive, Journal& journal, Flow& flow, Mail& mail, std::deque<Thread>& threads)
+      : executive_(executive), journal_(journal), flow_(flow), mail_(mail), threads_(threads) {}
 
   void start(ConcurrentOperation& concurrent);
 
@@ -21,8 +26,13 @@ class Blocks {
  private:
   void child_ended(Thread& parent);
   void cancel(Thread& thread);
+  Thread& thread(int index) { return threads_[static_cast<std::size_t>(index)]; }
 
-  Run& run_;
+  Executive& executive_;
+  Journal& journal_;
+  Flow& flow_;
+  Mail& mail_;
+  std::deque<Thread>& threads_;
 };
 
 }  // namespace pal::runtime

@@ -1,4 +1,4 @@
-#include "runtime/cost_policy.hpp"
+#include "pal/runtime/cost_policy.hpp"
 
 namespace pal::runtime {
 

@@ -125,6 +125,9 @@ class World {
   /// Waits as long as it takes to get to `when` in the world's own time; virtual time does not wait. Returns
   /// an earlier instant if something came in from outside meanwhile: the run goes there first.
   virtual Time wait_until(Time when) { return when; }
+
+  /// The run was held from outside and goes on: what passed meanwhile in the world's own time does not count.
+  virtual void resumed() {}
 };
 
 }  // namespace pal::runtime

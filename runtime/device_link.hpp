@@ -5,17 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
+#include "pal/runtime/executive.hpp"
+#include "pal/runtime/observer.hpp"
+#include "runtime/journal.hpp"
+#include "runtime/mail.hpp"
 
 namespace pal::runtime {
-
-class Run;
 
 /// What an attached device asks, the run does.
 class DeviceLink final : public DeviceHost {
  public:
   /// `channels`: for each port of the device the channel that it is one end of, or -1.
-  DeviceLink(Run& run, int index, Device& device, std::vector<int> channels);
+  DeviceLink(Executive& executive, Journal& journal, Mail& mail, MessageObserver* observer, int index,
+             Device& device, std::vector<int> channels);
 
   Time now() const override;
   Appointment at(Time when, std::function<void()> action) override;
@@ -26,11 +29,16 @@ class DeviceLink final : public DeviceHost {
 
   Device& device() const { return device_; }
   void open();
+  /// A message passes the port.
+  void observe(std::size_t port, std::span<const double> fields) const;
   /// Whether the device says when it takes its requests.
   bool marks_itself() const { return marks_itself_; }
 
  private:
-  Run& run_;
+  Executive& executive_;
+  Journal& journal_;
+  Mail& mail_;
+  MessageObserver* observer_;
   int index_;
   Device& device_;
   std::vector<int> channels_;

@@ -1,4 +1,4 @@
-#include "runtime/dispatcher.hpp"
+#include "pal/runtime/dispatcher.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -69,7 +69,7 @@ Outcome refused(const Skill& skill, const std::string& reason) {
     break;
   }
   outcome.reason = reason;
-  Recorder recorder(skill.wiring(), 2);
+  Recorder recorder(skill.wiring(), TraceMode::all, 2);
   recorder.add_fault(Time::zero(), -1, -1, reason);
   recorder.add(Time::zero(), trace::Kind::complete, -1, -1, -1, outcome.code);
   outcome.trace = recorder.take();
@@ -95,7 +95,7 @@ Outcome Dispatcher::run(Skill& skill, std::span<const ParameterValue> parameters
       taken.take(connections.back().device->in_use(),
                  "device " + std::string(device) + " is in use by a skill that is running");
     }
-    return Run(skill, world_, connections, options).execute();
+    return runtime::run(skill, world_, connections, options);
   } catch (...) {
     return refused(skill, what_was_thrown());
   }

@@ -5,55 +5,74 @@
 #include <functional>
 #include <vector>
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
 
 namespace pal::runtime {
 
 struct Event {
   enum class Kind : std::uint8_t {
-    work_done,
-    message_available,
-    wait_expired,
-    request_arrives,
-    device_action
+    work_done,          // subject: a processor
+    message_available,  // a channel
+    wait_expired,       // a thread
+    request_arrives,    // a channel
+    device_action       // the number of the action
   };
   Time time{};
-  std::uint64_t order = 0;
+  std::uint64_t order = 0;  // names the event; from 1 on
   Kind kind = Kind::work_done;
-  std::int32_t subject = 0;  // processor, channel, thread, channel, or number of the action
-  std::uint64_t token = 0;   // the event is stale when its subject has moved on to another token
+  std::int32_t subject = 0;
 };
 
+/// An action of a device.
+struct DeviceAction {
+  int device = -1;
+  std::function<void()> action;
+};
+
+/// The next event is held apart, since it is often asked for when nothing else is.
 class EventQueue {
  public:
   explicit EventQueue(std::size_t capacity);
 
-  bool empty() const { return heap_.empty(); }
-  const Event& next() const { return heap_.front(); }
+  bool empty() const { return !held_ && heap_.empty(); }
+  /// Contract: not empty.
+  const Event& next() const { return held_ ? next_ : heap_.front(); }
   Event pop();
 
-  void push(Time time, Event::Kind kind, std::int32_t subject, std::uint64_t token);
-  /// `token` names the device.
-  DeviceHost::Appointment push_action(Time time, std::uint64_t token, std::function<void()> action);
-  /// Forgets the action, if it is still to come.
-  void cancel(DeviceHost::Appointment appointment);
-  /// Whether the action of this event is still to come; false: it was cancelled.
-  bool expects_action(const Event& event) const;
+  /// The number that names the event.
+  std::uint64_t push(Time time, Event::Kind kind, std::int32_t subject) {
+    const Event event{time, ++order_, kind, subject};
+    if (empty() || before(event, next())) {
+      if (held_) push_heap(next_);
+      next_ = event;
+      held_ = true;
+    } else {
+      push_heap(event);
+    }
+    return event.order;
+  }
+  std::uint64_t push_action(Time time, int device, std::function<void()> action);
+
+  /// The event will not come. Nothing changes if it has.
+  void cancel(std::uint64_t order);
 
   /// The action of an event that was popped; forgotten by the queue.
-  std::function<void()> take_action(const Event& event);
+  DeviceAction take_action(const Event& event);
 
  private:
-  struct Action {
-    std::function<void()> call;
-    std::uint64_t order = 0;  // of its event; 0: the slot is free
-  };
-  std::function<void()> release(std::size_t slot);
+  static bool before(const Event& a, const Event& b) {
+    return a.time != b.time ? a.time < b.time : a.order < b.order;
+  }
+  static bool later(const Event& a, const Event& b) { return before(b, a); }
+  void push_heap(const Event& event);
+  void forget(const Event& event);
 
+  Event next_;
+  bool held_ = false;  // next_ is the next event; otherwise it is the heap's
   std::vector<Event> heap_;
-  std::vector<Action> actions_;
+  std::vector<DeviceAction> actions_;
   std::vector<std::int32_t> free_actions_;
-  std::uint64_t order_ = 1;  // of the next event
+  std::uint64_t order_ = 0;
 };
 
 }  // namespace pal::runtime

@@ -1,9 +1,10 @@
 #include "runtime/mail.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "runtime/devices.hpp"
 #include "runtime/ports.hpp"
-#include "runtime/run.hpp"
 
 namespace pal::runtime {
 
@@ -16,39 +17,50 @@ constexpr std::size_t usual_asked = 16;  // so that nothing is allocated while t
 std::int32_t in_trace(std::int64_t serial) {
   return static_cast<std::int32_t>(serial & 0x7fffffff);
 }
-}
+}  // namespace
 
-Mail::Mail(Run& run, const Wiring& wiring) : run_(run) {
+Mail::Mail(Executive& executive, Journal& journal, Flow& flow, Devices& devices, const Wiring& wiring)
+    : executive_(executive), journal_(journal), flow_(flow), devices_(devices), wiring_(wiring) {
   for (const ChannelSpec& spec : wiring.channels) {
     slots_.emplace_back();
-    slots_.back().spec = &spec;
-    slots_.back().fields.resize(payload_size(spec.fields));
-    slots_.back().asked.reserve(usual_asked);
+    Slot& slot = slots_.back();
+    slot.spec = &spec;
+    slot.fields.resize(payload_size(spec.fields));
+    slot.asked.reserve(usual_asked);
+    slot.waiting.reserve(wiring.threads.size());
+    slot.sending.reserve(wiring.threads.size());
   }
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const int answer = wiring.channels[i].answer;
-    if (answer >= 0) at(answer).request_of = static_cast<int>(i);
+    if (answer < 0) continue;
+    at(answer).request_of = static_cast<int>(i);
+    requests_.push_back(static_cast<int>(i));
   }
+  parties_.resize(wiring.devices.size());
 }
 
 void Mail::connect(int channel, int device, std::size_t port) {
-  at(channel).device = device;
-  at(channel).port = port;
+  Slot& slot = at(channel);
+  slot.device = device;
+  slot.port = port;
+  Party& party = parties_[static_cast<std::size_t>(device)];
+  party.sends_events = party.sends_events || (slot.spec->from_device && slot.request_of < 0);
+  if (slot.spec->to_device) party.inbox.push_back(channel);
 }
 
 bool Mail::available(const Slot& slot, const Thread& thread) const {
   if (!slot.full || slot.claimed != nullptr) return false;
   const bool near = slot.sender_processor == thread.control.spec->processor;
-  return (near ? slot.available_within : slot.available_between) <= run_.now();
+  return (near ? slot.available_within : slot.available_between) <= executive_.now();
 }
 
 // Waiting and taking.
 
 void Mail::reach(WaitOperation& wait) {
-  if (wait.within()) wait.deadline = run_.now() + *wait.within();
+  if (wait.within()) wait.deadline = executive_.now() + *wait.within();
   for (const Target& target : wait.targets()) {
     const Slot& slot = at(target.channel);
-    if (slot.spec->from_device) run_.open_device(slot.device);
+    if (slot.spec->from_device) devices_.open(slot.device);
   }
   look(wait);
 }
@@ -62,41 +74,52 @@ void Mail::look(WaitOperation& wait) {
       return;
     }
   }
-  if (wait.within() && wait.deadline <= run_.now()) {
+  if (wait.within() && wait.deadline <= executive_.now()) {
     give_up(wait);
     return;
   }
   thread.control.waiting = &wait;
-  run_.block(thread, targets.front().channel);
-  ++thread.control.wait_token;
-  if (wait.within()) {
-    run_.queue().push(wait.deadline, Event::Kind::wait_expired, thread.control.index,
-                      thread.control.wait_token);
+  for (const Target& target : targets) {
+    std::vector<Thread*>& queue = at(target.channel).waiting;
+    if (queue.empty() || queue.back() != &thread) queue.push_back(&thread);
   }
+  flow_.block(thread, targets.front().channel);
+  if (wait.within())
+    thread.control.expiry = executive_.at(wait.deadline, {Due::Kind::wait_expired, thread.control.index});
+}
+
+/// The thread waits for nothing any more.
+void Mail::stop_waiting(Thread& thread) {
+  ThreadControl& control = thread.control;
+  if (control.waiting == nullptr) return;
+  for (const Target& target : control.waiting->targets()) std::erase(at(target.channel).waiting, &thread);
+  control.waiting = nullptr;
+  if (control.expiry.number != 0) executive_.cancel(std::exchange(control.expiry, {}));
 }
 
 void Mail::claim(WaitOperation& wait, int target) {
   Thread& thread = wait.thread();
   wait.chosen = target;
-  at(wait.targets()[static_cast<std::size_t>(target)].channel).claimed = &thread;
-  thread.control.waiting = nullptr;
-  ++thread.control.wait_token;
-  run_.scheduler().need_processor(thread, run_.cost_of(wait.statement()));
+  Slot& slot = at(wait.targets()[static_cast<std::size_t>(target)].channel);
+  slot.claimed = &thread;
+  thread.control.claimed = index(slot);
+  stop_waiting(thread);
+  executive_.need_processor(thread, wiring_.statements[static_cast<std::size_t>(wait.statement())].cost);
 }
 
 void Mail::give_up(WaitOperation& wait) {
-  run_.record(Kind::give_up, wait.thread(), wait.targets().front().channel);
+  journal_.record(Kind::give_up, wait.thread(), wait.targets().front().channel);
   wait.chosen = -1;
-  wait.thread().control.waiting = nullptr;
-  ++wait.thread().control.wait_token;
-  run_.scheduler().need_processor(wait.thread(), run_.draw(run_.wiring().test));
+  stop_waiting(wait.thread());
+  executive_.need_processor(wait.thread(), wiring_.test);
 }
 
 void Mail::wait_expired(Thread& thread) {
+  thread.control.expiry = {};
   give_up(*thread.control.waiting);
 }
 
-void Mail::finish(WaitOperation& wait) {
+bool Mail::finish(WaitOperation& wait) {
   Thread& thread = wait.thread();
   const auto targets = wait.targets();
   if (wait.chosen < 0) {
@@ -104,89 +127,81 @@ void Mail::finish(WaitOperation& wait) {
       const int request = at(target.channel).request_of;
       if (request >= 0) withdraw(at(request), nullptr);
     }
-    run_.record(Kind::done, thread);
-    run_.proceed(thread);
-    return;
+    journal_.record(Kind::done, thread);
+    flow_.proceed(thread);
+    return true;
   }
   const Target& target = targets[static_cast<std::size_t>(wait.chosen)];
   Slot& slot = at(target.channel);
+  thread.control.claimed = -1;
   if (slot.claimed != &thread) {  // withdrawn while it was being received: there was nothing
-    if (thread.control.cancelled) {
-      run_.blocks().stop(thread);
-    } else {
-      reach(wait);
-    }
-    return;
+    if (thread.control.cancelled) return false;
+    reach(wait);
+    return true;
   }
   if (target.store != nullptr) target.store(target.message, slot.fields);
-  run_.record(Kind::take, thread, target.channel, in_trace(slot.serial));
+  journal_.record(Kind::take, thread, target.channel, in_trace(slot.serial));
   empty(slot);
-  run_.record(Kind::done, thread);
-  run_.proceed(thread);
+  journal_.record(Kind::done, thread);
+  flow_.proceed(thread);
+  return true;
 }
 
 void Mail::message_available(int channel) {
-  Thread* longest = nullptr;
-  int target = -1;
-  for (Thread& thread : run_.threads()) {
-    const ThreadControl& control = thread.control;
-    if (control.waiting == nullptr) continue;
-    if (longest != nullptr && longest->control.blocked_order < control.blocked_order) continue;
-    if (!available(at(channel), thread)) continue;
-    const auto targets = control.waiting->targets();
+  const Slot& slot = at(channel);
+  for (Thread* thread : slot.waiting) {
+    if (!available(slot, *thread)) continue;
+    const auto targets = thread->control.waiting->targets();
     const auto found = std::find_if(targets.begin(), targets.end(),
                                     [&](const Target& candidate) { return candidate.channel == channel; });
-    if (found == targets.end()) continue;
-    longest = &thread;
-    target = static_cast<int>(found - targets.begin());
+    claim(*thread->control.waiting, static_cast<int>(found - targets.begin()));
+    return;
   }
-  if (longest != nullptr) claim(*longest->control.waiting, target);
-}
-
-bool Mail::expects_message(int channel, std::uint64_t serial) const {
-  const Slot& slot = slots_[static_cast<std::size_t>(channel)];
-  return slot.full && static_cast<std::uint64_t>(slot.serial) == serial;
 }
 
 // Putting.
 
-void Mail::send(SendOperation& send) {
+bool Mail::send(SendOperation& send) {
   Thread& thread = send.thread();
   Slot& slot = at(send.channel());
   if (discards(slot)) {
     discard(send);
-    return;
+    return true;
   }
   if (slot.full) {
-    if (thread.control.cancelled) {
-      run_.blocks().stop(thread);
-      return;
-    }
+    if (thread.control.cancelled) return false;
     thread.control.sending = &send;
-    run_.block(thread, send.channel());
-    return;
+    slot.sending.push_back(&thread);
+    flow_.block(thread, send.channel());
+    return true;
   }
   put_done(send);
+  return true;
+}
+
+void Mail::stop_sending(Slot& slot, Thread& thread) {
+  if (std::exchange(thread.control.sending, nullptr) != nullptr) std::erase(slot.sending, &thread);
 }
 
 /// Nobody wants the message any more.
 void Mail::discard(SendOperation& send) {
   Thread& thread = send.thread();
-  thread.control.sending = nullptr;
-  answered_in_vain(at(send.channel()));
-  run_.record(Kind::drop, thread, send.channel(), in_trace(++serials_));
-  run_.record(Kind::done, thread);
-  run_.proceed(thread);
+  Slot& slot = at(send.channel());
+  stop_sending(slot, thread);
+  answered_in_vain(slot);
+  journal_.record(Kind::drop, thread, send.channel(), in_trace(++serials_));
+  journal_.record(Kind::done, thread);
+  flow_.proceed(thread);
 }
 
 void Mail::put_done(SendOperation& send) {
   Thread& thread = send.thread();
   Slot& slot = at(send.channel());
-  thread.control.sending = nullptr;
+  stop_sending(slot, thread);
   fill(slot, send.payload());
-  run_.record(Kind::put, thread, send.channel(), in_trace(slot.serial));
-  run_.record(Kind::done, thread);
-  run_.proceed(thread);
+  journal_.record(Kind::put, thread, send.channel(), in_trace(slot.serial));
+  journal_.record(Kind::done, thread);
+  flow_.proceed(thread);
   set_out(slot, thread);
 }
 
@@ -204,33 +219,26 @@ void Mail::set_out(Slot& slot, const Thread& sender) {
   const int channel = index(slot);
   if (slot.spec->request) ask(slot, &sender);
   if (slot.spec->to_device) {
-    if (!sends_events(slot.device)) run_.open_device(slot.device);
+    if (!parties_[static_cast<std::size_t>(slot.device)].sends_events) devices_.open(slot.device);
     if (slot.spec->request) {
       // As an event of its own: the device may be in the middle of taking the request before this one.
-      run_.queue().push(run_.now(), Event::Kind::request_arrives, channel,
-                        static_cast<std::uint64_t>(slot.serial));
+      slot.arrivals[0] = executive_.at(executive_.now(), {Due::Kind::request_arrives, channel});
     } else {
       taken_by_device(slot);
-      run_.hand_to_device(slot.device, slot.port, slot.fields);
+      devices_.hand_to(slot.device, slot.port, slot.fields);
     }
     return;
   }
-  const Latency& latency = run_.wiring().latency;
+  const Latency& latency = wiring_.latency;
   slot.sender_processor = sender.control.spec->processor;
-  slot.available_within = run_.now() + run_.draw(latency.within_processor);
-  slot.available_between = run_.now() + run_.draw(latency.between_processors);
-  const auto token = static_cast<std::uint64_t>(slot.serial);
-  for (const Time time : {slot.available_within, slot.available_between}) {
-    if (time > run_.now()) run_.queue().push(time, Event::Kind::message_available, channel, token);
+  slot.available_within = executive_.now() + executive_.latency(latency.within_processor);
+  slot.available_between = executive_.now() + executive_.latency(latency.between_processors);
+  const std::array<Time, 2> times{slot.available_within, slot.available_between};
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (times[i] > executive_.now())
+      slot.arrivals[i] = executive_.at(times[i], {Due::Kind::message_available, channel});
   }
   message_available(channel);
-}
-
-/// Whether the device sends what it was not asked for: that it does from when somebody first waits for it.
-bool Mail::sends_events(int device) const {
-  return std::any_of(slots_.begin(), slots_.end(), [device](const Slot& slot) {
-    return slot.device == device && slot.spec->from_device && slot.request_of < 0;
-  });
 }
 
 /// The message is taken, or withdrawn.
@@ -241,55 +249,65 @@ void Mail::empty(Slot& slot) {
   }
   slot.full = slot.answers = false;
   slot.claimed = nullptr;
-  Thread* longest = nullptr;
-  for (Thread& thread : run_.threads()) {
-    const ThreadControl& control = thread.control;
-    if (control.sending == nullptr || control.sending->channel() != index(slot)) continue;
-    if (longest == nullptr || control.blocked_order < longest->control.blocked_order) longest = &thread;
+  for (Ticket& arrival : slot.arrivals) {
+    if (arrival.number != 0) executive_.cancel(std::exchange(arrival, {}));
   }
-  if (longest == nullptr) return;
+  if (slot.sending.empty()) return;
+  SendOperation& longest = *slot.sending.front()->control.sending;
   if (discards(slot)) {
-    discard(*longest->control.sending);
+    discard(longest);
     empty(slot);
   } else {
-    put_done(*longest->control.sending);
+    put_done(longest);
   }
 }
 
 // Withdrawing.
 
 void Mail::drop(Slot& slot) {
-  run_.record_drop(index(slot), in_trace(slot.serial));
+  journal_.record_drop(index(slot), in_trace(slot.serial));
   empty(slot);
 }
 
+/// What the thread has begun to receive is free again.
+void Mail::release(Slot& slot, const Thread& thread) {
+  if (slot.claimed != &thread) return;
+  slot.claimed = nullptr;
+  message_available(index(slot));
+}
+
 void Mail::abandon(Thread& thread) {
-  for (Slot& slot : slots_) {
-    if (slot.claimed == &thread) {
-      slot.claimed = nullptr;
-      message_available(index(slot));
-    }
-    withdraw(slot, &thread);
+  ThreadControl& control = thread.control;
+  stop_waiting(thread);
+  if (control.sending != nullptr) stop_sending(at(control.sending->channel()), thread);
+  // In the order of the channels.
+  int claimed = std::exchange(control.claimed, -1);
+  for (const int request : requests_) {
+    if (claimed >= 0 && claimed <= request) release(at(std::exchange(claimed, -1)), thread);
+    withdraw(at(request), &thread);
   }
+  if (claimed >= 0) release(at(claimed), thread);
 }
 
 // Devices.
 
 void Mail::taken_by_device(Slot& slot) {
-  run_.record_device(Kind::take, slot.device, index(slot), in_trace(slot.serial));
+  journal_.record_device(Kind::take, slot.device, index(slot), in_trace(slot.serial));
   empty(slot);
 }
 
 void Mail::request_arrives(int channel) {
   Slot& slot = at(channel);
+  slot.arrivals[0] = {};
   slot.handed = true;
-  run_.hand_to_device(slot.device, slot.port, slot.fields);
+  devices_.hand_to(slot.device, slot.port, slot.fields);
 }
 
 void Mail::device_takes_request(int device) {
   Slot* oldest = nullptr;
-  for (Slot& slot : slots_) {
-    const bool waits = slot.full && slot.handed && slot.device == device;
+  for (const int channel : parties_[static_cast<std::size_t>(device)].inbox) {
+    Slot& slot = at(channel);
+    const bool waits = slot.full && slot.handed;
     if (waits && (oldest == nullptr || slot.serial < oldest->serial)) oldest = &slot;
   }
   if (oldest != nullptr) taken_by_device(*oldest);
@@ -299,24 +317,24 @@ bool Mail::deliver(int channel, std::span<const double> fields) {
   Slot& slot = at(channel);
   if (discards(slot)) {
     answered_in_vain(slot);
-    run_.record_device(Kind::drop, slot.device, channel, in_trace(++serials_));
+    journal_.record_device(Kind::drop, slot.device, channel, in_trace(++serials_));
     return true;
   }
   // A device that does not mark itself busy takes a request when it answers it.
-  if (slot.request_of >= 0 && !run_.device_marks_itself(slot.device)) {
+  if (slot.request_of >= 0 && !devices_.marks_itself(slot.device)) {
     Slot& request = at(slot.request_of);
     if (request.full && request.handed) taken_by_device(request);
   }
   if (slot.full) {
     answered_in_vain(slot);
-    run_.overrun(slot.device, channel);
+    journal_.overrun(slot.device, channel);
     return false;
   }
   fill(slot, fields);
   if (slot.spec->request) ask(slot, nullptr);
   slot.sender_processor = -1;
-  slot.available_within = slot.available_between = run_.now();
-  run_.record_device(Kind::put, slot.device, channel, in_trace(slot.serial));
+  slot.available_within = slot.available_between = executive_.now();
+  journal_.record_device(Kind::put, slot.device, channel, in_trace(slot.serial));
   message_available(channel);
   return true;
 }

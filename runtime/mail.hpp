@@ -1,13 +1,19 @@
 // The channels of a run: putting, taking, waiting, withdrawing (docs/reference/execution-model.md, Messages).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "runtime/thread.hpp"
+#include "pal/runtime/executive.hpp"
+#include "pal/runtime/thread.hpp"
+#include "runtime/flow.hpp"
+#include "runtime/journal.hpp"
 
 namespace pal::runtime {
+
+class Devices;
 
 /// A request on its way to its answer.
 struct Asked {
@@ -29,6 +35,9 @@ struct Slot {
   Time available_within{};          // to threads of the sender's processor
   Time available_between{};         // to all others
   const Thread* claimed = nullptr;  // whose receive has begun
+  std::array<Ticket, 2> arrivals;   // the events at which the message becomes available, or is handed over
+  std::vector<Thread*> waiting;     // for a message of the slot, the longest first
+  std::vector<Thread*> sending;     // for the slot to become free, the longest first
 
   // Of a request: those whose answer was not taken yet, in the order in which they were put.
   std::vector<Asked> asked;
@@ -39,28 +48,28 @@ struct Slot {
 
 class Mail {
  public:
-  Mail(Run& run, const Wiring& wiring);
+  /// All outlive the mail. The devices may be made after it.
+  Mail(Executive& executive, Journal& journal, Flow& flow, Devices& devices, const Wiring& wiring);
 
   // Statements of threads.
   void reach(WaitOperation& wait);
-  void finish(WaitOperation& wait);
-  void send(SendOperation& send);
+  /// False: the thread is cancelled and its statement comes to nothing; it is to be stopped.
+  bool finish(WaitOperation& wait);
+  bool send(SendOperation& send);
 
   // Events.
   void message_available(int channel);
   void request_arrives(int channel);
-  bool expects_message(int channel, std::uint64_t serial) const;
   void wait_expired(Thread& thread);
 
-  /// A block is stopped: what it has begun to receive is free again, and the requests that it has open are
-  /// withdrawn.
+  /// A block is stopped: it waits for nothing, what it has begun to receive is free again, and the requests
+  /// that it has open are withdrawn.
   void abandon(Thread& thread);
   /// What a block that has ended has open is its parent's.
   void hand_over(const Thread& block, const Thread& parent);
 
   // Devices.
   void connect(int channel, int device, std::size_t port);
-  const Slot& slot(int channel) const { return slots_[static_cast<std::size_t>(channel)]; }
   /// False: overrun.
   bool deliver(int channel, std::span<const double> fields);
   /// The device begins to serve the oldest request that waits for it.
@@ -74,7 +83,9 @@ class Mail {
   void claim(WaitOperation& wait, int target);
   void give_up(WaitOperation& wait);
   void set_out(Slot& slot, const Thread& sender);
-  bool sends_events(int device) const;
+  void stop_waiting(Thread& thread);
+  void stop_sending(Slot& slot, Thread& thread);
+  void release(Slot& slot, const Thread& thread);
   void put_done(SendOperation& send);
   void discard(SendOperation& send);
   void fill(Slot& slot, std::span<const double> fields);
@@ -88,8 +99,20 @@ class Mail {
   void answered_in_vain(const Slot& answer);
   void withdraw(Slot& request, const Thread* owner);
 
-  Run& run_;
+  /// What is known about a device.
+  struct Party {
+    bool sends_events = false;  // what it was not asked for: from when somebody first waits for it
+    std::vector<int> inbox;     // the channels that lead to it
+  };
+
+  Executive& executive_;
+  Journal& journal_;
+  Flow& flow_;
+  Devices& devices_;
+  const Wiring& wiring_;
   std::vector<Slot> slots_;
+  std::vector<int> requests_;  // the channels of requests that have answers
+  std::vector<Party> parties_;
   std::int64_t serials_ = 0;
 };
 

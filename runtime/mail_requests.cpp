@@ -1,8 +1,8 @@
 // Requests between their put and the take of their answer (docs/reference/execution-model.md, Messages).
 #include <algorithm>
 
+#include "runtime/devices.hpp"
 #include "runtime/mail.hpp"
-#include "runtime/run.hpp"
 
 namespace pal::runtime {
 
@@ -48,8 +48,7 @@ void Mail::withdraw(Slot& request, const Thread* owner) {
   // What a blocked sender puts from here on is not meant.
   const bool asking = request.full && meant(request.asked.back());
   const bool answered = answer.answers && meant(request.asked.front());
-  const bool forgotten =
-      asking && (!request.handed || run_.withdraw_from_device(request.device, request.port));
+  const bool forgotten = asking && (!request.handed || devices_.withdraw_from(request.device, request.port));
   for (Asked& each : request.asked) each.withdrawn = each.withdrawn || meant(each);
   if (asking && forgotten) request.asked.pop_back();
   if (asking) drop(request);
@@ -57,8 +56,8 @@ void Mail::withdraw(Slot& request, const Thread* owner) {
 }
 
 void Mail::hand_over(const Thread& block, const Thread& parent) {
-  for (Slot& slot : slots_) {
-    for (Asked& each : slot.asked) {
+  for (const int request : requests_) {
+    for (Asked& each : at(request).asked) {
       if (each.owner == &block) each.owner = &parent;
     }
   }

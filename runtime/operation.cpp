@@ -1,6 +1,6 @@
-#include "runtime/operation.hpp"
+#include "pal/runtime/operation.hpp"
 
-#include "runtime/run.hpp"
+#include "runtime/kernel.hpp"
 
 namespace pal::runtime {
 
@@ -13,70 +13,82 @@ void Operation::await_suspend(std::coroutine_handle<> body) {
   reach();
 }
 
+namespace {
+
+/// The thread needs its processor for the statement of `operation`.
+void need_processor(const Operation& operation) {
+  Kernel& kernel = operation.thread().kernel();
+  const auto statement = static_cast<std::size_t>(operation.statement());
+  kernel.executive.need_processor(operation.thread(), kernel.wiring.statements[statement].cost);
+}
+
+void end_statement(Thread& thread) {
+  thread.kernel().journal.record(Kind::done, thread);
+  thread.kernel().flow.proceed(thread);
+}
+
+}  // namespace
+
 void Step::reach() {
-  Run& run = thread().run();
-  run.scheduler().need_processor(thread(), run.cost_of(statement()));
+  need_processor(*this);
 }
 
-void Step::work_done() {
-  Run& run = thread().run();
-  effect();
-  run.record(Kind::done, thread());
-  run.proceed(thread());
+void Step::effect() {
+  act();
+  end_statement(thread());
 }
 
-void SetCondition::effect() {
-  thread().run().set_condition(thread(), condition_, value());
+void SetCondition::act() {
+  thread().kernel().conditions.set(thread(), condition_, value_);
 }
 
-void Read::effect() {
+void Read::act() {
   thread().control.latched[static_cast<std::size_t>(condition_)] =
-      thread().run().read_condition(thread(), condition_);
+      thread().kernel().conditions.read(thread(), condition_);
 }
 
-void TestConditions::effect() {
+void TestConditions::act() {
   ThreadControl& control = thread().control;
   for (const int condition : conditions()) {
     const auto c = static_cast<std::size_t>(condition);
     control.tested[c] =
-        control.latched[c] ? *control.latched[c] : thread().run().read_condition(thread(), condition);
+        control.latched[c] ? *control.latched[c] : thread().kernel().conditions.read(thread(), condition);
   }
   for (auto& latch : control.latched) latch.reset();
 }
 
-void Complete::effect() {
-  thread().run().complete(thread(), code_);
+void Complete::act() {
+  thread().kernel().journal.complete(thread(), code_);
 }
 
 void TakeStart::reach() {
-  thread().run().record(Kind::done, thread());
-  thread().run().proceed(thread());
+  end_statement(thread());
 }
 
 void NoArm::reach() {
-  thread().run().fail(thread(), "no arm holds");
+  thread().kernel().journal.fail(thread(), "no arm holds");
 }
 
 void SendOperation::reach() {
-  Run& run = thread().run();
-  run.scheduler().need_processor(thread(), run.cost_of(statement()));
+  need_processor(*this);
 }
 
-void SendOperation::work_done() {
-  prepare();
-  thread().run().mail().send(*this);
+void SendOperation::effect() {
+  Kernel& kernel = thread().kernel();
+  if (!kernel.mail.send(*this)) kernel.blocks.stop(thread());
 }
 
 void WaitOperation::reach() {
-  thread().run().mail().reach(*this);
+  thread().kernel().mail.reach(*this);
 }
 
-void WaitOperation::work_done() {
-  thread().run().mail().finish(*this);
+void WaitOperation::effect() {
+  Kernel& kernel = thread().kernel();
+  if (!kernel.mail.finish(*this)) kernel.blocks.stop(thread());
 }
 
 void ConcurrentOperation::reach() {
-  thread().run().blocks().start(*this);
+  thread().kernel().blocks.start(*this);
 }
 
 }  // namespace pal::runtime

@@ -1,7 +1,8 @@
 // One statement that a thread has come to: what the coroutine of a body awaits.
 //
-// The run calls reach() when the thread comes to the statement and work_done() when its processor time is
-// over. Neither resumes the coroutine: Run::proceed() does, when the effect of the statement has taken place.
+// reach() is called when the thread comes to the statement, compute() while it has its processor, effect()
+// when that time is over. None resumes the coroutine: Flow::proceed() does, when the effect of the statement
+// has taken place.
 #pragma once
 
 #include <array>
@@ -27,7 +28,9 @@ class Operation {
   int statement() const { return statement_; }
 
   virtual void reach() = 0;
-  virtual void work_done() = 0;
+  /// What was written by hand. In real time other threads of the skill go on meanwhile.
+  virtual void compute() {}
+  virtual void effect() = 0;
 
   bool await_ready() const noexcept { return false; }
   void await_suspend(std::coroutine_handle<> body);
@@ -46,11 +49,11 @@ class Step : public Operation {
  public:
   using Operation::Operation;
   void reach() final;
-  void work_done() final;
+  void effect() final;
 
  protected:
   ~Step() = default;
-  virtual void effect() = 0;
+  virtual void act() = 0;
 };
 
 /// An activity, written by hand.
@@ -58,25 +61,28 @@ template <class Work>
 class Perform final : public Step {
  public:
   Perform(Thread& thread, int statement, Work work) : Step(thread, statement), work_(std::move(work)) {}
+  void compute() override { work_(); }
 
  private:
-  void effect() override { work_(); }
+  void act() override {}
   Work work_;
 };
 
-/// SPC. The value is worked out at the effect.
+/// SPC.
 class SetCondition : public Step {
  public:
   SetCondition(Thread& thread, int statement, int condition)
       : Step(thread, statement), condition_(condition) {}
+  void compute() final { value_ = value(); }
 
  protected:
   ~SetCondition() = default;
   virtual bool value() = 0;
 
  private:
-  void effect() final;
+  void act() final;
   int condition_;
+  bool value_ = false;
 };
 
 template <class Decision>
@@ -96,7 +102,7 @@ class Read final : public Step {
   Read(Thread& thread, int statement, int condition) : Step(thread, statement), condition_(condition) {}
 
  private:
-  void effect() override;
+  void act() override;
   int condition_;
 };
 
@@ -110,7 +116,7 @@ class TestConditions : public Step {
   virtual std::span<const int> conditions() const = 0;
 
  private:
-  void effect() final;
+  void act() final;
 };
 
 template <std::size_t count>
@@ -130,7 +136,7 @@ class Complete final : public Step {
   Complete(Thread& thread, int statement, int code) : Step(thread, statement), code_(code) {}
 
  private:
-  void effect() override;
+  void act() override;
   int code_;
 };
 
@@ -139,7 +145,7 @@ class TakeStart final : public Operation {
  public:
   using Operation::Operation;
   void reach() override;
-  void work_done() override {}
+  void effect() override {}
 };
 
 /// A CASE without an arm that holds: ends the skill.
@@ -147,7 +153,7 @@ class NoArm final : public Operation {
  public:
   using Operation::Operation;
   void reach() override;
-  void work_done() override {}
+  void effect() override {}
 };
 
 /// TXM. The payload is fixed when the processor time is over, whether or not the slot is free then.
@@ -160,7 +166,8 @@ class SendOperation : public Operation {
   virtual std::span<const double> payload() const = 0;
 
   void reach() final;
-  void work_done() final;
+  void compute() final { prepare(); }
+  void effect() final;
 
  protected:
   ~SendOperation() = default;
@@ -226,7 +233,7 @@ class WaitOperation : public Operation {
   const std::optional<Time>& within() const { return within_; }
 
   void reach() final;
-  void work_done() final;
+  void effect() final;
   int await_resume() const noexcept { return chosen; }
 
   // The run's notes about this wait.
@@ -258,7 +265,7 @@ class ConcurrentOperation : public Operation {
   virtual std::span<const int> blocks() const = 0;
 
   void reach() final;
-  void work_done() final {}
+  void effect() final {}
 
  protected:
   ~ConcurrentOperation() = default;

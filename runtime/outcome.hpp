@@ -13,14 +13,21 @@
 
 namespace pal::runtime {
 
+/// Which events of a run are kept. Faults are, always.
+enum class TraceMode {
+  all,
+  last,  // the last `trace_capacity` events
+  none
+};
+
 struct RunOptions {
   CostPolicy costs = CostPolicy::worst;
   std::uint64_t seed = 0;                   // of CostPolicy::random
   Time horizon = std::chrono::minutes(10);  // a run that is longer ends with its error completion
-  std::size_t trace_capacity =
-      1U << 20U;  // events for which there is room before memory is taken during the run
-  const RunControl* control = nullptr;  // outlives the run; null: nobody asks anything of it
-  MessageObserver* observer = nullptr;  // outlives the run; null: nobody looks on
+  TraceMode trace = TraceMode::all;
+  std::size_t trace_capacity = 1U << 16U;  // events; a whole trace that is longer takes memory during the run
+  RunControl* control = nullptr;           // outlives the run; null: nobody asks anything of it
+  MessageObserver* observer = nullptr;     // outlives the run; null: nobody looks on
 };
 
 struct Outcome {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "runtime/wiring.hpp"
+#include "pal/runtime/wiring.hpp"
 
 namespace pal::runtime {
 

@@ -1,47 +1,66 @@
 #include "runtime/scheduler.hpp"
 
-#include "runtime/run.hpp"
+#include <algorithm>
 
 namespace pal::runtime {
 
 using State = ThreadControl::State;
 
-Scheduler::Scheduler(Run& run, const Wiring& wiring) : run_(run) {
+Scheduler::Scheduler(const Clock& clock, Journal& journal, EventQueue& queue, const Wiring& wiring)
+    : clock_(clock), journal_(journal), queue_(queue) {
   for (const ProcessorSpec& spec : wiring.processors) {
     processors_.emplace_back();
-    processors_.back().spec = &spec;
+    Processor& processor = processors_.back();
+    processor.spec = &spec;
+    processor.index = static_cast<int>(processors_.size()) - 1;
+    processor.ready.reserve(wiring.threads.size());
+    processor.arrived.reserve(2 * wiring.threads.size());
   }
+  changed_.reserve(processors_.size());
 }
 
-void Scheduler::add(Thread& thread) {
-  processor_of(thread).threads.push_back(&thread);
+void Scheduler::note_change(Processor& processor) {
+  if (processor.changed) return;
+  processor.changed = true;
+  changed_.push_back(&processor);
 }
 
-Processor& Scheduler::processor_of(const Thread& thread) {
-  return processors_[static_cast<std::size_t>(thread.control.spec->processor)];
+void Scheduler::enqueue(Processor& processor, Thread& thread) {
+  ThreadControl& control = thread.control;
+  control.state = State::ready;
+  const auto goes_before = [&control](const Thread* other) {
+    const ThreadControl& of = other->control;
+    return control.spec->priority != of.spec->priority ? control.spec->priority > of.spec->priority
+                                                       : control.queue_key < of.queue_key;
+  };
+  auto at = processor.ready.end();
+  while (at != processor.ready.begin() && !goes_before(*(at - 1))) --at;
+  processor.ready.insert(at, &thread);
+  if (!control.announced) processor.arrived.push_back(&thread);
 }
 
 void Scheduler::need_processor(Thread& thread, Time time) {
   ThreadControl& control = thread.control;
+  Processor& processor = processor_of(thread);
   control.left = time;
   control.begun = false;
-  if (processor_of(thread).running == &thread) return;  // keeps it from the statement before
-  control.state = State::ready;
+  note_change(processor);
+  if (processor.running == &thread) return;  // keeps it from the statement before
   control.announced = false;
   control.queue_key = ++back_;
+  enqueue(processor, thread);
 }
 
 void Scheduler::leave(Thread& thread) {
   Processor& processor = processor_of(thread);
-  if (processor.running != &thread) return;
+  if (processor.running != &thread) {
+    if (!processor.ready.empty()) std::erase(processor.ready, &thread);
+    return;
+  }
+  if (processor.working) queue_.cancel(processor.end);
   processor.running = nullptr;
   processor.working = false;
-  ++processor.token;
-}
-
-bool Scheduler::expects(int processor, std::uint64_t token) const {
-  const Processor& p = processors_[static_cast<std::size_t>(processor)];
-  return p.working && p.token == token;
+  note_change(processor);
 }
 
 Thread& Scheduler::finish_work(int processor) {
@@ -51,70 +70,77 @@ Thread& Scheduler::finish_work(int processor) {
   return *p.running;
 }
 
-Thread* Scheduler::first_ready(const Processor& processor) const {
-  Thread* first = nullptr;
-  for (Thread* thread : processor.threads) {
-    const ThreadControl& control = thread->control;
-    if (control.state != State::ready) continue;
-    const bool before = first == nullptr || control.spec->priority > first->control.spec->priority ||
-                        (control.spec->priority == first->control.spec->priority &&
-                         control.queue_key < first->control.queue_key);
-    if (before) first = thread;
-  }
-  return first;
-}
-
 void Scheduler::start(Processor& processor, Thread& thread) {
   ThreadControl& control = thread.control;
   control.state = State::running;
   control.begun = true;
   processor.running = &thread;
   processor.working = true;
-  processor.since = run_.now();
-  ++processor.token;
-  run_.record(trace::Kind::start, thread);
-  run_.queue().push(run_.now() + control.left, Event::Kind::work_done, control.spec->processor,
-                    processor.token);
+  processor.since = clock_.now;
+  journal_.record(trace::Kind::start, thread);
+  processor.end = queue_.push(processor.since + control.left, Event::Kind::work_done, processor.index);
+}
+
+void Scheduler::start_first(Processor& processor) {
+  Thread& first = *processor.ready.back();
+  processor.ready.pop_back();
+  start(processor, first);
 }
 
 void Scheduler::interrupt(Processor& processor) {
   Thread& thread = *processor.running;
   ThreadControl& control = thread.control;
   if (processor.working) {
-    control.left -= run_.now() - processor.since;
-    run_.record(trace::Kind::stop, thread);
+    control.left -= clock_.now - processor.since;
+    journal_.record(trace::Kind::stop, thread);
     control.announced = true;
+    queue_.cancel(processor.end);
   } else {
     control.announced = false;  // between two statements
   }
-  control.state = State::ready;
   control.queue_key = --front_;
-  leave(thread);
+  processor.running = nullptr;
+  processor.working = false;
+  enqueue(processor, thread);
 }
 
 void Scheduler::dispatch(Processor& processor) {
-  Thread* next = first_ready(processor);
-  if (processor.running != nullptr) {
-    const bool preempts = processor.spec->preemptive && next != nullptr &&
-                          next->control.spec->priority > processor.running->control.spec->priority;
-    if (preempts) {
-      interrupt(processor);
-    } else {
-      if (!processor.working) start(processor, *processor.running);
-      next = nullptr;
-    }
+  if (processor.running == nullptr) {
+    if (!processor.ready.empty()) start_first(processor);
+  } else if (processor.spec->preemptive && !processor.ready.empty() &&
+             processor.ready.back()->control.spec->priority > processor.running->control.spec->priority) {
+    interrupt(processor);
+    start_first(processor);
+  } else if (!processor.working) {
+    start(processor, *processor.running);
   }
-  if (next != nullptr) start(processor, *next);
-  for (Thread* thread : processor.threads) {
+  if (!processor.arrived.empty()) announce(processor);
+}
+
+/// The trace learns who is ready and has no processor, in the order of the threads.
+void Scheduler::announce(Processor& processor) {
+  std::vector<Thread*>& arrived = processor.arrived;
+  if (arrived.size() > 1)
+    std::sort(arrived.begin(), arrived.end(),
+              [](const Thread* a, const Thread* b) { return a->control.index < b->control.index; });
+  for (Thread* thread : arrived) {
     ThreadControl& control = thread->control;
     if (control.state != State::ready || control.announced) continue;
     control.announced = true;
-    run_.record(trace::Kind::ready, *thread);
+    journal_.record(trace::Kind::ready, *thread);
   }
+  arrived.clear();
 }
 
 void Scheduler::dispatch() {
-  for (Processor& processor : processors_) dispatch(processor);
+  if (changed_.size() > 1)
+    std::sort(changed_.begin(), changed_.end(),
+              [](const Processor* a, const Processor* b) { return a->index < b->index; });
+  for (Processor* processor : changed_) {
+    processor->changed = false;
+    dispatch(*processor);
+  }
+  changed_.clear();
 }
 
 }  // namespace pal::runtime

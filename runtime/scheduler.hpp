@@ -4,24 +4,28 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/thread.hpp"
+#include "pal/runtime/thread.hpp"
+#include "runtime/event_queue.hpp"
+#include "runtime/journal.hpp"
 
 namespace pal::runtime {
 
 struct Processor {
   const ProcessorSpec* spec = nullptr;
-  std::vector<Thread*> threads;
+  int index = 0;
   Thread* running = nullptr;
   bool working = false;  // `running` is at work on its statement, since `since`
   Time since{};
-  std::uint64_t token = 0;  // names the piece of work that is going on
+  std::uint64_t end = 0;         // names the event at which the work will be done
+  std::vector<Thread*> ready;    // in their order: the last one goes first
+  std::vector<Thread*> arrived;  // became ready since the last dispatch
+  bool changed = false;          // somebody came or went
 };
 
 class Scheduler {
  public:
-  Scheduler(Run& run, const Wiring& wiring);
-
-  void add(Thread& thread);
+  /// All outlive the scheduler.
+  Scheduler(const Clock& clock, Journal& journal, EventQueue& queue, const Wiring& wiring);
 
   /// The thread has come to a statement that needs `time` of its processor.
   void need_processor(Thread& thread, Time time);
@@ -32,21 +36,31 @@ class Scheduler {
   /// Gives the processors to those who should have them now.
   void dispatch();
 
-  /// Whether the end of work that an event announces is still to come.
-  bool expects(int processor, std::uint64_t token) const;
+  /// Who is on the processor; null: nobody.
+  const Thread* running(int processor) const {
+    return processors_[static_cast<std::size_t>(processor)].running;
+  }
 
   /// The running thread's statement has had all of its time.
   Thread& finish_work(int processor);
 
  private:
-  Thread* first_ready(const Processor& processor) const;
   void dispatch(Processor& processor);
   void start(Processor& processor, Thread& thread);
+  void start_first(Processor& processor);
   void interrupt(Processor& processor);
-  Processor& processor_of(const Thread& thread);
+  void enqueue(Processor& processor, Thread& thread);
+  void announce(Processor& processor);
+  void note_change(Processor& processor);
+  Processor& processor_of(const Thread& thread) {
+    return processors_[static_cast<std::size_t>(thread.control.spec->processor)];
+  }
 
-  Run& run_;
+  const Clock& clock_;
+  Journal& journal_;
+  EventQueue& queue_;
   std::vector<Processor> processors_;
+  std::vector<Processor*> changed_;
   std::int64_t back_ = 0;
   std::int64_t front_ = 0;
 };

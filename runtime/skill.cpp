@@ -1,4 +1,4 @@
-#include "runtime/skill.hpp"
+#include "pal/runtime/skill.hpp"
 
 #include <cmath>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "runtime/text.hpp"
+#include "pal/runtime/text.hpp"
 
 #include <cmath>
 #include <cstdint>

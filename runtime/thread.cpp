@@ -1,10 +1,10 @@
-#include "runtime/thread.hpp"
+#include "pal/runtime/thread.hpp"
 
-#include "runtime/run.hpp"
+#include "runtime/kernel.hpp"
 
 namespace pal::runtime {
 
-Thread::Thread(Run& run, int index, const ThreadSpec& spec, std::size_t conditions) : run_(run) {
+Thread::Thread(Kernel& kernel, int index, const ThreadSpec& spec, std::size_t conditions) : kernel_(kernel) {
   control.index = index;
   control.spec = &spec;
   control.latched.resize(conditions);
@@ -14,16 +14,16 @@ Thread::Thread(Run& run, int index, const ThreadSpec& spec, std::size_t conditio
 namespace detail {
 
 void* allocate_frame(Thread& thread, std::size_t size) {
-  return thread.run().frames().allocate(size);
+  return thread.kernel().frames.allocate(size);
 }
 void release_frame(void* frame) noexcept {
   FramePool::release(frame);
 }
 void body_ended(Thread& thread) noexcept {
-  thread.run().blocks().ended(thread);
+  thread.kernel().blocks.ended(thread);
 }
 void body_threw(Thread& thread) noexcept {
-  thread.run().fail_by_exception(thread);
+  thread.kernel().journal.fail_by_exception(thread);
 }
 
 }  // namespace detail

@@ -8,15 +8,16 @@
 #include <utility>
 #include <vector>
 
+#include "pal/runtime/executive.hpp"
 #include "pal/runtime/operation.hpp"
 #include "pal/runtime/task.hpp"
 #include "pal/runtime/wiring.hpp"
 
 namespace pal::runtime {
 
-class Run;
+class Kernel;
 
-/// What the run knows about a thread.
+/// What the kernel knows about a thread.
 struct ThreadControl {
   enum class State { idle, blocked, ready, running, ended };
 
@@ -39,8 +40,8 @@ struct ThreadControl {
   WaitOperation* waiting = nullptr;
   SendOperation* sending = nullptr;
   ConcurrentOperation* forked = nullptr;
-  std::uint64_t blocked_order = 0;  // who has waited longest has the least
-  std::uint64_t wait_token = 0;
+  Ticket expiry;     // when the wait gives up
+  int claimed = -1;  // the channel whose message it has begun to receive
 
   // A block of CONCURRENT.
   Thread* parent = nullptr;
@@ -56,7 +57,7 @@ struct ThreadControl {
 /// must outlive that.
 class Thread {
  public:
-  Thread(Run& run, int index, const ThreadSpec& spec, std::size_t conditions);
+  Thread(Kernel& kernel, int index, const ThreadSpec& spec, std::size_t conditions);
   Thread(const Thread&) = delete;
   Thread& operator=(const Thread&) = delete;
 
@@ -118,12 +119,13 @@ class Thread {
   /// In the wiring.
   int index() const { return control.index; }
 
-  Run& run() const { return run_; }
+  /// Where its statements find what they act on.
+  Kernel& kernel() const { return kernel_; }
 
   ThreadControl control;
 
  private:
-  Run& run_;
+  Kernel& kernel_;
 };
 
 }  // namespace pal::runtime

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
 
 namespace pal::runtime {
 

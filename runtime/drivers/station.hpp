@@ -21,6 +21,8 @@ class Pace {
   /// instant at which something came in from outside: an action of the station's timeline by then, at that
   /// instant.
   virtual Time wait_until(Time when) = 0;
+  /// Station time stood still at `now` and goes on from here.
+  virtual void resumed([[maybe_unused]] Time now) {}
 };
 
 struct StationOptions {

@@ -101,6 +101,9 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
       ->default_str("1")
       ->check(CLI::Range(0.001, 1000.0))
       ->excludes(sweep);
+  app.add_flag("--control", command.control,
+               "reads commands from the standard input: step, go, pause, break MODULE:LINE, where, stop")
+      ->excludes(sweep);
   app.add_option("--fault", command.faults, "a file that says what is to go wrong with devices, and when")
       ->excludes(sweep);
   app.add_option("--links", command.links,

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
@@ -14,6 +15,7 @@
 #include "runtime/drivers/streams/outside.hpp"
 #include "sim/program/command_line.hpp"
 #include "sim/program/comparison.hpp"
+#include "sim/program/control_terminal.hpp"
 #include "sim/program/interrupt.hpp"
 #include "sim/program/report_files.hpp"
 
@@ -151,13 +153,16 @@ std::vector<sim::PlannedFault> faults_in(const std::string& file) {
 }
 
 /// Runs the session in the time and over the links that the command asks for; Ctrl-C stops it.
-SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Session session) {
+SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Session session,
+                           std::ostream& out) {
   std::optional<runtime::Outside> outside;
   if (command.paced > 0) session.pace = &outside.emplace(command.paced);
   session.carrier = [&command] { return make_carrier(command.links); };
   runtime::RunControl control;
   const Interrupt interrupt(control);
   session.control = &control;
+  std::optional<ControlTerminal> terminal;
+  if (command.control) terminal.emplace(control, skill.wiring(), STDIN_FILENO, out);
   session.faults = faults_in(command.faults);
   try {
     return run_session(skill, session);
@@ -187,7 +192,7 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
                     Session session, std::ostream& out) {
   if (command.live) session.progress = &out;
   session.terminal = command.terminal;
-  const SessionResult result = run_as_asked(command, skill, session);
+  const SessionResult result = run_as_asked(command, skill, session, out);
   const runtime::Outcome& outcome = result.outcome;
   out << fmt::format("{} in scene {}: {} {}\n", skill.description().name, session.scene.name,
                      outcome.fault ? "fault, completion" : "completion", outcome.code);

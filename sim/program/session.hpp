@@ -39,7 +39,7 @@ struct Session {
   /// Outlive the run; empty: time is virtual, bytes stay in the process, nobody stops the skill.
   runtime::Pace* pace = nullptr;
   std::function<std::unique_ptr<runtime::Carrier>()> carrier{};
-  const runtime::RunControl* control = nullptr;
+  runtime::RunControl* control = nullptr;
   std::vector<sim::PlannedFault> faults{};
 };
 

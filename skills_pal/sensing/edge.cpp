@@ -9,14 +9,22 @@ namespace {
 
 // How much better two lines must be than one. A test holds that 1000 planes and 1000 waves show no edge.
 constexpr double clear = 12;
-constexpr double overshadowing = 3;    // times as clear
-constexpr double on_the_line = 3.5;    // deviations
-constexpr double spacing_slack = 1.5;  // points
+constexpr double overshadowing = 3;                       // times as clear
+constexpr double on_the_line = 3.5;                       // deviations
+constexpr double spacing_slack = 1.5;                     // points
+constexpr double steepest = 75 * std::numbers::pi / 180;  // of what the range finder gives a point
+constexpr std::size_t beside_the_place = 2;  // points by which the search may miss the end of a surface
+
+struct Point {
+  double y = 0;
+  double z = 0;
+};
 
 class Search {
  public:
-  Search(const Points& points, const EdgeOptions& options)
-      : points_(points), options_(options), noise_(noise_of(points)), sums_(points) {}
+  /// `points`: those of the profile that count.
+  Search(const Profile& profile, const Points& points, const EdgeOptions& options)
+      : profile_(profile), points_(points), options_(options), noise_(noise_of(points)), sums_(points) {}
 
   std::optional<Edge> best() const {
     std::optional<Edge> best;
@@ -118,19 +126,76 @@ class Search {
     return true;
   }
 
-  // A surface that ends before another one: half a point beyond its last.
+  // A surface that ends before another one: between the last ray that met it and the next one.
   bool end(Edge& edge, std::size_t place) const {
-    const double y0 = points_.y[place - 1];
-    const double y1 = points_.y[place];
-    const double step = edge.right.at((y0 + y1) / 2) - edge.left.at((y0 + y1) / 2);
+    const double middle = (points_.y[place - 1] + points_.y[place]) / 2;
+    const double step = edge.right.at(middle) - edge.left.at(middle);
     if (std::abs(step) < std::max(options_.least_step, on_the_line * noise_)) return false;
     edge.kind = EdgeKind::step;
-    const bool left_is_nearer = step > 0;
-    edge.y = left_is_nearer ? y0 + (y0 - points_.y[place - 2]) / 2 : y1 - (points_.y[place + 1] - y1) / 2;
+    if (step > 0) {
+      const std::size_t last = last_on(edge.left, place);
+      edge.index = points_.index[last];
+      edge.y = points_.y[last] + spacing({place - side(place), last}) / 2;
+    } else {
+      const std::size_t first = first_on(edge.right, place);
+      const std::optional<Point> wall = wall_before(edge.left, first);
+      const double apart = spacing({first, place + side(place) - 1});
+      const Point seen{points_.y[first], points_.z[first]};
+      edge.index = points_.index[first] - (wall ? 2 : 1);
+      edge.y = seen.y - (0.5 + (wall ? lost_after(*wall, seen, apart) : 0)) * apart;
+    }
     edge.z = edge.beside().at(edge.y);
     return true;
   }
 
+  bool lies_on(const Line& line, std::size_t i) const {
+    return std::abs(points_.z[i] - line.at(points_.y[i])) < on_the_line * noise_;
+  }
+
+  // Where the surface that was seen before `place` ends. A point on the wall below it may have come along.
+  std::size_t last_on(const Line& surface, std::size_t place) const {
+    for (std::size_t i = place + beside_the_place; i-- > place - 1 - beside_the_place;)
+      if (lies_on(surface, i)) return i;
+    return place - 1;
+  }
+
+  std::size_t first_on(const Line& surface, std::size_t place) const {
+    for (std::size_t i = place - beside_the_place; i <= place + beside_the_place; ++i)
+      if (lies_on(surface, i)) return i;
+    return place;
+  }
+
+  // The range finder gives no point where it met something steep on the way from the point before. Going on
+  // to a nearer surface it makes an exception for a single leap. If the wall below that surface is in view
+  // there are two: the first is on to the wall, which shows as a point before the farther surface.
+  std::optional<Point> wall_before(const Line& farther, std::size_t first) const {
+    std::size_t i = points_.index[first] - 1;
+    if (profile_.valid[i]) return std::nullopt;
+    while (i > 0 && !profile_.valid[i]) --i;
+    const Point last{profile_.y[i], profile_.z[i]};
+    const double slack = on_the_line * noise_;
+    const bool between = last.z > points_.z[first] + slack && last.z < farther.at(last.y) - slack;
+    if (!profile_.valid[i] || !between) return std::nullopt;
+    return last;
+  }
+
+  // How much of a point's spacing the nearer surface loses after such a wall. Seen from along the wall, all
+  // of its first point; the more of the wall is seen, the sooner that point follows one of the wall's upper
+  // end, from which the way to it is not too steep: it loses what is left of 1 - tan(steepest) · tan(ray to
+  // wall). Where the wall ends is known to half a point, so that much of the angle is not counted.
+  static double lost_after(const Point& wall, const Point& first, double apart) {
+    const double up = wall.z - first.z;
+    const double across = std::abs(first.y - apart - wall.y + wall.y / wall.z * up);
+    return 1 - std::min(1.0, std::tan(steepest) * std::max(0.0, across - apart / 2) / up);
+  }
+
+  // Of neighbouring points along y; between the first and the last of a surface.
+  double spacing(Stretch ends) const {
+    return (points_.y[ends.end] - points_.y[ends.begin]) /
+           static_cast<double>(points_.index[ends.end] - points_.index[ends.begin]);
+  }
+
+  const Profile& profile_;
   const Points& points_;
   const EdgeOptions& options_;
   double noise_;
@@ -147,8 +212,9 @@ const Line& Edge::beside() const {
 std::optional<Edge> find_edge(const Profile& profile, const EdgeOptions& options) {
   Points points = valid_points(profile);
   points = without_spikes(points, noise_of(points));
+  points = without_wall_points(points, noise_of(points));
   if (options.least_side < 4 || points.count < 2 * options.least_side) return std::nullopt;
-  return Search(points, options).best();
+  return Search(profile, points, options).best();
 }
 
 }  // namespace pal::sensing

@@ -44,6 +44,21 @@ Points without_spikes(const Points& points, double noise) {
   return kept;
 }
 
+Points without_wall_points(const Points& points, double noise) {
+  Points kept;
+  for (std::size_t i = 0; i < points.count; ++i) {
+    if (i > 0 && i + 1 < points.count && points.index[i + 1] > points.index[i] + 1) {
+      const double allowed = spike * noise + steepest * std::abs(points.y[i] - points.y[i - 1]);
+      if (points.z[i - 1] - points.z[i] > allowed) continue;
+    }
+    kept.y[kept.count] = points.y[i];
+    kept.z[kept.count] = points.z[i];
+    kept.index[kept.count] = points.index[i];
+    ++kept.count;
+  }
+  return kept;
+}
+
 double noise_of(const Points& points) {
   const double least = step / std::sqrt(12.0);
   if (points.count < 5) return least;

@@ -31,6 +31,9 @@ struct Points {
 Points valid_points(const Profile& profile);
 /// Without single points that lie far off the middle between their neighbours while these two agree.
 Points without_spikes(const Points& points, double noise);
+/// Without single points on a wall below a nearer surface: much nearer than the point before, and followed by
+/// one that is not valid. They belong to neither surface.
+Points without_wall_points(const Points& points, double noise);
 
 /// Standard deviation of the noise in z, mm: from how far each point lies off the middle between its
 /// neighbours, by their median, so that edges do not count. Never less than the range finder's own steps

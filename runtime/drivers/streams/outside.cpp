@@ -209,6 +209,11 @@ Time Outside::wait_until(Time when) {
   return whole ? when : std::clamp(p.station_now(), std::min(from, when), when);
 }
 
+void Outside::resumed(Time now) {
+  parts_->begun = parts_->wall_origin = Clock::now();
+  parts_->station_origin = now;
+}
+
 std::unique_ptr<OutsideLink> Outside::open_pseudo_terminal(Timeline& timeline) {
   auto link = std::make_unique<TerminalLink>(*parts_, timeline, runtime::open_pseudo_terminal());
   link->begin();

@@ -33,6 +33,7 @@ class Outside final : public Pace {
 
   /// Returns after 50 ms of real time at the latest, so that whoever waits can be stopped.
   Time wait_until(Time when) override;
+  void resumed(Time now) override;
 
   // Links; they use the timeline and this until they are destroyed. Each throws std::runtime_error with the
   // system's reason when it cannot be opened.

@@ -73,6 +73,25 @@ TEST_CASE("a pallet is filled, and the operation says so") {
   CHECK(answer.steps.back().at("code") == 1);
 }
 
+TEST_CASE("an edge is followed again and again") {
+  const Answer answer = run("follow_edge_again", {"--scene", "seam", "--steps", "4"});
+  INFO(answer.out << answer.error);
+  CHECK(answer.status == ExitStatus::done);
+  CHECK(icons(answer) == std::vector<std::string>{"go-home", "follow", "go-home", "follow"});
+  for (const auto& step : answer.steps) CHECK(step.at("code") == 0);
+}
+
+TEST_CASE("the program of the RAPL kind deals with all parts, which the operation counts") {
+  const Answer answer = run("automatic_start", {"--scene", "pallet"});
+  INFO(answer.out << answer.error);
+  CHECK(answer.status == ExitStatus::done);
+  CHECK(answer.out.find("exit 'stop' with code 0") != std::string::npos);
+  std::vector<int> placed;
+  for (const auto& step : answer.steps)
+    if (step.at("icon") == "main/put") placed.push_back(step.at("parameters").at("placed"));
+  CHECK(placed == std::vector<int>{0, 1, 2});
+}
+
 TEST_CASE("an operation is stepped and changed by hand") {
   const Answer answer = run("rub_in_square", {"--scene", "touch", "--step"},
                             "break rub-in-square/side-1\nrun\nset rub-in-square/side-1 distance 1\nset "

@@ -120,6 +120,22 @@ TEST_CASE("breakpoints halt before an icon, also only with a code") {
   CHECK_THROWS_WITH(executor.add_breakpoint({"c", {}}), "operation 'o' has no icon 'c'");
 }
 
+TEST_CASE("a count says how often an icon has ended normally since START") {
+  test::ScriptedRunner runner;
+  runner.codes = {0, 1, 0, 0, 0};
+  Executor executor(
+      program_of(operation(
+          R"({"id": "a", "kind": "skill", "skill": "put", "parameters": {"n": {"count-of": "a"}}, "next": "a", "error": "b"},)"
+          R"({"id": "b", "kind": "skill", "skill": "empty", "next": "again"}, {"id": "again", "kind": "restart"})")),
+      runner);
+  std::vector<double> counted;
+  runner.during = [&] {
+    if (!runner.last_parameters.empty()) counted.push_back(std::get<double>(runner.last_parameters[0].value));
+  };
+  executor.run(5);
+  CHECK(counted == std::vector<double>{0, 1, 0, 1});  // the code 1 does not count, RESTART begins anew
+}
+
 TEST_CASE("parameters are changed while it is paused") {
   test::ScriptedRunner runner;
   runner.codes = {1};

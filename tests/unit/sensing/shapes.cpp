@@ -60,13 +60,17 @@ Scan scan(const Shape& shape, std::mt19937& random, double errors) {
   std::normal_distribution<double> normal;
   Scan result;
   Corner before{0, -1};
+  bool steep_before = false;
   for (std::size_t i = 0; i < most_points; ++i) {
     const double angle = (-20 + 40 * static_cast<double>(i) / (most_points - 1)) * degree;
     const double exact = shape(angle);
     result.valid[i] = exact >= 100 && exact <= 1000;
     const Corner here{exact * std::tan(angle), exact};
-    if (before.z > 0 && exact > 0 && too_steep(before, here)) result.valid[i] = false;
+    const bool steep = before.z > 0 && exact > 0 && too_steep(before, here);
+    const bool onto_nearer = steep && !steep_before && here.z < before.z;
+    if (steep && !onto_nearer) result.valid[i] = false;
     before = here;
+    steep_before = steep;
     if (!result.valid[i]) continue;
     const double limit = errors * stated_error(exact);
     const double z = exact + std::clamp(limit / 2 * normal(random), -limit, limit);

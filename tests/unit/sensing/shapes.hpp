@@ -39,7 +39,7 @@ Shape outline(Outline corners);
 Shape plane(const Eigen::Vector3d& normal, double distance, const Eigen::Isometry3d& pose);
 
 /// The profile of a shape. `errors` scales the errors; points out of range, or on what is
-/// met more steeply than 75 degrees, are invalid.
+/// met more steeply than 75 degrees, are invalid, but for a single leap to a nearer point.
 Scan scan(const Shape& shape, std::mt19937& random, double errors = 1);
 
 }  // namespace pal::sensing::test

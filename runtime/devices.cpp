@@ -1,0 +1,78 @@
+#include "runtime/devices.hpp"
+
+#include "runtime/thrown.hpp"
+
+namespace pal::runtime {
+
+Devices::Devices(Executive& executive, Journal& journal, Mail& mail, MessageObserver* observer,
+                 const std::vector<Connection>& connections)
+    : journal_(journal) {
+  for (const Connection& connection : connections) {
+    const int index = static_cast<int>(links_.size());
+    links_.emplace_back(executive, journal, mail, observer, index, *connection.device, connection.channels);
+  }
+}
+
+/// With the exception that is being handled.
+void Devices::fail(int device) {
+  journal_.fail_device(device, link(device).device().name() + ": " + what_was_thrown());
+}
+
+bool Devices::attach() {
+  for (std::size_t d = 0; d < links_.size(); ++d) {
+    try {
+      links_[d].device().attach(links_[d]);
+    } catch (...) {
+      fail(static_cast<int>(d));
+      return false;
+    }
+  }
+  return true;
+}
+
+void Devices::open(int device) {
+  try {
+    link(device).open();
+  } catch (...) {
+    fail(device);
+  }
+}
+
+void Devices::hand_to(int device, std::size_t port, std::span<const double> fields) {
+  if (journal_.over()) return;
+  link(device).observe(port, fields);
+  try {
+    link(device).device().receive(port, fields);
+  } catch (...) {
+    fail(device);
+  }
+}
+
+bool Devices::withdraw_from(int device, std::size_t port) {
+  try {
+    return link(device).device().withdraw(port);
+  } catch (...) {
+    fail(device);
+    return true;
+  }
+}
+
+void Devices::act(int device, const std::function<void()>& action) {
+  try {
+    action();
+  } catch (...) {
+    fail(device);
+  }
+}
+
+void Devices::close() {
+  for (DeviceLink& each : links_) {
+    try {
+      each.device().close();
+    } catch (...) {
+      journal_.fail_to_close(each.device().name(), what_was_thrown());
+    }
+  }
+}
+
+}  // namespace pal::runtime

@@ -1,0 +1,102 @@
+#include "runtime/kernel.hpp"
+
+#include "runtime/thrown.hpp"
+
+namespace pal::runtime {
+
+using State = ThreadControl::State;
+
+Kernel::Kernel(Executive& the_executive, Journal& the_journal, Skill& skill,
+               const std::vector<Connection>& connections, MessageObserver* observer)
+    : executive(the_executive),
+      journal(the_journal),
+      flow(executive, journal, skill),
+      mail(executive, journal, flow, devices, skill.wiring()),
+      blocks(executive, journal, flow, mail, threads_),
+      conditions(journal, skill.wiring().conditions.size()),
+      devices(executive, journal, mail, observer, connections),
+      wiring(skill.wiring()),
+      skill_(skill) {
+  for (std::size_t d = 0; d < connections.size(); ++d) {
+    const std::vector<int>& channels = connections[d].channels;
+    for (std::size_t port = 0; port < channels.size(); ++port) {
+      if (channels[port] >= 0) mail.connect(channels[port], static_cast<int>(d), port);
+    }
+  }
+  for (std::size_t i = 0; i < wiring.threads.size(); ++i)
+    threads_.emplace_back(*this, static_cast<int>(i), wiring.threads[i], wiring.conditions.size());
+}
+
+void Kernel::start() {
+  if (!devices.attach()) return;
+  try {
+    skill_.start();
+  } catch (const ParameterError& refused) {
+    journal.fail(refused.what());
+    return;
+  } catch (...) {
+    journal.fail("starting the skill: " + what_was_thrown());
+    return;
+  }
+  for (Thread& thread : threads_) {
+    thread.control.task = skill_.body(static_cast<std::size_t>(thread.control.index), thread);
+    if (!thread.control.task) {
+      journal.fail("the skill has no body for its thread " + std::string(thread.control.spec->name));
+      return;
+    }
+  }
+  if (!threads_.empty()) skill_.reserve_executed(threads_.front());
+  for (Thread& thread : threads_) {
+    if (thread.control.spec->parent < 0) flow.begin(thread);
+  }
+  settle();
+}
+
+void Kernel::happen(Due due) {
+  switch (due.kind) {
+    case Due::Kind::message_available:
+      mail.message_available(due.subject);
+      break;
+    case Due::Kind::wait_expired:
+      mail.wait_expired(threads_[static_cast<std::size_t>(due.subject)]);
+      break;
+    case Due::Kind::request_arrives:
+      mail.request_arrives(due.subject);
+      break;
+  }
+}
+
+bool Kernel::compute(Thread& thread) {
+  try {
+    thread.control.operation->compute();
+    return true;
+  } catch (...) {
+    journal.fail_by_exception(thread);
+    return false;
+  }
+}
+
+void Kernel::finish(Thread& thread) {
+  try {
+    thread.control.operation->effect();
+  } catch (...) {
+    journal.fail_by_exception(thread);
+  }
+}
+
+std::vector<std::string> Kernel::places() const {
+  std::vector<std::string> result;
+  for (const Thread& thread : threads_) {
+    const State state = thread.control.state;
+    if (state != State::idle && state != State::ended) result.push_back(journal.place_of(thread));
+  }
+  return result;
+}
+
+std::string Kernel::who_waits() const {
+  std::string text;
+  for (const std::string& place : places()) text += (text.empty() ? ": " : ", ") + place;
+  return text;
+}
+
+}  // namespace pal::runtime

@@ -1,0 +1,74 @@
+// What is common to all runs, whatever gives them time: operations, mail, conditions, blocks, devices.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pal/runtime/executive.hpp"
+#include "pal/runtime/skill.hpp"
+#include "pal/runtime/thread.hpp"
+#include "runtime/blocks.hpp"
+#include "runtime/conditions.hpp"
+#include "runtime/devices.hpp"
+#include "runtime/flow.hpp"
+#include "runtime/frame_pool.hpp"
+#include "runtime/journal.hpp"
+#include "runtime/mail.hpp"
+
+namespace pal::runtime {
+
+/// One thing at a time: whoever calls, no two of its functions go on at once.
+class Kernel {
+ public:
+  /// All outlive the kernel. `connections`: one for each device of the skill's wiring, in its order.
+  Kernel(Executive& executive, Journal& journal, Skill& skill, const std::vector<Connection>& connections,
+         MessageObserver* observer);
+  Kernel(const Kernel&) = delete;
+  Kernel& operator=(const Kernel&) = delete;
+
+  // For executives.
+  /// All threads come to their first statement, unless the run is over before.
+  void start();
+  /// What was asked for by Executive::at() is due.
+  void happen(Due due);
+  void act(int device, const std::function<void()>& action) { devices.act(device, action); }
+  /// The thread's statement has had its processor: its effect. What the statement computes by itself is done
+  /// before, by compute().
+  void finish(Thread& thread);
+  /// What the thread's statement works out by code that was written by hand; changes nothing in the kernel.
+  /// False: it has thrown, and finish() is not called.
+  bool compute(Thread& thread);
+  /// Those whose statement had its effect go on to their next. After whatever happens.
+  void settle() {
+    flow.settle([this](Thread& thread) {
+      if (thread.control.cancelled) {
+        blocks.stop(thread);
+      } else {
+        thread.control.resume_point.resume();
+      }
+    });
+  }
+  /// Of each thread that has begun and not ended: "SM1 at TXM( x to y ) (file.pal:7)".
+  std::vector<std::string> places() const;
+  /// ": SM1 at …, MC1 at …"
+  std::string who_waits() const;
+
+  // For the statements of threads.
+  Executive& executive;
+  Journal& journal;
+  FramePool frames;
+  Flow flow;
+  Mail mail;
+  Blocks blocks;
+  Conditions conditions;
+  Devices devices;
+  const Wiring& wiring;
+
+ private:
+  Skill& skill_;
+  std::deque<Thread> threads_;
+};
+
+}  // namespace pal::runtime

@@ -1,0 +1,56 @@
+// Virtual time: a discrete-event executive, single-threaded and deterministic.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+#include <vector>
+
+#include "pal/runtime/cost_policy.hpp"
+#include "pal/runtime/executive.hpp"
+#include "runtime/event_queue.hpp"
+#include "runtime/journal.hpp"
+#include "runtime/kernel.hpp"
+#include "runtime/scheduler.hpp"
+
+namespace pal::runtime {
+
+class VirtualExecutive final : public Executive {
+ public:
+  /// All outlive the executive.
+  VirtualExecutive(Clock& clock, Journal& journal, World& world, const Wiring& wiring,
+                   const RunOptions& options);
+
+  /// From the start of the skill to its end.
+  void run(Kernel& kernel);
+
+  Time latency(const Interval& interval) override { return costs_.draw(interval); }
+  void need_processor(Thread& thread, const Interval& time) override {
+    scheduler_.need_processor(thread, costs_.draw(time));
+  }
+  void leave(Thread& thread) override { scheduler_.leave(thread); }
+  Ticket at(Time when, Due due) override;
+  Ticket at(Time when, int device, std::function<void()> action) override;
+  void cancel(Ticket ticket) override { queue_.cancel(ticket.number); }
+  void post(int device, std::function<void()> action) override;
+
+ private:
+  void step(Kernel& kernel);
+  void obey(RunControl& control, Kernel& kernel);
+  bool go_to(Time when, const Kernel& kernel);
+  void happen(const Event& event, Kernel& kernel);
+  void take_posted();
+
+  Journal& journal_;
+  World& world_;
+  RunOptions options_;
+  CostDraw costs_;
+  EventQueue queue_;
+  Scheduler scheduler_;
+  std::uint64_t events_now_ = 0;  // since time last went on
+  std::atomic<bool> something_posted_ = false;
+  std::mutex posting_;
+  std::vector<DeviceAction> posted_;
+};
+
+}  // namespace pal::runtime

@@ -1,0 +1,23 @@
+// What bench_runtime compares: each function makes `count` round trips of a message and its answer.
+#pragma once
+
+#include <cstddef>
+
+#include "pal/runtime/outcome.hpp"
+
+namespace pal::benchmark {
+
+/// Send, Receive, Reply of a skill in virtual time; `threads` in all, those beside client and server wait.
+/// Throws std::runtime_error if the skill does not come to its end.
+void skill_round_trips(std::size_t count, std::size_t threads, runtime::TraceMode trace);
+
+/// Two fibers of Boost.Fiber and two channels. False: built without it.
+bool fiber_round_trips(std::size_t count);
+
+/// Two threads, a mutex and a condition variable.
+void thread_round_trips(std::size_t count);
+
+/// Two coroutines that transfer to each other and do nothing else.
+void bare_transfers(std::size_t count);
+
+}  // namespace pal::benchmark
