@@ -148,7 +148,7 @@ void report(const Seen& seen) {
 }  // namespace
 
 TEST_CASE("leaving out orders of moves changes nothing that is found") {
-  const auto seeds = setting("PAL_ROUNDS", 400);
+  const auto seeds = setting("PAL_ROUNDS", 120);
   const auto first = setting("PAL_SEED", 1);
   Seen seen;
   for (auto seed = first; seed < first + seeds; ++seed) {
@@ -326,7 +326,7 @@ END
 }
 
 TEST_CASE("withdrawn requests that are not counted change nothing of what is decided") {
-  const auto seeds = setting("PAL_ROUNDS", 200);
+  const auto seeds = setting("PAL_ROUNDS", 50);
   const auto first = setting("PAL_SEED", 1);
   Seen seen;
   Blurred blurred;
