@@ -11,7 +11,7 @@
 #include "pal/support/diagnostic.hpp"
 #include "pal/support/source.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 /// One thing that a skill needs.
 struct Resource {
@@ -50,4 +50,4 @@ std::string kind_text(Resource::Kind kind);
 /// behaviour or time is found, one by one, where a model is made of the two.)
 void check_listed(const pan::Network& network, const pan::Environment& environment, Diagnostics& diagnostics);
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

@@ -6,7 +6,7 @@
 #include "pal/pan/network.hpp"
 #include "pal/support/diagnostic.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 /// Reports each message that one block writes while another uses it: a wait and an activity that WRITES it
 /// write, a send, a decision FROM it and an activity that READS it read. Blocks on two processors meet, and
@@ -15,4 +15,4 @@ namespace pal::frontend {
 void check_shared_messages(const pan::Network& network, const pan::Environment& environment,
                            Diagnostics& diagnostics);
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

@@ -46,9 +46,9 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
       is_one(session.specification.environments.size(), "environment", "give one with --environment FILE",
              "choose with --environment-name NAME", console.err);
   if (one) {
-    frontend::check_listed(session.specification.skills.front(), session.specification.environments.front(),
+    checker::check_listed(session.specification.skills.front(), session.specification.environments.front(),
                            session.diagnostics);
-    frontend::check_shared_messages(session.specification.skills.front(),
+    checker::check_shared_messages(session.specification.skills.front(),
                                     session.specification.environments.front(), session.diagnostics);
     generated =
         codegen::generate(session.specification.skills.front(), session.specification.environments.front(),

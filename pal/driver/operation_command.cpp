@@ -76,7 +76,7 @@ std::optional<std::set<std::string>> taught(const OperationOptions& options) {
 void check_against_cell(const Session& session, Diagnostics& diagnostics) {
   for (const pan::Network& skill : session.specification.skills)
     for (const pan::Environment& environment : session.specification.environments)
-      frontend::check_listed(skill, environment, diagnostics);
+      checker::check_listed(skill, environment, diagnostics);
 }
 
 std::vector<Program> read_programs(const OperationOptions& options, const Console& console,

@@ -22,8 +22,8 @@ double seconds_since(Clock::time_point begin) {
 
 std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
                                             Session& session) {
-  frontend::check_listed(skill, environment, session.diagnostics);
-  frontend::check_shared_messages(skill, environment, session.diagnostics);
+  checker::check_listed(skill, environment, session.diagnostics);
+  checker::check_shared_messages(skill, environment, session.diagnostics);
   return analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
 }
 

@@ -15,8 +15,8 @@
 namespace pal::driver {
 namespace {
 
-using frontend::deadlock::Deed;
-using frontend::deadlock::Story;
+using checker::deadlock::Deed;
+using checker::deadlock::Story;
 
 /// From the run of a story to its chart.
 class Converter {
@@ -109,7 +109,7 @@ class Converter {
                        sources_.line_column(where.file, where.begin).line);
   }
 
-  void add(const frontend::deadlock::Line& line) {
+  void add(const checker::deadlock::Line& line) {
     const auto row = chart_.places.size();
     chart_.places.push_back(place(line.where));
     const auto self = lane(line.thread);
@@ -165,7 +165,7 @@ ExitStatus draw_sequences(const SequenceOptions& options, const Console& console
   if (!sound(session)) return status_of_findings(session);
   std::vector<OutputFile> files;
   for (const pan::Network& skill : session.specification.skills) {
-    const auto stories = frontend::deadlock::stories(skill);
+    const auto stories = checker::deadlock::stories(skill);
     for (std::size_t i = 0; i < stories.size(); ++i) {
       files.push_back({fmt::format("{}/{}.{}.sequence.svg", options.output, skill.skill.name, i + 1),
                        chart::sequence_svg(Converter(stories[i], skill, session.sources).convert())});

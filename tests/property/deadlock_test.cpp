@@ -9,7 +9,7 @@
 #include "tests/support/talking_skill.hpp"
 
 using namespace pal;
-using namespace pal::frontend;
+using namespace pal::checker;
 using pal::test::setting;
 using pal::test::talking_skill;
 

@@ -13,7 +13,7 @@
 #include "pal/pan/dump.hpp"
 #include "pal/syntax/format.hpp"
 #include "tests/support/random_program.hpp"
-#include "tests/unit/frontend/specification.hpp"
+#include "tests/unit/check/specification.hpp"
 
 using namespace pal;
 

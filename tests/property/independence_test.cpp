@@ -11,8 +11,8 @@
 #include "tests/support/talking_skill.hpp"
 
 using namespace pal;
-using namespace pal::frontend;
-using namespace pal::frontend::deadlock;
+using namespace pal::checker;
+using namespace pal::checker::deadlock;
 using pal::test::setting;
 using pal::test::talking_skill;
 

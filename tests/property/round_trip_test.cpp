@@ -12,7 +12,7 @@
 #include "pal/syntax/print.hpp"
 #include "tests/support/random_program.hpp"
 #include "tests/support/touch_files.hpp"
-#include "tests/unit/frontend/specification.hpp"
+#include "tests/unit/check/specification.hpp"
 
 using namespace pal;
 

@@ -6,7 +6,7 @@
 
 #include "pal/check/conditions/guards.hpp"
 
-namespace pal::frontend::conditions {
+namespace pal::checker::conditions {
 
 Concern::Concern(const pan::Network& network, pan::ModuleId root) : network_(network) {
   std::set<pan::ModuleId> entered{root};
@@ -62,4 +62,4 @@ Place Concern::settled(const Place& from) const {
   return place;
 }
 
-}  // namespace pal::frontend::conditions
+}  // namespace pal::checker::conditions

@@ -6,7 +6,7 @@
 #include "pal/check/conditions/condition_state.hpp"
 #include "pal/pan/network.hpp"
 
-namespace pal::frontend::conditions {
+namespace pal::checker::conditions {
 
 class Concern {
  public:
@@ -35,4 +35,4 @@ class Concern {
   std::set<pan::ConditionId> tested_;
 };
 
-}  // namespace pal::frontend::conditions
+}  // namespace pal::checker::conditions

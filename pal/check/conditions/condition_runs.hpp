@@ -10,7 +10,7 @@
 #include "pal/pan/flow.hpp"
 #include "pal/pan/network.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 /// One step of a run that has to do with conditions.
 struct RunStep {
@@ -41,4 +41,4 @@ struct ConditionRuns {
 /// module.
 ConditionRuns explore_conditions(const pan::Network& network, const pan::Flow& flow, pan::ModuleId root);
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

@@ -7,7 +7,7 @@
 
 #include "pal/pan/network.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 /// Of more conditions in one test not every way to read them is tried: of 10 there are 2^10.
 constexpr std::size_t most_read_at_once = 10;
@@ -32,4 +32,4 @@ bool holds(const pan::Guard& guard, const Read& read) {
 /// Adds the conditions of a guard, each once, in the order of the text.
 void conditions_of(const pan::Guard& guard, std::vector<pan::ConditionId>& result);
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

@@ -10,7 +10,7 @@
 #include "pal/check/deadlock/simplify.hpp"
 #include "pal/pan/threads.hpp"
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 namespace {
 
@@ -298,4 +298,4 @@ Automata without_conditions(Automata automata) {
   return automata;
 }
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

@@ -8,7 +8,7 @@
 #include "pal/check/deadlock/dead.hpp"
 #include "pal/check/deadlock/search.hpp"
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 namespace {
 
@@ -288,4 +288,4 @@ Decision decide(const Automata& automata, const Moves& moves, const Independence
   return Decider(automata, moves, independence, most_states).run();
 }
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

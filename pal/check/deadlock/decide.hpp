@@ -7,7 +7,7 @@
 
 #include "pal/check/deadlock/independence.hpp"
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 struct Decision {
   bool complete = true;  // false: the limit was reached, and what was not found may be there
@@ -24,4 +24,4 @@ struct Decision {
 Decision decide(const Automata& automata, const Moves& moves, const Independence& independence,
                 std::size_t most_states);
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

@@ -4,7 +4,7 @@
 #include <random>
 #include <utility>
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 namespace {
 
@@ -75,4 +75,4 @@ std::optional<Decision> exclude(const Automata& automata, int withdrawn, std::si
   return decision;
 }
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

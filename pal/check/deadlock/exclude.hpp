@@ -6,7 +6,7 @@
 
 #include "pal/check/deadlock/decide.hpp"
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 /// What is decided of the skill with its conditions unknown, if that has no dead end and takes every message
 /// that is put, and some runs of the skill itself are seen to take each of them, too: then this is so of the
@@ -14,4 +14,4 @@ namespace pal::frontend::deadlock {
 /// `withdrawn`: requests that are counted. `most_states`: as for decide.
 std::optional<Decision> exclude(const Automata& automata, int withdrawn, std::size_t most_states);
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

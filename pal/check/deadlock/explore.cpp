@@ -11,7 +11,7 @@
 #include "pal/check/deadlock/search.hpp"
 #include "pal/check/deadlock/ways_on.hpp"
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 namespace {
 
@@ -222,4 +222,4 @@ Findings explore(const Automata& automata, const Limits& limits) {
   return Explorer(automata, limits).run();
 }
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

@@ -9,7 +9,7 @@
 #include "pal/check/deadlock/automata.hpp"
 #include "pal/check/deadlock/moves.hpp"
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 /// A thread that never goes on, at a wait or a send.
 struct Stuck {
@@ -59,4 +59,4 @@ struct Findings {
 
 Findings explore(const Automata& automata, const Limits& limits = {});
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

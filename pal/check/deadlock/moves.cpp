@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 bool is_talk(const Deed& deed) {
   switch (deed.kind) {
@@ -165,4 +165,4 @@ void Moves::steps_of(const State& state, std::size_t thread, std::vector<Move>& 
   }
 }
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

@@ -12,7 +12,7 @@
 #include "pal/check/deadlock/automata.hpp"
 #include "pal/check/deadlock/relevance.hpp"
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 /// A state of all threads, slots and conditions, as words; Moves knows which is which. What no step to come
 /// reads is forgotten: conditions and latches that only the past has read are FALSE.
@@ -200,4 +200,4 @@ class Enabled {
   mutable std::vector<bool> is_found_;
 };
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

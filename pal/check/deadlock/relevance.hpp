@@ -8,7 +8,7 @@
 
 #include "pal/check/deadlock/automata.hpp"
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 /// Sets of numbers below a size, one a step; as wide as they must be.
 class StepSets {
@@ -43,4 +43,4 @@ StepSets latches_to_be_read(const Automata& automata);
 /// CONCURRENT what follows that.
 void close_over_future(const Automata& automata, StepSets& sets);
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 namespace {
 
@@ -153,4 +153,4 @@ Found search(const Moves& moves, const Independence& independence, std::size_t t
   return Searcher(moves, independence, threads, goal, most_states).run(from);
 }
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

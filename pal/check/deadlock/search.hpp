@@ -10,7 +10,7 @@
 
 #include "pal/check/deadlock/independence.hpp"
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 /// Of two runs the one that needs fewer lucky or unlucky times is the shorter, then the one with less talk,
 /// then the one with fewer steps.
@@ -55,4 +55,4 @@ Found search(const Moves& moves, const Independence& independence, std::size_t t
 Threads choose(const Independence& independence, const State& state, const Enabled& enabled,
                const Threads& needed, std::size_t first = 0);
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

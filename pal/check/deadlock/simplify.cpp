@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 namespace {
 
@@ -162,4 +162,4 @@ void simplify(Automata& automata) {
   Simplifier(automata).simplify();
 }
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

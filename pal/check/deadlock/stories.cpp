@@ -1,6 +1,6 @@
 #include "pal/check/deadlock/stories.hpp"
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 std::vector<Story> stories(const pan::Network& network) {
   std::vector<Story> result;
@@ -15,4 +15,4 @@ std::vector<Story> stories(const pan::Network& network) {
   return result;
 }
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

@@ -5,10 +5,10 @@
 
 #include "pal/check/deadlock/story.hpp"
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 /// The runs to where the skill stands still, or never ends, or completes with a command undelivered; none of
 /// that: empty. For a network without other errors.
 std::vector<Story> stories(const pan::Network& network);
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

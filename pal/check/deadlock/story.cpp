@@ -2,7 +2,7 @@
 
 #include "pal/pan/dump.hpp"
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 namespace {
 
@@ -146,4 +146,4 @@ Story tell(const pan::Network& network, const Automata& automata, const Undelive
   return story;
 }
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

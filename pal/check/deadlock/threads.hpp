@@ -4,11 +4,11 @@
 #include <bitset>
 #include <cstddef>
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 /// A skill with more threads is not searched.
 inline constexpr std::size_t most_threads = 256;
 
 using Threads = std::bitset<most_threads>;
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

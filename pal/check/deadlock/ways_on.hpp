@@ -10,7 +10,7 @@
 
 #include "pal/check/deadlock/search.hpp"
 
-namespace pal::frontend::deadlock {
+namespace pal::checker::deadlock {
 
 /// For each state and each thread on which the end of the first thread depends: some way on for it. A run to
 /// a state without one must at some time get into the way of the way on that there is now.
@@ -60,4 +60,4 @@ class WaysOn {
   std::unordered_map<State, ByThread> ways_;
 };
 
-}  // namespace pal::frontend::deadlock
+}  // namespace pal::checker::deadlock

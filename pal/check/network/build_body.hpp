@@ -5,11 +5,11 @@
 #include "pal/pan/network.hpp"
 #include "pal/syntax/tree.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 /// Fills in body and threads of `module`. `speaker` is the module as which it talks: itself, or the one that
 /// executes it. Statements whose names mean nothing are left out, and their names reported.
 void build_body(pan::ModuleId module, pan::ModuleId speaker, Names& names, pan::Network& network,
                 Diagnostics& diagnostics);
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

@@ -6,7 +6,7 @@
 #include "pal/support/diagnostic.hpp"
 #include "pal/syntax/tree.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 /// Reports names that mean nothing, and what is wrong with the template.
 pan::Network build_network(const Scope& scope, const syntax::SkillUnit& skill, Diagnostics& diagnostics);
@@ -16,4 +16,4 @@ pan::Network build_network(const Scope& scope, const syntax::SkillUnit& skill, D
 pan::Network build_sketch(const Scope& scope, const std::string& name, SourceSpan where,
                           Diagnostics& diagnostics);
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

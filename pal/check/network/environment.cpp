@@ -11,7 +11,7 @@
 #include "pal/support/duration_text.hpp"
 #include "pal/support/nearest.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 namespace {
 
@@ -173,4 +173,4 @@ pan::Environment build_environment(const syntax::EnvironmentUnit& written, Diagn
   return result;
 }
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

@@ -5,8 +5,8 @@
 #include "pal/support/diagnostic.hpp"
 #include "pal/syntax/tree.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 pan::Environment build_environment(const syntax::EnvironmentUnit& written, Diagnostics& diagnostics);
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

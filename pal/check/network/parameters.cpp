@@ -11,7 +11,7 @@
 #include "pal/units/conversion.hpp"
 #include "pal/units/unit.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 namespace {
 
@@ -197,4 +197,4 @@ pan::Parameter build_parameter(const syntax::Parameter& written, Diagnostics& di
   return ParameterBuilder(written, diagnostics).build();
 }
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

@@ -5,10 +5,10 @@
 #include "pal/support/diagnostic.hpp"
 #include "pal/syntax/tree.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 /// A value with a unit of its own is converted exactly and rounded once. After a finding the result is of use
 /// for other findings only.
 pan::Parameter build_parameter(const syntax::Parameter& written, Diagnostics& diagnostics);
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

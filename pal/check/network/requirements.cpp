@@ -9,7 +9,7 @@
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/nearest.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 namespace {
 
@@ -279,4 +279,4 @@ void build_requirements(const syntax::SkillUnit& skill, Names& names, pan::Netwo
   }
 }
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

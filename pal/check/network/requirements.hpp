@@ -5,10 +5,10 @@
 #include "pal/pan/network.hpp"
 #include "pal/syntax/tree.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 /// Fills in Network::requirements. Reports those that name nothing.
 void build_requirements(const syntax::SkillUnit& skill, Names& names, pan::Network& network,
                         Diagnostics& diagnostics);
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

@@ -5,7 +5,7 @@
 #include "pal/check/rules/families.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 namespace {
 
@@ -50,4 +50,4 @@ void check_askers(const pan::Network& network, Diagnostics& diagnostics) {
   }
 }
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

@@ -7,7 +7,7 @@
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 namespace {
 
@@ -98,4 +98,4 @@ void check_deadlocks(const pan::Network& network, const pan::Flow& flow, Diagnos
   }
 }
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

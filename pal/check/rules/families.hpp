@@ -5,7 +5,7 @@
 #include "pal/pan/network.hpp"
 #include "pal/support/diagnostic.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 /// Who may talk to whom (thesis, figure 3.3).
 void check_layers(const pan::Network& network, Diagnostics& diagnostics);
@@ -32,4 +32,4 @@ void check_starts(const pan::Network& network, Diagnostics& diagnostics);
 /// errors.
 void check_deadlocks(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics);
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

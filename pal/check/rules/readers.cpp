@@ -7,7 +7,7 @@
 #include "pal/check/rules/families.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 namespace {
 
@@ -174,4 +174,4 @@ void check_readers(const pan::Network& network, const pan::Flow& flow, Diagnosti
   for (const auto& condition : network.conditions) check_condition(network, flow, condition, diagnostics);
 }
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

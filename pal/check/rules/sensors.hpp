@@ -3,10 +3,10 @@
 
 #include "pal/check/network/names.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 /// Drivers that are named and not asked, or asked and not named; information likewise; slots of logical
 /// sensors in other modules. A template without a slot says nothing of it.
 void check_sensors(const Names& names, const pan::Network& network, Diagnostics& diagnostics);
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

@@ -8,7 +8,7 @@
 #include "pal/support/diagnostic.hpp"
 #include "pal/syntax/tree.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 /// Warns of messages, conditions and devices of `tree` that none of `skills` uses, and of times and devices
 /// that `environments`, of the same file, give to what no skill has. `skills` are those of this file, without
@@ -16,4 +16,4 @@ namespace pal::frontend {
 void check_unused(const syntax::Tree& tree, const std::vector<const pan::Network*>& skills,
                   const std::vector<const pan::Environment*>& environments, Diagnostics& diagnostics);
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

@@ -6,7 +6,7 @@
 #include "pal/pan/flow.hpp"
 #include "pal/pan/network.hpp"
 
-namespace pal::frontend {
+namespace pal::checker {
 
 /// The statements of a network on which nothing pauses. Nothing is assumed of conditions, as in Flow.
 class ZeroTimePaths {
@@ -30,4 +30,4 @@ class ZeroTimePaths {
   std::vector<std::vector<bool>> forks_;  // by module and node
 };
 
-}  // namespace pal::frontend
+}  // namespace pal::checker

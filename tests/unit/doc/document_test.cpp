@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/unit/frontend/specification.hpp"
+#include "tests/unit/check/specification.hpp"
 
 using namespace pal;
 

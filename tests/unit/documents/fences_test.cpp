@@ -22,7 +22,7 @@
 
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/syntax/format.hpp"
-#include "tests/unit/frontend/specification.hpp"
+#include "tests/unit/check/specification.hpp"
 
 using namespace pal;
 

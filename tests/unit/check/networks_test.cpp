@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "pal/pan/dump.hpp"
-#include "tests/unit/frontend/specification.hpp"
+#include "tests/unit/check/specification.hpp"
 
 using namespace pal;
 using test::check_files;

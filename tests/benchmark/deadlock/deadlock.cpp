@@ -50,10 +50,10 @@ bool measure(const Case& one, int runs) {
   const auto& network = specification.skills.front();
   const pal::pan::Flow flow(network);
   std::vector<double> seconds;
-  pal::frontend::deadlock::Findings found;
+  pal::checker::deadlock::Findings found;
   for (int i = 0; i < runs; ++i) {
     const auto start = std::clock();
-    found = pal::frontend::deadlock::explore(pal::frontend::deadlock::automata(network, flow));
+    found = pal::checker::deadlock::explore(pal::checker::deadlock::automata(network, flow));
     seconds.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
   }
   std::sort(seconds.begin(), seconds.end());

@@ -3,7 +3,7 @@
 
 #include "pal/syntax/parse.hpp"
 #include "pal/syntax/print.hpp"
-#include "tests/unit/frontend/specification.hpp"
+#include "tests/unit/check/specification.hpp"
 
 using namespace pal;
 

@@ -7,7 +7,7 @@
 
 #include "pal/support/diagnostic_code.hpp"
 #include "tests/support/touch_files.hpp"
-#include "tests/unit/frontend/specification.hpp"
+#include "tests/unit/check/specification.hpp"
 
 using namespace pal;
 

@@ -12,7 +12,7 @@
 
 #include "pal/support/render.hpp"
 #include "tests/support/touch_files.hpp"
-#include "tests/unit/frontend/specification.hpp"
+#include "tests/unit/check/specification.hpp"
 
 using namespace pal;
 namespace fs = std::filesystem;
