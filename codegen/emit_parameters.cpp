@@ -59,7 +59,7 @@ void write_text_setter(Writer& out, const Plan& plan) {
   out.close();
 }
 
-std::string header(const Plan& plan) {
+std::string parameters_header(const Plan& plan) {
   Writer out;
   write_heading(out, plan, "The parameters of skill " + plan.skill.name + ".");
   out.line("#pragma once").line();
@@ -90,7 +90,7 @@ std::string header(const Plan& plan) {
   return out.take();
 }
 
-std::string source(const Plan& plan) {
+std::string parameters_source(const Plan& plan) {
   Writer out;
   write_heading(out, plan, "The parameters of skill " + plan.skill.name + ".");
   out.line("#include \"" + plan.file + "_parameters.hpp\"");
@@ -140,7 +140,7 @@ std::string source(const Plan& plan) {
 }  // namespace
 
 std::vector<GeneratedFile> emit_parameters(const Plan& plan) {
-  return {{plan.file + "_parameters.hpp", header(plan)}, {plan.file + "_parameters.cpp", source(plan)}};
+  return {{plan.file + "_parameters.hpp", parameters_header(plan)}, {plan.file + "_parameters.cpp", parameters_source(plan)}};
 }
 
 }  // namespace pal::codegen

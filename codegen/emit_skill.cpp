@@ -21,7 +21,7 @@ std::string factory(const Plan& plan) {
   return "std::unique_ptr<runtime::Skill> make_" + plan.name + "(";
 }
 
-std::string header(const Plan& plan) {
+std::string skill_header(const Plan& plan) {
   Writer out;
   write_heading(out, plan, "Skill " + plan.skill.name + ", for the dispatcher.");
   out.line("#pragma once").line();
@@ -156,7 +156,7 @@ void write_class(Writer& out, const Plan& plan) {
   out.close("};");
 }
 
-std::string source(const Plan& plan) {
+std::string skill_source(const Plan& plan) {
   Writer out;
   write_heading(out, plan, "Skill " + plan.skill.name + ", for the dispatcher.");
   out.line("#include \"" + plan.file + "_skill.hpp\"").line();
@@ -192,7 +192,7 @@ std::string source(const Plan& plan) {
 }  // namespace
 
 std::vector<GeneratedFile> emit_skill(const Plan& plan) {
-  return {{plan.file + "_skill.hpp", header(plan)}, {plan.file + "_skill.cpp", source(plan)}};
+  return {{plan.file + "_skill.hpp", skill_header(plan)}, {plan.file + "_skill.cpp", skill_source(plan)}};
 }
 
 }  // namespace pal::codegen

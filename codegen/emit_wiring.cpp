@@ -17,7 +17,7 @@ void write_constants(Writer& out, const char* space, const char* comment, const 
   out.line(std::string("}  // namespace ") + space).line();
 }
 
-std::string header(const Plan& plan) {
+std::string wiring_header(const Plan& plan) {
   Writer out;
   write_heading(out, plan, "Who runs where, who talks to whom, and how long it takes.");
   out.line("#pragma once").line();
@@ -119,7 +119,7 @@ void write_tables(Writer& out, const Plan& plan) {
   out.close("}};").line();
 }
 
-std::string source(const Plan& plan) {
+std::string wiring_source(const Plan& plan) {
   Writer out;
   write_heading(out, plan, "Who runs where, who talks to whom, and how long it takes.");
   out.line("#include \"" + plan.file + "_wiring.hpp\"").line();
@@ -145,7 +145,7 @@ std::string source(const Plan& plan) {
 }  // namespace
 
 std::vector<GeneratedFile> emit_wiring(const Plan& plan) {
-  return {{plan.file + "_wiring.hpp", header(plan)}, {plan.file + "_wiring.cpp", source(plan)}};
+  return {{plan.file + "_wiring.hpp", wiring_header(plan)}, {plan.file + "_wiring.cpp", wiring_source(plan)}};
 }
 
 }  // namespace pal::codegen

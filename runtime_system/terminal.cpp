@@ -12,7 +12,7 @@
 namespace pal::runtime_system {
 namespace {
 
-[[noreturn]] void fail(int descriptor, const std::string& what) {
+[[noreturn]] void close_and_fail(int descriptor, const std::string& what) {
   const std::error_code why(errno, std::generic_category());
   if (descriptor >= 0) ::close(descriptor);
   throw std::system_error(why, what);
@@ -47,16 +47,16 @@ OpenTerminal open_pseudo_terminal() {
   OpenTerminal result;
   result.descriptor = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
   if (result.descriptor < 0 || ::grantpt(result.descriptor) != 0 || ::unlockpt(result.descriptor) != 0)
-    fail(result.descriptor, "opening a pseudo-terminal");
+    close_and_fail(result.descriptor, "opening a pseudo-terminal");
   std::array<char, 128> path{};
   if (::ptsname_r(result.descriptor, path.data(), path.size()) != 0)
-    fail(result.descriptor, "naming a pseudo-terminal");
+    close_and_fail(result.descriptor, "naming a pseudo-terminal");
   result.path = path.data();
   // By the near side: the far side is closed, so that a client's coming and going is seen.
   termios settings{};
-  if (::tcgetattr(result.descriptor, &settings) != 0) fail(result.descriptor, result.path);
+  if (::tcgetattr(result.descriptor, &settings) != 0) close_and_fail(result.descriptor, result.path);
   ::cfmakeraw(&settings);
-  if (::tcsetattr(result.descriptor, TCSANOW, &settings) != 0) fail(result.descriptor, result.path);
+  if (::tcsetattr(result.descriptor, TCSANOW, &settings) != 0) close_and_fail(result.descriptor, result.path);
   return result;
 }
 
@@ -64,17 +64,17 @@ OpenTerminal open_serial(const std::string& path, unsigned baud) {
   const speed_t speed = speed_of(baud);
   if (speed == B0) {
     errno = EINVAL;
-    fail(-1, std::to_string(baud) + " baud");
+    close_and_fail(-1, std::to_string(baud) + " baud");
   }
   OpenTerminal result{::open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK), path};
   termios settings{};
-  if (result.descriptor < 0 || ::tcgetattr(result.descriptor, &settings) != 0) fail(result.descriptor, path);
+  if (result.descriptor < 0 || ::tcgetattr(result.descriptor, &settings) != 0) close_and_fail(result.descriptor, path);
   ::cfmakeraw(&settings);
   settings.c_cflag |= CLOCAL | CREAD;
   settings.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | CRTSCTS);
   ::cfsetispeed(&settings, speed);
   ::cfsetospeed(&settings, speed);
-  if (::tcsetattr(result.descriptor, TCSANOW, &settings) != 0) fail(result.descriptor, path);
+  if (::tcsetattr(result.descriptor, TCSANOW, &settings) != 0) close_and_fail(result.descriptor, path);
   return result;
 }
 

@@ -12,12 +12,12 @@ namespace pal::chart {
 
 namespace {
 
-constexpr Length left_edge = 40;
+constexpr Length legend_edge = 40;
 constexpr Length row_height = 125;
 constexpr Length font = 90;
-constexpr Length full_width = panel_right - left_edge;
+constexpr Length full_width = panel_right - legend_edge;
 
-std::string figure(const Layer& layer, std::int64_t ns) {
+std::string drawn_figure(const Layer& layer, std::int64_t ns) {
   return layer.timeline->origin == "measured" ? rounded_duration_text(ns) : duration_text(ns);
 }
 
@@ -67,7 +67,7 @@ Length draw_explanation(const Layer& layer, Length top, SvgWriter& out) {
   std::string heading = "How this comes about";
   if (layer.options->highlight) {
     heading = "How the " +
-              figure(layer, layer.options->highlight->to_ns - layer.options->highlight->from_ns) +
+              drawn_figure(layer, layer.options->highlight->to_ns - layer.options->highlight->from_ns) +
               " come about";
   }
   top = draw_panel_heading(heading, top, out) + 60;
@@ -75,10 +75,10 @@ Length draw_explanation(const Layer& layer, Length top, SvgWriter& out) {
   const std::size_t rows = segments.size() > 6 ? (segments.size() + 1) / 2 : segments.size();
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& segment = segments[i];
-    const Length x = left_edge + static_cast<Length>(i / rows) * full_width / 2;
+    const Length x = legend_edge + static_cast<Length>(i / rows) * full_width / 2;
     const Length y = top + static_cast<Length>(i % rows + 1) * row_height;
     out.text({x, y}, Anchor::start, "key strong", segment_letter(i));
-    out.text({x + 720, y}, Anchor::end, "key", figure(layer, segment.to_ns - segment.from_ns));
+    out.text({x + 720, y}, Anchor::end, "key", drawn_figure(layer, segment.to_ns - segment.from_ns));
     const std::string text = segment.actor.empty() ? segment.text : segment.actor + ": " + segment.text;
     const std::string place = segment.place.empty() ? "" : " (" + segment.place + ")";
     const Length room = (rows < segments.size() ? full_width / 2 : full_width) - 830;
@@ -106,7 +106,7 @@ Length draw_statement_key(const Numbering& numbering, Length top, SvgWriter& out
   const std::size_t rows = (entries.size() + columns - 1) / columns;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const Numbering::Entry& entry = entries[i];
-    const Length x = left_edge + static_cast<Length>(i / rows) * column;
+    const Length x = legend_edge + static_cast<Length>(i / rows) * column;
     const Length y = top + static_cast<Length>(i % rows + 1) * row_height;
     // The lane's name once, where its statements begin.
     if (i % rows == 0 || entries[i - 1].lane != entry.lane)
@@ -192,12 +192,12 @@ Length draw_sign_key(const std::vector<Layer>& layers, bool folded, Length top, 
   });
 
   top = draw_panel_heading("Key", top, out) + 80;
-  Length x = left_edge;
+  Length x = legend_edge;
   Length y = top + 80;
   for (const Sign& it : signs) {
     const Length width = 360 + text_width(it.text, font) + 220;
-    if (x + width > panel_right && x > left_edge) {
-      x = left_edge;
+    if (x + width > panel_right && x > legend_edge) {
+      x = legend_edge;
       y += row_height + 25;
     }
     it.draw(x, y);

@@ -9,7 +9,7 @@ namespace {
 
 // What is shorter than this on the page is drawn as wide; its title has the true time.
 constexpr Length least_bar = 14;
-constexpr Length small_font = 85;
+constexpr Length lane_font = 85;
 
 std::string style_of(const Bar& bar, Role role) {
   std::string style = "bar ";
@@ -107,7 +107,7 @@ void Panel::draw_bars(const Layer& layer) {
 // Above the bars if arrows leave room there, else beside them.
 void Panel::label_cluster(const Cluster& cluster, const Row& row) {
   const std::string text = runs(cluster.numbers);
-  const Length width = text_width(text, small_font);
+  const Length width = text_width(text, lane_font);
   const Length beside = (row.bar_top + row.bar_bottom) / 2 - 20;
   const Length above = row.bar_top - 25;
   for (const Point at : {Point{(cluster.x0 + cluster.x1 - width) / 2, above}, Point{cluster.x1 + 30, above},
@@ -156,7 +156,7 @@ void Panel::label_bars(const Layer& layer) {
 void Panel::label_backdrop(int number, const Box& box) {
   const std::string text = std::to_string(number);
   const TimeScale::Stretch room = scale_.widest(box.x0, box.x1);
-  const Length half = text_width(text, small_font) / 2;
+  const Length half = text_width(text, lane_font) / 2;
   if (2 * half + 10 > room.x1 - room.x0) return;
   const Length middle = (room.x0 + room.x1) / 2;
   const Length baseline = box.y0 + (box.y1 - box.y0) / 4 + 30;
@@ -168,7 +168,7 @@ bool Panel::label_narrow_bar(const Layer& layer, const Lane& lane, const Bar& ba
                              int number) {
   const std::string text = std::to_string(number);
   const TimeScale::Stretch room = scale_.widest(box.x0, box.x1);
-  if (text_width(text, small_font) + 10 > room.x1 - room.x0 || box.y1 - box.y0 < 70) return false;
+  if (text_width(text, lane_font) + 10 > room.x1 - room.x0 || box.y1 - box.y0 < 70) return false;
   const std::string ink = bar.kind == BarKind::computation ? "on-dark" : "on-light";
   out_.text({(room.x0 + room.x1) / 2, (box.y0 + box.y1) / 2 + 30}, Anchor::middle, "number " + ink, text,
             bar_title(layer, lane, bar));
@@ -195,7 +195,7 @@ void Panel::label_gaps(const Layer& layer) {
     for (const Gap& gap : layer.timeline->lanes[i].gaps) {
       if (!touches(layer, gap.from_ns, gap.to_ns)) continue;
       const std::string text = (gap.kind == GapKind::ready ? "ready: " : "waits for ") + gap.text;
-      const Length width = text_width(text, small_font);
+      const Length width = text_width(text, lane_font);
       // In the first unfolded stretch that has room.
       for (const TimeScale::Piece& piece : scale_.pieces()) {
         if (piece.folded) continue;

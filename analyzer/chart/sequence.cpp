@@ -9,11 +9,11 @@ namespace pal::chart {
 
 namespace {
 
-constexpr Length page_width = 9400;
+constexpr Length sequence_width = 9400;
 constexpr Length margin = 300;
 constexpr Length number_width = 350;
 constexpr Length place_width = 1500;
-constexpr Length row_height = 250;
+constexpr Length sequence_row = 250;
 constexpr Length first_row = 1250;
 constexpr Length text_size = 90;
 
@@ -61,7 +61,7 @@ class Drawing {
  public:
   explicit Drawing(const SequenceChart& chart) : chart_(chart) {
     const auto lanes = static_cast<Length>(std::max<std::size_t>(chart.lanes.size(), 1));
-    spacing_ = (page_width - 2 * margin - number_width - place_width) / lanes;
+    spacing_ = (sequence_width - 2 * margin - number_width - place_width) / lanes;
     for (const auto& stop : chart.stops) {
       stop_lines_ = std::max(stop_lines_, wrapped(stop.text, spacing_ - 160).size());
     }
@@ -84,21 +84,21 @@ class Drawing {
   Length x(std::size_t lane) const {
     return margin + number_width + spacing_ * static_cast<Length>(lane) + spacing_ / 2;
   }
-  static Length y(std::size_t row) { return first_row + row_height * static_cast<Length>(row); }
+  static Length y(std::size_t row) { return first_row + sequence_row * static_cast<Length>(row); }
   Length stop_height() const { return 130 * static_cast<Length>(stop_lines_) + 200; }
 
   void head(Length height) {
     const auto size = [](Length value) { return std::to_string(value); };
     out_.raw(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-        size(page_width / 10) + "\" height=\"" + size(height / 10) + "\" viewBox=\"0 0 " + size(page_width) +
+        size(sequence_width / 10) + "\" height=\"" + size(height / 10) + "\" viewBox=\"0 0 " + size(sequence_width) +
         " " + size(height) + "\" role=\"img\">\n<title>" + xml_escaped(chart_.title) + "</title>\n<desc>" +
         xml_escaped(chart_.subtitle) + "</desc>\n");
     out_.raw(style_sheet);
-    out_.rect({0, 0, page_width, height}, "paper");
-    out_.text({margin, 280}, Anchor::start, "title", fitted(chart_.title, 150, page_width - 2 * margin),
+    out_.rect({0, 0, sequence_width, height}, "paper");
+    out_.text({margin, 280}, Anchor::start, "title", fitted(chart_.title, 150, sequence_width - 2 * margin),
               chart_.title);
-    out_.text({margin, 450}, Anchor::start, "subtitle", fitted(chart_.subtitle, 105, page_width - 2 * margin),
+    out_.text({margin, 450}, Anchor::start, "subtitle", fitted(chart_.subtitle, 105, sequence_width - 2 * margin),
               chart_.subtitle);
   }
 
@@ -115,9 +115,9 @@ class Drawing {
   }
 
   void rule(std::size_t row) {
-    out_.line({margin + number_width, y(row) + 90}, {page_width - margin, y(row) + 90}, "ruler");
+    out_.line({margin + number_width, y(row) + 90}, {sequence_width - margin, y(row) + 90}, "ruler");
     out_.text({margin + 200, y(row) + 30}, Anchor::end, "row", std::to_string(row + 1));
-    out_.text({page_width - margin, y(row) + 30}, Anchor::end, "place",
+    out_.text({sequence_width - margin, y(row) + 30}, Anchor::end, "place",
               fitted(chart_.places[row], 80, place_width - 80), chart_.places[row]);
   }
 
@@ -142,7 +142,7 @@ class Drawing {
     Length half = text_width(text, text_size) / 2 + 60;
     Length middle = x(note.lane);
     middle = std::max(middle, margin + number_width + half);
-    middle = std::min(middle, page_width - margin - place_width - half);
+    middle = std::min(middle, sequence_width - margin - place_width - half);
     out_.rect({middle - half, y(note.row) - 90, middle + half, y(note.row) + 80}, "note",
               chart_.lanes[note.lane].name + " " + note.text);
     out_.text({middle, y(note.row) + 30}, Anchor::middle, "in-note", text);

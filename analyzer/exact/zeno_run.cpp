@@ -51,7 +51,7 @@ std::vector<int> way_round(const ZoneGraph& graph) {
   return way;
 }
 
-std::vector<int> statements_of(const Problem& problem, const ZoneGraph& graph, const std::vector<int>& way) {
+std::vector<int> cycle_statements(const Problem& problem, const ZoneGraph& graph, const std::vector<int>& way) {
   std::set<int> found;
   for (int e : way) {
     const Edge& edge = graph.edges()[static_cast<std::size_t>(e)];
@@ -82,7 +82,7 @@ ZenoSearch find_zeno_run(const Problem& problem, const Limits& limits) {
   const bool complete = graph.explore(limits);
   const std::vector<int> way = way_round(graph);
   if (way.empty()) return {.excluded = complete};
-  return {.found = ZenoRun{statements_of(problem, graph, way)}};
+  return {.found = ZenoRun{cycle_statements(problem, graph, way)}};
 }
 
 }  // namespace pal::analyzer

@@ -8,7 +8,7 @@
 namespace pal::analyzer {
 namespace {
 
-constexpr std::size_t most_events = 200'000;
+constexpr std::size_t most_unending_events = 200'000;
 constexpr std::size_t turns_shown = 2;
 
 /// Edges from a start of the grid to the first node of the cycle.
@@ -94,7 +94,7 @@ class Follower {
           first = static_cast<int>(t);
         }
       }
-      if (first < 0 || least < 0 || script_.size() > most_events) return false;
+      if (first < 0 || least < 0 || script_.size() > most_unending_events) return false;
       const bool ours = first == edge.timer;
       if (!fire(first, concrete_run_.now() + least, ours ? &target : nullptr)) return false;
       if (ours) return agree(target);

@@ -10,10 +10,10 @@
 namespace pal::analyzer {
 namespace {
 
-__extension__ using Wide = __int128;
+__extension__ using WideShare = __int128;
 // Of the time that there is: so fine that a nanosecond in the longest period counts as far as numbers go.
-constexpr Wide whole_time = 1'000'000'000'000;
-constexpr Wide most_asked = 1'000 * whole_time;
+constexpr WideShare whole_time = 1'000'000'000'000;
+constexpr WideShare most_asked = 1'000 * whole_time;
 
 /// By channel: whether it brings the events of a device.
 std::vector<bool> event_channels(const Problem& problem) {
@@ -59,7 +59,7 @@ struct Taker {
   std::optional<Nanoseconds> round;
 };
 
-std::string percent(Wide part) {
+std::string percent(WideShare part) {
   const auto tenths = static_cast<Nanoseconds>(part * 1'000 / whole_time);
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " %";
 }
@@ -83,7 +83,7 @@ void ProblemBuilder::overload() {
       }
     }
   }
-  std::vector<Wide> asked(problem_.processors.size());
+  std::vector<WideShare> asked(problem_.processors.size());
   std::vector<std::string> by(problem_.processors.size());
   for (const Device& device : problem_.devices) {
     const auto* event = std::get_if<pan::EventDevice>(&device.behaviour);
@@ -91,8 +91,8 @@ void ProblemBuilder::overload() {
     const Taker& taker = takers[static_cast<std::size_t>(device.event)];
     // Which of several threads takes how many events is open.
     if (!taker.alone || !taker.round || *taker.round == 0) continue;
-    const Wide part =
-        std::min(static_cast<Wide>(*taker.round) * whole_time / event->period.count(), most_asked);
+    const WideShare part =
+        std::min(static_cast<WideShare>(*taker.round) * whole_time / event->period.count(), most_asked);
     const auto processor = static_cast<std::size_t>(taker.thread->processor);
     asked[processor] += part;
     by[processor] += (by[processor].empty() ? "" : ", ") + taker.thread->name + " " + percent(part) +

@@ -16,13 +16,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// What takes longer is given up: the bound is then only not called exact.
-constexpr auto longest = std::chrono::seconds(2);
+constexpr auto longest_search = std::chrono::seconds(2);
 /// So are those of more events, or with more pieces of work: with twice as many Z3 is at it for 20 seconds
 /// and heeds no interruption.
-constexpr std::size_t most_events = 2000;
+constexpr std::size_t most_solved_events = 2000;
 constexpr std::size_t most_pieces = 1000;
 
-using Times = std::optional<std::vector<Nanoseconds>>;
+using ChosenTimes = std::optional<std::vector<Nanoseconds>>;
 
 /// The constraints, as Z3 has them. Its optimizer would find the greatest by itself, but one that is
 /// interrupted after it found times and before it took them crashes (Z3 4.8).
@@ -51,7 +51,7 @@ class Constraints {
 
   /// Looks for times that keep all, the goal being at least so great. Throws z3::exception, also if it was
   /// interrupted.
-  Answer look(const std::optional<Goal>& goal, Nanoseconds least, Times& found) {
+  Answer look(const std::optional<Goal>& goal, Nanoseconds least, ChosenTimes& found) {
     solver_.push();
     if (goal) solver_.add(between(goal->from, goal->to) >= number(least));
     const z3::check_result result = solver_.check();
@@ -76,7 +76,7 @@ class Constraints {
   }
 
   /// False: a time is too great to be told.
-  bool take(Times& found) const {
+  bool take(ChosenTimes& found) const {
     const z3::model model = solver_.get_model();
     std::vector<Nanoseconds> values;
     for (const z3::expr& time : times_) {
@@ -95,7 +95,7 @@ class Constraints {
 
 /// Makes the goal greater until it cannot be, in steps that are doubled, and halved where one was too wide.
 /// `best` has the best times so far, also if this throws.
-void make_greatest(Constraints& constraints, const Goal& goal, const Interrupter& interrupter, Times& best) {
+void make_greatest(Constraints& constraints, const Goal& goal, const Interrupter& interrupter, ChosenTimes& best) {
   using Answer = Constraints::Answer;
   const auto value = [&] { return (*best)[goal.to] - (*best)[goal.from]; };
   if (value() >= goal.enough) return;
@@ -123,21 +123,21 @@ void make_greatest(Constraints& constraints, const Goal& goal, const Interrupter
 bool too_large(std::size_t count, const std::vector<Work>& works) {
   std::size_t pieces = 0;
   for (const Work& work : works) pieces += work.pieces.size();
-  return count > most_events || pieces > most_pieces;
+  return count > most_solved_events || pieces > most_pieces;
 }
 
 }  // namespace
 
-Times linear_times(std::size_t count, const std::vector<Difference>& differences,
+ChosenTimes linear_times(std::size_t count, const std::vector<Difference>& differences,
                    const std::vector<Work>& works, const std::optional<Goal>& goal,
                    const std::function<bool()>& stop) {
   if ((stop && stop()) || too_large(count, works)) return std::nullopt;
   // Making one takes longer than most systems take to be solved.
   thread_local std::unique_ptr<z3::context> context;
   if (!context) context = std::make_unique<z3::context>();
-  const Clock::time_point end = Clock::now() + longest;
+  const Clock::time_point end = Clock::now() + longest_search;
   const auto over = [&stop, end] { return Clock::now() >= end || (stop && stop()); };
-  Times best;
+  ChosenTimes best;
   bool whole = false;
   try {
     Constraints constraints(*context, count, differences, works);

@@ -7,7 +7,7 @@
 namespace pal::analyzer {
 namespace {
 
-std::size_t at(int index) {
+std::size_t index_of(int index) {
   return static_cast<std::size_t>(index);
 }
 
@@ -41,14 +41,14 @@ class Slicer {
       const bool uses = talk_[t].sends.contains(channel) || talk_[t].waits.contains(channel);
       if (uses && !cone_.threads[t]) return false;
     }
-    const Channel& of = whole_.channels[at(channel)];
-    if (of.sender_device >= 0 && !cone_.devices[at(of.sender_device)]) return false;
-    return !of.served || cone_.devices[at(of.receiver_device)];
+    const Channel& of = whole_.channels[index_of(channel)];
+    if (of.sender_device >= 0 && !cone_.devices[index_of(of.sender_device)]) return false;
+    return !of.served || cone_.devices[index_of(of.receiver_device)];
   }
 
   /// A request and its answer are followed together or not at all.
   void loosen(int channel) {
-    Channel& of = made_.channels[at(channel)];
+    Channel& of = made_.channels[index_of(channel)];
     // A device takes at once what it does not serve, whoever is left out.
     if (of.receiver_device >= 0 && !of.served) return;
     const bool kept =
@@ -56,7 +56,7 @@ class Slicer {
     if (kept) return;
     of.loose = true;
     const int request = of.answers >= 0 ? of.answers : channel;
-    of.withdrawable = whole_.channels[at(request)].answer >= 0 && may_be_withdrawn(request);
+    of.withdrawable = whole_.channels[index_of(request)].answer >= 0 && may_be_withdrawn(request);
   }
 
   /// Whether somebody may give up waiting for the answer to a request, or be stopped before he has it.
@@ -64,10 +64,10 @@ class Slicer {
     for (std::size_t t = 0; t < talk_.size(); ++t) {
       if (talk_[t].sends.contains(request) && whole_.threads[t].parent >= 0) return true;
       for (const int s : talk_[t].steps) {
-        const Step& step = whole_.steps[at(s)];
+        const Step& step = whole_.steps[index_of(s)];
         if (step.kind != Step::Kind::wait || !step.within) continue;
         const auto answer =
-            std::find(step.channels.begin(), step.channels.end(), whole_.channels[at(request)].answer);
+            std::find(step.channels.begin(), step.channels.end(), whole_.channels[index_of(request)].answer);
         if (answer != step.channels.end()) return true;
       }
     }
@@ -86,7 +86,7 @@ class Slicer {
     std::uint64_t told = 0;  // a set says which value
     for (std::size_t t = 0; t < talk_.size(); ++t) {
       for (const int s : talk_[t].steps) {
-        const Step& step = whole_.steps[at(s)];
+        const Step& step = whole_.steps[index_of(s)];
         if (step.kind != Step::Kind::set) continue;
         const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(step.condition);
         if (!cone_.threads[t]) left_out |= bit;
@@ -98,11 +98,11 @@ class Slicer {
 
   /// A device that is left out answers no sooner than it can.
   void hold_waits(int thread) {
-    for (const int s : talk_[at(thread)].steps) {
-      const Step& step = whole_.steps[at(s)];
+    for (const int s : talk_[index_of(thread)].steps) {
+      const Step& step = whole_.steps[index_of(s)];
       if (step.kind != Step::Kind::wait || step.channels.size() != 1) continue;
-      if (made_.channels[at(step.channels.front())].loose)
-        made_.steps[at(s)].arrival.best = least_wait(whole_, talk_, thread, s);
+      if (made_.channels[index_of(step.channels.front())].loose)
+        made_.steps[index_of(s)].arrival.best = least_wait(whole_, talk_, thread, s);
     }
   }
 

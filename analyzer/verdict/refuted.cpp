@@ -5,14 +5,14 @@
 namespace pal::analyzer {
 namespace {
 
-bool beyond(const Verdict& verdict, Duration value, Duration limit) {
+bool is_beyond(const Verdict& verdict, Duration value, Duration limit) {
   return verdict.at_least ? value < limit : value > limit;
 }
 
 bool broken(const Verdict& verdict) {
   if (verdict.witness && verdict.witness->failed) return true;
   const std::optional<Duration> value = attained(verdict);
-  return value && beyond(verdict, *value, verdict.limit);
+  return value && is_beyond(verdict, *value, verdict.limit);
 }
 
 /// `by`: of which requirement a run was found.
@@ -34,7 +34,7 @@ bool is_refuted(const Verdict& verdict) {
   const std::optional<Duration> value = attained(verdict);
   if (verdict.state == VerdictState::never) return unanswered || value;
   if (verdict.state == VerdictState::holds && broken(verdict)) return true;
-  return verdict.bound && (unanswered || (value && beyond(verdict, *value, *verdict.bound)));
+  return verdict.bound && (unanswered || (value && is_beyond(verdict, *value, *verdict.bound)));
 }
 
 void withdraw_refuted(const std::vector<Verdict>& proofs, std::vector<Verdict>& verdicts) {

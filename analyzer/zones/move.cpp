@@ -10,10 +10,10 @@ constexpr std::size_t most_beginnings = 50'000;
 constexpr std::size_t most_outcomes = 10'000;  // of one timer
 
 /// Orders that are tried between one question whether to stop and the next.
-constexpr std::size_t tried_at_a_time = 256;
+constexpr std::size_t moves_at_a_time = 256;
 
 bool time_to_stop(std::size_t moves, Patience& patience) {
-  return moves % tried_at_a_time == 0 && patience.over();
+  return moves % moves_at_a_time == 0 && patience.over();
 }
 
 /// What those can have left that got back a time that is not fixed.

@@ -26,7 +26,7 @@ struct Runner {
 };
 
 /// A statement that uses what its module keeps of a message.
-struct Use {
+struct MessageUse {
   pan::MessageId message;
   bool writes = false;
   Runner by;
@@ -44,11 +44,11 @@ class Finder {
       if (module.body.empty() || module.executed_by.valid()) continue;
       const Runner runner{module.name, false, pan::place_of(environment_, module.name)};
       std::set<pan::ModuleId> entered;
-      const std::vector<Use> all =
+      const std::vector<MessageUse> all =
           uses_of(pan::ModuleId(m), 0, module.body.nodes.size(), runner, runner, entered);
       for (const auto& [write, other] : found_) {
         // What nobody reads is not kept.
-        const bool kept = std::any_of(all.begin(), all.end(), [&id = write.message](const Use& use) {
+        const bool kept = std::any_of(all.begin(), all.end(), [&id = write.message](const MessageUse& use) {
           return use.message == id && !use.writes;
         });
         if (kept) report(write, other);
@@ -60,9 +60,9 @@ class Finder {
  private:
   /// The uses in nodes [begin, end), which `thread` follows in a body that `runner` runs, each kind once.
   /// Compares the blocks in them.
-  std::vector<Use> uses_of(pan::ModuleId id, std::size_t begin, std::size_t end, const Runner& thread,
+  std::vector<MessageUse> uses_of(pan::ModuleId id, std::size_t begin, std::size_t end, const Runner& thread,
                            const Runner& runner, std::set<pan::ModuleId>& entered) {
-    std::vector<Use> result;
+    std::vector<MessageUse> result;
     const pan::Module& module = network_.modules[id.index()];
     const auto& nodes = module.body.nodes;
     for (std::size_t n = begin; n < end; ++n) {
@@ -81,9 +81,9 @@ class Finder {
     return result;
   }
 
-  std::vector<Use> uses_of_blocks(pan::ModuleId id, const pan::Node& here, const pan::Fork& fork,
+  std::vector<MessageUse> uses_of_blocks(pan::ModuleId id, const pan::Node& here, const pan::Fork& fork,
                                   const Runner& runner) {
-    std::vector<Use> earlier;
+    std::vector<MessageUse> earlier;
     for (std::size_t i = 0; i < fork.threads.size() && ++blocks_ <= most_blocks; ++i) {
       Runner block;
       block.name = pan::block_name(runner.name, runner.is_block,
@@ -93,14 +93,14 @@ class Finder {
       block.place = own != nullptr ? own : runner.place;
       const std::size_t end = i + 1 < here.out.size() ? here.out[i + 1].index() : here.mate.index();
       std::set<pan::ModuleId> entered;
-      const std::vector<Use> uses = uses_of(id, here.out[i].index(), end, block, runner, entered);
+      const std::vector<MessageUse> uses = uses_of(id, here.out[i].index(), end, block, runner, entered);
       compare(earlier, uses);
       join(uses, earlier);
     }
     return earlier;
   }
 
-  void add_uses(const pan::Node& node, const Runner& thread, std::vector<Use>& result) const {
+  void add_uses(const pan::Node& node, const Runner& thread, std::vector<MessageUse>& result) const {
     const auto add = [&](pan::MessageId message, bool writes) {
       if (network_.messages[message.index()].fields.empty()) return;
       join({{message, writes, thread, node.where}}, result);
@@ -120,9 +120,9 @@ class Finder {
     }
   }
 
-  static void join(const std::vector<Use>& more, std::vector<Use>& into) {
-    for (const Use& use : more) {
-      const bool known = std::any_of(into.begin(), into.end(), [&](const Use& other) {
+  static void join(const std::vector<MessageUse>& more, std::vector<MessageUse>& into) {
+    for (const MessageUse& use : more) {
+      const bool known = std::any_of(into.begin(), into.end(), [&](const MessageUse& other) {
         return std::tie(other.message, other.writes, other.by.name) ==
                std::tie(use.message, use.writes, use.by.name);
       });
@@ -131,12 +131,12 @@ class Finder {
   }
 
   /// One block's uses against another's: a write in the one, a use in the other, at the same time.
-  void compare(const std::vector<Use>& earlier, const std::vector<Use>& later) {
-    for (const Use& a : later) {
-      for (const Use& b : earlier) {
+  void compare(const std::vector<MessageUse>& earlier, const std::vector<MessageUse>& later) {
+    for (const MessageUse& a : later) {
+      for (const MessageUse& b : earlier) {
         if (a.message != b.message || (!a.writes && !b.writes)) continue;
-        const Use& write = a.writes ? a : b;
-        const Use& other = a.writes ? b : a;
+        const MessageUse& write = a.writes ? a : b;
+        const MessageUse& other = a.writes ? b : a;
         if (meet(a.by, b.by) && seen_.emplace(a.message, write.by.name, other.by.name).second)
           found_.emplace_back(write, other);
       }
@@ -154,7 +154,7 @@ class Finder {
            a.place->priority != b.place->priority;
   }
 
-  void report(const Use& write, const Use& other) {
+  void report(const MessageUse& write, const MessageUse& other) {
     const std::string message = quoted(network_.messages[write.message.index()].name);
     const bool two = write.by.place->processor != other.by.place->processor;
     const std::string where = two ? "on " + write.by.place->processor + " and " + other.by.place->processor
@@ -176,7 +176,7 @@ class Finder {
   const pan::Environment& environment_;
   Diagnostics& diagnostics_;
   std::size_t blocks_ = 0;
-  std::vector<std::pair<Use, Use>> found_;  // a write, and another use at the same time
+  std::vector<std::pair<MessageUse, MessageUse>> found_;  // a write, and another use at the same time
   std::set<std::tuple<pan::MessageId, std::string, std::string>> seen_;
 };
 

@@ -49,7 +49,7 @@ figure svg { display: block; max-width: 100%; height: auto; margin: .5rem 0; }
 }
 )";
 
-std::string line_text(const Line& line) {
+std::string html_text(const Line& line) {
   std::string result;
   for (const auto& span : line) {
     result += span.is_code ? "<code>" + xml_escaped(span.text) + "</code>" : xml_escaped(span.text);
@@ -95,11 +95,11 @@ class Page {
   }
 
   void operator()(const Paragraphs& paragraphs) {
-    for (const auto& line : paragraphs.lines) out_ += "<p>" + line_text(line) + "</p>\n";
+    for (const auto& line : paragraphs.lines) out_ += "<p>" + html_text(line) + "</p>\n";
   }
   void operator()(const Items& items) {
     out_ += "<ul>\n";
-    for (const auto& line : items.lines) out_ += "<li>" + line_text(line) + "</li>\n";
+    for (const auto& line : items.lines) out_ += "<li>" + html_text(line) + "</li>\n";
     out_ += "</ul>\n";
   }
   void operator()(const Table& table) {
@@ -111,7 +111,7 @@ class Page {
     for (const auto& row : table.rows) {
       out_ += "<tr>";
       for (const auto& cell : row)
-        out_ += (is_short(cell) ? "<td class=\"short\">" : "<td>") + line_text(cell) + "</td>";
+        out_ += (is_short(cell) ? "<td class=\"short\">" : "<td>") + html_text(cell) + "</td>";
       out_ += "</tr>\n";
     }
     out_ += "</tbody>\n</table></div>\n";

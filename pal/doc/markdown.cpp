@@ -43,7 +43,7 @@ std::string as_code(const std::string& text, bool in_table) {
   return fence + space + content + space + fence;
 }
 
-std::string line_text(const Line& line, bool in_table = false) {
+std::string markdown_text(const Line& line, bool in_table = false) {
   std::string result;
   for (const auto& span : line) result += span.is_code ? as_code(span.text, in_table) : escaped(span.text);
   return result;
@@ -52,12 +52,12 @@ std::string line_text(const Line& line, bool in_table = false) {
 struct BlockText {
   std::string operator()(const Paragraphs& paragraphs) const {
     std::string result;
-    for (const auto& line : paragraphs.lines) result += (result.empty() ? "" : "\n") + line_text(line) + "\n";
+    for (const auto& line : paragraphs.lines) result += (result.empty() ? "" : "\n") + markdown_text(line) + "\n";
     return result;
   }
   std::string operator()(const Items& items) const {
     std::string result;
-    for (const auto& line : items.lines) result += "- " + line_text(line) + "\n";
+    for (const auto& line : items.lines) result += "- " + markdown_text(line) + "\n";
     return result;
   }
   std::string operator()(const Table& table) const {
@@ -67,7 +67,7 @@ struct BlockText {
     for (std::size_t i = 0; i < table.heads.size(); ++i) result += " --- |";
     for (const auto& row : table.rows) {
       result += "\n|";
-      for (const auto& cell : row) result += " " + line_text(cell, true) + " |";
+      for (const auto& cell : row) result += " " + markdown_text(cell, true) + " |";
     }
     return result + "\n";
   }

@@ -14,7 +14,7 @@ std::string length_text(Measure measure, Duration value) {
 }
 
 /// "35 ms", "2 lost", "none lost".
-std::string value_text(Measure measure, Duration value) {
+std::string caption_value(Measure measure, Duration value) {
   return length_text(measure, value) + (measure == Measure::loss ? " lost" : "");
 }
 
@@ -23,7 +23,7 @@ std::string limit_text(Measure measure, Duration limit) {
 }
 
 /// By how much a value keeps within its limit, or does not.
-std::string margin_text(Measure measure, bool at_least, Duration limit, Duration value) {
+std::string caption_margin(Measure measure, bool at_least, Duration limit, Duration value) {
   const Duration margin = at_least ? value - limit : limit - value;
   if (margin >= Duration::zero()) return "margin " + length_text(measure, margin);
   return length_text(measure, -margin) + (at_least ? " too little" : " too much");
@@ -31,11 +31,11 @@ std::string margin_text(Measure measure, bool at_least, Duration limit, Duration
 
 std::string with_limit(const std::string& known, Measure measure, bool at_least, Duration limit,
                        Duration value) {
-  return known + ", " + limit_text(measure, limit) + ", " + margin_text(measure, at_least, limit, value);
+  return known + ", " + limit_text(measure, limit) + ", " + caption_margin(measure, at_least, limit, value);
 }
 
 std::string bound_of(const analyzer::Verdict& verdict) {
-  const std::string value = value_text(verdict.measure, *verdict.bound);
+  const std::string value = caption_value(verdict.measure, *verdict.bound);
   if (verdict.exact && verdict.measure == Measure::loss)
     return "worst case " + value + " (exact: by " + chart::duration_text(verdict.witness->measured.at) + ")";
   if (verdict.exact) return "worst case " + value + " (exact: the run below attains it)";
@@ -49,7 +49,7 @@ std::string figures_of(const analyzer::Verdict& verdict) {
   if (verdict.witness && verdict.witness->failed) {
     known = "an event has no response in this run";
   } else if (const auto shown = worth_telling(verdict)) {
-    known += ", " + value_text(verdict.measure, *shown) + " in this run";
+    known += ", " + caption_value(verdict.measure, *shown) + " in this run";
   }
   return known + ", " + limit_text(verdict.measure, verdict.limit);
 }
@@ -65,12 +65,12 @@ chart::Caption proof_caption(const Proof& proof, std::size_t index) {
   made.figures = figures_of(verdict);
   made.limit = length_text(verdict.measure, verdict.limit);
   if (verdict.bound)
-    made.proved = (verdict.at_least ? "at least " : "at most ") + value_text(verdict.measure, *verdict.bound);
+    made.proved = (verdict.at_least ? "at least " : "at most ") + caption_value(verdict.measure, *verdict.bound);
   return made;
 }
 
 std::string shown_figures(const analyzer::Requirement& requirement, Duration value) {
-  return with_limit(value_text(requirement.measure, value) + " in this run", requirement.measure,
+  return with_limit(caption_value(requirement.measure, value) + " in this run", requirement.measure,
                     requirement.at_least, Duration(requirement.limit), value);
 }
 

@@ -47,7 +47,7 @@ chart::Highlight highlight(const Proof& proof, std::size_t index, std::int64_t f
 }
 
 /// "touch.pal:57": the folder would only take room.
-std::string place_text(const analyzer::Reason& reason) {
+std::string arrival_text(const analyzer::Reason& reason) {
   if (reason.line == 0) return {};
   return std::filesystem::path(reason.file).filename().string() + ":" + std::to_string(reason.line);
 }
@@ -62,7 +62,7 @@ chart::ChartOptions options_for(const Proof& proof, std::size_t index) {
     options.highlight = highlight(proof, index, verdict.witness->measured.born, verdict.witness->measured.at);
   }
   for (const analyzer::Reason& reason : analyzer::abridged(verdict.reasons)) {
-    options.explanation.push_back({reason.from, reason.to, reason.what, reason.actor, place_text(reason)});
+    options.explanation.push_back({reason.from, reason.to, reason.what, reason.actor, arrival_text(reason)});
   }
   return options;
 }

@@ -10,7 +10,7 @@ namespace {
 
 using Lines = std::vector<std::string_view>;
 
-Lines lines_of(std::string_view text) {
+Lines lines_to_compare(std::string_view text) {
   Lines lines;
   while (!text.empty()) {
     const auto end = std::min(text.find('\n'), text.size() - 1) + 1;
@@ -110,7 +110,7 @@ std::string line_difference(const std::string& old_name, std::string_view before
                             std::string_view after) {
   if (before == after) return {};
   constexpr std::size_t context = 3;
-  const auto edits = shortest_edits(lines_of(before), lines_of(after));
+  const auto edits = shortest_edits(lines_to_compare(before), lines_to_compare(after));
   std::string result = "--- " + old_name + "\n+++ " + new_name + "\n";
   std::size_t old_line = 0;
   std::size_t new_line = 0;

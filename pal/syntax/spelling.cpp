@@ -17,7 +17,7 @@ using Parser = grammar::PalParser;
 
 // Keywords stand in the grammar's order: the reserved ones, those that begin a unit, those that are names
 // elsewhere.
-bool is_keyword(std::size_t type) {
+bool is_keyword_token(std::size_t type) {
   return type >= Parser::WTM && type < Parser::LEFT;
 }
 bool is_opener(std::size_t type) {
@@ -73,7 +73,7 @@ const std::map<std::size_t, std::string>& signs() {
 std::string spelling_of_type(std::size_t type) {
   const auto found = signs().find(type);
   if (found != signs().end()) return found->second;
-  if (!is_keyword(type)) return {};
+  if (!is_keyword_token(type)) return {};
   std::vector<antlr4::Token*> none;
   // The symbolic name of a keyword is its spelling in capitals.
   static const antlr4::dfa::Vocabulary& vocabulary = []() -> const antlr4::dfa::Vocabulary& {
@@ -102,7 +102,7 @@ std::optional<std::size_t> keyword_like(const std::string& word, const std::set<
   for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   std::vector<std::string> words;
   for (const auto type : types) {
-    if (is_keyword(type)) words.push_back(word_of_type(type));
+    if (is_keyword_token(type)) words.push_back(word_of_type(type));
   }
   const bool exact = std::find(words.begin(), words.end(), capitals) != words.end();
   const auto meant = exact ? std::optional(capitals) : nearest(capitals, words);

@@ -16,7 +16,7 @@ namespace {
 
 using Lexer = grammar::PalLexer;
 
-constexpr std::size_t most_reports = 100;
+constexpr std::size_t most_strays = 100;
 
 /// Where the line that begins at `begin` ends, without its end of line.
 std::size_t end_of_line(std::string_view text, std::size_t begin) {
@@ -127,7 +127,7 @@ class Reader {
   /// Null where so much was reported that the rest is passed over.
   Diagnostic* report(Code code, SourceSpan where, std::string message, std::string hint) {
     result_.has_errors = true;
-    if (++reported_ < most_reports)
+    if (++reported_ < most_strays)
       return &diagnostics_.report(code, where, std::move(message), std::move(hint));
     diagnostics_.report(Code::PAL0104, where,
                         "too many unexpected characters; the rest of this file is not reported",

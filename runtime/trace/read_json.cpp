@@ -10,27 +10,27 @@ namespace pal::trace {
 
 namespace {
 
-using Json = nlohmann::json;
+using ParsedJson = nlohmann::json;
 
 [[noreturn]] void fail(const std::string& where, const std::string& what) {
   throw std::runtime_error("not a pal trace: " + where + ": " + what);
 }
 
-const Json& member(const Json& object, const char* key, const std::string& where) {
+const ParsedJson& member(const ParsedJson& object, const char* key, const std::string& where) {
   if (!object.is_object()) fail(where, "expected an object");
   const auto found = object.find(key);
   if (found == object.end()) fail(where, std::string("\"") + key + "\" is missing");
   return *found;
 }
 
-std::string text(const Json& object, const char* key, const std::string& where) {
-  const Json& value = member(object, key, where);
+std::string text(const ParsedJson& object, const char* key, const std::string& where) {
+  const ParsedJson& value = member(object, key, where);
   if (!value.is_string()) fail(where + "." + key, "expected a text");
   return value.get<std::string>();
 }
 
 template <class Integer>
-Integer integer(const Json& value, const std::string& where) {
+Integer integer(const ParsedJson& value, const std::string& where) {
   constexpr auto low = std::numeric_limits<Integer>::min();
   constexpr auto high = std::numeric_limits<Integer>::max();
   if (!value.is_number_integer()) fail(where, "expected a whole number");
@@ -44,23 +44,23 @@ Integer integer(const Json& value, const std::string& where) {
 }
 
 template <class Row, class Read>
-std::vector<Row> table(const Json& root, const char* key, Read read) {
-  const Json& rows = member(root, key, "the file");
+std::vector<Row> read_table(const ParsedJson& root, const char* key, Read read) {
+  const ParsedJson& rows = member(root, key, "the file");
   if (!rows.is_array()) fail(key, "expected a list");
   std::vector<Row> result;
   result.reserve(rows.size());
-  for (const Json& row : rows) {
+  for (const ParsedJson& row : rows) {
     result.push_back(read(row, std::string(key) + "[" + std::to_string(result.size()) + "]"));
   }
   return result;
 }
 
-std::string plain_text(const Json& value, const std::string& where) {
+std::string plain_text(const ParsedJson& value, const std::string& where) {
   if (!value.is_string()) fail(where, "expected a text");
   return value.get<std::string>();
 }
 
-Actor actor(const Json& row, const std::string& where) {
+Actor read_actor(const ParsedJson& row, const std::string& where) {
   Actor result;
   result.name = text(row, "name", where);
   if (const auto device = row.find("device"); device != row.end()) {
@@ -77,16 +77,16 @@ Actor actor(const Json& row, const std::string& where) {
   return result;
 }
 
-Statement statement(const Json& row, const std::string& where) {
+Statement statement(const ParsedJson& row, const std::string& where) {
   return {text(row, "module", where), text(row, "text", where), text(row, "file", where),
           integer<int>(member(row, "line", where), where + ".line")};
 }
 
-Channel channel(const Json& row, const std::string& where) {
+Channel channel(const ParsedJson& row, const std::string& where) {
   return {text(row, "sender", where), text(row, "message", where), text(row, "receiver", where)};
 }
 
-Event event(const Json& row, const std::string& where) {
+Event event(const ParsedJson& row, const std::string& where) {
   if (!row.is_array() || row.size() != 6)
     fail(where, "expected [time, kind, actor, statement, subject, value]");
   Event result;
@@ -140,7 +140,7 @@ void check(const Trace& trace) {
   }
 }
 
-Trace from_json(const Json& root) {
+Trace from_json(const ParsedJson& root) {
   if (!root.is_object()) fail("the file", "expected an object");
   if (text(root, "format", "the file") != "pal-trace") fail("format", "expected \"pal-trace\"");
   if (const int version = integer<int>(member(root, "version", "the file"), "version"); version != 1) {
@@ -150,12 +150,12 @@ Trace from_json(const Json& root) {
   trace.skill = text(root, "skill", "the file");
   trace.environment = text(root, "environment", "the file");
   trace.origin = text(root, "origin", "the file");
-  trace.actors = table<Actor>(root, "actors", actor);
-  trace.statements = table<Statement>(root, "statements", statement);
-  trace.channels = table<Channel>(root, "channels", channel);
-  trace.conditions = table<std::string>(root, "conditions", plain_text);
-  trace.faults = table<std::string>(root, "faults", plain_text);
-  trace.events = table<Event>(root, "events", event);
+  trace.actors = read_table<Actor>(root, "actors", read_actor);
+  trace.statements = read_table<Statement>(root, "statements", statement);
+  trace.channels = read_table<Channel>(root, "channels", channel);
+  trace.conditions = read_table<std::string>(root, "conditions", plain_text);
+  trace.faults = read_table<std::string>(root, "faults", plain_text);
+  trace.events = read_table<Event>(root, "events", event);
   check(trace);
   return trace;
 }
@@ -163,10 +163,10 @@ Trace from_json(const Json& root) {
 }  // namespace
 
 Trace read_json(std::istream& in) {
-  Json root;
+  ParsedJson root;
   try {
-    root = Json::parse(in);
-  } catch (const Json::exception& error) {
+    root = ParsedJson::parse(in);
+  } catch (const ParsedJson::exception& error) {
     // The library's own text begins with its error number; what follows names line and column.
     const std::string what = error.what();
     const std::size_t text = what.find("] ");

@@ -10,7 +10,7 @@ namespace {
 constexpr double least_braking = 0.02;  // s
 constexpr std::size_t queue_limit = 4;
 
-double seconds(runtime::Time time) {
+double in_seconds(runtime::Time time) {
   return std::chrono::duration<double>(time).count();
 }
 
@@ -44,7 +44,7 @@ void MotionController::finish_until(runtime::Time when) {
 SetPoint MotionController::at(runtime::Time when) {
   finish_until(when);
   if (planned_.empty()) return corrections_.at(when);
-  const double elapsed = seconds(when - begun_);
+  const double elapsed = in_seconds(when - begun_);
   if (!braking_) return planned_.front().at(elapsed);
   const double part = std::clamp((elapsed - braking_->from) / braking_->length, 0.0, 1.0);
   const SpeedLaw::State ramp = unit_ramp(part);
@@ -122,7 +122,7 @@ void MotionController::stop(runtime::Time when) {
   if (planned_.empty()) return corrections_.stop(when);
   planned_.resize(1, planned_.front());
   if (braking_) return;
-  const double elapsed = seconds(when - begun_);
+  const double elapsed = in_seconds(when - begun_);
   if (elapsed <= 0) {
     planned_.clear();
     return;

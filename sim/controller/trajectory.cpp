@@ -13,7 +13,7 @@ double seconds(runtime::Time time) {
   return std::chrono::duration<double>(time).count();
 }
 
-std::string figure(double value) {
+std::string speed_figure(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.3g", value);
   return text.data();
@@ -35,8 +35,8 @@ std::optional<std::string> Trajectory::add(const Correction& correction, Correct
   const Pose goal = corrected(cumulative ? goal_ : opened_, correction, frame, opened_);
   const double distance = (goal.translation() - goal_.translation()).norm();
   if (distance > straight_line_speed * seconds(period_))
-    return "the tool would move at " + figure(distance / seconds(period_)) + " m/s, its limit is " +
-           figure(straight_line_speed) + " m/s";
+    return "the tool would move at " + speed_figure(distance / seconds(period_)) + " m/s, its limit is " +
+           speed_figure(straight_line_speed) + " m/s";
   const InverseSolution solution = inverse_tool(goal, tool_, configuration_, goal_joints_);
   if (const auto refusal = refusal_of(solution)) return refusal->text;
   if (const auto refusal = too_fast((solution.q - goal_joints_) / seconds(period_))) return refusal->text;

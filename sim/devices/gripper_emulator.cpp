@@ -8,7 +8,7 @@
 namespace pal::sim {
 namespace {
 
-constexpr std::size_t longest_line = 40;
+constexpr std::size_t longest_gripper_line = 40;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void GripperEmulator::on_bytes(runtime::Bytes bytes) {
   for (const std::uint8_t byte : bytes) {
     if (byte == '\r') {
       obey(std::exchange(line_, {}));
-    } else if (byte != '\n' && line_.size() < longest_line) {
+    } else if (byte != '\n' && line_.size() < longest_gripper_line) {
       line_ += static_cast<char>(byte);
     }
   }

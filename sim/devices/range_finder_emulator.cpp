@@ -13,7 +13,7 @@ namespace {
 using runtime::Time;
 namespace protocol = runtime::range_finder;
 
-constexpr std::size_t longest_line = 40;
+constexpr std::size_t longest_range_line = 40;
 constexpr std::size_t point_length = 13;  // with the line's end
 constexpr std::size_t end_length = 10;
 constexpr int most_requests = 99;
@@ -24,7 +24,7 @@ constexpr Time step = std::chrono::milliseconds(1);
 constexpr double missing_swing = 0.3;
 constexpr double swing_time = 8e-3;  // s
 
-double seconds(Time time) {
+double scan_seconds(Time time) {
   return static_cast<double>(time.count()) * 1e-9;
 }
 
@@ -64,7 +64,7 @@ void RangeFinderEmulator::on_bytes(runtime::Bytes bytes) {
   for (const std::uint8_t byte : bytes) {
     if (byte == '\r') {
       obey(std::exchange(line_, {}));
-    } else if (byte != '\n' && line_.size() < longest_line) {
+    } else if (byte != '\n' && line_.size() < longest_range_line) {
       line_ += static_cast<char>(byte);
     }
   }
@@ -152,7 +152,7 @@ Time RangeFinderEmulator::last_step() const {
 void RangeFinderEmulator::cast_point(const Pose& pose) {
   const std::size_t i = next_point_++;
   const Time since = scan_began_ + protocol::point_time(i) - swinging_since_;
-  const double swing = 1 - missing_swing * std::exp(-seconds(since) / swing_time);
+  const double swing = 1 - missing_swing * std::exp(-scan_seconds(since) / swing_time);
   const std::optional<Point> met = meet(pose, angle(i) * swing);
   const bool steep = met && before_ && too_steep(*before_, *met);
   // A single leap to a nearer point is the edge of a nearer surface, which this point lies on.

@@ -15,7 +15,7 @@ constexpr Colour rule{0.80, 0.82, 0.84};
 constexpr Colour curve{0.10, 0.34, 0.64};
 constexpr Colour limit{0.78, 0.25, 0.10};
 
-constexpr double seconds(runtime::Time time) {
+constexpr double sheet_seconds(runtime::Time time) {
   return std::chrono::duration<double>(time).count();
 }
 
@@ -120,13 +120,13 @@ void Sheet::describe(Canvas& canvas, const Box& box, const Sample& sample) const
     canvas.text_within(left + width - middle, middle, y, value, size, ink);
   };
   const Eigen::Vector3d tool = sample.tool * 1e3;
-  row("time", fmt::format("{:.3f} s", seconds(sample.time)));
+  row("time", fmt::format("{:.3f} s", sheet_seconds(sample.time)));
   row("force", fmt::format("{:.1f} N    (peak {:.1f} N)", sample.contact_force, force_.peak()));
   row("tool", fmt::format("{:.1f}  {:.1f}  {:.1f} mm", tool.x(), tool.y(), tool.z()));
   y += 1.6 * size;
   canvas.text(left, y, options_.threshold ? "contact force, N; red: threshold" : "contact force, N",
               0.8 * size, faint);
-  plot_force(canvas, {box.x, y, box.width, box.y + box.height - y}, force_, seconds(sample.time),
+  plot_force(canvas, {box.x, y, box.width, box.y + box.height - y}, force_, sheet_seconds(sample.time),
              options_.threshold, 0.75 * size);
 }
 

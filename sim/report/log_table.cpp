@@ -49,7 +49,7 @@ void pose(Text& text, const Eigen::Vector3d& place, const Eigen::Quaterniond& tu
          place.z() * 1e3, angles.x(), angles.y(), angles.z());
 }
 
-void arm(Text& text, const Sample& sample) {
+void arm_columns(Text& text, const Sample& sample) {
   append(text, "{}", std::chrono::duration_cast<std::chrono::milliseconds>(sample.time).count());
   for (const Joints* joints : {&sample.joints, &sample.joint_set_point})
     for (const double angle : *joints) append(text, ",{:.5f}", degrees(angle));
@@ -112,7 +112,7 @@ std::string log_table(const std::vector<Sample>& log, const MessageLog& messages
   LatestMessages latest(messages);
   for (const Sample& sample : log) {
     latest.up_to(sample.time);
-    arm(text, sample);
+    arm_columns(text, sample);
     latest.write(text);
     append(text, "\n");
   }

@@ -6,7 +6,7 @@ namespace pal::sim::val {
 namespace {
 
 constexpr char control_c = 3, bell = 7, backspace = 8, control_u = 21, rubout = 127;
-constexpr std::size_t longest_line = 128;
+constexpr std::size_t longest_val_line = 128;
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void Terminal::key(char c) {
     return monitor_.interrupt();
   }
   if (c < ' ' && c != '\t') return;  // also what is beyond 7 bits
-  if (line_.size() == longest_line) return write(std::string(1, bell));
+  if (line_.size() == longest_val_line) return write(std::string(1, bell));
   line_ += c == '\t' ? ' ' : c;
   write(line_.substr(line_.size() - 1));
 }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double tukey = 4.685;  // deviations at which a point has no weight: 95 % efficient for normal noise
 constexpr int rounds = 5;
-constexpr double on_the_line = 3.5;         // deviations
+constexpr double near_the_line = 3.5;         // deviations
 constexpr std::size_t misses_in_a_row = 3;  // end a line
 
 // Of how far a point at y lies off a line that does not reach it yet, in deviations of one point.
@@ -59,7 +59,7 @@ LineOnStretch grow_line(const Points& points, Stretch seed, Stretch bounds, doub
   LineOnStretch grown{fit_line(points, seed, noise), seed};
   const auto on = [&](std::size_t i) {
     const double off = points.z[i] - grown.line.at(points.y[i]);
-    return std::abs(off) < on_the_line * noise * uncertainty(points, grown, points.y[i]);
+    return std::abs(off) < near_the_line * noise * uncertainty(points, grown, points.y[i]);
   };
   std::size_t missed = 0;
   for (std::size_t i = seed.begin; i > bounds.begin && missed < misses_in_a_row; --i) {

@@ -39,7 +39,7 @@ struct Neighbours {
 };
 
 // Under the mask, where neighbours differ most.
-std::optional<Neighbours> steepest(const Profile& profile, std::size_t step) {
+std::optional<Neighbours> steepest_turn(const Profile& profile, std::size_t step) {
   std::optional<Neighbours> best;
   std::optional<std::size_t> last;
   double greatest = 0;
@@ -71,7 +71,7 @@ std::optional<LiteralEdge> find_literal_edge(const Profile& profile, const Liter
   if (profile.size() < 2 * half_mask + 1) return std::nullopt;
   const std::optional<std::size_t> step = first_step(profile, options.threshold);
   if (!step) return std::nullopt;
-  const std::optional<Neighbours> sides = steepest(profile, *step);
+  const std::optional<Neighbours> sides = steepest_turn(profile, *step);
   if (!sides) return std::nullopt;
   const bool left_is_nearer = profile.z[sides->left] < profile.z[sides->right];
   const std::size_t edge = left_is_nearer ? sides->left : sides->right;

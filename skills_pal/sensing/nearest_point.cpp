@@ -9,7 +9,7 @@ namespace pal::sensing {
 namespace {
 
 constexpr double connected = 6;        // deviations between neighbours
-constexpr double steepest = 1.7;       // of a surface: 60 degrees
+constexpr double steepest_surface = 1.7;       // of a surface: 60 degrees
 constexpr std::size_t seed_reach = 6;  // points on either side that a line begins with
 constexpr std::array<std::size_t, 5> reaches{2, 6, 20, 40, 80};  // to which it goes on
 constexpr double outlier = 4;                                    // deviations; counts no more than this
@@ -17,7 +17,7 @@ constexpr double uneven = 1.25;                                  // deviations, 
 constexpr std::size_t least_surface = 3;                         // points
 
 bool connects(const Points& points, std::size_t i, double noise) {  // with i + 1
-  const double allowed = connected * noise + steepest * std::abs(points.y[i + 1] - points.y[i]);
+  const double allowed = connected * noise + steepest_surface * std::abs(points.y[i + 1] - points.y[i]);
   return std::abs(points.z[i + 1] - points.z[i]) < allowed;
 }
 

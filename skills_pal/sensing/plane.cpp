@@ -9,7 +9,7 @@
 namespace pal::sensing {
 namespace {
 
-constexpr int rounds = 12;
+constexpr int plane_rounds = 12;
 constexpr double least_width = 1e-3;  // mm; of less no lean can be worked out
 constexpr double degree = std::numbers::pi / 180;
 
@@ -63,7 +63,7 @@ std::optional<Plane> find_plane(std::span<const Eigen::Vector3d> points, const P
   // other.
   Fit fit = fit_within(points, {}, std::numeric_limits<double>::infinity());
   double thickness = std::max(options.thickness, 3 * fit.flatness);
-  for (int round = 0; round < rounds && fit.points >= 3; ++round) {
+  for (int round = 0; round < plane_rounds && fit.points >= 3; ++round) {
     fit = fit_within(points, fit, thickness);
     thickness = std::max(options.thickness, thickness / 2);
   }

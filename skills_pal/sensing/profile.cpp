@@ -7,7 +7,7 @@ namespace pal::sensing {
 namespace {
 
 constexpr double spike = 6;                            // deviations
-constexpr double steepest = 1.7;                       // of a surface: 60 degrees
+constexpr double steepest_seen = 1.7;                       // of a surface: 60 degrees
 constexpr double step = 0.1;                           // mm
 constexpr double beyond_noise = 4;                     // deviations
 constexpr double median_to_deviation = 1.4826;         // of normally distributed values
@@ -33,7 +33,7 @@ Points without_spikes(const Points& points, double noise) {
     if (i > 0 && i + 1 < points.count) {
       const double apart = std::abs(points.z[i + 1] - points.z[i - 1]);
       const double off = std::abs(points.z[i] - (points.z[i + 1] + points.z[i - 1]) / 2);
-      const double allowed = spike * noise + steepest * std::abs(points.y[i + 1] - points.y[i - 1]);
+      const double allowed = spike * noise + steepest_seen * std::abs(points.y[i + 1] - points.y[i - 1]);
       if (apart < allowed && off > allowed) continue;
     }
     kept.y[kept.count] = points.y[i];
@@ -48,7 +48,7 @@ Points without_wall_points(const Points& points, double noise) {
   Points kept;
   for (std::size_t i = 0; i < points.count; ++i) {
     if (i > 0 && i + 1 < points.count && points.index[i + 1] > points.index[i] + 1) {
-      const double allowed = spike * noise + steepest * std::abs(points.y[i] - points.y[i - 1]);
+      const double allowed = spike * noise + steepest_seen * std::abs(points.y[i] - points.y[i - 1]);
       if (points.z[i - 1] - points.z[i] > allowed) continue;
     }
     kept.y[kept.count] = points.y[i];

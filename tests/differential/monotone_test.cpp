@@ -52,7 +52,7 @@ bool contradicts(const Verdict& narrow, Verdict wide) {
   return false;
 }
 
-struct Tally {
+struct MonotoneTally {
   std::size_t pairs = 0;
   std::size_t compared = 0;
   std::size_t exact = 0;
@@ -62,7 +62,7 @@ struct Tally {
 };
 
 /// What is known of all runs of `wide` against what is known of some of `narrow`, by requirement.
-std::string contradiction(const Analysis& narrow, const Analysis& wide, Tally& tally) {
+std::string contradiction(const Analysis& narrow, const Analysis& wide, MonotoneTally& tally) {
   std::map<std::string, const Verdict*> by_name;
   for (const Verdict& verdict : narrow.verdicts) by_name[verdict.requirement] = &verdict;
   for (const Verdict& verdict : wide.verdicts) {
@@ -79,7 +79,7 @@ std::string contradiction(const Analysis& narrow, const Analysis& wide, Tally& t
 
 /// With limits that are just met, or just not. The bounds stay what they are.
 std::string contradiction_of_limits(Problem problem, const Analysis& before, std::uint64_t seed,
-                                    Tally& tally) {
+                                    MonotoneTally& tally) {
   std::vector<bool> met(problem.requirements.size());
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
     const Verdict& known = before.verdicts[r];
@@ -108,7 +108,7 @@ class Pairs {
   Pairs(const std::string& text, std::uint64_t seed) : text_(text), engine_(seed) {}
 
   /// What is wrong; "": nothing.
-  std::string wrong(Tally& tally) {
+  std::string wrong(MonotoneTally& tally) {
     const auto skill = test::any_skill(text_);
     if (!skill->problem) return {};
     if (engine_() % 3 == 0) return written_otherwise(*skill->problem, tally);
@@ -137,7 +137,7 @@ class Pairs {
     return make_problem(network, environment, diagnostics);
   }
 
-  std::string written_otherwise(const Problem& base, Tally& tally) {
+  std::string written_otherwise(const Problem& base, MonotoneTally& tally) {
     const std::string text = test::rewritten(text_, engine_);
     const auto skill = test::any_skill(text);
     if (!skill->problem) {
@@ -153,7 +153,7 @@ class Pairs {
     return found.empty() ? found : " written so:\n" + text + "\n" + found;
   }
 
-  std::string told_otherwise(const Problem& base, const Analysis& before, Tally& tally) {
+  std::string told_otherwise(const Problem& base, const Analysis& before, MonotoneTally& tally) {
     Problem same = base;
     const std::string told = test::retell(same, engine_);
     const Analysis after = exactly(same);
@@ -183,7 +183,7 @@ std::string text_of(std::uint64_t seed) {
 
 TEST_CASE("what allows more runs measures no less, and what is told in another way the same") {
   const std::uint64_t first = setting("PAL_SEED", 1);
-  Tally tally;
+  MonotoneTally tally;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 24); ++seed) {
     const std::string text = text_of(seed);
     const std::string wrong = Pairs(text, seed).wrong(tally);

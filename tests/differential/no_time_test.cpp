@@ -20,10 +20,10 @@ using pal::test::setting;
 
 namespace {
 
-constexpr Duration millisecond{1'000'000};
-constexpr Duration longest = 100 * millisecond;
+constexpr Duration one_millisecond{1'000'000};
+constexpr Duration longest_run = 100 * one_millisecond;
 
-struct Tally {
+struct NoTimeTally {
   std::size_t skills = 0;
   std::size_t exact = 0;
   std::size_t complete = 0;
@@ -38,8 +38,8 @@ std::string text_of(std::uint64_t seed, bool small) {
 }
 
 std::string contradiction(test::AllRuns& runs, const test::Wanted& wanted, const Verdict& verdict,
-                          Duration unit, std::uint64_t seed, bool small, Tally& tally) {
-  const int cap = static_cast<int>(longest / unit);
+                          Duration unit, std::uint64_t seed, bool small, NoTimeTally& tally) {
+  const int cap = static_cast<int>(longest_run / unit);
   const std::uint64_t states = small && verdict.exact ? setting("PAL_STATES", 10'000) : 0;
   const test::Seen seen = runs.enumerate(states);
   tally.exact += verdict.exact ? 1 : 0;
@@ -63,7 +63,7 @@ std::string contradiction(test::AllRuns& runs, const test::Wanted& wanted, const
   return {};
 }
 
-void expect_sound(std::uint64_t seed, Tally& tally) {
+void expect_sound(std::uint64_t seed, NoTimeTally& tally) {
   const bool small = seed % 4 != 3;
   const std::string text = text_of(seed, small);
   const auto skill = test::any_skill(text);
@@ -80,12 +80,12 @@ void expect_sound(std::uint64_t seed, Tally& tally) {
   options.max_states = setting("PAL_CLASSES", 3'000);
   const Analysis analysis = analyze_exactly(*problem, options);
   const Duration unit = test::grain(network, environment);
-  if (unit < millisecond / 1000) return;
+  if (unit < one_millisecond / 1000) return;
   for (const test::Wanted& wanted : test::wanted(network, environment)) {
     const auto found = std::find_if(analysis.verdicts.begin(), analysis.verdicts.end(),
                                     [&](const Verdict& each) { return each.requirement == wanted.name; });
     REQUIRE(found != analysis.verdicts.end());
-    test::AllRuns runs(network, environment, wanted, unit, static_cast<int>(longest / unit));
+    test::AllRuns runs(network, environment, wanted, unit, static_cast<int>(longest_run / unit));
     const std::string wrong = contradiction(runs, wanted, *found, unit, seed, small, tally);
     std::string story;
     for (const std::string& line : runs.story) story += line + "\n";
@@ -100,7 +100,7 @@ void expect_sound(std::uint64_t seed, Tally& tally) {
 
 TEST_CASE("no run in which much takes no time exceeds what was proved") {
   const std::uint64_t first = setting("PAL_SEED", 1);
-  Tally tally;
+  NoTimeTally tally;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 12); ++seed)
     expect_sound(seed, tally);
   std::cout << tally.skills << " skills, " << tally.exact << " exact verdicts, all runs seen of "

@@ -32,10 +32,10 @@ struct Counts {
   std::size_t equal = 0;
 };
 
-constexpr int cap = 100;
+constexpr int most_states = 100;
 
 /// What was compared, by measure, of how many skills; and why others were refused.
-struct Tally {
+struct RunTally {
   std::map<std::string, int> refused;
   std::size_t skills = 0;
   std::map<std::string, Counts> of;
@@ -47,7 +47,7 @@ std::string contradiction(test::AllRuns& runs, const test::Wanted& wanted, const
   const std::uint64_t states = setting("PAL_STATES", 20'000);
   const bool load = wanted.kind == test::Wanted::Kind::load;
   const test::Seen seen = runs.enumerate(verdict.exact || load ? states : 0);
-  std::string wrong = test::contradiction(wanted, seen, verdict, millisecond, cap);
+  std::string wrong = test::contradiction(wanted, seen, verdict, millisecond, most_states);
   counts.complete += seen.complete ? 1 : 0;
   counts.equal += seen.complete && verdict.exact ? 1 : 0;
   if (!wrong.empty()) {
@@ -60,7 +60,7 @@ std::string contradiction(test::AllRuns& runs, const test::Wanted& wanted, const
     test::Lottery lottery(seed * 1000 + walk);
     test::Seen one = runs.walk(lottery, 1500);
     one.complete = false;
-    wrong = test::contradiction(wanted, one, verdict, millisecond, cap);
+    wrong = test::contradiction(wanted, one, verdict, millisecond, most_states);
     if (wrong.empty()) continue;
     test::Lottery again(seed * 1000 + walk);
     runs.tell = true;
@@ -71,7 +71,7 @@ std::string contradiction(test::AllRuns& runs, const test::Wanted& wanted, const
 }
 
 /// The verdicts on each thing that the skill is required to keep. All its times are whole milliseconds.
-void expect_sound(const std::string& text, std::uint64_t seed, Tally& tally) {
+void expect_sound(const std::string& text, std::uint64_t seed, RunTally& tally) {
   const auto skill = test::any_skill(text, &tally.refused);
   if (!skill->problem) return;
   ++tally.skills;
@@ -89,7 +89,7 @@ void expect_sound(const std::string& text, std::uint64_t seed, Tally& tally) {
     ++counts.timed;
     counts.bounded += verdict.bound ? 1 : 0;
     counts.exact += verdict.exact ? 1 : 0;
-    test::AllRuns runs(network, environment, wanted, millisecond, cap);
+    test::AllRuns runs(network, environment, wanted, millisecond, most_states);
     const std::string wrong = contradiction(runs, wanted, verdict, seed, counts);
     std::string story;
     for (const std::string& line : runs.story) story += line + "\n";
@@ -100,7 +100,7 @@ void expect_sound(const std::string& text, std::uint64_t seed, Tally& tally) {
   }
 }
 
-void say(const Tally& tally) {
+void say(const RunTally& tally) {
   std::cout << tally.skills << " skills\n";
   for (const auto& [measure, counts] : tally.of)
     std::cout << measure << ": " << counts.timed << " requirements, " << counts.bounded << " bounded, "
@@ -114,7 +114,7 @@ void say(const Tally& tally) {
 /// Of so many skills, if no other number is set.
 void expect_all_sound(std::uint64_t rounds, const std::function<std::string(std::uint64_t)>& text) {
   const std::uint64_t first = setting("PAL_SEED", 1);
-  Tally tally;
+  RunTally tally;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", rounds); ++seed)
     expect_sound(text(seed), seed, tally);
   say(tally);

@@ -60,14 +60,14 @@ std::string contradiction(const rules::Ruling& ruling, const Verdict& verdict, b
   return {};
 }
 
-struct Tally {
+struct ToldTally {
   std::size_t skills = 0;
   std::size_t runs = 0;
   std::size_t events = 0;
   std::size_t values = 0;
 };
 
-void expect_sound(const std::string& text, std::uint64_t seed, Tally& tally) {
+void expect_sound(const std::string& text, std::uint64_t seed, ToldTally& tally) {
   const auto skill = test::any_skill(text);
   if (!skill->problem) return;
   const Problem& problem = *skill->problem;
@@ -136,7 +136,7 @@ void send(Told& run, const std::string& statement, const std::string& message) {
 /// Of so many skills, if no other number is set.
 void expect_all_sound(std::uint64_t rounds, const std::function<std::string(std::uint64_t)>& text) {
   const std::uint64_t first = setting("PAL_SEED", 1);
-  Tally tally;
+  ToldTally tally;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", rounds); ++seed)
     expect_sound(text(seed), seed, tally);
   std::cout << tally.skills << " skills, " << tally.runs << " runs told, " << tally.events << " events, "

@@ -22,12 +22,12 @@ const std::vector<std::string> attributes = {"pal_kind", "pal_node", "pal_branch
                                              "pal_message"};
 
 /// What both readers tell of a graph.
-struct Seen {
+struct SeenDrawing {
   Values graph;
   std::map<std::string, Values> nodes;
   std::vector<std::tuple<std::string, std::string, Values>> edges;  // sorted
 
-  bool operator==(const Seen&) const = default;
+  bool operator==(const SeenDrawing&) const = default;
 };
 
 class RandomDot {
@@ -112,12 +112,12 @@ Values values_of(const syntax::DotValues& from) {
   return result;
 }
 
-std::optional<Seen> seen_by_us(const std::string& text) {
+std::optional<SeenDrawing> seen_by_us(const std::string& text) {
   SourceManager sources;
   Diagnostics diagnostics;
   const auto graph = syntax::read_dot(sources, sources.add("a.dot", text), diagnostics);
   if (!graph) return std::nullopt;
-  Seen seen;
+  SeenDrawing seen;
   seen.graph = values_of(graph->values);
   for (const auto& node : graph->nodes) seen.nodes[node.name] = values_of(node.values);
   for (const auto& edge : graph->edges)
@@ -137,11 +137,11 @@ Values values_of(void* thing) {
   return result;
 }
 
-std::optional<Seen> seen_by_graphviz(const std::string& text) {
+std::optional<SeenDrawing> seen_by_graphviz(const std::string& text) {
   agseterr(AGMAX);
   const std::unique_ptr<Agraph_t, int (*)(Agraph_t*)> graph(agmemread(text.c_str()), agclose);
   if (!graph) return std::nullopt;
-  Seen seen;
+  SeenDrawing seen;
   seen.graph = values_of(graph.get());
   for (Agnode_t* node = agfstnode(graph.get()); node != nullptr; node = agnxtnode(graph.get(), node)) {
     seen.nodes[agnameof(node)] = values_of(node);

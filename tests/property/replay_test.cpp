@@ -22,7 +22,7 @@ using pal::test::shows;
 
 namespace {
 
-constexpr Nanoseconds millisecond = 1'000'000;
+constexpr Nanoseconds one_millisecond = 1'000'000;
 
 /// A skill by chance; every third one a timed one that is changed in a few places.
 std::string program(std::uint64_t seed) {
@@ -86,7 +86,7 @@ TEST_CASE("every simulated run keeps the rules, and shows the same values") {
         SimulationOptions options;
         options.times = run < 2 ? SimulationOptions::Times::random : SimulationOptions::Times::extremes;
         options.seed = seed * 100 + run;
-        options.until = 300 * millisecond;
+        options.until = 300 * one_millisecond;
         options.max_events = 1'000;
         const Simulation made = simulate(machine, options);
         const rules::Ruling ruling = rules::check_run(*skill->problem, &requirement, made.trace);
@@ -123,7 +123,7 @@ TEST_CASE("no run shows the referee more than was proved") {
       SimulationOptions how;
       how.times = run % 2 == 0 ? SimulationOptions::Times::random : SimulationOptions::Times::extremes;
       how.seed = seed * 100 + run;
-      how.until = 300 * millisecond;
+      how.until = 300 * one_millisecond;
       how.max_events = 1'000;
       const Simulation made = simulate(machine, how);
       for (std::size_t r = 0; r < problem.requirements.size(); ++r) {

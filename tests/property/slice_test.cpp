@@ -16,7 +16,7 @@ using pal::test::setting;
 
 namespace {
 
-struct Tally {
+struct SliceTally {
   std::size_t bounds = 0;  // of slices
   std::size_t proper = 0;  // of those that leave something out
   std::size_t equal = 0;   // the same as the exact one
@@ -29,7 +29,7 @@ bool is_timed(const Requirement& requirement) {
 
 /// `known`: exactly, with a run that shows it.
 void expect_sound_slice(const Problem& problem, const Requirement& requirement, const Verdict& known,
-                        Reach reach, Looseness looseness, ZoneGraph::Merging merging, Tally& tally) {
+                        Reach reach, Looseness looseness, ZoneGraph::Merging merging, SliceTally& tally) {
   const Cone cone = cone_of(problem, requirement, -1, reach);
   Limits limits;
   limits.classes = 3'000;
@@ -62,7 +62,7 @@ void expect_decision(const Problem& problem, const Requirement& requirement, con
   CHECK((requirement.at_least ? *found.bound <= shown : *found.bound >= shown));
 }
 
-void expect_sound_slice_all(const Problem& problem, Tally& tally) {
+void expect_sound_slice_all(const Problem& problem, SliceTally& tally) {
   Options options;
   options.max_states = 2'000;
   options.threads = 1;
@@ -83,7 +83,7 @@ void expect_sound_slice_all(const Problem& problem, Tally& tally) {
 }
 
 template <class Text>
-void expect_sound_slice_seeds(const Text& text_of, std::uint64_t rounds, Tally& tally) {
+void expect_sound_slice_seeds(const Text& text_of, std::uint64_t rounds, SliceTally& tally) {
   const std::uint64_t first = setting("PAL_SEED", 1);
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", rounds); ++seed) {
     const std::string text = text_of(seed);
@@ -99,7 +99,7 @@ void expect_sound_slice_seeds(const Text& text_of, std::uint64_t rounds, Tally& 
 }  // namespace
 
 TEST_CASE("no run goes beyond what is proved of a slice: small skills") {
-  Tally tally;
+  SliceTally tally;
   expect_sound_slice_seeds(
       [](std::uint64_t seed) { return test::RandomSkill(seed, seed % 2 == 0 ? 9 : 40).text(); }, 15, tally);
   CHECK(tally.proper > 0);
@@ -107,7 +107,7 @@ TEST_CASE("no run goes beyond what is proved of a slice: small skills") {
 }
 
 TEST_CASE("no run goes beyond what is proved of a slice: skills of all kinds") {
-  Tally tally;
+  SliceTally tally;
   expect_sound_slice_seeds(test::skill_of_any_kind, 24, tally);
   CHECK(tally.proper > 0);
   CHECK(tally.equal > 0);

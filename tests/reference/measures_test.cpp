@@ -36,7 +36,7 @@ const char* const losses_and_pace = R"(
   REQUIREMENT take   : INTERVAL OF WTM( profile from finder ) IN SD1 BETWEEN 78 ms AND 78 ms
 )";
 
-const Verdict& verdict(const Analysis& analysis, const std::string& requirement) {
+const Verdict& verdict_of(const Analysis& analysis, const std::string& requirement) {
   for (const Verdict& each : analysis.verdicts) {
     if (each.requirement == requirement) return each;
   }
@@ -46,7 +46,7 @@ const Verdict& verdict(const Analysis& analysis, const std::string& requirement)
 /// `bound` is what a run attains, and no run exceeds.
 void expect_exact(const Analysis& analysis, const std::string& requirement, Duration bound,
                   VerdictState state) {
-  const Verdict& found = verdict(analysis, requirement);
+  const Verdict& found = verdict_of(analysis, requirement);
   INFO(requirement << ": " << name(found.state) << ", " << found.explanation);
   REQUIRE(found.bound);
   CHECK(*found.bound == bound);
@@ -123,10 +123,10 @@ TEST_CASE("the skill may end whenever the robot stops it, and never with an erro
 )";
   const Analysis analysis =
       analyze_exactly(*sound_skill(test::range_finder(asks_before, "15 ms", ends))->problem);
-  const Verdict& normal = verdict(analysis, "normal");
+  const Verdict& normal = verdict_of(analysis, "normal");
   CHECK(normal.state == fails);
   CHECK_FALSE(normal.bound);
   REQUIRE(normal.witness);
   CHECK(normal.witness->measured.value > 1'000'000'000);
-  CHECK(verdict(analysis, "error").state == VerdictState::never);
+  CHECK(verdict_of(analysis, "error").state == VerdictState::never);
 }

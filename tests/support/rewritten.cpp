@@ -6,12 +6,13 @@
 #include <sstream>
 #include <vector>
 
+#include "tests/support/lines.hpp"
+
 namespace pal::test {
 namespace {
 
-using Lines = std::vector<std::string>;
-
-Lines lines_of(const std::string& text) {
+/// Without their indentation, and without empty lines.
+Lines bare_lines_of(const std::string& text) {
   Lines lines;
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) {
@@ -19,12 +20,6 @@ Lines lines_of(const std::string& text) {
     if (first != std::string::npos) lines.push_back(line.substr(first));
   }
   return lines;
-}
-
-std::string joined(const Lines& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line + "\n";
-  return text;
 }
 
 bool begins_module(const std::string& line) {
@@ -102,7 +97,7 @@ std::string renamed(const std::string& text) {
 }  // namespace
 
 std::string rewritten(const std::string& text, std::mt19937_64& engine) {
-  std::vector<Lines> parts = parts_of(lines_of(text));
+  std::vector<Lines> parts = parts_of(bare_lines_of(text));
   std::shuffle(parts.begin(), parts.end(), engine);
   Lines lines;
   const bool unrolls = engine() % 2 == 0;

@@ -9,10 +9,10 @@ namespace {
 using Release = Node::Release;
 
 /// More pairs of nodes of one source than this are not looked at.
-constexpr std::size_t most_pairs = 1'000'000;
+constexpr std::size_t most_alternative_pairs = 1'000'000;
 
 bool too_many(const std::vector<int>& nodes) {
-  return nodes.size() * nodes.size() > most_pairs;
+  return nodes.size() * nodes.size() > most_alternative_pairs;
 }
 
 /// Where the ways to nodes part.

@@ -9,7 +9,7 @@ namespace {
 using Kind = Step::Kind;
 using Release = Node::Release;
 
-constexpr int most_iterations = 50;
+constexpr int most_context_rounds = 50;
 
 Nanoseconds best_arrival(const Segment& segment, int wait) {
   for (const Segment::Arrival& each : segment.waits) {
@@ -111,7 +111,7 @@ Nanoseconds AnalysisContext::answer_queue(int device, int request) const {
 std::vector<Nanoseconds> earliest_releases(const AnalysisContext& context,
                                            const std::function<bool()>& stop) {
   std::vector<Nanoseconds> known(context.forest.nodes.size(), 0);
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (int iteration = 0; iteration < most_context_rounds; ++iteration) {
     bool changed = false;
     for (std::size_t n = 0; n < known.size(); ++n) {
       if (stop && stop()) return known;

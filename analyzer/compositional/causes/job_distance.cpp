@@ -68,7 +68,7 @@ bool ends_straight(const Problem& problem, int block) {
 namespace {
 
 /// However long a way is, it leads somewhere.
-Nanoseconds later(Nanoseconds time, Nanoseconds by) {
+Nanoseconds later_by(Nanoseconds time, Nanoseconds by) {
   return std::min(plus(time, by), never - 1);
 }
 
@@ -91,18 +91,18 @@ class Shortest {
       if (ends(index)) return time;
       if (!reached.emplace(index, time).second) continue;
       const Step& step = problem_.steps[static_cast<std::size_t>(index)];
-      if (step.kind == Kind::send) sent.emplace(step.channels.front(), later(time, step.cost.best));
+      if (step.kind == Kind::send) sent.emplace(step.channels.front(), later_by(time, step.cost.best));
       for (std::size_t i = 0; i < step.next.size(); ++i) {
-        Nanoseconds after = later(time, step.cost.best);
+        Nanoseconds after = later_by(time, step.cost.best);
         if (step.kind == Kind::wait && i == step.channels.size()) {
-          after = later(later(time, step.within.value_or(0)), step.give_up_cost.best);
+          after = later_by(later_by(time, step.within.value_or(0)), step.give_up_cost.best);
         } else if (step.kind == Kind::wait) {
           const int request = problem_.channels[static_cast<std::size_t>(step.channels[i])].answers;
           const bool asked =
               request >= 0 && sent.contains(request) && !reaches_unasked(first, index, request);
           if (asked)
             after =
-                later(std::max(time, later(sent[request], answer(step.channels[i], depth))), step.cost.best);
+                later_by(std::max(time, later_by(sent[request], answer(step.channels[i], depth))), step.cost.best);
         }
         open.emplace(after, step.next[i]);
       }
@@ -164,7 +164,7 @@ Nanoseconds least_job_distance(const Problem& problem, const Beginning& beginnin
   const Nanoseconds around =
       shortest.way(idle_wait.next[branch], into, 0, [&](int step) { return step == beginning.step; });
   if (around >= never) return never;
-  if (gives_up) return later(around, idle_wait.within.value_or(0));
+  if (gives_up) return later_by(around, idle_wait.within.value_or(0));
   const int answer = idle_wait.channels[branch];
   const int request = problem.channels[static_cast<std::size_t>(answer)].answers;
   if (request < 0) return around;
@@ -174,7 +174,7 @@ Nanoseconds least_job_distance(const Problem& problem, const Beginning& beginnin
     const Step& step = problem.steps[static_cast<std::size_t>(index)];
     return step.kind == Kind::send && step.channels.front() == request;
   });
-  return asked >= never ? around : std::max(around, later(asked, shortest.answer(answer, 0)));
+  return asked >= never ? around : std::max(around, later_by(asked, shortest.answer(answer, 0)));
 }
 
 namespace {
@@ -258,7 +258,7 @@ Nanoseconds least_effect_distance(const Problem& problem, int thread, const std:
     itself =
         std::min(itself, step.within ? std::min(step.cost.best, step.give_up_cost.best) : step.cost.best);
   }
-  return least >= never ? never : later(least, itself);
+  return least >= never ? never : later_by(least, itself);
 }
 
 }  // namespace pal::analyzer::compositional

@@ -11,7 +11,7 @@ namespace {
 using Kind = Step::Kind;
 using Release = Node::Release;
 
-constexpr int most_iterations = 60;
+constexpr int most_freshness_rounds = 60;
 using Known = DataFreshness::Known;
 
 /// `known`, if anything, so much earlier.
@@ -50,7 +50,7 @@ DataFreshness::DataFreshness(const View& view, const Requirement& requirement)
       latched_[static_cast<std::size_t>(owner)].insert(problem_.steps[s].condition);
   }
   if (requirement.condition < 0) find_setters();
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (int iteration = 0; iteration < most_freshness_rounds; ++iteration) {
     if (requirement.condition < 0) ages_.clear();  // samples on their way to conditions
     bool changed = false;
     for (std::size_t n = 0; n < begins_.size(); ++n) changed = visit(static_cast<int>(n)) || changed;

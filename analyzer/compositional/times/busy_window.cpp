@@ -8,7 +8,7 @@
 namespace pal::analyzer::compositional {
 namespace {
 
-constexpr int most_iterations = 20'000;
+constexpr int most_busy_steps = 20'000;
 constexpr Nanoseconds longest_window = 1'000'000'000'000'000;
 /// A transaction of more tasks on a processor takes its time.
 constexpr std::size_t many_tasks = 32;
@@ -236,7 +236,7 @@ BusyWindows::Critical BusyWindows::critical_once(int transaction, int task, Nano
   const bool preemptive = preemptive_[static_cast<std::size_t>(self.processor)];
   const Nanoseconds fixed = blocking + of_siblings(transaction, task, nullptr) + (preemptive ? part : 0);
   Nanoseconds window = least_window(fixed, load.share, load.carried);
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (int iteration = 0; iteration < most_busy_steps; ++iteration) {
     const Nanoseconds next = fixed + of_others(groups, transaction, &self, self.priority, window);
     if (next <= window) {
       const Nanoseconds released = since == Since::release ? 0 : self.offset + self.jitter;
@@ -281,7 +281,7 @@ Nanoseconds BusyWindows::window(int processor, int priority, Nanoseconds cost) c
     }
   }
   Nanoseconds length = cost;
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (int iteration = 0; iteration < most_busy_steps; ++iteration) {
     const Nanoseconds next = plus(cost, of_others(groups, -1, nullptr, priority, length));
     if (next <= length) return length;
     if (next > longest_window) break;
@@ -327,7 +327,7 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
       const Asked all{&self, task, false, 0, drifting};
       const auto settle = [&](Nanoseconds fixed, const Asked& but) {
         Nanoseconds at = std::max(begun, least_window(fixed, load.share, load.carried));
-        while (++iterations < most_iterations) {
+        while (++iterations < most_busy_steps) {
           const Nanoseconds next = fixed + others(at) + of_scenario(own, scenario, but, self.priority, at);
           if (next <= at) return at;
           if (next > longest_window) break;

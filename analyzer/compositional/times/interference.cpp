@@ -11,7 +11,7 @@
 namespace pal::analyzer::compositional {
 namespace {
 
-constexpr int most_iterations = 1'000;
+constexpr int most_window_steps = 1'000;
 
 std::vector<bool> preemptive(const Problem& problem) {
   std::vector<bool> all;
@@ -240,7 +240,7 @@ Nanoseconds Interference::burst(int thread, const std::vector<NodeTimes>& nodes,
     late = std::max(late, times.finish >= never ? never : times.finish - times.earliest);
   }
   Nanoseconds length = once;
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (int iteration = 0; iteration < most_window_steps; ++iteration) {
     const Nanoseconds next = work_of_thread(thread, [&](const Transaction& of, Nanoseconds jitter) {
       return releases(of.period, jitter, plus(length, late));
     });

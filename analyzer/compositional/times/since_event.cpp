@@ -9,7 +9,7 @@
 namespace pal::analyzer::compositional {
 namespace {
 
-constexpr int most_iterations = 20;
+constexpr int most_event_rounds = 20;
 
 /// Begins with the times from the nominal instants and lowers them: each iteration follows the ways from
 /// bounds to bounds, so it may stop after any.
@@ -23,7 +23,7 @@ class SinceEvents : private AnalysisContext {
         releases_(*this, made_, times.nodes, interference) {}
 
   std::vector<NodeTimes> run() {
-    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    for (int iteration = 0; iteration < most_event_rounds; ++iteration) {
       bool changed = false;
       for (std::size_t i = 0; i < made_.size(); ++i) {
         const int n = static_cast<int>(i);

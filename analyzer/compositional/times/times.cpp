@@ -15,7 +15,7 @@ namespace {
 
 using Kind = Step::Kind;
 
-constexpr int most_iterations = 400;
+constexpr int most_rounds = 400;
 constexpr int everybody = std::numeric_limits<int>::max();
 constexpr int nobody = std::numeric_limits<int>::min();
 
@@ -136,7 +136,7 @@ class Solver : private AnalysisContext {
     for (std::size_t n = 0; n < forest.nodes.size(); ++n)
       interference_.announce(static_cast<int>(n), nodes_[n]);
     std::vector<int> dirty(problem.processors.size(), everybody);  // by processor: delays_up_to()
-    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    for (int iteration = 0; iteration < most_rounds; ++iteration) {
       find_overlaps(dirty);
       std::vector<int> now = dirty;
       dirty.assign(dirty.size(), nobody);

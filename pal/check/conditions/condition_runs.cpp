@@ -32,9 +32,9 @@ std::string truth(bool value) {
   return value ? "TRUE" : "FALSE";
 }
 
-class Explorer {
+class ConditionExplorer {
  public:
-  Explorer(const pan::Network& network, const pan::Flow& flow, pan::ModuleId root)
+  ConditionExplorer(const pan::Network& network, const pan::Flow& flow, pan::ModuleId root)
       : network_(network), flow_(flow), concern_(network, root) {
     State first;
     Thread main;
@@ -297,7 +297,7 @@ class Explorer {
 }  // namespace
 
 ConditionRuns explore_conditions(const pan::Network& network, const pan::Flow& flow, pan::ModuleId root) {
-  return Explorer(network, flow, root).run();
+  return ConditionExplorer(network, flow, root).run();
 }
 
 }  // namespace pal::checker

@@ -17,9 +17,9 @@ namespace {
 
 constexpr std::size_t most_nearby = 10'000;
 
-class Explorer {
+class DeadlockExplorer {
  public:
-  Explorer(const Automata& automata, const Limits& limits)
+  DeadlockExplorer(const Automata& automata, const Limits& limits)
       : automata_(automata),
         moves_(automata, limits.withdrawn),
         most_(std::min(limits.states, limits.words / moves_.words() + 1)),
@@ -219,7 +219,7 @@ Findings explore(const Automata& automata, const Limits& limits) {
   Findings undecided;
   undecided.complete = false;
   if (automata.steps.size() > most_steps || automata.threads.size() > most_threads) return undecided;
-  return Explorer(automata, limits).run();
+  return DeadlockExplorer(automata, limits).run();
 }
 
 }  // namespace pal::checker::deadlock

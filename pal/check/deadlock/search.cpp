@@ -10,11 +10,11 @@ namespace pal::checker::deadlock {
 
 namespace {
 
-constexpr std::uint32_t none = 0xffffffff;
+constexpr std::uint32_t no_node = 0xffffffff;
 
-struct Node {
+struct SearchNode {
   const State* state = nullptr;  // none: the goal
-  std::uint32_t from = none;
+  std::uint32_t from = no_node;
   Length length;
   Deed deed;
   bool done = false;
@@ -34,7 +34,7 @@ class Searcher {
 
  private:
   Found found_from(const State& from) {
-    reach(from, none, {}, {});
+    reach(from, no_node, {}, {});
     while (!open_.empty()) {
       const auto at = std::get<1>(open_.top());
       open_.pop();
@@ -64,7 +64,7 @@ class Searcher {
   }
 
   void reach_goal(const State& state, std::uint32_t from, const Length& length, const Deed& deed) {
-    if (goal_node_ != none && nodes_[goal_node_].length <= length) return;
+    if (goal_node_ != no_node && nodes_[goal_node_].length <= length) return;
     goal_node_ = static_cast<std::uint32_t>(nodes_.size());
     goal_state_ = state;
     nodes_.push_back({nullptr, from, length, deed, false});
@@ -93,7 +93,7 @@ class Searcher {
 
   Way way_to(std::uint32_t at, const State& state) const {
     Way way{{}, state, nodes_[at].length};
-    for (; nodes_[at].from != none; at = nodes_[at].from) way.run.push_back(nodes_[at].deed);
+    for (; nodes_[at].from != no_node; at = nodes_[at].from) way.run.push_back(nodes_[at].deed);
     std::reverse(way.run.begin(), way.run.end());
     return way;
   }
@@ -104,10 +104,10 @@ class Searcher {
   const Goal& goal_;
   std::size_t most_;
   std::unordered_map<State, std::uint32_t> seen_;
-  std::vector<Node> nodes_;
+  std::vector<SearchNode> nodes_;
   using Entry = std::tuple<Length, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
-  std::uint32_t goal_node_ = none;
+  std::uint32_t goal_node_ = no_node;
   State goal_state_;
   bool complete_ = true;
 };

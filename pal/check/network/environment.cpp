@@ -35,7 +35,7 @@ Interval& place_of(pan::Environment& environment, syntax::CostItem::Kind kind) {
   return environment.costs.send;
 }
 
-pan::Resources::List names_of(const std::optional<syntax::NameSlot>& slot) {
+pan::Resources::List resource_names(const std::optional<syntax::NameSlot>& slot) {
   if (!slot) return std::nullopt;
   std::vector<std::string> names;
   for (const auto& name : slot->names) names.push_back(name.text);
@@ -158,8 +158,8 @@ pan::Environment build_environment(const syntax::EnvironmentUnit& written, Diagn
   result.placements = written.placements;
   result.activities = written.activities;
   result.where = written.where;
-  result.resources = {names_of(written.resources.sensor_drivers), names_of(written.resources.logical_sensors),
-                      names_of(written.resources.machine_controllers), names_of(written.resources.skills)};
+  result.resources = {resource_names(written.resources.sensor_drivers), resource_names(written.resources.logical_sensors),
+                      resource_names(written.resources.machine_controllers), resource_names(written.resources.skills)};
   for (const auto& cost : written.costs) place_of(result, cost.kind) = cost.time;
   check_twice(written, diagnostics);
   check_placements(result, diagnostics);

@@ -3,18 +3,14 @@
 #include "pal/check/report.hpp"
 #include "pal/check/rules/blocks.hpp"
 #include "pal/check/rules/families.hpp"
+#include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
 namespace pal::checker {
 
 namespace {
 
-std::string party_name(const pan::Network& network, const pan::Party& party) {
-  if (const auto* device = std::get_if<pan::DeviceId>(&party)) return network.devices[device->index()].name;
-  return network.modules[std::get<pan::ModuleId>(party).index()].name;
-}
-
-void check_blocks(const pan::Network& network, pan::ModuleId module, const pan::Node& fork,
+void check_asking_blocks(const pan::Network& network, pan::ModuleId module, const pan::Node& fork,
                   Diagnostics& diagnostics) {
   std::map<pan::ChannelId, SourceSpan> earlier;  // the first request in a block before
   for (std::size_t block = 0; block < fork.out.size(); ++block) {
@@ -45,7 +41,7 @@ void check_askers(const pan::Network& network, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < network.modules.size(); ++i) {
     for (const auto& node : network.modules[i].body.nodes) {
       if (std::holds_alternative<pan::Fork>(node.content))
-        check_blocks(network, pan::ModuleId(i), node, diagnostics);
+        check_asking_blocks(network, pan::ModuleId(i), node, diagnostics);
     }
   }
 }

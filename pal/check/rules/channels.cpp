@@ -10,13 +10,13 @@ namespace pal::checker {
 
 namespace {
 
-struct Use {
+struct ChannelUse {
   bool sent = false;
   bool taken = false;
 };
 
-std::vector<Use> uses(const pan::Network& network) {
-  std::vector<Use> result(network.channels.size());
+std::vector<ChannelUse> uses(const pan::Network& network) {
+  std::vector<ChannelUse> result(network.channels.size());
   for (const auto& module : network.modules) {
     for (const auto& node : module.body.nodes) {
       if (const auto* send = std::get_if<pan::Send>(&node.content)) result[send->channel.index()].sent = true;

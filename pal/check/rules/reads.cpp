@@ -13,14 +13,14 @@ namespace pal::checker {
 namespace {
 
 /// A condition that somebody reads, before which `set` may or must have been.
-struct State {
+struct SetBefore {
   bool reached = false;
   bool may = false;   // on some way here it was set
   bool must = false;  // on every way here it was set
 
-  bool join(const State& other) {
+  bool join(const SetBefore& other) {
     if (!other.reached) return false;
-    const State old = *this;
+    const SetBefore old = *this;
     must = reached ? must && other.must : other.must;
     may = may || other.may;
     reached = true;
@@ -58,12 +58,12 @@ class Follower {
     }
   }
 
-  const State& before(pan::ModuleId module, pan::NodeId node) const {
+  const SetBefore& before(pan::ModuleId module, pan::NodeId node) const {
     return states_[module.index()][node.index()];
   }
 
  private:
-  void enter(pan::ModuleId module, pan::NodeId node, const State& state) {
+  void enter(pan::ModuleId module, pan::NodeId node, const SetBefore& state) {
     if (!node.valid()) return;
     if (states_[module.index()][node.index()].join(state)) open_.emplace_back(module, node);
   }
@@ -124,7 +124,7 @@ class Follower {
     return (block + 1 < fork.out.size() ? fork.out[block + 1].index() : fork.mate.index()) - 1;
   }
 
-  void fork(pan::ModuleId module, pan::NodeId id, const State& state) {
+  void fork(pan::ModuleId module, pan::NodeId id, const SetBefore& state) {
     const auto& node = network_.modules[module.index()].body[id];
     forks_[std::pair(module, id)] = state;
     for (std::size_t block = 0; block < node.out.size(); ++block) {
@@ -158,11 +158,11 @@ class Follower {
   const pan::Network& network_;
   const pan::Flow& flow_;
   pan::ConditionId condition_;
-  std::vector<std::vector<State>> states_;
+  std::vector<std::vector<SetBefore>> states_;
   std::vector<std::pair<pan::ModuleId, pan::NodeId>> open_;
   std::map<pan::ModuleId, std::set<std::pair<pan::ModuleId, pan::NodeId>>> callers_;
   std::map<std::pair<pan::ModuleId, pan::NodeId>, pan::NodeId> block_ends_;  // to the CONCURRENT of the block
-  std::map<std::pair<pan::ModuleId, pan::NodeId>, State> forks_;
+  std::map<std::pair<pan::ModuleId, pan::NodeId>, SetBefore> forks_;
 };
 
 /// The places in one module that read a condition before it is set.
@@ -177,8 +177,8 @@ class ReadCheck {
     const auto& nodes = network_.modules[module.index()].body.nodes;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       if (!reads(nodes[i].content)) continue;
-      const State state =
-          follower != nullptr ? follower->before(module, pan::NodeId(i)) : State{true, false, false};
+      const SetBefore state =
+          follower != nullptr ? follower->before(module, pan::NodeId(i)) : SetBefore{true, false, false};
       if (!state.reached || state.must) continue;
       (state.may ? sometimes : never).push_back(nodes[i].where);
     }

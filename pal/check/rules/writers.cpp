@@ -35,7 +35,7 @@ void check_modules(const pan::Network& network, Diagnostics& diagnostics) {
   }
 }
 
-void check_blocks(const pan::Network& network, pan::ModuleId module, const pan::Node& fork,
+void check_writing_blocks(const pan::Network& network, pan::ModuleId module, const pan::Node& fork,
                   Diagnostics& diagnostics) {
   Sets earlier;
   for (std::size_t block = 0; block < fork.out.size(); ++block) {
@@ -62,7 +62,7 @@ void check_writers(const pan::Network& network, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < network.modules.size(); ++i) {
     for (const auto& node : network.modules[i].body.nodes) {
       if (std::holds_alternative<pan::Fork>(node.content)) {
-        check_blocks(network, pan::ModuleId(i), node, diagnostics);
+        check_writing_blocks(network, pan::ModuleId(i), node, diagnostics);
       }
     }
   }

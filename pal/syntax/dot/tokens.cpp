@@ -7,7 +7,7 @@ namespace pal::syntax {
 
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr std::string_view dot_byte_order_mark = "\xEF\xBB\xBF";
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -22,7 +22,7 @@ bool is_space(char c) {
 }  // namespace
 
 DotLexer::DotLexer(FileId file, std::string_view text) : file_(file), text_(text) {
-  if (at(byte_order_mark)) at_ = byte_order_mark.size();
+  if (at(dot_byte_order_mark)) at_ = dot_byte_order_mark.size();
 }
 
 DotToken DotLexer::next() {

@@ -13,7 +13,7 @@ struct DotToken {
   enum class Kind {
     word,    // a name or a number as it stands
     quoted,  // without its quotes; \" is a quote, and a line that ends in \ goes on in the next
-    html,    // <…> with its brackets
+    html,    // an HTML string, with its brackets
     sign,
     end
   };

@@ -20,7 +20,7 @@ using Lexer = grammar::PalLexer;
 /// Longer texts are no names that anybody gave.
 constexpr std::size_t longest_shown = 60;
 
-std::string shown(const std::string& text) {
+std::string shown_word(const std::string& text) {
   return text.size() <= longest_shown ? "'" + text + "'" : "this text";
 }
 
@@ -101,7 +101,7 @@ void DotWords::fail(const DotValue& at, std::string message, std::string hint) {
 Name DotWords::name(const DotValue& from) {
   const auto type = only_token(from.text);
   if (type != Lexer::NAME && !opens_unit(type) && !means_something_in_places(type)) {
-    fail(from, shown(from.text) + " is no name",
+    fail(from, shown_word(from.text) + " is no name",
          "a name begins with a letter and goes on with letters, digits, '_' and inner hyphens; words such as "
          "CASE name "
          "nothing");
@@ -112,7 +112,7 @@ Name DotWords::name(const DotValue& from) {
 Name DotWords::activity_name(const DotValue& from) {
   const auto type = only_token(from.text);
   if (opens_unit(type))
-    fail(from, shown(from.text) + " begins a unit of PAL and names no activity", "choose another name");
+    fail(from, shown_word(from.text) + " begins a unit of PAL and names no activity", "choose another name");
   return name(from);
 }
 
@@ -129,7 +129,7 @@ PartyName DotWords::party(const DotValue& from) {
 bool DotWords::truth(const DotValue& from) {
   if (from.text == "TRUE" || from.text == "true") return true;
   if (from.text == "FALSE" || from.text == "false") return false;
-  fail(from, shown(from.text) + " is neither TRUE nor FALSE", "write TRUE or FALSE");
+  fail(from, shown_word(from.text) + " is neither TRUE nor FALSE", "write TRUE or FALSE");
 }
 
 std::int64_t DotWords::number(const DotValue& from, std::int64_t most) {
@@ -137,7 +137,7 @@ std::int64_t DotWords::number(const DotValue& from, std::int64_t most) {
   const char* end = from.text.data() + from.text.size();
   const auto read = std::from_chars(from.text.data(), end, result);
   if (read.ec != std::errc() || read.ptr != end || result < 0 || result > most) {
-    fail(from, shown(from.text) + " is no number that fits here",
+    fail(from, shown_word(from.text) + " is no number that fits here",
          "write a whole number from 0 to " + std::to_string(most));
   }
   return result;
@@ -152,13 +152,13 @@ Guard DotWords::guard(const DotValue& from) {
       return std::move(*repeat->until);
     }
   }
-  fail(from, shown(from.text) + " is no condition of PAL", "write for example \"pc-force OR NOT pc-reach\"");
+  fail(from, shown_word(from.text) + " is no condition of PAL", "write for example \"pc-force OR NOT pc-reach\"");
 }
 
 ActivityHeading DotWords::activity(const DotValue& from) {
   auto module = module_of("ACTIVITY " + from.text + "\n");
   if (!module || module->activities.size() != 1 || !module->descriptions.empty() || module->has_body) {
-    fail(from, shown(from.text) + " is no activity",
+    fail(from, shown_word(from.text) + " is no activity",
          "write for example \"think READS force WRITES motion; look\"");
   }
   ActivityHeading heading = std::move(module->activities.front());
@@ -196,7 +196,7 @@ pan::ModuleKind DotWords::module_kind(const DotValue& from) {
         pan::ModuleKind::skill_module, pan::ModuleKind::contingency_module}) {
     if (pan::kind_text(kind) == from.text) return kind;
   }
-  fail(from, shown(from.text) + " is no kind of module",
+  fail(from, shown_word(from.text) + " is no kind of module",
        "write 'sensor driver', 'logical sensor', 'machine controller', 'skill module' or 'contingency "
        "module'");
 }

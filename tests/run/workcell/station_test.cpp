@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-Session session() {
+Session station_session() {
   Session session;
   session.scene = sim::find_scene("touch", {PAL_SCENE_DIR});
   session.seed = 5;
@@ -28,7 +28,7 @@ SessionResult run(const Session& session) {
 }  // namespace
 
 TEST_CASE("a run is the same whatever carries the bytes") {
-  Session one = session();
+  Session one = station_session();
   const SessionResult in_process = run(one);
   CHECK(in_process.outcome.code == 0);
   for (auto* const carrier : {&runtime::pseudo_terminal_carrier, &runtime::tcp_carrier}) {
@@ -44,7 +44,7 @@ TEST_CASE("a run is the same whatever carries the bytes") {
 // A phase of a whole period is one of 0: a tick comes at the beginning.
 TEST_CASE("the phase is from the skill's beginning to the first tick") {
   for (const runtime::Time phase : {runtime::Time(0ms), runtime::Time(7ms), runtime::Time(27999us)}) {
-    Session one = session();
+    Session one = station_session();
     one.phase = phase;
     const SessionResult result = run(one);
     const trace::Trace& trace = result.outcome.trace;
@@ -58,7 +58,7 @@ TEST_CASE("the phase is from the skill's beginning to the first tick") {
 }
 
 TEST_CASE("skills run one after the other on one station, and ALTER stays answered between them") {
-  sim::Cell cell(session().scene);
+  sim::Cell cell(station_session().scene);
   const auto skill = skills::touch_skill();
   CHECK(cell.run(*skill).code == 0);
   const runtime::Time first = cell.station().begun();
@@ -88,7 +88,7 @@ TEST_CASE("each fault of a line is a clear end of the skill, with the arm at res
         Case{"at 500 ms alter garble", "alter: the line is disturbed: a frame's checksum is wrong"},
         Case{"at 500 ms alter unplug", "alter: the link is broken: unplugged"}}) {
     CAPTURE(each.fault);
-    Session one = session();
+    Session one = station_session();
     one.faults = std::get<0>(sim::read_faults(each.fault));
     const SessionResult result = run(one);
     CHECK(result.outcome.fault);
@@ -139,7 +139,7 @@ TEST_CASE("each fault of the arm is a clear end of the skill, with the template'
              "alter: cannot make the motion: joint 4 would turn at "},
         Case{"relative-move", "near-singularity", {{"rx", 10}}, 1, false, "Joint too fast Jt 4"}}) {
     CAPTURE(each.skill, each.scene);
-    Session one = session();
+    Session one = station_session();
     one.scene = sim::find_scene(each.scene, {PAL_SCENE_DIR});
     one.parameters = each.parameters;
     const SessionResult result = run_session(*skills::make_skill(each.skill), one);
@@ -169,7 +169,7 @@ TEST_CASE("faults are read line by line, and errors name the line") {
     CHECK(std::get<1>(wrong).line == 2);
     CHECK(std::get<1>(wrong).cause == cause);
   }
-  Session one = session();
+  Session one = station_session();
   one.faults = std::get<0>(sim::read_faults("at 1 ms toaster unplug"));
   CHECK_THROWS_WITH(run(one), "there is no device 'toaster' to go wrong; there are val, alter, force-torque");
   REQUIRE(one.faults.size() == 1);

@@ -29,7 +29,7 @@ bool in_name(char c) {
 }
 
 /// The words, signs and texts, comments left out: enough of PAL's lexer to take words away.
-std::vector<Word> words(const std::string& text) {
+std::vector<Word> words_of(const std::string& text) {
   std::vector<Word> result;
   for (std::size_t i = 0; i < text.size();) {
     const auto begin = i;
@@ -144,7 +144,7 @@ struct Distributions {
 
 void mutate(const Subject& subject, Distributions& into) {
   const auto text = test::source_file(subject.folder + "/" + subject.file);
-  const auto all = words(text);
+  const auto all = words_of(text);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Word& word = all[i];
     const auto line =

@@ -17,13 +17,13 @@ const std::string untidy = "message tick:signal # comes\n";
 const std::string wrong = "MESSAGE tick SIGNAL\n";
 
 /// A folder of real files that is removed at the end.
-class Folder {
+class FormatFolder {
  public:
-  Folder() : path_(fs::temp_directory_path() / pal::test::own_name("pal-format-test")) {
+  FormatFolder() : path_(fs::temp_directory_path() / pal::test::own_name("pal-format-test")) {
     fs::remove_all(path_);
     fs::create_directories(path_ / ".hidden");
   }
-  ~Folder() { fs::remove_all(path_); }
+  ~FormatFolder() { fs::remove_all(path_); }
   std::string add(const std::string& name, const std::string& text) const {
     std::ofstream(path_ / name, std::ios::binary) << text;
     return (path_ / name).string();
@@ -40,7 +40,7 @@ class Folder {
 }  // namespace
 
 TEST_CASE("fmt writes in place what is not in canonical layout, in folders too") {
-  const Folder folder;
+  const FormatFolder folder;
   const auto a = folder.add("a.pal", untidy);
   const auto b = folder.add("b.pal", tidy);
   folder.add(".hidden/c.pal", untidy);
@@ -60,7 +60,7 @@ TEST_CASE("fmt writes in place what is not in canonical layout, in folders too")
 }
 
 TEST_CASE("fmt leaves a file with syntax errors alone, and says what is wrong") {
-  const Folder folder;
+  const FormatFolder folder;
   const auto a = folder.add("a.pal", wrong);
   const auto b = folder.add("b.pal", untidy);
   const auto answer = pal::test::pal({"fmt", a, b});

@@ -68,17 +68,17 @@ TEST_CASE("no file of the user's is in the way of a draft, nor written by way of
 namespace {
 
 /// A folder of its own with the skill touch in it, and links to it.
-struct Folder {
-  Folder() {
+struct OutputFolder {
+  OutputFolder() {
     fs::remove_all(path);
     fs::create_directories(path);
     fs::copy_file(pal::test::skill("workcell.pal"), cell);
     fs::create_symlink(cell, link);
     fs::create_hard_link(cell, hard);
   }
-  ~Folder() { fs::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
+  ~OutputFolder() { fs::remove_all(path); }
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
 
   fs::path path = fs::temp_directory_path() / pal::test::own_name("pal-inputs-and-outputs");
   std::string cell = (path / "cell.pal").string();
@@ -89,7 +89,7 @@ struct Folder {
 }  // namespace
 
 TEST_CASE("no command writes over what it has read, nor what is no PAL to a file that is called so") {
-  const Folder folder;
+  const OutputFolder folder;
   const auto size = fs::file_size(folder.cell);
   const std::string touch = pal::test::skill("touch/touch.pal");
   const std::string runs = (folder.path / "runs.json").string();
@@ -125,7 +125,7 @@ TEST_CASE("no command writes over what it has read, nor what is no PAL to a file
 }
 
 TEST_CASE("a file is read once, under whatever names it is given") {
-  const Folder folder;
+  const OutputFolder folder;
   const std::string touch = pal::test::skill("touch/touch.pal");
   for (const std::string& again : {folder.cell, folder.link, folder.hard,
                                    (folder.path / ".." / folder.path.filename() / "cell.pal").string()}) {

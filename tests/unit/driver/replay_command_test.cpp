@@ -10,7 +10,7 @@
 
 using namespace pal::test;
 using pal::driver::ExitStatus;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 namespace {
 
@@ -25,11 +25,11 @@ class File {
   File& operator=(const File&) = delete;
 
   const std::string& path() const { return path_; }
-  Json read() const {
+  OrderedJson read() const {
     std::ifstream in(path_);
-    return Json::parse(in);
+    return OrderedJson::parse(in);
   }
-  void write(const Json& json) const { std::ofstream(path_) << json.dump(1); }
+  void write(const OrderedJson& json) const { std::ofstream(path_) << json.dump(1); }
 
  private:
   std::string path_;
@@ -63,15 +63,15 @@ TEST_CASE("a file of very many runs is read, however large a text may be") {
 TEST_CASE("replay refuses a witness of other texts, of another value, and of another run") {
   const File file("replay_refuses");
   pal::test::pal({"check", read_first, "-e", cell, "--witness", file.path()});
-  const Json sound = file.read();
+  const OrderedJson sound = file.read();
 
-  Json other = sound;
-  for (Json& each : other["witnesses"]) each["identity"] = "0123456789abcdef";
+  OrderedJson other = sound;
+  for (OrderedJson& each : other["witnesses"]) each["identity"] = "0123456789abcdef";
   file.write(other);
   CHECK(replayed(file, read_first).out.find("other texts") != std::string::npos);
 
-  Json value = sound;
-  for (Json& each : value["witnesses"]) {
+  OrderedJson value = sound;
+  for (OrderedJson& each : value["witnesses"]) {
     if (each["requirement"] == "fresh-force") each["value_ns"] = 36'000'000;
   }
   file.write(value);
@@ -79,8 +79,8 @@ TEST_CASE("replay refuses a witness of other texts, of another value, and of ano
   CHECK(more.status == ExitStatus::not_met);
   CHECK(more.out.find("it does not show 36 ms") != std::string::npos);
 
-  Json shorter = sound;
-  for (Json& each : shorter["witnesses"]) each["run"]["events"].erase(each["run"]["events"].begin() + 3);
+  OrderedJson shorter = sound;
+  for (OrderedJson& each : shorter["witnesses"]) each["run"]["events"].erase(each["run"]["events"].begin() + 3);
   file.write(shorter);
   CHECK(replayed(file, read_first).status == ExitStatus::not_met);
 }
@@ -88,11 +88,11 @@ TEST_CASE("replay refuses a witness of other texts, of another value, and of ano
 TEST_CASE("replay refuses events of messages without saying of which") {
   const File file("replay_of_nothing");
   pal::test::pal({"check", read_first, "-e", cell, "--witness", file.path()});
-  const Json sound = file.read();
+  const OrderedJson sound = file.read();
   for (const char* kind : {"put", "take", "drop", "overrun"}) {
-    Json changed = sound;
-    for (Json& each : changed["witnesses"]) {
-      Json& event = each["run"]["events"].at(5);
+    OrderedJson changed = sound;
+    for (OrderedJson& each : changed["witnesses"]) {
+      OrderedJson& event = each["run"]["events"].at(5);
       event[1] = kind;
       event[4] = -1;
     }
@@ -106,7 +106,7 @@ TEST_CASE("replay refuses events of messages without saying of which") {
 TEST_CASE("replay says when there is no such file, or no witness in it") {
   const File file("replay_none");
   CHECK(replayed(file, touch).status == ExitStatus::usage);
-  file.write(Json::object());
+  file.write(OrderedJson::object());
   const Answer answer = replayed(file, touch);
   CHECK(answer.status == ExitStatus::usage);
   CHECK(answer.err.find("is no file of witnesses: it is not {\"witnesses\": [...]}") != std::string::npos);
@@ -114,21 +114,21 @@ TEST_CASE("replay says when there is no such file, or no witness in it") {
   CHECK(replayed(file, touch).status == ExitStatus::usage);
   file.write({{"witnesses", {{{"skill", 1}}}}});
   CHECK(replayed(file, touch).err.find("witnesses[0]: ") != std::string::npos);
-  file.write({{"witnesses", Json::array()}});
+  file.write({{"witnesses", OrderedJson::array()}});
   CHECK(replayed(file, touch).out == "nothing to confirm: the file has no run\n");
 }
 
 TEST_CASE("replay refuses what no run says, whatever stands in the file") {
   const File file("replay_nonsense");
   pal::test::pal({"check", read_first, "-e", cell, "--witness", file.path()});
-  Json first = file.read();
-  first["witnesses"] = Json::array({first["witnesses"][1]});
+  OrderedJson first = file.read();
+  first["witnesses"] = OrderedJson::array({first["witnesses"][1]});
   REQUIRE(first["witnesses"][0]["measure"] == "age");
   file.write(first);
   REQUIRE(replayed(file, read_first).status == ExitStatus::all_hold);
 
   const auto refused = [&](const auto& change, const std::string& why) {
-    Json other = first;
+    OrderedJson other = first;
     change(other["witnesses"][0]);
     file.write(other);
     const Answer answer = replayed(file, read_first);
@@ -137,8 +137,8 @@ TEST_CASE("replay refuses what no run says, whatever stands in the file") {
     CHECK(answer.out.find(why) != std::string::npos);
   };
   const auto with_event = [](const std::string& kind, const auto& change) {
-    return [kind, change](Json& witness) {
-      for (Json& event : witness["run"]["events"]) {
+    return [kind, change](OrderedJson& witness) {
+      for (OrderedJson& event : witness["run"]["events"]) {
         if (event[1] != kind) continue;
         change(event);
         return;
@@ -146,21 +146,21 @@ TEST_CASE("replay refuses what no run says, whatever stands in the file") {
     };
   };
   for (const std::string kind : {"put", "take"})
-    refused(with_event(kind, [](Json& event) { event[4] = -1; }), "names what is in no table");
-  refused(with_event("take", [](Json& event) { event[5] = 1'000'000; }), "the number of another");
-  refused(with_event("block", [](Json& event) { event[4] = event[4] == 0 ? 1 : 0; }),
+    refused(with_event(kind, [](OrderedJson& event) { event[4] = -1; }), "names what is in no table");
+  refused(with_event("take", [](OrderedJson& event) { event[5] = 1'000'000; }), "the number of another");
+  refused(with_event("block", [](OrderedJson& event) { event[4] = event[4] == 0 ? 1 : 0; }),
           "does not wait for here");
-  refused(with_event("set", [](Json& event) { event[5] = 7; }), "another value than 0 and 1");
+  refused(with_event("set", [](OrderedJson& event) { event[5] = 7; }), "another value than 0 and 1");
   refused(
-      [](Json& witness) { witness["run"]["events"].back()[0] = std::numeric_limits<std::int64_t>::max(); },
+      [](OrderedJson& witness) { witness["run"]["events"].back()[0] = std::numeric_limits<std::int64_t>::max(); },
       "at no instant of a run");
-  refused([](Json& witness) { witness["measure"] = "busy"; }, "measures something else");
-  refused([](Json& witness) { witness["run"]["actors"][0]["priority"] = 99; },
+  refused([](OrderedJson& witness) { witness["measure"] = "busy"; }, "measures something else");
+  refused([](OrderedJson& witness) { witness["run"]["actors"][0]["priority"] = 99; },
           "another place, priority or parent");
-  refused([](Json& witness) { witness["run"]["channels"][0]["sender"] = "nobody"; }, "another channel");
+  refused([](OrderedJson& witness) { witness["run"]["channels"][0]["sender"] = "nobody"; }, "another channel");
   // A value that has grown since before all times, up to an instant before all times: no such numbers.
   refused(
-      [](Json& witness) {
+      [](OrderedJson& witness) {
         witness["grows"] = true;
         witness["at_ns"] = std::numeric_limits<std::int64_t>::min();
         witness["value_ns"] = 1'000'000;
@@ -183,11 +183,11 @@ TEST_CASE("that no placement on one processor does is proved by a run for each")
   CHECK(pal::test::pal({"whatif", places, "--environment-name", "reading", "--place", "1", "--priorities",
                         "--witness", file.path()})
             .status == ExitStatus::not_met);
-  Json runs = file.read();
+  OrderedJson runs = file.read();
   CHECK(runs.at("witnesses").size() == 13);
   const Answer json = pal::test::pal({"whatif", places, "--environment-name", "reading", "--place", "1",
                                       "--priorities", "--witness", file.path(), "--format", "json"});
-  CHECK(Json::parse(json.out).contains("what_if"));
+  CHECK(OrderedJson::parse(json.out).contains("what_if"));
   const Answer confirmed = pal::test::pal({"replay", file.path(), places});
   CHECK(confirmed.status == ExitStatus::all_hold);
   CHECK(confirmed.out.find("refused") == std::string::npos);
@@ -214,7 +214,7 @@ TEST_CASE("a run on the last of very many processors is confirmed, and none beyo
   const File file("replay_processors");
   CHECK(pal::test::pal({"whatif", "s.pal", "--place", "1", "--witness", file.path()}, files).status ==
         ExitStatus::not_met);
-  Json runs = file.read();
+  OrderedJson runs = file.read();
   CHECK(runs.at("witnesses").back().at("placement").at(0).at("processor") == 130);
   pal::MemoryFileSystem with_runs = files;
   with_runs.add("runs.json", runs.dump());

@@ -13,21 +13,21 @@
 
 using namespace pal::test;
 using pal::driver::ExitStatus;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 namespace {
 
-Json simulated(std::vector<std::string> arguments, ExitStatus status) {
+OrderedJson simulated(std::vector<std::string> arguments, ExitStatus status) {
   arguments.insert(arguments.begin(), "simulate");
   for (const char* more : {"-e", cell.c_str(), "--format", "json"}) arguments.emplace_back(more);
   const Answer answer = pal::test::pal(arguments);
   INFO(answer.err);
   CHECK(answer.status == status);
-  return Json::parse(answer.out).at("simulations").at(0);
+  return OrderedJson::parse(answer.out).at("simulations").at(0);
 }
 
-Json requirement(const Json& simulation, const std::string& name) {
-  for (const Json& row : simulation.at("requirements")) {
+OrderedJson requirement(const OrderedJson& simulation, const std::string& name) {
+  for (const OrderedJson& row : simulation.at("requirements")) {
     if (row.at("name") == name) return row;
   }
   FAIL("no requirement " << name);
@@ -41,15 +41,15 @@ std::string temporary(const std::string& name) {
 }  // namespace
 
 TEST_CASE("runs by chance keep what is proved, and break what is refuted") {
-  const Json kept = simulated({touch}, ExitStatus::all_hold);
+  const OrderedJson kept = simulated({touch}, ExitStatus::all_hold);
   CHECK(kept.at("runs") == 100);
   CHECK(kept.at("completed") == 100);
   CHECK(requirement(kept, "fresh-force").at("extreme_ns") <= 7'300'000);
   CHECK(requirement(kept, "fresh-force").at("values") > 30);
   CHECK(requirement(kept, "headroom").at("extreme_ns") > 0);
 
-  const Json broken = simulated({read_first}, ExitStatus::not_met);
-  const Json fresh = requirement(broken, "fresh-force");
+  const OrderedJson broken = simulated({read_first}, ExitStatus::not_met);
+  const OrderedJson fresh = requirement(broken, "fresh-force");
   CHECK(fresh.at("broken_runs") > 10);
   CHECK(fresh.at("extreme_ns") > 10'000'000);
   CHECK(fresh.at("extreme_ns") <= 35'350'000);
@@ -57,10 +57,10 @@ TEST_CASE("runs by chance keep what is proved, and break what is refuted") {
 }
 
 TEST_CASE("the same seed is the same run, and the run that is named shows the value") {
-  const Json all = simulated({read_first}, ExitStatus::not_met);
-  const Json fresh = requirement(all, "fresh-force");
+  const OrderedJson all = simulated({read_first}, ExitStatus::not_met);
+  const OrderedJson fresh = requirement(all, "fresh-force");
   const std::string seed = fresh.at("run").get<std::string>().substr(std::string("seed ").size());
-  const Json one = simulated({read_first, "--seed", seed, "--runs", "1"}, ExitStatus::not_met);
+  const OrderedJson one = simulated({read_first, "--seed", seed, "--runs", "1"}, ExitStatus::not_met);
   CHECK(one.at("runs") == 1);
   CHECK(requirement(one, "fresh-force").at("extreme_ns") == fresh.at("extreme_ns"));
 }
@@ -68,26 +68,26 @@ TEST_CASE("the same seed is the same run, and the run that is named shows the va
 TEST_CASE("every witness can be made again from its script alone, and shows the bound") {
   const std::string file = temporary("simulate_script");
   CHECK(pal::test::pal({"check", read_first, "-e", cell, "--witness", file}).status == ExitStatus::not_met);
-  const Json made = simulated({read_first, "--script", file}, ExitStatus::not_met);
+  const OrderedJson made = simulated({read_first, "--script", file}, ExitStatus::not_met);
   CHECK(made.at("runs") == 4);
   CHECK(made.at("refused").empty());
   CHECK(requirement(made, "fresh-force").at("extreme_ns") == 35'350'000);
   CHECK(requirement(made, "answer-alter").at("extreme_ns") == 4'400'000);
 
   // The events are not looked at: without them it is the same run.
-  Json witnesses = [&] {
+  OrderedJson witnesses = [&] {
     std::ifstream in(file);
-    return Json::parse(in);
+    return OrderedJson::parse(in);
   }();
-  Json bare = witnesses;
-  for (Json& witness : bare.at("witnesses")) witness.at("run").at("events") = Json::array();
+  OrderedJson bare = witnesses;
+  for (OrderedJson& witness : bare.at("witnesses")) witness.at("run").at("events") = OrderedJson::array();
   std::ofstream(file) << bare;
   CHECK(simulated({read_first, "--script", file}, ExitStatus::not_met) == made);
 
   // A script that fires earlier than anything can.
-  for (Json& firing : witnesses.at("witnesses").at(1).at("script")) firing.at("at_ns") = 0;
+  for (OrderedJson& firing : witnesses.at("witnesses").at(1).at("script")) firing.at("at_ns") = 0;
   std::ofstream(file) << witnesses;
-  const Json refused = simulated({read_first, "--script", file}, ExitStatus::not_met).at("refused");
+  const OrderedJson refused = simulated({read_first, "--script", file}, ExitStatus::not_met).at("refused");
   REQUIRE(refused.size() == 1);
   CHECK(refused.at(0) == "the script of fresh-force: its script cannot be followed");
 
@@ -133,12 +133,12 @@ const std::string stands_still = text_of("stands_still");
 /// Each time that MC1 is done its next event is there.
 const std::string never_idle = text_of("never_idle");
 
-Json simulated(const std::string& text, const std::string& until, ExitStatus status) {
+OrderedJson simulated(const std::string& text, const std::string& until, ExitStatus status) {
   const Answer answer = pal::test::pal(
       {"simulate", "s.pal", "--until", until, "--runs", "5", "--format", "json"}, in_memory(text));
   INFO(answer.err);
   CHECK(answer.status == status);
-  return Json::parse(answer.out).at("simulations").at(0);
+  return OrderedJson::parse(answer.out).at("simulations").at(0);
 }
 
 }  // namespace
@@ -147,7 +147,7 @@ TEST_CASE("a run that is cut breaks nothing by what need not count") {
   const pal::MemoryFileSystem files = in_memory(ends_before_the_answer);
   CHECK(pal::test::pal({"check", "s.pal"}, files).out.find("  never      x") != std::string::npos);
 
-  const Json cut = simulated(ends_before_the_answer, "20ms", ExitStatus::not_met);
+  const OrderedJson cut = simulated(ends_before_the_answer, "20ms", ExitStatus::not_met);
   CHECK(requirement(cut, "x").at("broken_runs") == 0);
   CHECK(requirement(cut, "x").at("open_runs") == 5);
   CHECK(requirement(cut, "x").at("extreme_ns") == 16'000'000);
@@ -156,23 +156,23 @@ TEST_CASE("a run that is cut breaks nothing by what need not count") {
 
   // A busy period counts whatever comes.
   CHECK(requirement(cut, "b").at("broken_runs") == 0);
-  const Json later = simulated(ends_before_the_answer, "25ms", ExitStatus::not_met);
+  const OrderedJson later = simulated(ends_before_the_answer, "25ms", ExitStatus::not_met);
   CHECK(requirement(later, "b").at("broken_runs") == 5);
 
-  const Json whole = simulated(ends_before_the_answer, "1s", ExitStatus::not_met);
+  const OrderedJson whole = simulated(ends_before_the_answer, "1s", ExitStatus::not_met);
   CHECK(requirement(whole, "x").at("open_runs") == 0);
   CHECK(requirement(whole, "x").at("extreme_ns").is_null());
 }
 
 TEST_CASE("what grows where nothing happens any more counts") {
-  const Json made = simulated(stands_still, "30ms", ExitStatus::not_met);
+  const OrderedJson made = simulated(stands_still, "30ms", ExitStatus::not_met);
   CHECK(requirement(made, "x").at("broken_runs") == 5);
   CHECK(requirement(made, "x").at("open_runs") == 0);
   CHECK(requirement(made, "x").at("extreme_ns") == 20'000'000);
 }
 
 TEST_CASE("a busy period with very many pauses of no length takes no more memory than another") {
-  const Json made = simulated(never_idle, "20s", ExitStatus::not_met);
+  const OrderedJson made = simulated(never_idle, "20s", ExitStatus::not_met);
   CHECK(requirement(made, "b").at("broken_runs") == 5);
 }
 
@@ -184,7 +184,7 @@ TEST_CASE("runs end in the time that is given") {
       files);
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
   CHECK(answer.status == ExitStatus::not_met);
-  const Json made = Json::parse(answer.out).at("simulations").at(0);
+  const OrderedJson made = OrderedJson::parse(answer.out).at("simulations").at(0);
   CHECK(made.at("asked") == 1'000'000);
   CHECK(made.at("runs") < 1'000'000);
   CHECK(pal::test::pal({"simulate", "s.pal", "--runs", "1000000", "--timeout", "100ms"}, files)
@@ -221,7 +221,7 @@ TEST_CASE("what is at work when a run ends has its processor until then") {
     const Answer answer =
         pal::test::pal({"simulate", "s.pal", "--until", until, "--runs", "3", "--format", "json"}, files);
     INFO(answer.err);
-    return requirement(Json::parse(answer.out).at("simulations").at(0), "r").at("extreme_ns");
+    return requirement(OrderedJson::parse(answer.out).at("simulations").at(0), "r").at("extreme_ns");
   };
   CHECK(load("1ns") == 1'000'000'000);
   CHECK(load("19ms") == 1'000'000'000);

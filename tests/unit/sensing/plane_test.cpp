@@ -17,11 +17,11 @@ using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double one_degree = std::numbers::pi / 180;
 
 /// The plane's normal where turning about x, then about y makes the tool square to it.
 Vector3d normal_at(double turn_x, double turn_y) {
-  return AngleAxisd(turn_y * degree, Vector3d::UnitY()) * AngleAxisd(turn_x * degree, Vector3d::UnitX()) *
+  return AngleAxisd(turn_y * one_degree, Vector3d::UnitY()) * AngleAxisd(turn_x * one_degree, Vector3d::UnitX()) *
          Vector3d::UnitZ();
 }
 

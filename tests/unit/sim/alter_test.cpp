@@ -24,7 +24,7 @@ struct Opener final : alter::Opener {
   AlterControl& port;
 };
 
-struct Cell {
+struct AlterCell {
   // Answers each tick after `delay` with `dz` mm.
   void answer(runtime::Time delay, double dz) {
     host.on_delivery = [this, delay, dz](const Host::Delivery& delivery) {
@@ -63,7 +63,7 @@ struct Cell {
 }  // namespace
 
 TEST_CASE("alter: the dialogue in the documentation is what passes the line") {
-  Cell cell;
+  AlterCell cell;
   std::vector<std::string> frames;  // as the page writes them, without blanks
   cell.wire.tamper([&](runtime::Carrier::Direction direction, std::vector<std::uint8_t>& bytes) {
     std::string text = direction == runtime::Carrier::Direction::to_a ? "controller" : "driver";
@@ -101,7 +101,7 @@ TEST_CASE("alter: the dialogue in the documentation is what passes the line") {
 }
 
 TEST_CASE("alter: ports as the skills declare them") {
-  const Cell cell;
+  const AlterCell cell;
   const auto& ports = cell.driver.ports();
   REQUIRE(ports.size() == 4);
   CHECK(ports[0] == runtime::PortSpec{"tick", false, {}});
@@ -114,7 +114,7 @@ TEST_CASE("alter: ports as the skills declare them") {
 }
 
 TEST_CASE("alter: a tick every 28 ms, when a request has passed the line; the next one is known") {
-  Cell cell;
+  AlterCell cell;
   cell.answer(1ms, 0);
   CHECK_FALSE(cell.driver.ready());
   cell.begin();
@@ -129,7 +129,7 @@ TEST_CASE("alter: a tick every 28 ms, when a request has passed the line; the ne
 }
 
 TEST_CASE("alter: between sessions the controller is answered with no motion, for 10,000 cycles") {
-  Cell cell;
+  AlterCell cell;
   cell.driver.prepare();
   // The line alone: physics has nothing to do.
   cell.timeline.advance_to(10'000 * alter_period);
@@ -140,7 +140,7 @@ TEST_CASE("alter: between sessions the controller is answered with no motion, fo
 }
 
 TEST_CASE("alter: a correction is moved in the cycle after the one that it answers") {
-  Cell cell;
+  AlterCell cell;
   cell.answer(20ms, 1.0);  // as late as the environment allows
   const double start = cell.height();
   cell.begin();
@@ -154,7 +154,7 @@ TEST_CASE("alter: a correction is moved in the cycle after the one that it answe
 }
 
 TEST_CASE("alter: small corrections do not drift by rounding") {
-  Cell cell;
+  AlterCell cell;
   cell.answer(1ms, 0.0104);
   const double start = cell.workcell.set_point().translation().z() * 1e3;
   cell.begin();
@@ -163,7 +163,7 @@ TEST_CASE("alter: small corrections do not drift by rounding") {
 }
 
 TEST_CASE("alter: no answer in time stops the arm with a fault") {
-  Cell cell;
+  AlterCell cell;
   cell.answer(1ms, 1.0);
   cell.begin();
   cell.run_until(100ms);  // the arm is moving
@@ -188,7 +188,7 @@ TEST_CASE("alter: no answer in time stops the arm with a fault") {
 }
 
 TEST_CASE("alter: faults for an answer that nobody asked for and a motion that cannot be made") {
-  Cell cell;
+  AlterCell cell;
   cell.begin();
   cell.run_until(31ms);
   SECTION("twice answered") {
@@ -213,7 +213,7 @@ TEST_CASE("alter: faults for an answer that nobody asked for and a motion that c
 }
 
 TEST_CASE("alter: garbled, unplugged and silent lines are told apart") {
-  Cell cell;
+  AlterCell cell;
   cell.answer(1ms, 0.5);
   cell.begin();
   cell.run_until(100ms);
@@ -252,7 +252,7 @@ TEST_CASE("alter: garbled, unplugged and silent lines are told apart") {
 }
 
 TEST_CASE("alter: after its session the arm ends the motions that it has accepted and stands still") {
-  Cell cell;
+  AlterCell cell;
   cell.answer(1ms, 1.0);
   const double start = cell.height();
   cell.begin();
@@ -269,7 +269,7 @@ TEST_CASE("alter: after its session the arm ends the motions that it has accepte
 }
 
 TEST_CASE("alter: the position is the tool's, of the last request") {
-  Cell cell;
+  AlterCell cell;
   cell.answer(1ms, 0);
   cell.begin();
   cell.run_until(40ms);

@@ -14,12 +14,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-class Folder {
+class VideoFolder {
  public:
-  Folder() : path_(fs::temp_directory_path() / ("pal-video-" + std::to_string(::getpid()))) {}
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
+  VideoFolder() : path_(fs::temp_directory_path() / ("pal-video-" + std::to_string(::getpid()))) {}
+  ~VideoFolder() { fs::remove_all(path_); }
+  VideoFolder(const VideoFolder&) = delete;
+  VideoFolder& operator=(const VideoFolder&) = delete;
   std::string file(const std::string& name) const { return (path_ / name).string(); }
   std::size_t count() const {
     return fs::exists(path_) ? static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), {})) : 0;
@@ -57,7 +57,7 @@ Joints film(const VideoOptions& options, bool finish = true) {
 }
 
 bool possible() {
-  const Folder folder;
+  const VideoFolder folder;
   try {
     film(small(folder.file("try.mp4")));
     return true;
@@ -71,7 +71,7 @@ bool possible() {
 
 TEST_CASE("a video is the same byte for byte, whole or not there") {
   if (!possible()) return;
-  const Folder folder;
+  const VideoFolder folder;
   const Joints first = film(small(folder.file("a.mp4")));
   CHECK(film(small(folder.file("b.mp4"))) == first);
   const std::string bytes = content(folder.file("a.mp4"));
@@ -88,7 +88,7 @@ TEST_CASE("a video is the same byte for byte, whole or not there") {
 }
 
 TEST_CASE("a video that cannot be made says why, and leaves nothing") {
-  const Folder folder;
+  const VideoFolder folder;
   VideoOptions options = small(folder.file("a.mp4"));
   options.encoder = "ffmpeg-that-is-not-there";
   CHECK_THROWS_WITH(film(options), "ffmpeg-that-is-not-there is not installed, and a video needs it");

@@ -1,0 +1,84 @@
+// Busy windows without anything of PAL: task sets whose response times can be worked out by hand.
+#include "analyzer/compositional/times/busy_window.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace pal::analyzer::compositional;
+
+namespace {
+
+Transaction periodic(Nanoseconds period, Nanoseconds cost, int priority) {
+  Transaction of;
+  of.period = period;
+  of.regular = true;
+  Task task;
+  task.cost = cost;
+  task.priority = priority;
+  of.tasks.push_back(task);
+  return of;
+}
+
+/// Tasks (cost 1, period 4), (2, 6) and (3, 10), the first with the greatest priority.
+BusyWindows three_tasks(bool preemptive) {
+  BusyWindows windows({preemptive});
+  windows.add(periodic(4, 1, 3));
+  windows.add(periodic(6, 2, 2));
+  windows.add(periodic(10, 3, 1));
+  return windows;
+}
+
+}  // namespace
+
+TEST_CASE("response times of three periodic tasks are those of the recurrence") {
+  const BusyWindows windows = three_tasks(true);
+  CHECK(windows.finish(0, 0, 1, 0) == 1);
+  CHECK(windows.finish(1, 0, 2, 0) == 3);
+  CHECK(windows.finish(2, 0, 3, 0) == 10);
+}
+
+TEST_CASE("work of lower priority blocks once where nobody is preempted") {
+  const BusyWindows windows = three_tasks(false);
+  CHECK(windows.finish(0, 0, 1, 3) == 4);
+}
+
+TEST_CASE("a processor that is given more than all its time has no busy window") {
+  BusyWindows windows({true});
+  windows.add(periodic(4, 3, 2));
+  windows.add(periodic(6, 2, 1));
+  CHECK(windows.finish(1, 0, 2, 0) == never);
+  CHECK(windows.busy(0) == never);
+}
+
+TEST_CASE("release jitter of one task delays another by one more job") {
+  BusyWindows windows({true});
+  windows.add(periodic(10, 2, 2));
+  windows.add(periodic(20, 5, 1));
+  CHECK(windows.finish(1, 0, 5, 0) == 7);
+  windows.set_jitter(0, 0, 4, never);
+  CHECK(windows.finish(1, 0, 5, 0) == 9);
+}
+
+TEST_CASE("what does not count for a task does not delay it") {
+  BusyWindows windows({true});
+  windows.add(periodic(10, 2, 2));
+  windows.add(periodic(20, 5, 1));
+  windows.set_without(1, 0, {{0, 0}});
+  CHECK(windows.finish(1, 0, 5, 0) == 5);
+}
+
+TEST_CASE("the breakdown of a finish adds up to it") {
+  const BusyWindows windows = three_tasks(true);
+  const FinishBreakdown parts = windows.breakdown(2, 0, 3, 0);
+  Nanoseconds sum = 3 + parts.blocking - parts.done_before;
+  for (const Share& share : parts.others) sum += share.work;
+  CHECK(sum == windows.finish(2, 0, 3, 0));
+}
+
+TEST_CASE("the longest busy period is the first instant at which all work is done") {
+  // 1 + 2 + 3 at 0, then 1 at 4, 2 at 6, 1 at 8: done at 10, at which the third task and then others come
+  // again, and once more until 20; at 20 the second hyperperiod of 4 and 10 begins.
+  BusyWindows windows({true});
+  windows.add(periodic(4, 1, 2));
+  windows.add(periodic(10, 3, 1));
+  CHECK(windows.busy(0) == 5);
+}

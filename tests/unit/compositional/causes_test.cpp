@@ -1,0 +1,58 @@
+// Which segment triggers which.
+#include <catch2/catch.hpp>
+
+#include "analyzer/compositional/causes/refusal.hpp"
+#include "tests/unit/compositional/stages.hpp"
+
+using namespace pal::analyzer;
+using namespace pal::analyzer::compositional;
+using pal::test::chain;
+using pal::test::Stages;
+
+namespace {
+
+constexpr Nanoseconds ms = 1'000'000;
+
+}  // namespace
+
+TEST_CASE("an event's source has the segments that its message leads to, one under the other") {
+  const Stages stages(chain("    work\n    SPC( pc-high )"));
+  REQUIRE(stages.forest.refusal.empty());
+  const int looks = stages.job("LS1");
+  const int works = stages.job("SM1");
+  const Source& source = stages.context.source(looks);
+  CHECK(source.kind == Source::Kind::event);
+  CHECK(source.period == 20 * ms);
+  CHECK(source.roots == std::vector<int>{looks});
+  CHECK(stages.context.node(works).cause == looks);
+  CHECK(stages.context.node(works).release == Node::Release::message);
+  CHECK(stages.forest.cause_in(works, stages.thread("LS1")) == looks);
+  CHECK(stages.forest.cause_in(looks, stages.thread("SM1")) == -1);
+}
+
+TEST_CASE("a cause stands before its effects") {
+  const Stages stages(chain("    work\n    SPC( pc-high )"));
+  for (std::size_t n = 0; n < stages.forest.nodes.size(); ++n) CHECK(stages.forest.nodes[n].cause < static_cast<int>(n));
+}
+
+TEST_CASE("the start of a module is a source that occurs once") {
+  const Stages stages(chain("    work\n    SPC( pc-high )"));
+  int starts = 0;
+  for (const Source& source : stages.forest.sources) {
+    if (source.kind != Source::Kind::start) continue;
+    ++starts;
+    CHECK(source.period == never);
+  }
+  CHECK(starts == 2);
+}
+
+TEST_CASE("several waits for one message that answers nothing are refused, with the reason") {
+  const Stages stages(chain("    work\n    WTM( value from LS1 )\n    SPC( pc-high )"));
+  CHECK_FALSE(stages.forest.refusal.empty());
+  CHECK(stages.forest.refusal == refusal_of(stages.problem, stages.forest.segments, pal::test::goes_on));
+}
+
+TEST_CASE("who asks to stop gets no forest") {
+  const Stages stages(chain("    work\n    SPC( pc-high )"));
+  CHECK_FALSE(forest_of(stages.problem, [] { return true; }).refusal.empty());
+}
