@@ -10,6 +10,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pal/runtime/in_use.hpp"
@@ -74,6 +75,10 @@ class DeviceHost {
 
   /// Ends the skill with its error completion; `reason` goes into the result and the trace.
   virtual void fault(std::string reason) = 0;
+
+  /// Calls `action` as soon as possible. The only function that a thread of the device's own may call, until
+  /// the device is closed; what it has to say to the run it says in there, by the others.
+  virtual void post(std::function<void()> action) { at(now(), std::move(action)); }
 };
 
 class Device {
@@ -125,6 +130,9 @@ class World {
   /// Waits as long as it takes to get to `when` in the world's own time; virtual time does not wait. Returns
   /// an earlier instant if something came in from outside meanwhile: the run goes there first.
   virtual Time wait_until(Time when) { return when; }
+
+  /// In real time the world is advanced at least once in so long, whatever happens; max(): only for events.
+  virtual Time beat() { return Time::max(); }
 
   /// The run was held from outside and goes on: what passed meanwhile in the world's own time does not count.
   virtual void resumed() {}

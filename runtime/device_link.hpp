@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pal/runtime/device.hpp"
@@ -26,6 +27,7 @@ class DeviceLink final : public DeviceHost {
   bool deliver(std::size_t port, std::span<const double> fields) override;
   void mark_busy(bool busy) override;
   void fault(std::string reason) override;
+  void post(std::function<void()> action) override { executive_.post(index_, std::move(action)); }
 
   Device& device() const { return device_; }
   void open();

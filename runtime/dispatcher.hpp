@@ -24,7 +24,8 @@ class Dispatcher {
   /// The devices, found by their names, and the world outlive the dispatcher.
   Dispatcher(std::span<Device* const> devices, World& world) : devices_(devices), world_(world) {}
 
-  /// Runs the skill in virtual time from 0 to its end. Parameters that are not given have their defaults. A
+  /// Runs the skill from time 0 to its end: in virtual time, or in real time if the options say so. Code that
+  /// does not return in real time ends the process (RealTime::patience). Parameters that are not given have their defaults. A
   /// parameter that may not be, and a device that is missing or whose ports are not what the skill needs, end
   /// the skill before it begins, with its error completion and the reason. So does a dispatcher, a skill or a
   /// device that is running already, in this thread (a device begins a run in its receive) or in another one.

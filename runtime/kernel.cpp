@@ -93,6 +93,20 @@ std::vector<std::string> Kernel::places() const {
   return result;
 }
 
+bool Kernel::awaits_device() const {
+  const auto channel = [this](int index) -> const ChannelSpec& {
+    return wiring.channels[static_cast<std::size_t>(index)];
+  };
+  for (const Thread& thread : threads_) {
+    const ThreadControl& control = thread.control;
+    if (control.sending != nullptr && channel(control.sending->channel()).to_device) return true;
+    if (control.waiting == nullptr) continue;
+    for (const Target& target : control.waiting->targets())
+      if (channel(target.channel).from_device) return true;
+  }
+  return false;
+}
+
 std::string Kernel::who_waits() const {
   std::string text;
   for (const std::string& place : places()) text += (text.empty() ? ": " : ", ") + place;

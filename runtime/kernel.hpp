@@ -54,6 +54,8 @@ class Kernel {
   std::vector<std::string> places() const;
   /// ": SM1 at …, MC1 at …"
   std::string who_waits() const;
+  /// Whether a thread waits for a message of a device, or for one to take its message.
+  bool awaits_device() const;
 
   // For the statements of threads.
   Executive& executive;

@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "pal/runtime/cost_policy.hpp"
 #include "pal/runtime/device.hpp"
 #include "pal/runtime/observer.hpp"
+#include "pal/runtime/real_time.hpp"
 #include "pal/runtime/run_control.hpp"
 #include "pal/runtime/trace/trace.hpp"
 
@@ -28,6 +30,7 @@ struct RunOptions {
   std::size_t trace_capacity = 1U << 16U;  // events; a whole trace that is longer takes memory during the run
   RunControl* control = nullptr;           // outlives the run; null: nobody asks anything of it
   MessageObserver* observer = nullptr;     // outlives the run; null: nobody looks on
+  std::optional<RealTime> real_time{};     // by the clock on the wall; nothing: in virtual time
 };
 
 struct Outcome {
@@ -37,6 +40,7 @@ struct Outcome {
   Time duration{};     // from the start of the skill to its completion
   std::size_t overruns = 0;
   trace::Trace trace;
+  std::optional<RealTimeReport> real_time{};  // of a run in real time that has begun
 };
 
 }  // namespace pal::runtime

@@ -1,22 +1,43 @@
 #include "runtime/run.hpp"
 
+#include "runtime/real_time/real_executive.hpp"
 #include "runtime/thrown.hpp"
 #include "runtime/virtual_executive.hpp"
 
 namespace pal::runtime {
 
-Outcome run(Skill& skill, World& world, const std::vector<Connection>& connections,
-            const RunOptions& options) {
-  Clock clock;
-  Journal journal(clock, skill, options);
-  VirtualExecutive executive(clock, journal, world, skill.wiring(), options);
-  Kernel kernel(executive, journal, skill, connections, options.observer);
+namespace {
+
+template <class Executive>
+void run_by(Executive& executive, Kernel& kernel) {
   try {
     executive.run(kernel);
   } catch (...) {
-    journal.fail("the run: " + what_was_thrown());
+    kernel.journal.fail("the run: " + what_was_thrown());
   }
   kernel.devices.close();
+}
+
+}  // namespace
+
+Outcome run(Skill& skill, World& world, const std::vector<Connection>& connections,
+            const RunOptions& options) {
+  if (options.control != nullptr)
+    options.control->refuse_to_hold(
+        options.real_time ? "a run in real time cannot be held: its devices would not be answered" : "");
+  Clock clock;
+  Journal journal(clock, skill, options);
+  if (options.real_time) {
+    RealExecutive executive(clock, journal, world, skill.wiring(), options);
+    Kernel kernel(executive, journal, skill, connections, options.observer);
+    run_by(executive, kernel);
+    Outcome outcome = journal.take();
+    outcome.real_time = executive.take_report();
+    return outcome;
+  }
+  VirtualExecutive executive(clock, journal, world, skill.wiring(), options);
+  Kernel kernel(executive, journal, skill, connections, options.observer);
+  run_by(executive, kernel);
   return journal.take();
 }
 

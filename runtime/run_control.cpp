@@ -13,6 +13,11 @@ constexpr std::chrono::milliseconds look_each(20);
 
 // With the mutex.
 void RunControl::watch() {
+  if (!refusal_.empty()) {
+    paused_ = false;
+    steps_ = 0;
+    breakpoints_.clear();
+  }
   const bool any = paused_ || steps_ > 0 || stop_at_ != Time::max() || !breakpoints_.empty();
   if (any) {
     asked_.fetch_or(watch_bit, std::memory_order_relaxed);
@@ -20,6 +25,17 @@ void RunControl::watch() {
     asked_.fetch_and(~watch_bit, std::memory_order_relaxed);
   }
   changed_.notify_all();
+}
+
+std::string RunControl::refusal() const {
+  const std::lock_guard lock(mutex_);
+  return refusal_;
+}
+
+void RunControl::refuse_to_hold(std::string why) {
+  const std::lock_guard lock(mutex_);
+  refusal_ = std::move(why);
+  watch();
 }
 
 void RunControl::stop_at(Time when) {

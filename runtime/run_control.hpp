@@ -26,7 +26,7 @@ struct Halt {
 
 /// Asked from another thread, stop() from a signal handler as well; the run looks before each event. Virtual
 /// and paced runs alike. While a run is held its time stands still: nothing happens in the skill, its devices
-/// and the physics.
+/// and the physics. A run in real time can be stopped and cannot be held: the robot waits for nobody.
 class RunControl {
  public:
   /// Ends the skill with its error completion; devices are closed. Stays so: a skill that begins afterwards
@@ -49,7 +49,11 @@ class RunControl {
   /// Waits until the run is held, for `limit` at most; nothing: it is not.
   std::optional<Halt> wait_for_halt(std::chrono::milliseconds limit);
 
+  /// Why the run cannot be held: pause(), step() and breakpoints do nothing. Empty: it can.
+  std::string refusal() const;
+
   // For the run.
+  void refuse_to_hold(std::string why);
   /// Whether anything but stop() is asked: then the run looks closer.
   bool watching() const noexcept { return (asked_.load(std::memory_order_relaxed) & watch_bit) != 0; }
   Time stop_instant() const;
@@ -81,6 +85,7 @@ class RunControl {
   bool stepped_ = false;
   Time stop_at_ = Time::max();
   std::vector<Breakpoint> breakpoints_;
+  std::string refusal_;
   std::uint64_t held_before_ = 0;  // the event
   std::optional<Halt> halt_;
 };

@@ -1,11 +1,12 @@
 #include "tests/run/support/allocation_count.hpp"
 
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
 namespace {
-std::size_t allocations = 0;
-bool counting = false;
+std::atomic<std::size_t> allocations = 0;
+std::atomic<bool> counting = false;
 }  // namespace
 
 // In a file of its own: where they are inlined, g++ takes malloc and delete for a mismatched pair.

@@ -5,7 +5,7 @@
 
 namespace pal::test {
 
-/// From now on, allocations count, or count no more. One thread only.
+/// From now on, allocations of all threads count, or count no more.
 void count_allocations(bool on);
 
 /// Counted since the last reset.

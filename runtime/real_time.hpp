@@ -1,0 +1,47 @@
+// Real time: what is asked of a run by the clock on the wall, and what came of it.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "pal/runtime/device.hpp"
+
+namespace pal::runtime {
+
+/// How a run goes in real time (RunOptions::real_time). What the system does not permit is left out, and the
+/// report says so.
+struct RealTime {
+  /// Asks for SCHED_FIFO, and pins the threads of each processor to one CPU.
+  bool fifo = true;
+  /// Locks all memory of the process from the beginning of the run to its end. A process that has locked its
+  /// memory itself says false: the end of the run would unlock it.
+  bool lock_memory = true;
+  /// What has had its processor for so long beyond its declared worst time does not return any more: devices
+  /// are closed, and the process ends. C++ can end a thread in no other way.
+  Time patience = std::chrono::seconds(1);
+  /// The status that the process ends with then.
+  int hang_status = 70;
+};
+
+/// What was measured of one statement: the processor time of what was written by hand.
+struct StatementTimes {
+  std::size_t count = 0;
+  Time greatest{};
+  std::size_t late = 0;  // times beyond the declared worst
+};
+
+/// Of a run in real time.
+struct RealTimeReport {
+  /// Where the run was less than real time, each in words: "SCHED_FIFO is not permitted …". Empty: nowhere.
+  std::vector<std::string> shortcomings;
+  /// The longest time for which one thread had the kernel to itself, and how often it was taken.
+  Time longest_hold{};
+  std::uint64_t holds = 0;
+  /// One for each statement of the wiring.
+  std::vector<StatementTimes> statements;
+};
+
+}  // namespace pal::runtime

@@ -1,0 +1,46 @@
+// Clocks and sleeping, by the system's own calls.
+#pragma once
+
+#include <semaphore.h>
+#include <time.h>
+
+#include "pal/runtime/device.hpp"
+
+namespace pal::runtime {
+
+inline Time time_of(clockid_t clock) {
+  timespec now{};
+  ::clock_gettime(clock, &now);
+  return std::chrono::seconds(now.tv_sec) + Time(now.tv_nsec);
+}
+
+/// The clock that all instants of a run in real time are of.
+inline Time monotonic_now() {
+  return time_of(CLOCK_MONOTONIC);
+}
+
+/// Processor time of the calling thread.
+inline Time thread_time() {
+  return time_of(CLOCK_THREAD_CPUTIME_ID);
+}
+
+/// Where one thread sleeps until another one wakes it. A wake before the sleep is not lost.
+class Sleeper {
+ public:
+  Sleeper() { ::sem_init(&semaphore_, 0, 0); }
+  ~Sleeper() { ::sem_destroy(&semaphore_); }
+  Sleeper(const Sleeper&) = delete;
+  Sleeper& operator=(const Sleeper&) = delete;
+
+  void wake() { ::sem_post(&semaphore_); }
+  void sleep() {
+    while (::sem_wait(&semaphore_) != 0) continue;  // a signal came
+  }
+  /// Until `when` of the monotonic clock at most, which no error adds up in. False: nobody has woken it.
+  bool sleep_until(Time when);
+
+ private:
+  sem_t semaphore_;
+};
+
+}  // namespace pal::runtime

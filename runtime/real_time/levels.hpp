@@ -1,0 +1,85 @@
+// Who runs where in real time: a thread of the operating system for each processor and priority.
+#pragma once
+
+#include <pthread.h>
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "pal/runtime/thread.hpp"
+#include "runtime/journal.hpp"
+#include "runtime/real_time/clock.hpp"
+
+namespace pal::runtime {
+
+/// One thread of the operating system, and the statement that it is at. A processor that is not preemptive
+/// has one level for all priorities.
+struct Level {
+  int processor = 0;
+  int priority = 0;  // of PAL; the greatest, where it is for all
+  Sleeper sleeper;
+  bool asleep = false;
+  Thread* work = nullptr;   // whose statement it has begun and not finished
+  pthread_t os_thread{};    // once it runs
+  std::uint32_t ticks = 0;  // of the watchdog, while that statement had its processor
+};
+
+/// Gives processors to threads by the rules of docs/reference/execution-model.md, as the Scheduler of virtual
+/// time does. It decides who begins a statement and who may have its effect; that whoever was interrupted
+/// does not run meanwhile is the operating system's part.
+class Levels {
+ public:
+  /// All outlive the levels.
+  Levels(Journal& journal, const Wiring& wiring);
+
+  /// The thread has come to a statement that needs its processor.
+  void need_processor(Thread& thread);
+  /// The thread blocks or ends: its processor is free for others.
+  void leave(Thread& thread);
+  /// Gives the processors to those who should have them now. Levels that have something to do, and sleep,
+  /// are to be woken: they are added to `woken`.
+  void dispatch(std::vector<Sleeper*>& woken);
+
+  /// Whether the level's statement has its processor at present.
+  bool has_processor(const Level& level) const {
+    return level.work != nullptr && of(*level.work).running == level.work;
+  }
+  /// The level's statement is about to have its effect.
+  void finish(Level& level);
+  /// Nobody is at work.
+  bool idle() const;
+
+  std::deque<Level>& all() { return levels_; }
+
+ private:
+  struct Processor {
+    const ProcessorSpec* spec = nullptr;
+    Thread* running = nullptr;
+    bool working = false;
+    std::vector<Thread*> ready;    // in their order: the last one goes first
+    std::vector<Thread*> arrived;  // became ready since the last dispatch
+    bool changed = false;
+  };
+  const Processor& of(const Thread& thread) const {
+    return processors_[static_cast<std::size_t>(thread.control.spec->processor)];
+  }
+  Processor& of(const Thread& thread) {
+    return processors_[static_cast<std::size_t>(thread.control.spec->processor)];
+  }
+  Level& level_of(const Thread& thread) { return *level_of_[static_cast<std::size_t>(thread.control.index)]; }
+  void enqueue(Processor& processor, Thread& thread);
+  void interrupt(Processor& processor);
+  void start(Processor& processor, Thread& thread, std::vector<Sleeper*>& woken);
+  void dispatch(Processor& processor, std::vector<Sleeper*>& woken);
+  void announce(Processor& processor);
+
+  Journal& journal_;
+  std::vector<Processor> processors_;
+  std::deque<Level> levels_;
+  std::vector<Level*> level_of_;  // of each thread
+  std::int64_t back_ = 0;
+  std::int64_t front_ = 0;
+};
+
+}  // namespace pal::runtime

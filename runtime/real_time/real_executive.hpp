@@ -1,0 +1,105 @@
+// Real time: threads of the operating system, and the clock on the wall.
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pal/runtime/executive.hpp"
+#include "pal/runtime/outcome.hpp"
+#include "runtime/event_queue.hpp"
+#include "runtime/journal.hpp"
+#include "runtime/kernel.hpp"
+#include "runtime/real_time/kernel_lock.hpp"
+#include "runtime/real_time/levels.hpp"
+#include "runtime/real_time/os_thread.hpp"
+
+namespace pal::runtime {
+
+/// Runs a skill with these threads of the operating system, the most urgent first: the watchdog; one that
+/// keeps time; the one that asked for the run, which moves the world; and one for each level. What was
+/// written by hand runs without the kernel's lock, all else with it.
+class RealExecutive final : public Executive {
+ public:
+  /// All outlive the executive. `options.real_time` is there.
+  RealExecutive(Clock& clock, Journal& journal, World& world, const Wiring& wiring,
+                const RunOptions& options);
+
+  /// From the start of the skill to its end. Ends the process instead if something does not return.
+  void run(Kernel& kernel);
+  /// Of a run that is over.
+  RealTimeReport take_report() { return std::move(report_); }
+
+  /// What the machine takes, and nothing more.
+  Time latency(const Interval&) override { return Time::zero(); }
+  void need_processor(Thread& thread, const Interval&) override { levels_.need_processor(thread); }
+  void leave(Thread& thread) override { levels_.leave(thread); }
+  Ticket at(Time when, Due due) override;
+  Ticket at(Time when, int device, std::function<void()> action) override;
+  void cancel(Ticket ticket) override { queue_.cancel(ticket.number); }
+  /// From outside the run the action has been called when this returns.
+  void post(int device, std::function<void()> action) override;
+
+ private:
+  /// A thread that sleeps until an instant of the run; another one may need it sooner.
+  struct Alarm {
+    Sleeper sleeper;
+    bool asleep = false;
+    Time until{};
+  };
+
+  // What each of the threads does.
+  void serve(Level& level);
+  void keep_time();
+  void move_world();
+  void watch();
+  void guarded(const char* whose, const std::function<void()>& body);
+
+  // The kernel: one thread at a time is inside.
+  void enter();
+  void exit();
+  void go_on();
+  void sleep(Level& level);
+  void sleep(Alarm& alarm, Time until);
+  void wake(Alarm& alarm);
+  void advance_world();
+
+  void perform(Level& level);
+  void happen(const Event& event);
+  void note(int statement, Time used);
+
+  // The watchdog.
+  void look();
+  void look_for_deadlock();
+  [[noreturn]] void end_process(const std::string& why);
+  void wait_for_levels();
+
+  void start_threads();
+  void start_watchdog(int priority);
+  int schedule();
+
+  Journal& journal_;
+  World& world_;
+  const Wiring& wiring_;
+  RunOptions options_;
+  Kernel* kernel_ = nullptr;
+  KernelLock lock_;
+  EventQueue queue_;
+  Levels levels_;
+  std::vector<Sleeper*> woken_;
+  Alarm timer_, world_alarm_;
+  Sleeper ended_, watchdog_, closed_;
+  Time origin_{};
+  bool moving_ = false;  // something moves in the world by itself
+  bool told_ = false;    // everybody has been woken for the end
+  std::atomic<bool> hung_ = false;
+  bool fifo_ = false;
+  std::vector<std::unique_ptr<OsThread>> threads_;
+  std::unique_ptr<OsThread> dog_;
+  RealTimeReport report_;
+};
+
+}  // namespace pal::runtime

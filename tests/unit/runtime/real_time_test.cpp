@@ -1,0 +1,363 @@
+// Runs in real time: the order of messages, preemption, faults. No clock is asserted.
+#include <catch2/catch.hpp>
+
+#include <atomic>
+#include <thread>
+
+#include "pal/runtime/run_control.hpp"
+#include "tests/run/support/allocation_count.hpp"
+#include "tests/run/support/bench.hpp"
+
+using namespace pal;
+using namespace pal::test;
+using runtime::from;
+using runtime::RunOptions;
+using runtime::Task;
+using runtime::Thread;
+
+namespace {
+
+RunOptions real_time() {
+  RunOptions options;
+  options.real_time.emplace();
+  options.horizon = 8s;
+  return options;
+}
+
+// CLIENT asks SERVER `rounds` times; each has a processor of its own, unless `together`. WITNESS, which is more
+// urgent, is told of every round.
+struct Talk {
+  explicit Talk(int rounds, bool together = false) {
+    const int p = skill.processor("P");
+    const int q = together ? p : skill.processor("Q");
+    const int request = skill.channel("CLIENT", "request x", "SERVER");
+    const int answer = skill.channel("SERVER", "x", "CLIENT");
+    const int note = skill.channel("SERVER", "note", "WITNESS");
+    skill.channels[static_cast<std::size_t>(request)].answer = answer;
+    const int act = skill.statement("act", 1ms);
+    const int ask = skill.statement("ask", 1ms);
+    const int take = skill.statement("take", 1ms);
+    const int accept = skill.statement("accept", 1ms);
+    const int tell = skill.statement("tell", 1ms);
+    const int reply = skill.statement("reply", 1ms);
+    const int hear = skill.statement("hear", 1ms);
+    const int end = skill.statement("end", 1ms);
+    skill.thread("CLIENT", p, 1, [=, this](Thread& t) -> Task {
+      co_await t.perform(act, [this] { if (first) first(); });
+      for (int i = 0; i < rounds; ++i) {
+        co_await t.send(ask, request);
+        co_await t.wait_within(take, 5s, from(answer));
+      }
+      co_await t.perform(act, [this] { if (last) last(); });
+      co_await t.complete(end, 0);
+    });
+    skill.thread("SERVER", q, 2, [=](Thread& t) -> Task {
+      for (;;) {
+        co_await t.wait(accept, from(request));
+        co_await t.send(tell, note);
+        co_await t.send(reply, answer);
+      }
+    });
+    skill.thread("WITNESS", q, 3, [=](Thread& t) -> Task {
+      for (;;) co_await t.wait(hear, from(note));
+    });
+  }
+  WrittenSkill skill;
+  std::function<void()> first, last;
+};
+
+// What was put and taken, by whom, in which order; without instants.
+std::vector<std::array<int, 4>> messages(const runtime::Outcome& outcome) {
+  std::vector<std::array<int, 4>> result;
+  for (const trace::Event& event : outcome.trace.events)
+    if (event.kind == trace::Kind::put || event.kind == trace::Kind::take)
+      result.push_back({static_cast<int>(event.kind), event.actor, event.subject, event.value});
+  return result;
+}
+
+std::string kinds(const runtime::Outcome& outcome) {
+  std::string text;
+  for (const trace::Event& event : outcome.trace.events) {
+    if (event.actor < 0 || event.statement < 0) continue;
+    text += outcome.trace.actors[static_cast<std::size_t>(event.actor)].name + " " + trace::name(event.kind) + " " +
+            outcome.trace.statements[static_cast<std::size_t>(event.statement)].text + "\n";
+  }
+  return text;
+}
+
+ScriptedDevice sensor() {
+  return {"sensor", {{"request x", true, {}}, {"x", false, {}}}};
+}
+
+// A asks the sensor for x and ends; with code 1 if there is no answer within 20 ms.
+struct Asker {
+  explicit Asker(bool within = false) {
+    const int p = skill.processor("P");
+    skill.devices = {"sensor"};
+    const int request = skill.channel("A", "request x", "sensor");
+    skill.channels.back().to_device = true;
+    const int x = skill.channel("sensor", "x", "A");
+    skill.channels.back().from_device = true;
+    skill.channels.front().answer = x;
+    const int act = skill.statement("act", 1ms);
+    const int send = skill.statement("send", 1ms);
+    const int receive = skill.statement("receive", 1ms);
+    const int end = skill.statement("end", 1ms);
+    skill.thread("A", p, 1, [=, this](Thread& t) -> Task {
+      co_await t.perform(act, [this] { if (work) work(); });
+      co_await t.send(send, request);
+      int taken = 0;
+      if (within) {
+        taken = co_await t.wait_within(receive, 20ms, from(x));
+      } else {
+        co_await t.wait(receive, from(x));
+      }
+      co_await t.complete(end, taken < 0 ? 1 : 0);
+    });
+  }
+  WrittenSkill skill;
+  std::function<void()> work;
+};
+
+}  // namespace
+
+TEST_CASE("real time: a skill whose order causes fix has the messages of virtual time, in the same order") {
+  const bool together = GENERATE(false, true);
+  Talk in_virtual_time(200, true), in_real_time(200, together);
+  if (!together) {  // the witness hears of a round at any time of the next one
+    in_virtual_time.skill.threads[2].priority = in_real_time.skill.threads[2].priority = 3;
+    in_virtual_time.skill.threads[0].processor = 0;
+  }
+  const auto expected = run(in_virtual_time.skill);
+  const auto outcome = run(in_real_time.skill, {}, real_time());
+  CAPTURE(outcome.reason);
+  CHECK(outcome.code == 0);
+  REQUIRE(outcome.real_time);
+  CHECK(outcome.real_time->holds > 200);
+  CHECK(messages(outcome) == messages(expected));
+  const auto& asked = outcome.real_time->statements[1];
+  CHECK(asked.count == 200);
+}
+
+TEST_CASE("real time: a more urgent thread interrupts an activity on a preemptive processor") {
+  WrittenSkill skill;
+  const int p = skill.processor("P");
+  skill.devices = {"sensor"};
+  const int x = skill.channel("sensor", "x", "HIGH");
+  skill.channels.back().from_device = true;
+  const int spin = skill.statement("spin", 1ms);
+  const int receive = skill.statement("receive", 1ms);
+  const int free = skill.statement("free", 1ms);
+  const int end = skill.statement("end", 1ms);
+  ScriptedDevice device("sensor", {{"x", false, {}}});
+  std::atomic<bool> begun = false, freed = false;
+  device.on_open = [](runtime::DeviceHost& host) { host.at(host.now() + 1ms, [&host] { host.deliver(0, {}); }); };
+  skill.thread("LOW", p, 1, [&](Thread& t) -> Task {
+    // Comes to its end only if HIGH has the processor meanwhile.
+    co_await t.perform(spin, [&] {
+      begun = true;
+      while (!freed) continue;
+    });
+    co_await t.complete(end, 0);
+  });
+  skill.thread("HIGH", p, 2, [&](Thread& t) -> Task {
+    co_await t.wait(receive, from(x));
+    co_await t.perform(free, [&] { freed = true; });
+  });
+  auto options = real_time();
+  options.real_time->patience = 20s;
+  options.real_time->fifo = GENERATE(true, false);
+  const auto outcome = run(skill, {&device}, options);
+  CAPTURE(outcome.reason);
+  CHECK(outcome.code == 0);
+  const std::string text = kinds(outcome);
+  CHECK(text.find("LOW start spin\nLOW stop spin\nHIGH start receive\n") != std::string::npos);
+  CHECK(text.find("HIGH done free\nLOW start spin\nLOW done spin\n") != std::string::npos);
+}
+
+TEST_CASE("real time: on a processor that is not preemptive nobody is interrupted") {
+  WrittenSkill skill;
+  const int p = skill.processor("P", false);
+  const int go = skill.channel("LOW", "go", "HIGH");
+  const int put = skill.statement("put", 1ms);
+  const int act = skill.statement("act", 1ms);
+  const int receive = skill.statement("receive", 1ms);
+  const int end = skill.statement("end", 1ms);
+  const int never = skill.channel("HIGH", "never", "LOW");
+  skill.thread("LOW", p, 1, [=](Thread& t) -> Task {
+    co_await t.send(put, go);
+    co_await t.perform(act, [] {});
+    co_await t.wait(receive, from(never));
+  });
+  skill.thread("HIGH", p, 2, [=](Thread& t) -> Task {
+    co_await t.wait(receive, from(go));
+    co_await t.complete(end, 0);
+  });
+  const auto outcome = run(skill, {}, real_time());
+  CHECK(outcome.code == 0);
+  const std::string text = kinds(outcome);
+  CHECK(text.find(" stop ") == std::string::npos);
+  CHECK(text.find("LOW done act") < text.find("HIGH start receive"));
+}
+
+TEST_CASE("real time: what an activity or a device throws ends the skill, with its devices closed") {
+  Asker asker;
+  ScriptedDevice device = sensor();
+  std::string place;
+  SECTION("an activity") {
+    asker.work = [] { throw std::runtime_error("broken"); };
+    place = "A at act (written.pal:1): broken";
+  }
+  SECTION("a device, as it receives") {
+    device.on_receive = [](runtime::DeviceHost&, std::size_t, std::span<const double>) { throw 42; };
+    place = "sensor: an exception that is not a std::exception";
+  }
+  SECTION("a device, later") {
+    device.on_receive = [](runtime::DeviceHost& host, std::size_t, std::span<const double>) {
+      host.at(host.now() + 1ms, [] { throw std::runtime_error("broken"); });
+    };
+    place = "sensor: broken";
+  }
+  SECTION("a device that reports a fault") {
+    device.on_receive = [](runtime::DeviceHost& host, std::size_t, std::span<const double>) { host.fault("hot"); };
+    place = "sensor: hot";
+  }
+  const auto outcome = run(asker.skill, {&device}, real_time());
+  CHECK(outcome.fault);
+  CHECK(outcome.code == 9);
+  CHECK(outcome.reason == place);
+  CHECK(device.closed == 1);
+}
+
+TEST_CASE("real time: a device that never answers is given up by WITHIN, or by the run's limit") {
+  ScriptedDevice device = sensor();
+  SECTION("WITHIN") {
+    Asker asker(true);
+    const auto outcome = run(asker.skill, {&device}, real_time());
+    CHECK_FALSE(outcome.fault);
+    CHECK(outcome.code == 1);
+  }
+  SECTION("the limit") {
+    Asker asker;
+    auto options = real_time();
+    options.horizon = 30ms;
+    const auto outcome = run(asker.skill, {&device}, options);
+    CHECK(outcome.fault);
+    CHECK(outcome.reason ==
+          "the run is longer than its limit of 30000000 ns: A at receive (written.pal:3)");
+  }
+  CHECK(device.closed == 1);
+}
+
+TEST_CASE("real time: a device with a thread of its own posts into the run") {
+  Asker asker;
+  ScriptedDevice device = sensor();
+  std::thread own;
+  device.on_receive = [&own](runtime::DeviceHost& host, std::size_t, std::span<const double>) {
+    own = std::thread([&host] { host.post([&host] { host.deliver(1, {}); }); });
+  };
+  const auto outcome = run(asker.skill, {&device}, real_time());
+  own.join();
+  CHECK(outcome.code == 0);
+}
+
+TEST_CASE("real time: a stop from another thread ends the skill") {
+  Asker asker;
+  ScriptedDevice device = sensor();
+  runtime::RunControl control;
+  auto options = real_time();
+  options.control = &control;
+  std::atomic<bool> begun = false;
+  SECTION("while an activity runs") {
+    asker.work = [&] {
+      begun = true;
+      while (!control.stopping()) continue;
+    };
+  }
+  SECTION("while it waits") {
+    device.on_receive = [&](runtime::DeviceHost&, std::size_t, std::span<const double>) { begun = true; };
+  }
+  SECTION("at an instant") {
+    control.stop_at(1ms);
+    begun = true;
+  }
+  std::thread stopper([&] {
+    while (!begun) std::this_thread::yield();
+    if (options.control->stop_instant() == runtime::Time::max()) control.stop();
+  });
+  const auto outcome = run(asker.skill, {&device}, options);
+  stopper.join();
+  CHECK(outcome.fault);
+  CHECK(outcome.reason == "stopped on request");
+  CHECK(device.closed == 1);
+}
+
+TEST_CASE("real time: a run cannot be held, says so, and goes on") {
+  Asker asker(true);
+  ScriptedDevice device = sensor();
+  runtime::RunControl control;
+  auto options = real_time();
+  options.control = &control;
+  control.pause();
+  control.break_at("M", 1);
+  asker.work = [&control] { control.step(); };
+  CHECK(run(asker.skill, {&device}, options).code == 1);
+  CHECK(control.refusal() == "a run in real time cannot be held: its devices would not be answered");
+  CHECK_FALSE(control.wait_for_halt(0ms));
+}
+
+TEST_CASE("real time: a deadlock is found, and says who waits") {
+  WrittenSkill skill;
+  const int p = skill.processor("P");
+  const int q = skill.processor("Q");
+  const int x = skill.channel("A", "x", "B");
+  const int y = skill.channel("B", "y", "A");
+  const int receive = skill.statement("receive", 1ms);
+  skill.thread("A", p, 1, [=](Thread& t) -> Task { co_await t.wait(receive, from(y)); });
+  skill.thread("B", q, 1, [=](Thread& t) -> Task { co_await t.wait(receive, from(x)); });
+  const auto outcome = run(skill, {}, real_time());
+  CHECK(outcome.fault);
+  CHECK(outcome.reason ==
+        "nothing is left to happen: A at receive (written.pal:1), B at receive (written.pal:1)");
+}
+
+TEST_CASE("real time: what the world throws ends the skill; it is advanced while an activity runs") {
+  struct Moving final : runtime::World {
+    void advance_to(runtime::Time when) override {
+      if (when < last) throw std::logic_error("back in time");
+      last = when;
+      ++steps;
+      if (breaks && steps > 5) throw std::runtime_error("an earthquake");
+    }
+    runtime::Time beat() override { return 1ms; }
+    runtime::Time last{};
+    std::atomic<int> steps = 0;
+    bool breaks = false;
+  } world;
+  Asker asker;
+  asker.work = [&world] {
+    while (world.steps < 10 && !world.breaks) continue;
+  };
+  ScriptedDevice device = sensor();
+  device.on_receive = [](runtime::DeviceHost& host, std::size_t, std::span<const double>) {
+    host.at(host.now() + 10ms, [&host] { host.deliver(1, {}); });
+  };
+  world.breaks = GENERATE(false, true);
+  runtime::Device* devices[] = {&device};
+  const auto outcome = runtime::Dispatcher(devices, world).run(asker.skill, {}, real_time());
+  CHECK(outcome.fault == world.breaks);
+  CHECK(outcome.reason == (world.breaks ? "the world: an earthquake" : "done"));
+}
+
+TEST_CASE("real time: nothing is allocated between the first and the last message") {
+  Talk talk(500);
+  talk.first = [] {
+    reset_allocations();
+    count_allocations(true);
+  };
+  talk.last = [] { count_allocations(false); };
+  const auto outcome = run(talk.skill, {}, real_time());
+  CHECK(outcome.code == 0);
+  CHECK(outcome.trace.events.size() > 4000);
+  CHECK(counted_allocations() == 0);
+}

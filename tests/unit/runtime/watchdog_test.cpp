@@ -1,0 +1,166 @@
+// Code that does not return, and what the system does not permit: in processes of their own.
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <catch2/catch.hpp>
+
+#include "tests/run/support/bench.hpp"
+
+using namespace pal;
+using namespace pal::test;
+using runtime::from;
+using runtime::RunOptions;
+using runtime::Task;
+using runtime::Thread;
+
+namespace {
+
+struct Ended {
+  int status = -1;   // of exit; -1: by a signal
+  std::string said;  // on standard error
+};
+
+/// Does `body` in a child, which ends with 0 if nothing ends it before.
+Ended in_a_child(const std::function<void()>& body) {
+  std::array<int, 2> ends{};
+  REQUIRE(::pipe(ends.data()) == 0);
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    ::dup2(ends[1], STDERR_FILENO);
+    ::close(ends[0]);
+    body();
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  Ended result;
+  std::array<char, 256> buffer{};
+  for (ssize_t count = 0; (count = ::read(ends[0], buffer.data(), buffer.size())) > 0;)
+    result.said.append(buffer.data(), static_cast<std::size_t>(count));
+  ::close(ends[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  if (WIFEXITED(status)) result.status = WEXITSTATUS(status);
+  return result;
+}
+
+void say(const std::string& text) {
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+}
+
+// Says when it is closed.
+struct Telling final : ScriptedDevice {
+  Telling() : ScriptedDevice("sensor", {{"command", true, {}}}) {}
+  void close() override {
+    say("sensor closed\n");
+    if (stuck) for (;;) ::pause();
+  }
+  bool stuck = false;
+};
+
+// A sends a command to the sensor, and then acts.
+struct Acting {
+  Acting() {
+    const int p = skill.processor("P");
+    skill.devices = {"sensor"};
+    const int command = skill.channel("A", "command", "sensor");
+    skill.channels.back().to_device = true;
+    const int send = skill.statement("send", 1ms);
+    const int act = skill.statement("act", 1ms);
+    const int end = skill.statement("end", 1ms);
+    skill.thread("A", p, 1, [=, this](Thread& t) -> Task {
+      co_await t.send(send, command);
+      co_await t.perform(act, [this] { if (work) work(); });
+      co_await t.complete(end, 0);
+    });
+  }
+  void run(Telling& device) {
+    RunOptions options;
+    options.real_time.emplace();
+    options.real_time->patience = 50ms;
+    options.real_time->hang_status = 71;
+    const auto outcome = test::run(skill, {&device}, options);
+    say(outcome.reason);
+  }
+  WrittenSkill skill;
+  std::function<void()> work;
+};
+
+[[noreturn]] void spin() {
+  static std::atomic<int> turns = 0;
+  for (;;) ++turns;
+}
+
+}  // namespace
+
+TEST_CASE("watchdog: an activity that never returns leaves the devices closed and ends the process") {
+  const bool spins = GENERATE(true, false);
+  const Ended ended = in_a_child([spins] {
+    Acting acting;
+    Telling device;
+    acting.work = [spins] {
+      if (spins) spin();
+      for (;;) ::pause();
+    };
+    acting.run(device);
+  });
+  CAPTURE(ended.said);
+  CHECK(ended.status == 71);
+  CHECK(ended.said.find("sensor closed\npal: A at act (written.pal:2) has not returned for ") == 0);
+  CHECK(ended.said.find("its worst time is 0.001 s\n  the devices are closed; the process ends") !=
+        std::string::npos);
+}
+
+TEST_CASE("watchdog: a device that does not return is found as well, and the devices are closed") {
+  const Ended ended = in_a_child([] {
+    Acting acting;
+    Telling device;
+    device.on_receive = [](runtime::DeviceHost&, std::size_t, std::span<const double>) { spin(); };
+    acting.run(device);
+  });
+  CAPTURE(ended.said);
+  CHECK(ended.status == 71);
+  CHECK(ended.said.find("sensor closed\npal: a device or the world has not returned for ") == 0);
+}
+
+TEST_CASE("watchdog: the process ends also if closing does not return, and says so") {
+  const Ended ended = in_a_child([] {
+    Acting acting;
+    Telling device;
+    device.stuck = true;
+    acting.work = [] { spin(); };
+    acting.run(device);
+  });
+  CAPTURE(ended.said);
+  CHECK(ended.status == 71);
+  CHECK(ended.said.find("THE DEVICES COULD NOT BE CLOSED") != std::string::npos);
+}
+
+TEST_CASE("real time: without the right to SCHED_FIFO a skill runs, and its outcome says so once") {
+  const Ended ended = in_a_child([] {
+    const rlimit none{0, 0};
+    ::setrlimit(RLIMIT_RTPRIO, &none);
+    ::setrlimit(RLIMIT_MEMLOCK, &none);
+    if (::getuid() == 0 && ::setuid(65534) != 0) ::_exit(1);
+    Acting acting;
+    Telling device;
+    RunOptions options;
+    options.real_time.emplace();
+    const auto outcome = run(acting.skill, {&device}, options);
+    for (const std::string& text : outcome.real_time->shortcomings) say(text + "\n");
+    say(outcome.reason);
+  });
+  CAPTURE(ended.said);
+  CHECK(ended.status == 0);
+  const auto times = [&ended](const std::string& text) {
+    int count = 0;
+    for (auto at = ended.said.find(text); at != std::string::npos; at = ended.said.find(text, at + 1)) ++count;
+    return count;
+  };
+  CHECK(times("SCHED_FIFO is not permitted (Operation not permitted)") == 1);
+  CHECK(times("memory is not locked (") == 1);
+  CHECK(ended.said.find("done") != std::string::npos);
+}
