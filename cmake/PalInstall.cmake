@@ -28,7 +28,7 @@ configure_package_config_file(cmake/palConfig.cmake.in "${PROJECT_BINARY_DIR}/pa
   INSTALL_DESTINATION "${pal_package_directory}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/palConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/palConfig.cmake" "${PROJECT_BINARY_DIR}/palConfigVersion.cmake"
-              cmake/PalSkill.cmake cmake/PalCheck.cmake
+              cmake/PalSkill.cmake cmake/PalCheck.cmake cmake/pal_gdb.py
         DESTINATION "${pal_package_directory}" COMPONENT development)
 install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/pal-development" COMPONENT development)
 

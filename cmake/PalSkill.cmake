@@ -1,15 +1,16 @@
-# pal_add_skill(NAME PAL FILE ENVIRONMENT FILE SOURCES FILE… [SKILL NAME-IN-PAL] [ALLOW_FAILING])
+# pal_add_skill(NAME PAL FILE ENVIRONMENT FILE SOURCES FILE… [SKILL NAME-IN-PAL] [ALLOW_FAILING] [DEBUG_LINES])
 #
 # A static library pal_skill_NAME (alias pal::skill_NAME) of a skill: its C++, generated from PAL, and SOURCES, the
-# activities written by hand. It includes "<skill>_activities.hpp" and "<skill>_skill.hpp", where <skill> is the skill's name in
+# activities written by hand. They include "<skill>_activities.hpp" and "<skill>_skill.hpp", and devices "<skill>_devices.hpp", where <skill> is the skill's name in
 # PAL with underscores for hyphens. SKILL is needed only if that name is not NAME.
 #
 # The skill is checked first: if it is wrong, or a requirement does not hold, the build fails with the analyzer's message.
-# ALLOW_FAILING lets requirements fail; the message is shown all the same.
+# ALLOW_FAILING lets requirements fail; the message is shown all the same. DEBUG_LINES makes debuggers show lines of PAL. For gdb there
+# is "<skill>.gdb" beside the generated code, with DEBUG_LINES or without.
 function(pal_add_skill name)
-  cmake_parse_arguments(ARG "ALLOW_FAILING" "PAL;ENVIRONMENT;SKILL" "SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "ALLOW_FAILING;DEBUG_LINES" "PAL;ENVIRONMENT;SKILL" "SOURCES" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS OR NOT ARG_PAL OR NOT ARG_ENVIRONMENT)
-    message(FATAL_ERROR "pal_add_skill(${name}): needs PAL and ENVIRONMENT, takes SOURCES, SKILL, ALLOW_FAILING")
+    message(FATAL_ERROR "pal_add_skill(${name}): needs PAL and ENVIRONMENT, takes SOURCES, SKILL, ALLOW_FAILING, DEBUG_LINES")
   endif()
   if(NOT ARG_SKILL)
     set(ARG_SKILL ${name})
@@ -26,16 +27,25 @@ function(pal_add_skill name)
   set(directory "${CMAKE_CURRENT_BINARY_DIR}/${name}_generated")  # one skill may be there for several environments
   file(MAKE_DIRECTORY "${directory}")
   set(generated)
-  foreach(suffix messages.hpp parameters.hpp parameters.cpp activities.hpp wiring.hpp wiring.cpp modules.hpp modules.cpp
+  foreach(suffix messages.hpp parameters.hpp parameters.cpp activities.hpp devices.hpp wiring.hpp wiring.cpp modules.hpp modules.cpp
           skill.hpp skill.cpp)
     list(APPEND generated "${directory}/${prefix}_${suffix}")
   endforeach()
+
+  # Where gdb finds what lines are of, and how it goes from statement to statement.
+  get_filename_component(pal_folder "${pal_file}" DIRECTORY)
+  file(WRITE "${directory}/${prefix}.gdb" 
+    "directory \"${directory}\"\ndirectory \"${pal_folder}\"\nsource ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/pal_gdb.py\n")
+  set(debug_lines)
+  if(ARG_DEBUG_LINES)
+    set(debug_lines --debug-lines)
+  endif()
 
   add_custom_command(
     OUTPUT ${generated}
     COMMAND ${CMAKE_COMMAND} -DPAL=$<TARGET_FILE:pal::pal> -DFILE=${pal_name} -DENVIRONMENT=${environment_name}
             -DSKILL=${ARG_SKILL} -DALLOW_FAILING=${ARG_ALLOW_FAILING} -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/PalCheck.cmake"
-    COMMAND pal::pal generate ${pal_name} --environment ${environment_name} --skill ${ARG_SKILL} -o "${directory}" --allow-failing
+    COMMAND pal::pal generate ${pal_name} --environment ${environment_name} --skill ${ARG_SKILL} -o "${directory}" --allow-failing ${debug_lines}
             --depfile "${directory}/${prefix}.d" --depfile-target "${directory}/${prefix}_messages.hpp"
     DEPENDS pal::pal "${pal_file}" "${environment_file}" "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/PalCheck.cmake"
     DEPFILE "${directory}/${prefix}.d"

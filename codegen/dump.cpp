@@ -51,7 +51,12 @@ class Dumper {
     for (const PlannedCondition& condition : plan_.conditions) {
       out_ << "condition " << condition.pal_name << " as " << condition.constant << '\n';
     }
-    for (const std::string& device : plan_.devices) out_ << "device " << device << '\n';
+    for (const PlannedDevice& device : plan_.device_classes) {
+      out_ << "device " << device.pal_name << " as " << device.type << ':';
+      for (const PlannedDevice::Port& port : device.ports)
+        out_ << (port.to_device ? " takes " : " sends ") << port.name << ';';
+      out_ << '\n';
+    }
     for (const PlannedModule& module : plan_.modules) dump(module);
   }
 

@@ -9,8 +9,8 @@ using Kind = PlannedStatement::Kind;
 
 class BodyWriter {
  public:
-  BodyWriter(Writer& out, const Plan& plan, const PlannedModule& module)
-      : out_(out), plan_(plan), module_(module) {}
+  BodyWriter(Writer& out, const Plan& plan, const PlannedModule& module, const EmitOptions& options)
+      : out_(out), plan_(plan), module_(module), debug_lines_(options.debug_lines) {}
 
   void write(const PlannedBody& body) {
     for (const PlannedStatement& statement : body) write(statement);
@@ -19,6 +19,12 @@ class BodyWriter {
  private:
   void comment(int line, const std::string& pal) {
     out_.line("// " + (line > 0 ? std::to_string(line) + ": " : std::string()) + pal);
+    stand_for(line);
+  }
+
+  /// What follows is the code of that line of PAL, if it is known (a module that was drawn has none).
+  void stand_for(int line) {
+    if (debug_lines_ && line > 0) out_.stands_for(module_.file, line);
   }
 
   void write(const PlannedStatement& statement) {
@@ -141,6 +147,7 @@ class BodyWriter {
       out_.open(gave_up ? "} else {" : head);
       out_.line("// " + statement.arms[i]);
       write(statement.branches[i]);
+      stand_for(statement.line);
       out_.outdent();
     }
     out_.line("}");
@@ -152,6 +159,7 @@ class BodyWriter {
       out_.condition(i == 0 ? "if (" : "} else if (", expression(statement.guards[i]), ") {").indent();
       out_.line("// " + statement.arms[i]);
       write(statement.branches[i]);
+      stand_for(statement.line);
       out_.outdent();
     }
     out_.open("} else {");
@@ -230,12 +238,14 @@ class BodyWriter {
   Writer& out_;
   const Plan& plan_;
   const PlannedModule& module_;
+  bool debug_lines_;
 };
 
 }  // namespace
 
-void write_body(Writer& out, const Plan& plan, const PlannedModule& module, const PlannedBody& body) {
-  BodyWriter(out, plan, module).write(body);
+void write_body(Writer& out, const Plan& plan, const PlannedModule& module, const PlannedBody& body,
+                const EmitOptions& options) {
+  BodyWriter(out, plan, module, options).write(body);
 }
 
 }  // namespace pal::codegen

@@ -116,12 +116,17 @@ const PlannedBody* find_block(const PlannedBody& body, const std::vector<std::si
   return nullptr;
 }
 
+std::string source_name(const Plan& plan) {
+  return plan.file + "_modules.cpp";
+}
+
 void write_function(Writer& out, const Plan& plan, const PlannedModule& module, const std::string& name,
-                    const PlannedBody& body) {
+                    const PlannedBody& body, const EmitOptions& options) {
   const std::string thread = uses_thread(body) ? "runtime::Thread& thread" : "runtime::Thread&";
   out.line();
   out.open("runtime::Task " + module.type + "::" + name + "(" + thread + ") {");
-  write_body(out, plan, module, body);
+  write_body(out, plan, module, body, options);
+  out.stands_for_itself(source_name(plan));
   out.line("co_return;");
   out.close();
 }
@@ -164,12 +169,19 @@ void write_start(Writer& out, const Plan& plan, const PlannedModule& module) {
   out.close();
 }
 
-std::string source(const Plan& plan) {
+std::string source(const Plan& plan, const EmitOptions& options) {
   Writer out;
   write_heading(out, plan, "The modules of skill " + plan.skill.name + ", statement by statement.");
   out.line("#include \"" + plan.file + "_modules.hpp\"").line();
   out.line("#include \"" + plan.file + "_wiring.hpp\"");
   out.line("#include \"pal/runtime/thread.hpp\"");
+  if (options.debug_lines) {
+    out.line();
+    out.line("// To GCC, a coroutine that stands for lines of another file is not of this one.");
+    out.line("#if defined(__GNUC__) && !defined(__clang__)");
+    out.line("#pragma GCC diagnostic ignored \"-Wsubobject-linkage\"");
+    out.line("#endif");
+  }
   open_namespace(out, plan);
   out.line("using namespace std::chrono_literals;");
   for (const PlannedModule& module : plan.modules) {
@@ -178,9 +190,9 @@ std::string source(const Plan& plan) {
         .line();
     write_choosers(out, plan, module);
     write_start(out, plan, module);
-    write_function(out, plan, module, "body", module.body);
+    write_function(out, plan, module, "body", module.body, options);
     for (const auto& block : module.blocks) {
-      write_function(out, plan, module, block.function, *find_block(module.body, block.threads));
+      write_function(out, plan, module, block.function, *find_block(module.body, block.threads), options);
     }
   }
   close_namespace(out, plan);
@@ -199,8 +211,8 @@ const PlannedStore* store_of(const Plan& plan, const PlannedModule& module) {
   return nullptr;  // none of them has any message
 }
 
-std::vector<GeneratedFile> emit_modules(const Plan& plan) {
-  return {{plan.file + "_modules.hpp", header(plan)}, {plan.file + "_modules.cpp", source(plan)}};
+std::vector<GeneratedFile> emit_modules(const Plan& plan, const EmitOptions& options) {
+  return {{plan.file + "_modules.hpp", header(plan)}, {source_name(plan), source(plan, options)}};
 }
 
 }  // namespace pal::codegen

@@ -14,12 +14,18 @@ struct GeneratedFile {
   std::string text;
 };
 
+struct EmitOptions {
+  /// The code of a body is known to debuggers by the lines of PAL that it stands for (#line).
+  bool debug_lines = false;
+};
+
 /// The C++ of a plan, in a fixed order; the same plan gives the same bytes. docs/reference/runtime.md shows
 /// what it looks like.
-std::vector<GeneratedFile> emit(const Plan& plan);
+std::vector<GeneratedFile> emit(const Plan& plan, const EmitOptions& options = {});
 
 /// make_plan and emit. Nothing if the environment lacks something (reported).
 std::vector<GeneratedFile> generate(const pan::Network& network, const pan::Environment& environment,
-                                    const SourceManager& sources, Diagnostics& diagnostics);
+                                    const SourceManager& sources, Diagnostics& diagnostics,
+                                    const EmitOptions& options = {});
 
 }  // namespace pal::codegen

@@ -58,6 +58,7 @@ class Planner {
     if (!threads()) return std::nullopt;
     bodies();
     stores();
+    devices();
     if (diagnostics_.errors() != errors) return std::nullopt;
     return std::move(plan_);
   }
@@ -211,6 +212,31 @@ class Planner {
       for (const std::size_t user : {keeper, *indices_.modules[m]}) {
         for (const std::size_t message : plan_.modules[user].messages) add(store_of(keeper), message);
       }
+    }
+  }
+
+  /// After all other types, whose names do not depend on who talks to devices.
+  void devices() {
+    for (const std::string& name : plan_.devices) {
+      PlannedDevice planned;
+      planned.type = types_.unique(camel_case(name) + "Device");
+      planned.pal_name = name;
+      for (const pan::Device& device : network_.devices) {
+        if (device.name == name) planned.description = device.description;
+      }
+      Scope scope;
+      for (const PlannedChannel& channel : plan_.channels) {
+        const bool to = channel.to_device && channel.receiver == name;
+        const bool from = channel.from_device && channel.sender == name;
+        const bool known =
+            std::any_of(planned.ports.begin(), planned.ports.end(), [&](const PlannedDevice::Port& port) {
+              return port.message == channel.message && port.to_device == to;
+            });
+        if ((!to && !from) || known) continue;
+        planned.ports.push_back(
+            {scope.unique(snake_words(channel.message)), channel.message, to, channel.fields});
+      }
+      plan_.device_classes.push_back(std::move(planned));
     }
   }
 

@@ -168,6 +168,20 @@ struct PlannedCondition {
   std::string pal_name;
 };
 
+/// What the author of a device derives from.
+struct PlannedDevice {
+  struct Port {
+    std::string name;  // part of identifiers: "request_wrench"
+    std::string message;
+    bool to_device = false;
+    std::optional<std::size_t> fields;  // in Plan::messages
+  };
+  std::string type;  // C++ class
+  std::string pal_name;
+  std::string description;
+  std::vector<Port> ports;  // in the order of the channels
+};
+
 struct Plan {
   std::string name;  // C++: "touch_read_first", of the namespace and the factory
   std::string file;  // how the names of its files begin: "touch_read_first"
@@ -183,6 +197,7 @@ struct Plan {
   std::vector<PlannedChannel> channels;
   std::vector<PlannedCondition> conditions;
   std::vector<std::string> devices;
+  std::vector<PlannedDevice> device_classes;  // one for each of `devices`
 };
 
 /// Reports what the environment lacks (PAL09xx); no plan then. `network` has been checked.

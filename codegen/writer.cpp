@@ -1,5 +1,6 @@
 #include "codegen/writer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>
@@ -9,8 +10,22 @@
 namespace pal::codegen {
 
 Writer& Writer::line(std::string_view text) {
+  if (!text.empty() && !text.starts_with("//")) text_ += origin_;
   if (!text.empty()) text_ += std::string(level_ * 2, ' ') + std::string(text);
   text_ += '\n';
+  return *this;
+}
+
+Writer& Writer::stands_for(std::string_view file, int line) {
+  origin_ = "#line " + std::to_string(line) + " " + literal(file) + "\n";
+  return *this;
+}
+
+Writer& Writer::stands_for_itself(std::string_view own) {
+  if (origin_.empty()) return *this;
+  origin_.clear();
+  const auto lines = std::count(text_.begin(), text_.end(), '\n');
+  text_ += "#line " + std::to_string(lines + 2) + " " + literal(own) + "\n";
   return *this;
 }
 

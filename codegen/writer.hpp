@@ -25,6 +25,11 @@ class Writer {
   Writer& indent();
   Writer& outdent();
 
+  /// For debuggers, the lines of code from here on stand for line `line` of `file`, by a #line before each.
+  Writer& stands_for(std::string_view file, int line);
+  /// They stand for themselves again, in a file called `own`.
+  Writer& stands_for_itself(std::string_view own);
+
   std::string take() { return std::move(text_); }
 
  private:
@@ -32,6 +37,7 @@ class Writer {
   Writer& fill(std::string row, const std::vector<std::string>& parts);
 
   std::string text_;
+  std::string origin_;  // a #line; empty: none
   std::size_t level_ = 0;
 };
 

@@ -6,9 +6,10 @@
 #include "activities.hpp"
 #include "pal/runtime/dispatcher.hpp"
 #include "pal/runtime/still_world.hpp"
+#include "pull_test_devices.hpp"
 
-using namespace std::chrono_literals;
 using namespace pal::runtime;
+using namespace pal::skills::pull_test;
 
 namespace {
 
@@ -26,49 +27,31 @@ struct Plug {
   }
 };
 
-class Gauge final : public Device {
+class Gauge final : public GaugeDevice {
  public:
   explicit Gauge(const Plug& plug) : plug_(plug) {}
-  const std::string& name() const override { return name_; }
-  const std::vector<PortSpec>& ports() const override { return ports_; }
-  void attach(DeviceHost& host) override { host_ = &host; }
-  void open() override {}
-  void receive(std::size_t, std::span<const double>) override {
-    host_->at(host_->now() + 1500us, [this] {
-      const double counts[] = {std::round(plug_.pull() * 40)};
-      host_->deliver(1, counts);
-    });
-  }
-  void close() override {}
 
  private:
+  void on_request_reading() override {
+    after(answers_after.worst, [this] { send_reading({std::llround(plug_.pull() * 40)}); });
+  }
   const Plug& plug_;
-  std::string name_ = "gauge";
-  std::vector<PortSpec> ports_{{"request reading", true, {}}, {"reading", false, {{"value", ""}}}};
-  DeviceHost* host_ = nullptr;
 };
 
-class Axis final : public Device {
+class Axis final : public AxisDevice {
  public:
   explicit Axis(Plug& plug) : plug_(plug) {}
-  const std::string& name() const override { return name_; }
-  const std::vector<PortSpec>& ports() const override { return ports_; }
-  void attach(DeviceHost& host) override { host_ = &host; }
   void open() override { beat(); }
-  void receive(std::size_t, std::span<const double> fields) override { plug_.move(fields[0]); }
-  void close() override {}
 
  private:
+  void on_step(const Step& step) override { plug_.move(step.dz); }
   void beat() {
-    host_->at(host_->now() + 10ms, [this] {
-      host_->deliver(0, {});
+    after(period, [this] {
+      send_beat();
       beat();
     });
   }
   Plug& plug_;
-  std::string name_ = "axis";
-  std::vector<PortSpec> ports_{{"beat", false, {}}, {"step", true, {{"dz", "mm"}}}};
-  DeviceHost* host_ = nullptr;
 };
 
 /// Prints how the test of `plug` ended; true if with `expected`.

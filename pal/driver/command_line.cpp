@@ -237,6 +237,9 @@ void add_generate(CLI::App& app, GenerateOptions& options) {
   add_limits(*command, options.limits);
   command->add_flag("--allow-failing", options.allow_failing,
                     "prove nothing: generate whatever the verdicts would be");
+  command->add_flag("--debug-lines", options.debug_lines, "make debuggers show the lines of PAL (#line)");
+  command->add_flag("--explain", options.explain,
+                    "write nothing: list processors, threads, servers, couriers and channels");
   command->footer(
       "Exit status: 0 done; 1 the specification is wrong; 2 bad usage, or a file could not be read or "
       "written; 3 "

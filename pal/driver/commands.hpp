@@ -93,6 +93,8 @@ struct GenerateOptions {
   std::string depfile_target;  // its target; empty: the files written
   ProofLimits limits;
   bool allow_failing = false;  // nothing is proved
+  bool debug_lines = false;    // debuggers show lines of PAL
+  bool explain = false;        // lists what would be generated, and writes nothing
 };
 ExitStatus generate(const GenerateOptions& options, const Console& console);
 

@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "codegen/explain.hpp"
 #include "codegen/generate.hpp"
 #include "pal/check/resources.hpp"
 #include "pal/check/shared_messages.hpp"
@@ -50,9 +51,15 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
                            session.diagnostics);
     checker::check_shared_messages(session.specification.skills.front(),
                                     session.specification.environments.front(), session.diagnostics);
-    generated =
-        codegen::generate(session.specification.skills.front(), session.specification.environments.front(),
-                          session.sources, session.diagnostics);
+    const auto plan =
+        codegen::make_plan(session.specification.skills.front(), session.specification.environments.front(),
+                           session.sources, session.diagnostics);
+    if (plan && options.explain && !session.diagnostics.has_errors()) {
+      codegen::explain(*plan, console.out);
+      show_findings(session, console);
+      return status_of_findings(session);
+    }
+    if (plan) generated = codegen::emit(*plan, {.debug_lines = options.debug_lines});
   }
   if (one && !options.allow_failing && !session.diagnostics.has_errors()) {
     const Interruption interruption;

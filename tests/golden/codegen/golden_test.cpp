@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "codegen/explain.hpp"
 #include "codegen/generate.hpp"
 #include "pal/check/check.hpp"
 #include "pal/check/read_sources.hpp"
@@ -111,6 +112,52 @@ TEST_CASE("plan and code of approach to touch") {
   codegen::dump(*plan, text);
   expect_golden("touch.plan", text.str());
   expect_golden("touch.expected", all(codegen::emit(*plan)));
+}
+
+TEST_CASE("for debuggers, each line of a body stands for its line of PAL, and the code is the same") {
+  Input input("tests/golden/codegen/odd_names.pal", "tests/golden/codegen/bench.pal");
+  const auto plan = input.plan();
+  REQUIRE(plan);
+  const auto plain = codegen::emit(*plan);
+  const auto files = codegen::emit(*plan, {.debug_lines = true});
+  REQUIRE(files.size() == plain.size());
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    INFO(files[f].name);
+    if (files[f].name != "namespace_modules.cpp") {
+      CHECK(files[f].text == plain[f].text);
+      continue;
+    }
+    expect_golden("odd_names_lines.expected", files[f].text);
+    // Without them it is the plain file; where it stands for itself, the next line has the number that is said.
+    std::istringstream lines(files[f].text);
+    std::string rest;
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+      ++number;
+      if (line.starts_with("#line ") && line.ends_with("\"namespace_modules.cpp\""))
+        CHECK(line == "#line " + std::to_string(number + 1) + " \"namespace_modules.cpp\"");
+      if (!line.starts_with("#line ")) rest += line + "\n";
+    }
+    const std::size_t pragma = rest.find("\n// To GCC, ");
+    REQUIRE(pragma != std::string::npos);
+    rest.erase(pragma, rest.find("#endif\n") + 7 - pragma);
+    CHECK(rest == plain[f].text);
+  }
+}
+
+TEST_CASE("what a skill will be at run time") {
+  const auto explained = [](Input input) {
+    const auto plan = input.plan();
+    REQUIRE(plan);
+    std::ostringstream text;
+    codegen::explain(*plan, text);
+    return text.str();
+  };
+  expect_golden("touch.explained", explained({"skills_pal/touch/touch.pal", "skills_pal/workcell.pal"}));
+  expect_golden("at_a_time.explained", explained({"tests/golden/codegen/at_a_time.pal",
+                                                  "tests/golden/codegen/at_a_time_bench.pal"}));
+  expect_golden("range_finder.explained",
+                explained({"examples/range_finder/range_finder.pal", "examples/range_finder/cell.pal"}));
 }
 
 TEST_CASE("the same text from whatever folder") {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/payload.hpp"
+#include "survey_devices.hpp"
 #include "survey_skill.hpp"
 #include "tests/run/support/allocation_count.hpp"
 #include "tests/run/support/bench.hpp"
@@ -147,11 +148,48 @@ class Robot final : public runtime::Device {
   std::vector<runtime::PortSpec> ports_;
 };
 
+/// The same two as a user writes them: from the generated classes.
+class TypedFinder final : public made::FinderDevice {
+ public:
+  void attach(runtime::DeviceHost& host) override {
+    FinderDevice::attach(host);
+    const auto points_of_groove = groove();
+    for (std::size_t i = 0; i < points; ++i) {
+      profile_.x[i] = points_of_groove[i].x;
+      profile_.z[i] = points_of_groove[i].z;
+      profile_.valid[i] = points_of_groove[i].valid;
+    }
+    profile_.taken = 2.5;
+    profile_.label = runtime::Text("seam 17");
+  }
+
+ private:
+  void on_request_profile() override {
+    after(answers_after.worst, [this] {
+      count_allocations(true);
+      send_profile(profile_);
+    });
+  }
+  made::Profile profile_;
+};
+
+class TypedRobot final : public made::RobotDevice {
+ public:
+  made::Go went;
+
+ private:
+  void on_go(const made::Go& go) override {
+    count_allocations(false);
+    went = go;
+  }
+};
+
 std::unique_ptr<runtime::Skill> make() {
   return made::make_survey(std::make_unique<Aim>(), std::make_unique<FindSeam>());
 }
 
-runtime::Outcome run(Finder& finder, Robot& robot, std::vector<runtime::ParameterValue> parameters = {}) {
+runtime::Outcome run(runtime::Device& finder, runtime::Device& robot,
+                     std::vector<runtime::ParameterValue> parameters = {}) {
   const auto skill = make();
   runtime::Device* devices[] = {&finder, &robot};
   NoWorld world;
@@ -182,6 +220,23 @@ TEST_CASE("a profile and a text go from a device through a logical sensor to the
   CHECK(robot.depth[1] == 0);
   CHECK(robot.depth[2] == 91);  // of the points 0 to 100 these are valid
   CHECK(counted_allocations() == 0);
+}
+
+TEST_CASE("devices of generated classes do what those do that write payloads themselves") {
+  Finder finder;
+  Robot robot;
+  finder.label = runtime::Text("seam 17");
+  const runtime::Outcome flat = run(finder, robot);
+  TypedFinder typed_finder;
+  TypedRobot typed_robot;
+  reset_allocations();
+  const runtime::Outcome typed = run(typed_finder, typed_robot);
+  CHECK(counted_allocations() == 0);
+  CHECK(typed.reason == "At the seam.");
+  CHECK(typed.trace.events == flat.trace.events);
+  CHECK(typed_robot.went.location == "seam 17");
+  CHECK(typed_robot.went.location == robot.location);
+  CHECK(typed_robot.went.depth == robot.depth);
 }
 
 TEST_CASE("a text that a device spoils ends the skill") {
