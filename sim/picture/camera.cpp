@@ -13,7 +13,7 @@ constexpr double greatest_shape = 1.5;     // m: what is larger is a floor or a 
 constexpr double margin = 0.07;            // of the picture's half
 constexpr double opening = 30;             // degrees
 constexpr double contact_height = 0.13;    // m: what the close-up shows at least
-constexpr double farthest_surface = 0.30;  // m before the tip: what is farther away is not its business yet
+constexpr double farthest_surface = 0.50;  // m before the tip: what is farther away is not its business yet
 constexpr double narrow = 20;              // degrees: the opening of the close-up
 
 std::array<Eigen::Vector3d, 8> corners(const Stage& stage, int geom) {

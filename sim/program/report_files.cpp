@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "sim/program/force_options.hpp"
 #include "sim/program/range_profiles.hpp"
 #include "sim/program/statistics.hpp"
 #include "sim/report/log_table.hpp"
@@ -104,18 +105,10 @@ std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skil
 
 sim::DrawnPlots run_plots(const runtime::Skill& skill, const Session& session, const SessionResult& result) {
   const std::string heading = title(skill, session);
-  sim::ForcePlotOptions force{heading, {}, {}, result.outcome.duration};
-  std::optional<double> least, greatest;
-  for (const runtime::ParameterSpec& parameter : skill.description().parameters) {
-    if (parameter.unit != "N") continue;
-    const double value = *parameter_value(skill, session, parameter.name);
-    if (parameter.name.starts_with("min")) least = value;
-    if (parameter.name.starts_with("max")) greatest = value;
-    force.levels.push_back({std::string(parameter.name), value});
-  }
-  if (least && greatest) force.bands.push_back({"", *least, *greatest});
+  const sim::ForcePlotOptions force = force_options(skill, session, heading, result.outcome.duration);
   std::vector<sim::Plot> plots = range_plots(result.messages, heading);
-  plots.push_back(sim::force_plot(result.log, result.messages, force));
+  if (sim::shows_force(result.log, result.messages, force))
+    plots.push_back(sim::force_plot(result.log, result.messages, force));
   plots.push_back(sim::position_plot(result.log, heading, result.outcome.duration));
   plots.push_back(sim::path_plot(result.log, heading));
   return sim::draw(plots);

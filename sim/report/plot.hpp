@@ -37,8 +37,11 @@ struct ForcePlotOptions {
 };
 
 /// The contact force over time, and the readings of every device that gives a force fz: what the skill saw of
-/// it.
+/// it. A level that is far above all that was met is left out, but for the lowest: it would flatten the rest.
 Plot force_plot(const std::vector<Sample>& log, const MessageLog& messages, const ForcePlotOptions& options);
+
+/// There is something to plot: a level, a reading, or a force that was met.
+bool shows_force(const std::vector<Sample>& log, const MessageLog& messages, const ForcePlotOptions& options);
 
 /// Set-point and tool over time, an axis below the other, and the distance between them.
 Plot position_plot(const std::vector<Sample>& log, const std::string& title,

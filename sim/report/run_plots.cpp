@@ -39,7 +39,7 @@ struct Readings {
   double least = 0, greatest = 0;
 };
 
-/// Every port from a device with a field fz in newtons. Pressing gives a negative fz: turned round, it lies
+/// Every port from a device with a field fz in newtons, from which anything came. Pressing gives a negative fz: turned round, it lies
 /// over the contact force.
 std::vector<Readings> force_readings(const MessageLog& messages) {
   std::vector<Readings> result;
@@ -57,13 +57,31 @@ std::vector<Readings> force_readings(const MessageLog& messages) {
         readings.least = std::min(readings.least, force);
         readings.greatest = std::max(readings.greatest, force);
       }
-      result.push_back(std::move(readings));
+      if (readings.csv.back() == '\n' && std::count(readings.csv.begin(), readings.csv.end(), '\n') > 1)
+        result.push_back(std::move(readings));
     }
   }
   return result;
 }
 
+constexpr double far_above = 2.5;  // times the greatest force
+
+/// Those that are not far above `high`, and the lowest.
+std::vector<ForceLevel> near_levels(const std::vector<ForceLevel>& levels, double high) {
+  double lowest = 1e300;
+  for (const ForceLevel& level : levels) lowest = std::min(lowest, level.newtons);
+  std::vector<ForceLevel> near;
+  for (const ForceLevel& level : levels)
+    if (level.newtons <= std::max(far_above * high, lowest)) near.push_back(level);
+  return near;
+}
+
 }  // namespace
+
+bool shows_force(const std::vector<Sample>& log, const MessageLog& messages, const ForcePlotOptions& options) {
+  if (!options.levels.empty() || !options.bands.empty() || !force_readings(messages).empty()) return true;
+  return std::any_of(log.begin(), log.end(), [](const Sample& sample) { return sample.contact_force > 0; });
+}
 
 std::vector<std::size_t> telling_rows(const std::vector<double>& value, std::size_t most) {
   std::vector<std::size_t> rows;
@@ -89,7 +107,6 @@ Plot force_plot(const std::vector<Sample>& log, const MessageLog& messages, cons
 
   double low = 0, high = 1;
   for (const double newtons : force) high = std::max(high, newtons);
-  for (const ForceLevel& level : options.levels) high = std::max(high, level.newtons);
   for (const ForceBand& band : options.bands) high = std::max(high, band.high);
   std::string readings;
   for (const Readings& device : force_readings(messages)) {
@@ -101,6 +118,8 @@ Plot force_plot(const std::vector<Sample>& log, const MessageLog& messages, cons
         ", \\\n  {} skip 1 using 1:2 with points pointtype 6 pointsize 0.5 linecolor \"{}\" title {}",
         quoted(file), PlotColours::reading, quoted("as read by the skill: " + device.name));
   }
+  const std::vector<ForceLevel> levels = near_levels(options.levels, high);
+  for (const ForceLevel& level : levels) high = std::max(high, level.newtons);
   plot.script = plot_beginning(plot.name, 960, 480) + "set " + heading(options.title) +
                 "set xlabel \"time, s\"\nset ylabel \"force, N\"\n" + set_range("x", {0, last_second(log)}) +
                 set_range("y", {low < 0 ? low * 1.1 : 0, high * 1.12}) + end_of_skill(options.end, true);
@@ -110,7 +129,7 @@ Plot force_plot(const std::vector<Sample>& log, const MessageLog& messages, cons
         "solid noborder behind\n"
         "set label {} at graph 0.01, first {:g} textcolor \"#3c7a3c\"\n",
         band.low, band.high, PlotColours::band, quoted(band.label), (band.low + band.high) / 2);
-  for (const ForceLevel& level : options.levels)
+  for (const ForceLevel& level : levels)
     plot.script += fmt::format(
         "set arrow from graph 0, first {0:g} to graph 1, first {0:g} nohead dashtype 2 linewidth 1.3 "
         "linecolor \"{1}\"\n"

@@ -1,11 +1,14 @@
 #include "skills_pal/follow_edge/follow_edge.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <cstdio>
 
 #include "follow_edge_skill.hpp"
 #include "skills_pal/follow_edge/edge_map.hpp"
+#include "skills_pal/follow_edge/literal_law.hpp"
+#include "skills_pal/follow_edge/tool_step.hpp"
 #include "skills_pal/modules/alter.hpp"
 #include "skills_pal/modules/cycle_clock.hpp"
 #include "skills_pal/modules/edge_slope.hpp"
@@ -17,25 +20,29 @@ namespace {
 
 using namespace follow_edge;
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr int lost_after = 5;       // profiles
 constexpr double interpreting = 3;  // ms from a profile's end until the skill knows the edge, in the mean
 constexpr double part = 0.25;       // of what is missing that is corrected in a cycle
+constexpr double cycles_a_profile = 78.0 / 28;
 constexpr int cycles_to_move = 2;   // from a request to the end of the motion that was given at it
 
-Eigen::Isometry3d moved_by(const Motion& motion) {
-  Eigen::Isometry3d step = Eigen::Isometry3d::Identity();
-  step.translation() = Eigen::Vector3d(motion.dx, motion.dy, motion.dz);
-  step.linear() = (Eigen::AngleAxisd(motion.rz * degree, Eigen::Vector3d::UnitZ()) *
-                   Eigen::AngleAxisd(motion.ry * degree, Eigen::Vector3d::UnitY()) *
-                   Eigen::AngleAxisd(motion.rx * degree, Eigen::Vector3d::UnitX()))
-                      .toRotationMatrix();
-  return step;
+// The map takes a direction from four points of the edge in twice the history. Points are as far apart as the tool goes
+// from profile to profile.
+void refuse_short_history(double history, double track) {
+  const double least = 1.5 * track * cycles_a_profile;
+  if (history >= least) return;
+  std::array<char, 200> text{};
+  std::snprintf(text.data(), text.size(),
+                "at %g mm in 28 ms the edge is seen every %.1f mm: history must be %.1f mm or more, or the edge's direction "
+                "is not known",
+                track, track * cycles_a_profile, std::ceil(10 * least) / 10);
+  throw runtime::ParameterError(text.data());
 }
 
 class Method final : public SM1Activities {
  public:
   void start(const Parameters& parameters) override {
+    refuse_short_history(parameters.history, parameters.track);
     parameters_ = parameters;
     clock_.start();
     map_.start(parameters.history);
@@ -44,7 +51,7 @@ class Method final : public SM1Activities {
     gone_ = 0;
     last_at_ = -1;
     unseen_ = 0;
-    owed_ = {};
+    law_.start({parameters.translation, parameters.rotation}, parameters.history, parameters.standoff * 10);
   }
 
   Motion track(const Edge& edge) override {
@@ -53,11 +60,10 @@ class Method final : public SM1Activities {
       last_at_ = edge.at;
       if (edge.seen) see(edge);
     }
-    Motion motion = parameters_.literal ? literal_law() : towards_edge();
-    // Nowhere to go before the edge was seen.
-    const double left = parameters_.distance * 10 - gone_;
-    motion.dx = map_.empty() ? 0 : std::min(parameters_.track, left);
-    gone_ = left <= parameters_.track && !map_.empty() ? parameters_.distance * 10 : gone_ + motion.dx;
+    Motion motion = parameters_.literal ? about_the_edge(law_.take(), way()) : towards_edge();
+    if (!parameters_.literal) motion.dx = way();
+    gone_ += way();
+    if (parameters_.distance * 10 - gone_ < 1e-9) gone_ = parameters_.distance * 10;
     goal_ = goal_ * moved_by(motion);
     poses_[static_cast<std::size_t>(clock_.cycle()) % poses_.size()] = goal_;
     return motion;
@@ -82,6 +88,12 @@ class Method final : public SM1Activities {
     return motion.empty() ? Eigen::Isometry3d::Identity() : motion.at(instant);
   }
 
+  // Along the edge in this cycle: nothing before the edge was seen, or while the thesis's law still aligns.
+  double way() const {
+    if (parameters_.literal ? !law_.aligned() : map_.empty()) return 0;
+    return std::min(parameters_.track, parameters_.distance * 10 - gone_);
+  }
+
   void see(const Edge& edge) {
     // edge.at is of the one point; the profile's end is known from it well enough for the clock.
     clock_.saw(edge.at + sensing::scan_time / 2 + interpreting);
@@ -89,7 +101,7 @@ class Method final : public SM1Activities {
     const double slope = edge.slope * degree;
     map_.add(pose * Eigen::Vector3d(0, edge.y, edge.z),
              pose.linear() * Eigen::Vector3d(0, std::cos(slope), std::sin(slope)));
-    if (parameters_.literal) owe(edge);
+    if (parameters_.literal) law_.see(edge.y, edge.z, edge.slope, gone_);
   }
 
   // What is missing between where all motions so far lead and where the edge is expected there.
@@ -113,26 +125,21 @@ class Method final : public SM1Activities {
     return motion;
   }
 
-  // Equations 5.1 to 5.7: each profile gives corrections, which are limited and given once.
-  void owe(const Edge& edge) {
-    owed_ = {};
-    owed_.dy = edge.y;
-    owed_.dz = edge.z - parameters_.standoff * 10;
-    owed_.rx = edge.slope;
-    const auto place = map_.at(goal_.translation(), goal_.linear().col(0));
-    if (!place) return;
-    const Eigen::Vector3d along = goal_.linear().transpose() * place->along;
-    owed_.ry = -std::atan2(along.z(), along.x()) / degree;
-    owed_.rz = std::atan2(along.y(), along.x()) / degree;
-  }
-  Motion literal_law() {
-    Motion motion;
-    motion.dy = limited(owed_.dy, parameters_.translation);
-    motion.dz = limited(owed_.dz, parameters_.translation);
-    motion.rx = limited(owed_.rx, parameters_.rotation);
-    motion.ry = limited(owed_.ry, parameters_.rotation);
-    motion.rz = limited(owed_.rz, parameters_.rotation);
-    owed_ = {};
+  // The thesis's tool (appendix F.2) has its tip at the edge, a standoff away from the range finder: it turns about that.
+  Motion about_the_edge(const EdgeCorrection& correction, double along) const {
+    Motion at_edge;
+    at_edge.dx = along;
+    at_edge.dy = correction.y;
+    at_edge.dz = correction.z;
+    at_edge.rx = correction.rx;
+    at_edge.ry = correction.ry;
+    at_edge.rz = correction.rz;
+    const Eigen::Translation3d tip(0, 0, parameters_.standoff * 10);
+    const Eigen::Vector3d way = (tip * moved_by(at_edge) * tip.inverse()).translation();
+    Motion motion = at_edge;
+    motion.dx = way.x();
+    motion.dy = way.y();
+    motion.dz = way.z();
     return motion;
   }
 
@@ -147,7 +154,7 @@ class Method final : public SM1Activities {
   double gone_ = 0;
   double last_at_ = -1;
   int unseen_ = 0;
-  Motion owed_;
+  LiteralLaw law_;
 };
 
 }  // namespace

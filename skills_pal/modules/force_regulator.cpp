@@ -12,13 +12,16 @@ constexpr double depth_gain = 0.7;
 constexpr double rise_gain = 0.25;
 // Part of the missing way that is gone in a cycle.
 constexpr double way_sliding = 0.5;
-// The joints stick while the tool stands: a small motion is answered late, by a jump of up to 0.05 mm, and
-// the harder the faster it was. So what is left of an error is taken away slowly, and very little is left
-// alone.
+// While the tool stands, the arm comes to rest where its encoders have whole counts, 0.04 to 0.05 mm apart at the tool: a small
+// motion is answered by a jump or not at all. So near the target one motion is made at a time, and its effect is looked
+// at; a force that is good enough is left alone.
 constexpr double way_standing = 0.2;
-constexpr double quiet = 0.08;  // N
-constexpr double near = 0.8;    // N: errors below this are taken away by no more than
-constexpr double creep = 0.1;  // N a cycle
+constexpr double way_standing_near = 0.6;
+constexpr double near = 0.8;     // N: greater errors are taken away without looking
+constexpr double good = 0.1;     // N: a smaller error is good enough
+constexpr double hold = 0.25;    // N: and is left alone until it is greater than this
+constexpr int blind_cycles = 3;  // after a motion: it is on its way, and the arm comes to rest
+constexpr int look_cycles = 4;   // whose forces are averaged
 
 constexpr double contact = 0.3;        // N: less is noise
 constexpr double certain = 1.0;        // N: the tool is in contact without doubt
@@ -54,11 +57,26 @@ void ForceRegulator::observe(double force, bool sliding) {
   if (sliding) rise_ = std::clamp(rise_ + rise_gain * surprise, -steepest, steepest);
 }
 
-double ForceRegulator::standing(double missing) const {
-  const double error = std::abs(missing) * stiffness_;
-  if (error < quiet) return 0;
-  if (error > near) return way_standing * missing;
-  return std::clamp(way_standing * missing, -creep / stiffness_, creep / stiffness_);
+double ForceRegulator::standing(double force, double missing) {
+  if (std::abs(missing) * stiffness_ > near) {
+    look_again();
+    holds_ = false;
+    return way_standing * missing;
+  }
+  if (++looked_ <= blind_cycles) return 0;
+  seen_ += (target_ - force) / look_cycles;
+  if (looked_ < blind_cycles + look_cycles) return 0;
+  const double error = seen_;
+  look_again();
+  holds_ = std::abs(error) <= (holds_ ? hold : good);
+  if (!holds_) return way_standing_near * error / stiffness_;
+  looked_ = blind_cycles;  // nothing is on its way
+  return 0;
+}
+
+void ForceRegulator::look_again() {
+  looked_ = 0;
+  seen_ = 0;
 }
 
 double ForceRegulator::next(double force, bool sliding) {
@@ -67,7 +85,7 @@ double ForceRegulator::next(double force, bool sliding) {
   const double soon = depth_ + given_ + rise_;
   const double missing = target_ / stiffness_ - soon;
   const double motion =
-      std::clamp(sliding ? way_sliding * missing - rise_ : standing(missing), -most_, most_);
+      std::clamp(sliding ? way_sliding * missing - rise_ : standing(force, missing), -most_, most_);
   remember(force, motion);
   return motion;
 }

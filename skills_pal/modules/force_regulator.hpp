@@ -28,10 +28,13 @@ class ForceRegulator {
   double stiffness() const { return stiffness_; }  // N/mm, as learned
   double rise() const { return rise_; }            // mm a cycle
   double gone() const { return gone_; }            // mm, the sum of all motions
+  /// The tool stands, and the force is so near the target that it is left alone.
+  bool holds() const { return holds_; }
 
  private:
   void learn(double force);
-  double standing(double missing) const;
+  double standing(double force, double missing);
+  void look_again();
   void observe(double force, bool sliding);
   void remember(double force, double motion);
 
@@ -45,6 +48,9 @@ class ForceRegulator {
   double before_ = 0;  // mm: the one before, which was made between the last request and this one
   double force_ = 0;   // N, at the last request
   double gone_ = 0;
+  bool holds_ = false;
+  int looked_ = 0;   // cycles since the last motion near the target
+  double seen_ = 0;  // N, the mean error that was seen since
 };
 
 }  // namespace pal::skills

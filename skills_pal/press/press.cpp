@@ -22,8 +22,6 @@ using namespace press;
 constexpr double contact_at_rest = 1.0;   // N
 constexpr double contact_a_speed = 0.03;  // N s/mm
 constexpr double greatest_step = 0.8;     // mm in a cycle, while the force is regulated
-// The time asked for begins when the force has been in its band for so long.
-constexpr int settled = 15;  // cycles
 // s in which it must come into its band and stay there, beyond the time asked for
 constexpr double patience = 10;
 
@@ -39,7 +37,7 @@ class Method final : public SM1Activities {
     parameters_ = parameters;
     approach_->start(parameters.approach_speed, parameters.search_distance);
     regulator_.start(parameters.force, parameters.stiffness, greatest_step);
-    touched_ = stopped_ = false;
+    touched_ = stopped_ = settled_ = false;
     cycles_ = in_band_ = 0;
   }
 
@@ -52,7 +50,9 @@ class Method final : public SM1Activities {
 
   Motion regulate(const Zforce& force) override {
     ++cycles_;
-    in_band_ = std::abs(force.value - parameters_.force) <= parameters_.band ? in_band_ + 1 : 0;
+    const bool within = std::abs(force.value - parameters_.force) <= parameters_.band;
+    settled_ = within && (settled_ || regulator_.holds());
+    in_band_ = settled_ ? in_band_ + 1 : 0;
     if (cycles_ * alter_period > patience + parameters_.time)
       throw std::runtime_error(
           "the force does not stay in its band: the band may be too narrow for this surface");
@@ -70,7 +70,7 @@ class Method final : public SM1Activities {
   bool decide_pc_stop(const Zforce& force) override {
     return stopped_ = stopped_ || force.greatest >= parameters_.stop_force;
   }
-  bool decide_pc_held() override { return (in_band_ - settled) * alter_period >= parameters_.time; }
+  bool decide_pc_held() override { return in_band_ * alter_period >= parameters_.time; }
   bool decide_pc_reach() override { return approach_->felt_reach(); }
 
  private:
@@ -80,8 +80,9 @@ class Method final : public SM1Activities {
   double contact_ = 0;  // N
   bool touched_ = false;
   bool stopped_ = false;
+  bool settled_ = false;  // in the band since the regulator left the force alone: the time asked for has begun
   int cycles_ = 0;   // since the tool touched
-  int in_band_ = 0;  // cycles in the band, without a break
+  int in_band_ = 0;  // cycles since then
 };
 
 }  // namespace

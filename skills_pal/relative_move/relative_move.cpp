@@ -1,7 +1,7 @@
 #include "skills_pal/relative_move/relative_move.hpp"
 
 #include "relative_move_skill.hpp"
-#include "skills_pal/modules/commands.hpp"
+#include "skills_pal/modules/listing.hpp"
 #include "skills_pal/modules/val_turn.hpp"
 
 namespace pal::skills {
@@ -10,35 +10,27 @@ namespace {
 
 using namespace relative_move;
 
-class Method final : public SM1Activities {
+class Method final : public Listing<SM1Activities, Command> {
  public:
-  explicit Method(std::shared_ptr<CommandList<Command>> list) : list_(std::move(list)) {}
-
-  void start(const Parameters& parameters) override { parameters_ = parameters; }
+  using Listing::Listing;
 
   void list_motion() override {
-    list_->begin();
+    list().begin();
     const runtime::Text name("PALRELATIVE");
-    const ValTurn turn = val_turn(parameters_.rx, parameters_.ry, parameters_.rz);
-    list_->add(Verb::speed, 100).add(Verb::straight_speed, parameters_.speed);
-    Command& way = list_->add(Verb::set_figures, name, parameters_.dx, parameters_.dy, parameters_.dz).last();
+    const ValTurn turn = val_turn(parameters().rx, parameters().ry, parameters().rz);
+    list().add(Verb::speed, 100).add(Verb::straight_speed, parameters().speed);
+    Command& way = list().add(Verb::set_figures, name, parameters().dx, parameters().dy, parameters().dz).last();
     way.d = turn.o;
     way.e = turn.a;
     way.f = turn.t;
-    list_->add(Verb::straight_relative, name);
+    list().add(Verb::straight_relative, name);
   }
-
- private:
-  std::shared_ptr<CommandList<Command>> list_;
-  Parameters parameters_;
 };
 
 }  // namespace
 
 std::unique_ptr<runtime::Skill> relative_move_skill() {
-  auto list = std::make_shared<CommandList<Command>>();
-  return make_relative_move(std::make_unique<Method>(list), std::make_unique<Commands<SM2Activities>>(list),
-                            std::make_unique<Report<SM3Activities>>());
+  return make_listing<Method, SM2Activities, SM3Activities>(make_relative_move, std::make_shared<Method::List>());
 }
 
 }  // namespace pal::skills

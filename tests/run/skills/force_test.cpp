@@ -185,4 +185,8 @@ TEST_CASE("rub refuses limits that contradict each other") {
   CHECK(reason({{"stop-force", 100}}) == "stop-force must be greater than the band's greatest force");
   CHECK(reason({{"error-force", 600}}) == "error-force must not be less than stop-force");
   CHECK(reason({{"speed", 0}}) == "speed must be greater than 0: the distance would never be gone");
+  CHECK(reason({{"vertical", 0}}) ==
+        "vertical must be greater than 0: the tool would never come to the surface");
+  CHECK(reason({{"band-rule", 1}, {"least-force", -150}, {"vertical", 1}, {"stiffness", 25}})
+            .find("at 35.7143 mm/s a contact of 25 N/mm is felt too late") == 0);
 }

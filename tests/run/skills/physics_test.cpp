@@ -5,43 +5,10 @@
 #include <catch2/catch.hpp>
 
 #include "sim/press.hpp"
-#include "tests/run/skills/support/physical_run.hpp"
-#include "tests/run/skills/support/proved_bounds.hpp"
+#include "tests/run/skills/support/slowed_cell.hpp"
 
 using namespace pal;
 using namespace pal::test;
-
-namespace {
-
-// The proof and the runs of a skill in a workcell: workcell.pal, or a slower one.
-class Cell {
- public:
-  explicit Cell(PhysicalRun wanted) : wanted_(std::move(wanted)), bounds_(wanted_.skill, wanted_.slower) {}
-
-  workcell::SessionResult run(std::uint64_t seed = 1) {
-    wanted_.seed = seed;
-    auto result = test::run(wanted_);
-    bounds_.observe(result.outcome.trace);
-    return result;
-  }
-  bool fails(const std::string& requirement) const { return bounds_.fails(requirement); }
-  // Of all runs so far, ms.
-  double observed(const std::string& requirement) const {
-    return std::chrono::duration<double, std::milli>(bounds_.worst().at(requirement).observed).count();
-  }
-  bool within_proof() const { return bounds_.greatest_part() <= 1; }
-
- private:
-  PhysicalRun wanted_;
-  ProvedBounds bounds_;
-};
-
-PhysicalRun slowed(PhysicalRun wanted, const Slower& slower) {
-  wanted.slower = slower;
-  return wanted;
-}
-
-}  // namespace
 
 TEST_CASE("touch: with forces older than fresh-force allows, it presses harder than its overshoot may be") {
   // 0.067 s from the force to the last motion's end, at 20 mm/s, and 0.3 N.
@@ -61,6 +28,49 @@ TEST_CASE("touch: with forces older than fresh-force allows, it presses harder t
   Cell slower(slowed(wanted, {"LS1", "extract-z", 25}));
   CHECK(slower.fails("fresh-force"));
   CHECK(greatest(slower) > most);
+  CHECK(slower.observed("fresh-force") > 10);
+  CHECK(slower.within_proof());
+}
+
+TEST_CASE("press: with forces older than fresh-force allows, it lands harder than its reaction explains") {
+  // 0.067 s at 20 mm/s and 11 N/mm beyond the force at which it has met something; press asks for 5 N.
+  constexpr double most = 1 + 0.03 * 20 + 0.067 * 20 * 11;
+  const PhysicalRun wanted{
+      .skill = "press", .scene = "touch", .parameters = {{"approach-speed", 20}, {"time", 0.5}}};
+  const auto as_it_is = run(wanted);
+  CHECK(as_it_is.outcome.code == 0);
+  CHECK(as_it_is.peak_force < most);
+
+  Cell slower(slowed(wanted, {"LS1", "extract-z", 25}), 20'000);
+  CHECK(slower.fails("fresh-force"));
+  CHECK(slower.run().peak_force > most);
+}
+
+TEST_CASE("rub: with forces older than fresh-force allows, the force leaves its band on waves") {
+  const PhysicalRun wanted{
+      .skill = "rub", .scene = "waves-100", .parameters = {{"speed", 0.784}, {"distance", 6}}, .raise = -14};
+  struct Range {
+    double least = 1e9, greatest = -1e9;
+  };
+  const auto while_sliding = [](const workcell::SessionResult& result) {
+    Range range;
+    const auto forces = pressing(result);
+    for (std::size_t i = 0; i < forces.size() && result.log[i].time <= result.outcome.duration; ++i) {
+      if ((result.log[i].tool - result.log.front().tool).x() < 0.01) continue;
+      range.least = std::min(range.least, forces[i]);
+      range.greatest = std::max(range.greatest, forces[i]);
+    }
+    return range;
+  };
+  const Range as_it_is = while_sliding(run(wanted));
+  CHECK(as_it_is.least > 1.5);
+  CHECK(as_it_is.greatest < 8.5);
+
+  Cell slower(slowed(wanted, {"LS1", "extract-z", 25}));
+  CHECK(slower.fails("fresh-force"));
+  const Range late = while_sliding(slower.run());
+  CHECK(late.least < 1.5);
+  CHECK(late.greatest > 8.5);
   CHECK(slower.observed("fresh-force") > 10);
   CHECK(slower.within_proof());
 }

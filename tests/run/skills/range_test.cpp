@@ -90,6 +90,15 @@ TEST_CASE("follow-edge goes the distance, completion 0") {
   CHECK((result.log.back().tool - result.log.front().tool).x() * 1e3 == Approx(30).margin(3));
 }
 
+TEST_CASE("follow-edge refuses a history in which it would see too little of the edge") {
+  const auto result = run({.skill = "follow-edge", .scene = "seam", .parameters = {{"track", 3}}});
+  CHECK(end_of(result.outcome) == "follow-edge 2");
+  CHECK(result.outcome.duration == runtime::Time::zero());
+  CHECK(result.outcome.reason ==
+        "at 3 mm in 28 ms the edge is seen every 8.4 mm: history must be 12.6 mm or more, or the edge's direction is not "
+        "known");
+}
+
 TEST_CASE("follow-edge without an edge stands still, completion 1") {
   const auto result = run({.skill = "follow-edge", .scene = "flat"});
   CAPTURE(result.outcome.reason);

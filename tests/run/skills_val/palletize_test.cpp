@@ -51,15 +51,20 @@ TEST_CASE("palletize: 2, nothing held, and nothing moves") {
   CHECK((shop.tip() - before).norm() < 0.1);
 }
 
-TEST_CASE("palletize: 2, a part is at the place already; the arm stands still") {
+TEST_CASE("palletize: 3, a part is at the place already: the part is held above it again") {
   Workshop shop(scene("pallet"));
   REQUIRE(shop.run("pick-at-location", {text("location", "PART1")}).code == 0);
   REQUIRE(shop.run("palletize").code == 0);
+  const Vector3d placed = shop.middle("part 1");
   REQUIRE(
       shop.run("pick-at-location", {text("location", "PART2"), {.name = "approach", .value = 100}}).code ==
       0);
-  const auto outcome = shop.run("palletize", {{.name = "approach", .value = 100}});
-  CHECK(end_of(outcome) == "palletize 2");
-  CHECK(shop.cell().workcell().fault().has_value());
+  const auto outcome = shop.run("palletize");
+  CAPTURE(outcome.reason);
+  CHECK(end_of(outcome) == "palletize 3");
+  CHECK_FALSE(outcome.fault);
+  CHECK_FALSE(shop.cell().workcell().fault().has_value());
   CHECK(shop.cell().workcell().holds_part());
+  CHECK((shop.tip() - shop.location("CORNER") - Vector3d(0, 0, 100)).norm() < 0.2);
+  CHECK((shop.middle("part 1") - placed).norm() < 1);  // what stands there stays there
 }

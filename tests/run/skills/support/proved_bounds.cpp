@@ -29,7 +29,7 @@ class SlowerDisk final : public DiskFileSystem {
   std::optional<Slower> slower_;
 };
 
-driver::Proof prove(const std::string& name, const std::optional<Slower>& slower) {
+driver::Proof prove(const std::string& name, const std::optional<Slower>& slower, std::size_t most_states) {
   for (const skills::RegisteredSkill& skill : skills::registered_skills()) {
     if (skill.name != name) continue;
     const std::string folder = PAL_SOURCE_DIR "/skills_pal/";
@@ -41,7 +41,7 @@ driver::Proof prove(const std::string& name, const std::optional<Slower>& slower
     selection.environments = {folder + std::string(skill.environment_file)};
     if (!driver::read(selection, {out, err, files}, session))
       throw std::runtime_error(name + ": " + err.str());
-    auto proofs = driver::prove(session, {});
+    auto proofs = driver::prove(session, {.max_states = most_states});
     if (proofs.size() != 1) throw std::runtime_error(name + " is not one skill in one workcell");
     return std::move(proofs.front());
   }
@@ -50,8 +50,8 @@ driver::Proof prove(const std::string& name, const std::optional<Slower>& slower
 
 }  // namespace
 
-ProvedBounds::ProvedBounds(const std::string& skill, const std::optional<Slower>& slower)
-    : proof_(prove(skill, slower)) {}
+ProvedBounds::ProvedBounds(const std::string& skill, const std::optional<Slower>& slower, std::size_t most_states)
+    : proof_(prove(skill, slower, most_states)) {}
 
 void ProvedBounds::observe(const trace::Trace& run) {
   for (std::size_t i = 0; i < proof_.analysis.verdicts.size(); ++i) {

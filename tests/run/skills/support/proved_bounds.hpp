@@ -14,8 +14,9 @@ namespace pal::test {
 class ProvedBounds {
  public:
   /// Proves the skill in its workcell, or in one that is slower. Throws std::runtime_error if its PAL is
-  /// wrong.
-  explicit ProvedBounds(const std::string& skill, const std::optional<Slower>& slower = std::nullopt);
+  /// wrong. That a requirement fails is often found in the first of `most_states`, a bound is not.
+  explicit ProvedBounds(const std::string& skill, const std::optional<Slower>& slower = std::nullopt,
+                        std::size_t most_states = driver::ProofLimits{}.max_states);
 
   /// Measures the skill's requirements in a run of it.
   void observe(const trace::Trace& run);

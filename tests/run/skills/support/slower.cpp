@@ -1,5 +1,6 @@
 #include "tests/run/skills/support/slower.hpp"
 
+#include <algorithm>
 #include <regex>
 #include <stdexcept>
 #include <vector>
@@ -13,6 +14,7 @@ class SlowerSkill final : public runtime::Skill {
   SlowerSkill(std::unique_ptr<runtime::Skill> skill, const Slower& slower)
       : skill_(std::move(skill)),
         statements_(skill_->wiring().statements.begin(), skill_->wiring().statements.end()),
+        threads_(skill_->wiring().threads.begin(), skill_->wiring().threads.end()),
         wiring_(skill_->wiring()) {
     bool found = false;
     for (runtime::StatementSpec& statement : statements_) {
@@ -23,6 +25,8 @@ class SlowerSkill final : public runtime::Skill {
     }
     if (!found) throw std::runtime_error("the skill has no activity " + slower.activity);
     wiring_.statements = statements_;
+    if (!slower.processor.empty()) place(slower);
+    wiring_.threads = threads_;
   }
 
   const runtime::SkillDescription& description() const override { return skill_->description(); }
@@ -39,20 +43,40 @@ class SlowerSkill final : public runtime::Skill {
   void reserve_executed(runtime::Thread& thread) override { skill_->reserve_executed(thread); }
 
  private:
+  void place(const Slower& slower) {
+    const auto& all = wiring_.processors;
+    const auto processor = std::find_if(all.begin(), all.end(), [&](const runtime::ProcessorSpec& spec) { return spec.name == slower.processor; });
+    const auto thread = std::find_if(threads_.begin(), threads_.end(), [&](const runtime::ThreadSpec& spec) { return spec.name == slower.module; });
+    if (processor == all.end() || thread == threads_.end())
+      throw std::runtime_error("the skill has no processor " + slower.processor + " or no module " + slower.module);
+    thread->processor = static_cast<int>(processor - all.begin());
+  }
+
   std::unique_ptr<runtime::Skill> skill_;
   std::vector<runtime::StatementSpec> statements_;
+  std::vector<runtime::ThreadSpec> threads_;
   runtime::Wiring wiring_;
 };
 
 }  // namespace
 
+namespace {
+
+std::string replaced(const std::string& text, const std::string& line, const std::string& by) {
+  const std::regex pattern(line);
+  if (!std::regex_search(text, pattern)) throw std::runtime_error("the workcell has no line " + line);
+  return std::regex_replace(text, pattern, by);
+}
+
+}  // namespace
+
 std::string slow_down(const std::string& workcell, const Slower& slower) {
-  const std::regex line("TIME " + slower.activity + " +OF " + slower.module + " *:[^\n]*");
-  if (!std::regex_search(workcell, line))
-    throw std::runtime_error("the workcell has no time of " + slower.activity);
-  return std::regex_replace(workcell, line,
-                            "TIME " + slower.activity + " OF " + slower.module + " : " +
-                                std::to_string(slower.milliseconds) + " ms");
+  const std::string text = replaced(
+      workcell, "TIME " + slower.activity + " +OF " + slower.module + " *:[^\n]*",
+      "TIME " + slower.activity + " OF " + slower.module + " : " + std::to_string(slower.milliseconds) + " ms");
+  if (slower.processor.empty()) return text;
+  const std::string place = "PLACE " + slower.module + " ON ";
+  return replaced(text, place + "\\w+", place + slower.processor);
 }
 
 std::unique_ptr<runtime::Skill> slow_down(std::unique_ptr<runtime::Skill> skill, const Slower& slower) {
