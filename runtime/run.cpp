@@ -10,7 +10,7 @@ Outcome run(Skill& skill, World& world, const std::vector<Connection>& connectio
   Clock clock;
   Journal journal(clock, skill, options);
   VirtualExecutive executive(clock, journal, world, skill.wiring(), options);
-  Kernel kernel(executive, journal, skill, connections, options.observer);
+  Kernel kernel(executive, journal, skill, connections, options.observer, options.work);
   try {
     executive.run(kernel);
   } catch (...) {
