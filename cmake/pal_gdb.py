@@ -5,8 +5,7 @@
 import gdb
 
 # `step` goes into activities and devices, not into what lies between.
-for pattern in ("*/pal/runtime/*", "*/c++/*"):
-    gdb.execute("skip -gfile " + pattern, to_string=True)
+gdb.execute("skip -rfunction ^(std|pal::runtime)::", to_string=True)
 
 
 def body_at(frame):
@@ -31,27 +30,35 @@ def first_addresses(symtab, block, heading):
 
 
 class PalNext(gdb.Command):
-    """Goes on to the next statement of this body, whatever runs meanwhile.
+    """Goes on to the next statement of a body of a module, whatever runs meanwhile.
 
 Usage: pal-next, or pn
-A module that it executes, its activities and all other threads run on. Breakpoints stop as always. The body is that
-of the selected frame; if several threads execute one module, it is the one of this thread."""
+The body is that of the selected frame; where the frame is in no body (in an activity, in the runtime) it is that of
+the last pal-next. A module that the body executes, activities and all other threads run on. Breakpoints stop as
+always. If several threads execute one module, the body is that of this thread."""
 
     def __init__(self):
         super().__init__("pal-next", gdb.COMMAND_RUNNING)
+        self.last = None
 
     def invoke(self, argument, from_tty):
-        frame = gdb.selected_frame()
+        try:
+            frame = gdb.selected_frame()
+        except gdb.error:
+            raise gdb.GdbError("the program does not run; break at a line of PAL, and run")
         body = body_at(frame)
-        if body is None:
-            raise gdb.GdbError("the selected frame is in no body of a module; use break and continue")
-        block = frame.block()
-        while block.function is None:
-            block = block.superblock
-        here = frame.find_sal()
-        coroutine = int(frame.read_var("frame_ptr"))
+        if body is not None:
+            block = frame.block()
+            while block.function is None:
+                block = block.superblock
+            symtab = frame.find_sal().symtab
+            heading = body.line if body.symtab == symtab else 0
+            self.last = (body.name, int(frame.read_var("frame_ptr")), first_addresses(symtab, block, heading))
+        if self.last is None:
+            raise gdb.GdbError("no body of a module is known; break at a line of PAL first")
+        name, coroutine, addresses = self.last
         points = []
-        for address in first_addresses(here.symtab, block, body.line if body.symtab == here.symtab else 0):
+        for address in addresses:
             point = gdb.Breakpoint("*%d" % address, internal=True)
             point.silent = True
             point.condition = "(unsigned long) frame_ptr == %d" % coroutine
@@ -62,17 +69,18 @@ of the selected frame; if several threads execute one module, it is the one of t
             for point in points:
                 if point.is_valid():
                     point.delete()
-        self.show(body)
+        self.show(name)
 
-    def show(self, body):
+    def show(self, name):
         try:
             frame = gdb.selected_frame()
         except gdb.error:
+            self.last = None
             print("the program has ended")
             return
         here = frame.find_sal()
         at = body_at(frame)
-        if at is not None and at.name == body.name and here.symtab is not None:
+        if at is not None and at.name == name and here.symtab is not None:
             gdb.execute("list %d,%d" % (here.line, here.line))
         else:
             gdb.execute("frame")

@@ -65,4 +65,8 @@ void DeviceLink::observe(std::size_t port, std::span<const double> fields) const
   if (observer_ != nullptr) observer_->passed(executive_.now(), device_, port, fields);
 }
 
+void DeviceLink::observe_forgotten(std::size_t port) const {
+  if (observer_ != nullptr) observer_->forgotten(device_, port);
+}
+
 }  // namespace pal::runtime

@@ -33,6 +33,8 @@ class DeviceLink final : public DeviceHost {
   void open();
   /// A message passes the port.
   void observe(std::size_t port, std::span<const double> fields) const;
+  /// The device forgets the request that it was handed at the port.
+  void observe_forgotten(std::size_t port) const;
   /// Whether the device says when it takes its requests.
   bool marks_itself() const { return marks_itself_; }
 

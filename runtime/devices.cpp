@@ -50,7 +50,9 @@ void Devices::hand_to(int device, std::size_t port, std::span<const double> fiel
 
 bool Devices::withdraw_from(int device, std::size_t port) {
   try {
-    return link(device).device().withdraw(port);
+    const bool forgets = link(device).device().withdraw(port);
+    if (forgets) link(device).observe_forgotten(port);
+    return forgets;
   } catch (...) {
     fail(device);
     return true;

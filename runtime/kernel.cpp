@@ -1,5 +1,6 @@
 #include "runtime/kernel.hpp"
 
+#include "runtime/processor_time.hpp"
 #include "runtime/thrown.hpp"
 
 namespace pal::runtime {
@@ -7,7 +8,7 @@ namespace pal::runtime {
 using State = ThreadControl::State;
 
 Kernel::Kernel(Executive& the_executive, Journal& the_journal, Skill& skill,
-               const std::vector<Connection>& connections, MessageObserver* observer)
+               const std::vector<Connection>& connections, MessageObserver* observer, WorkObserver* work)
     : executive(the_executive),
       journal(the_journal),
       flow(executive, journal, skill),
@@ -16,7 +17,8 @@ Kernel::Kernel(Executive& the_executive, Journal& the_journal, Skill& skill,
       conditions(journal, skill.wiring().conditions.size()),
       devices(executive, journal, mail, observer, connections),
       wiring(skill.wiring()),
-      skill_(skill) {
+      skill_(skill),
+      work_(work) {
   for (std::size_t d = 0; d < connections.size(); ++d) {
     const std::vector<int>& channels = connections[d].channels;
     for (std::size_t port = 0; port < channels.size(); ++port) {
@@ -68,7 +70,14 @@ void Kernel::happen(Due due) {
 
 bool Kernel::compute(Thread& thread) {
   try {
-    thread.control.operation->compute();
+    Operation& operation = *thread.control.operation;
+    if (work_ == nullptr || !operation.by_hand()) {
+      operation.compute();
+      return true;
+    }
+    const Time before = processor_time();
+    operation.compute();
+    work_->worked(operation.statement(), processor_time() - before);
     return true;
   } catch (...) {
     journal.fail_by_exception(thread);

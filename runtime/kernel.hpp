@@ -23,8 +23,9 @@ namespace pal::runtime {
 class Kernel {
  public:
   /// All outlive the kernel. `connections`: one for each device of the skill's wiring, in its order.
+  /// The observers may be null.
   Kernel(Executive& executive, Journal& journal, Skill& skill, const std::vector<Connection>& connections,
-         MessageObserver* observer);
+         MessageObserver* observer, WorkObserver* work);
   Kernel(const Kernel&) = delete;
   Kernel& operator=(const Kernel&) = delete;
 
@@ -70,6 +71,7 @@ class Kernel {
 
  private:
   Skill& skill_;
+  WorkObserver* work_;
   std::deque<Thread> threads_;
 };
 

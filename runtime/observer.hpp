@@ -1,4 +1,4 @@
-// Who looks on at the messages between a skill and its devices.
+// Who looks on at a run: at the messages between a skill and its devices, and at the code written by hand.
 #pragma once
 
 #include <span>
@@ -14,6 +14,19 @@ class MessageObserver {
   /// A message was handed to the device, or the device has delivered it (as its port says), at instant `when`
   /// of the run. Must not throw, and changes nothing.
   virtual void passed(Time when, const Device& device, std::size_t port, std::span<const double> fields) = 0;
+
+  /// The device forgets a request that it was handed: no answer will come.
+  virtual void forgotten([[maybe_unused]] const Device& device, [[maybe_unused]] std::size_t port) {}
+};
+
+class WorkObserver {
+ public:
+  virtual ~WorkObserver() = default;
+
+  /// Code that was written by hand for statement `statement` of the wiring has taken `time` of a processor of
+  /// this computer. Called by the thread that ran it, in real time by several at once. Must not throw, and
+  /// changes nothing.
+  virtual void worked(int statement, Time time) = 0;
 };
 
 }  // namespace pal::runtime

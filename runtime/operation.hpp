@@ -30,6 +30,8 @@ class Operation {
   virtual void reach() = 0;
   /// What was written by hand. In real time other threads of the skill go on meanwhile.
   virtual void compute() {}
+  /// Whether compute() runs such code.
+  virtual bool by_hand() const { return false; }
   virtual void effect() = 0;
 
   bool await_ready() const noexcept { return false; }
@@ -62,6 +64,7 @@ class Perform final : public Step {
  public:
   Perform(Thread& thread, int statement, Work work) : Step(thread, statement), work_(std::move(work)) {}
   void compute() override { work_(); }
+  bool by_hand() const override { return true; }
 
  private:
   void act() override {}
@@ -74,6 +77,7 @@ class SetCondition : public Step {
   SetCondition(Thread& thread, int statement, int condition)
       : Step(thread, statement), condition_(condition) {}
   void compute() final { value_ = value(); }
+  bool by_hand() const override { return true; }
 
  protected:
   ~SetCondition() = default;
@@ -192,6 +196,7 @@ class Send final : public SendOperation {
   Send(Thread& thread, int statement, int channel, const Message& message, Compose compose)
       : SendOperation(thread, statement, channel), message_(message), compose_(std::move(compose)) {}
   std::span<const double> payload() const override { return fields_; }
+  bool by_hand() const override { return true; }
 
  private:
   void prepare() override {

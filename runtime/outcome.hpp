@@ -30,6 +30,7 @@ struct RunOptions {
   std::size_t trace_capacity = 1U << 16U;  // events; a whole trace that is longer takes memory during the run
   RunControl* control = nullptr;           // outlives the run; null: nobody asks anything of it
   MessageObserver* observer = nullptr;     // outlives the run; null: nobody looks on
+  WorkObserver* work = nullptr;            // likewise
   std::optional<RealTime> real_time{};     // by the clock on the wall; nothing: in virtual time
 };
 

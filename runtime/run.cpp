@@ -29,14 +29,14 @@ Outcome run(Skill& skill, World& world, const std::vector<Connection>& connectio
   Journal journal(clock, skill, options);
   if (options.real_time) {
     RealExecutive executive(clock, journal, world, skill.wiring(), options);
-    Kernel kernel(executive, journal, skill, connections, options.observer);
+    Kernel kernel(executive, journal, skill, connections, options.observer, options.work);
     run_by(executive, kernel);
     Outcome outcome = journal.take();
     outcome.real_time = executive.take_report();
     return outcome;
   }
   VirtualExecutive executive(clock, journal, world, skill.wiring(), options);
-  Kernel kernel(executive, journal, skill, connections, options.observer);
+  Kernel kernel(executive, journal, skill, connections, options.observer, options.work);
   run_by(executive, kernel);
   return journal.take();
 }

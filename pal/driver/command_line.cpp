@@ -87,6 +87,11 @@ void add_check(CLI::App& app, CheckOptions& options) {
       ->type_name("STAGE");
   command->add_option("--witness", options.witness, "write the run that shows each bound, for pal replay")
       ->type_name("FILE");
+  command
+      ->add_option("--measured", options.selection.measured,
+                   "PAL file with measured times, to compare with the environment's; may be repeated")
+      ->type_name("FILE")
+      ->take_all();
   auto* explain = command->add_flag("--explain", options.explain, "print what adds up to each bound");
   command->add_flag("--quiet", options.quiet, "print findings only, and nothing of what holds")
       ->excludes(explain);

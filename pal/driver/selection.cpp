@@ -4,6 +4,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "pal/check/measured.hpp"
 #include "pal/check/read_sources.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/render.hpp"
@@ -37,6 +38,17 @@ bool choose(std::vector<Thing>& things, const std::string& name, const char* kin
   return false;
 }
 
+/// Measured times are no part of the specification. False, with a message, if the files have none.
+bool compare_measured(const std::vector<std::string>& paths, const Console& console, Session& session) {
+  if (paths.empty()) return true;
+  const Specification measured =
+      check(read_sources(console.files, session.sources, paths, session.diagnostics), session.diagnostics);
+  checker::check_measured(session.specification.environments, measured.environments, session.diagnostics);
+  if (!measured.environments.empty() || session.diagnostics.has_errors()) return true;
+  console.err << "pal: the files of --measured have no ENVIRONMENT; workcell run --measure writes one\n";
+  return false;
+}
+
 }  // namespace
 
 bool read(const Selection& selection, const Console& console, Session& session) {
@@ -49,7 +61,8 @@ bool read(const Selection& selection, const Console& console, Session& session) 
 
   if (session.diagnostics.has_errors()) return true;
   return choose(session.specification.skills, selection.skill, "skill", console.err) &&
-         choose(session.specification.environments, selection.environment, "environment", console.err);
+         choose(session.specification.environments, selection.environment, "environment", console.err) &&
+         compare_measured(selection.measured, console, session);
 }
 
 ExitStatus status_of_findings(const Session& session) {

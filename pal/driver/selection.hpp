@@ -24,6 +24,7 @@ struct Selection {
   std::string skill;
   std::string environment;                      // the name of one
   std::size_t max_errors = default_max_errors;  // findings that text shows; 0: all
+  std::vector<std::string> measured{};          // .pal files with measured times, to be compared
 };
 
 /// A specification with its texts and what was found wrong with it so far.

@@ -92,9 +92,12 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
   app.add_option("--after", command.after,
                  "run this skill before, with its defaults: a part is picked that is placed")
       ->type_name("SKILL");
-  app.add_option("--against", command.against,
-                 "with --sweep: a second skill, over the same phases, for comparison")
-      ->needs(sweep);
+  auto* against = app.add_option("--against", command.against,
+                                 "with --sweep: a second skill, over the same phases, for comparison")
+                      ->needs(sweep);
+  app.add_flag("--measure{measured.pal}", command.measure,
+               "writes how long activities and devices took, for pal check --measured; --measure=FILE: there")
+      ->excludes(against);
   app.add_option("--paced", command.paced,
                  "as fast as the clock on the wall, or so many times as fast; Ctrl-C stops the skill")
       ->expected(0, 1)

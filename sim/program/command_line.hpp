@@ -42,6 +42,7 @@ struct RunCommand {
   bool control = false;                    // paused, stepped and stopped by commands on the standard input
   std::string faults;                      // a file of faults on demand; empty: nothing goes wrong
   std::string links = "process";           // what carries the bytes of lines
+  std::string measure;                     // file for measured times; empty: nothing is measured
 };
 
 struct ServePortCommand {

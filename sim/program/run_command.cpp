@@ -114,6 +114,12 @@ void write(const std::vector<OutputFile>& files, std::ostream& out) {
   for (const OutputFile& file : files) out << "  wrote " << file.path << '\n';
 }
 
+void write_measured(const std::string& file, const runtime::Measurement& measurement, std::ostream& out) {
+  if (const auto problem = write_files({{file, measurement.environment()}}))
+    throw Failure(ExitStatus::usage, "--measure", *problem, "name another file: --measure=FILE");
+  out << "  wrote " << file << '\n';
+}
+
 /// Says what was proved and what the run did; false if the run took longer than that.
 bool print(const std::vector<Promise>& promises, std::ostream& out) {
   bool kept = true;
@@ -267,9 +273,13 @@ ExitStatus run_sweep(const RunCommand& command, runtime::Skill& skill, const Ses
 ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out) {
   const KnownSkill& known = find_skill(command.skill, skills);
   const auto skill = known.make();
-  const Session session = make_session(command, *skill, skills);
-  return command.sweep > 0 ? run_sweep(command, *skill, session, skills, out)
-                           : run_once(command, known, *skill, session, out);
+  Session session = make_session(command, *skill, skills);
+  std::optional<runtime::Measurement> measurement;
+  if (!command.measure.empty()) session.measurement = &measurement.emplace(skill->wiring());
+  const ExitStatus status = command.sweep > 0 ? run_sweep(command, *skill, session, skills, out)
+                                              : run_once(command, known, *skill, session, out);
+  if (measurement) write_measured(command.measure, *measurement, out);
+  return status;
 }
 
 }  // namespace pal::workcell

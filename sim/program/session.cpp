@@ -36,6 +36,25 @@ struct OnlookedWorld final : runtime::World {
   WatchedWorld watched;
 };
 
+/// Those who look on at messages: the log, and who measures, if anybody does.
+class MessageOnlookers final : public runtime::MessageObserver {
+ public:
+  MessageOnlookers(sim::MessageLog& log, runtime::Measurement* measurement)
+      : log_(log), measurement_(measurement) {}
+  void passed(runtime::Time when, const runtime::Device& device, std::size_t port,
+              std::span<const double> fields) override {
+    log_.passed(when, device, port, fields);
+    if (measurement_ != nullptr) measurement_->passed(when, device, port, fields);
+  }
+  void forgotten(const runtime::Device& device, std::size_t port) override {
+    if (measurement_ != nullptr) measurement_->forgotten(device, port);
+  }
+
+ private:
+  sim::MessageLog& log_;
+  runtime::Measurement* measurement_;
+};
+
 }  // namespace
 
 std::string title(const runtime::Skill& skill, const Session& session) {
@@ -73,7 +92,10 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   options.costs = session.times;
   options.seed = session.seed;
   options.control = session.control;
-  options.observer = &result.messages;
+  MessageOnlookers onlookers(result.messages, session.measurement);
+  options.observer = &onlookers;
+  options.work = session.measurement;
+  if (session.measurement != nullptr) session.measurement->begin_run();
   result.outcome = cell.run(skill, session.parameters, options);
   result.phase = cell.phase();
   result.controller = cell.val_driver().last_error();

@@ -11,6 +11,7 @@
 
 #include "runtime/drivers/station.hpp"
 #include "runtime/drivers/wire.hpp"
+#include "runtime/measurement.hpp"
 #include "sim/cell/fault_plan.hpp"
 #include "sim/picture/picture.hpp"
 #include "sim/program/skills.hpp"
@@ -41,6 +42,7 @@ struct Session {
   std::function<std::unique_ptr<runtime::Carrier>()> carrier{};
   runtime::RunControl* control = nullptr;
   std::vector<sim::PlannedFault> faults{};
+  runtime::Measurement* measurement = nullptr;  // of the skill, over all its runs; null: nothing is measured
 };
 
 struct SessionResult {

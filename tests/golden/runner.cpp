@@ -39,13 +39,26 @@ pal::driver::ProofLimits limits_in(std::string_view text) {
   return limits;
 }
 
+/// Likewise "# --measured measured/slow.pal".
+std::vector<std::string> measured_in(std::string_view text) {
+  constexpr std::string_view option = "# --measured ";
+  if (!text.starts_with(option)) return {};
+  return {std::string(text.substr(option.size(), text.find('\n') - option.size()))};
+}
+
 /// Everything that `pal check` does.
 Outcome check(const std::string& file) {
   const pal::DiskFileSystem files;
   std::ostringstream out;
   const pal::driver::Console console{out, out, files};
   pal::driver::Session session;
-  pal::driver::read({{file}, {}, {}, {}}, console, session);
+  std::ifstream in(file, std::ios::binary);
+  std::string first;
+  std::getline(in, first);
+  pal::driver::Selection selection;
+  selection.files = {file};
+  selection.measured = measured_in(first);
+  pal::driver::read(selection, console, session);
   if (!session.diagnostics.has_errors()) {
     const auto limits = limits_in(session.sources.text(pal::FileId(0)));
     pal::driver::report_unmet(pal::driver::prove(session, limits), false, session);

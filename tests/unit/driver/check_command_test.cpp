@@ -27,6 +27,28 @@ TEST_CASE("a skill that does not: which statement uses how old a value, and why"
         std::string::npos);
 }
 
+TEST_CASE("measured times are compared with declared ones") {
+  pal::MemoryFileSystem files;
+  files.add("cell.pal", "ENVIRONMENT cell\n  PROCESSOR P0\n  TIME hold : 0.1 ms\nEND ENVIRONMENT\n");
+  files.add("fast.pal", "ENVIRONMENT cell\n  PROCESSOR P0\n  TIME hold OF MC1 : 90 TO 100 us\nEND ENVIRONMENT\n");
+  files.add("slow.pal", "ENVIRONMENT cell\n  PROCESSOR P0\n  TIME hold OF MC1 : 101 us\nEND ENVIRONMENT\n");
+  files.add("empty.pal", "MESSAGE a : SIGNAL\n");
+  const auto checked = [&](std::vector<std::string> measured) {
+    std::vector<std::string> arguments{"check", "cell.pal"};
+    for (const std::string& file : measured) arguments.insert(arguments.end(), {"--measured", file});
+    return pal::test::pal(arguments, files);
+  };
+  CHECK(checked({"fast.pal"}).status == ExitStatus::all_hold);
+  CHECK(checked({"fast.pal"}).err.empty());
+  CHECK(checked({"fast.pal", "slow.pal"}).status == ExitStatus::wrong_specification);
+  CHECK_THAT(checked({"slow.pal"}).err,
+             Catch::Contains("error[PAL0750]: 'hold OF MC1' was measured to take 101 us, and environment cell "
+                             "declares at most 100 us"));
+  CHECK(checked({"missing.pal"}).status == ExitStatus::usage);
+  CHECK(checked({"empty.pal"}).status == ExitStatus::usage);
+  CHECK_THAT(checked({"empty.pal"}).err, Catch::Contains("the files of --measured have no ENVIRONMENT"));
+}
+
 TEST_CASE("the parts of an explanation add up to the bound") {
   const Json document =
       Json::parse(pal::test::pal({"check", read_first, "-e", cell, "--format", "json"}).out);

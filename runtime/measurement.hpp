@@ -1,0 +1,82 @@
+// How long what a skill runs on takes, as it was measured in runs: for `pal check --measured`.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "pal/runtime/observer.hpp"
+#include "pal/runtime/wiring.hpp"
+
+namespace pal::runtime {
+
+/// The least and the greatest of some times, and how many they were. add() from several threads at once.
+class Extremes {
+ public:
+  void add(Time time);
+  std::uint64_t count() const { return count_.load(std::memory_order_relaxed); }
+  /// Of what was added; zero if nothing was.
+  Time least() const { return count() == 0 ? Time::zero() : Time(least_.load(std::memory_order_relaxed)); }
+  Time greatest() const { return Time(greatest_.load(std::memory_order_relaxed)); }
+
+ private:
+  std::atomic<Time::rep> least_{Time::max().count()};
+  std::atomic<Time::rep> greatest_{0};
+  std::atomic<std::uint64_t> count_{0};
+};
+
+/// Give it to runs of one skill, one after the other, as both of their observers.
+///
+/// Two things are measured, by two clocks. Code that was written by hand: time of a processor of this
+/// computer, whatever time the skill runs in. Devices: time of the run. A device's answer counts from when it
+/// was given the request, or from its last answer if that came later; of answers at one instant the first
+/// counts. What it sends without a request counts from the last such message.
+class Measurement final : public MessageObserver, public WorkObserver {
+ public:
+  /// Of a skill with this wiring, which outlives the measurement.
+  explicit Measurement(const Wiring& wiring);
+
+  /// Another run begins: what the last one left open is forgotten.
+  void begin_run();
+
+  void passed(Time when, const Device& device, std::size_t port, std::span<const double> fields) override;
+  void forgotten(const Device& device, std::size_t port) override;
+  void worked(int statement, Time time) override;
+
+  /// What was measured, as an ENVIRONMENT of PAL; comments say how often, and what was not reached. It says
+  /// nothing of places, and so cannot be taken for an environment to prove in.
+  std::string environment() const;
+
+ private:
+  struct Port {
+    enum class Kind { other, request, answer, event };
+    Kind kind = Kind::other;
+    std::string message;
+    std::vector<Time> open;       // of an answer: when its requests were handed to the device
+    std::size_t answered_by = 0;  // of a request: the port of its answer
+    bool seen = false;            // of an event
+    Time last{};                  // of an event
+    Extremes apart{};             // of an event
+  };
+  struct KnownDevice {
+    const Device* device = nullptr;
+    std::string name;
+    std::deque<Port> ports;
+    Time last_answer{-1};
+    Extremes answers{};
+  };
+
+  KnownDevice& known(const Device& device);
+  std::string activities() const;
+  std::string devices() const;
+
+  const Wiring& wiring_;
+  std::uint64_t runs_ = 0;
+  std::deque<Extremes> statements_;
+  std::deque<KnownDevice> devices_;
+};
+
+}  // namespace pal::runtime
