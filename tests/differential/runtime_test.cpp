@@ -9,9 +9,9 @@
 #include "codegen/plan.hpp"
 #include "runtime/trace/measure.hpp"
 #include "tests/support/any_skill.hpp"
-#include "tests/support/mutant.hpp"
+#include "tests/support/drawn_program.hpp"
 #include "tests/support/planned_skill.hpp"
-#include "tests/support/random_cell.hpp"
+#include "tests/support/retold_run.hpp"
 #include "tests/support/setting.hpp"
 
 using namespace pal;
@@ -20,32 +20,18 @@ using pal::test::setting;
 
 namespace {
 
-/// Every third one is changed in a few places.
-std::string program(std::uint64_t seed, int longest) {
-  const std::string text = test::RandomCell(seed, longest, static_cast<int>(seed / 3 % 3)).text();
-  if (seed % 3 != 0) return text;
-  const auto accepts = [](const std::string& changed) {
-    return test::any_skill(changed)->problem.has_value();
-  };
-  return test::Mutant(seed, text, accepts).text(1 + static_cast<int>(seed / 3 % 5));
-}
-
 class Still final : public runtime::World {
  public:
   void advance_to(runtime::Time) override {}
 };
 
-test::Dealer dealer(std::uint64_t seed) {
-  return [engine = std::mt19937_64(seed)](std::uint64_t n) mutable { return engine() % n; };
-}
-
 trace::Trace run(const codegen::Plan& plan, std::uint64_t seed, runtime::CostPolicy costs,
                  runtime::Time horizon) {
-  test::PlannedSkill skill(plan, dealer(seed));
+  test::PlannedSkill skill(plan, test::dealer(seed));
   std::vector<std::unique_ptr<runtime::Device>> devices;
   std::vector<runtime::Device*> attached;
   for (const std::string& name : plan.devices) {
-    devices.push_back(test::planned_device(plan, name, dealer(seed + devices.size() + 1)));
+    devices.push_back(test::planned_device(plan, name, test::dealer(seed + devices.size() + 1)));
     attached.push_back(devices.back().get());
   }
   Still world;
@@ -61,43 +47,6 @@ trace::Trace run(const codegen::Plan& plan, std::uint64_t seed, runtime::CostPol
     std::erase_if(outcome.trace.events, [end](const trace::Event& event) { return event.time_ns >= end; });
   }
   return std::move(outcome.trace);
-}
-
-/// The run with the tables of `problem`. Every name is there, and once.
-trace::Trace retold(trace::Trace run, const Problem& problem) {
-  trace::Trace tables = empty_trace(problem);
-  std::map<std::string, int> actors;
-  for (std::size_t a = 0; a < tables.actors.size(); ++a) {
-    INFO(tables.actors[a].name);
-    REQUIRE(actors.emplace(tables.actors[a].name, static_cast<int>(a)).second);
-  }
-  std::map<std::tuple<std::string, std::string, int>, int> statements;
-  for (std::size_t s = 0; s < tables.statements.size(); ++s) {
-    const trace::Statement& of = tables.statements[s];
-    statements.emplace(std::tuple(of.module, of.text, of.line), static_cast<int>(s));
-  }
-  for (trace::Event& event : run.events) {
-    if (event.actor >= 0) {
-      const trace::Actor& actor = run.actors[static_cast<std::size_t>(event.actor)];
-      INFO(actor.name);
-      const auto found = actors.find(actor.name);
-      REQUIRE(found != actors.end());
-      event.actor = found->second;
-      const trace::Actor& same = tables.actors[static_cast<std::size_t>(event.actor)];
-      CHECK(same.processor == actor.processor);
-      CHECK(same.priority == actor.priority);
-    }
-    if (event.statement < 0) continue;
-    const trace::Statement& of = run.statements[static_cast<std::size_t>(event.statement)];
-    const auto found = statements.find(std::tuple(of.module, of.text, of.line));
-    event.statement = found == statements.end() ? -2 : found->second;
-  }
-  // The start of the skill is no statement of a problem.
-  std::erase_if(run.events, [&run](const trace::Event& event) {
-    return event.statement == -2 && event.kind == trace::Kind::done;
-  });
-  tables.events = std::move(run.events);
-  return tables;
 }
 
 std::string told(const trace::Trace& run) {
@@ -145,7 +94,7 @@ TEST_CASE("the runtime keeps the rules, and measures no more than was proved") {
   const int longest = static_cast<int>(setting("PAL_LONGEST", 5));
   std::size_t skills = 0, traces = 0, events = 0, values = 0, attained = 0, within = 0;
   for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
-    const std::string text = program(seed, longest);
+    const std::string text = test::drawn_program(seed, longest);
     const auto skill = test::any_skill(text);
     if (!skill->problem) continue;
     Diagnostics diagnostics;
@@ -165,7 +114,7 @@ TEST_CASE("the runtime keeps the rules, and measures no more than was proved") {
       const auto costs = each % 3 == 0   ? runtime::CostPolicy::worst
                          : each % 3 == 1 ? runtime::CostPolicy::best
                                          : runtime::CostPolicy::random;
-      const auto made = retold(run(*plan, seed * 100 + each, costs, std::chrono::milliseconds(200)), problem);
+      const auto made = test::retold_run(run(*plan, seed * 100 + each, costs, std::chrono::milliseconds(200)), problem);
       if (made.events.empty()) continue;  // it spins at its beginning
       ++traces;
       events += made.events.size();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "runtime/ports.hpp"
+
 namespace pal::test {
 
 using namespace codegen;
@@ -218,15 +220,15 @@ namespace {
 
 class PlannedDevice : public runtime::Device {
  public:
-  PlannedDevice(const Plan& plan, std::string name, Dealer dealer)
+  PlannedDevice(const Plan& plan, std::string name, Dealer dealer, Payloads payloads)
       : dealer_(std::move(dealer)), name_(std::move(name)) {
     for (const PlannedChannel& channel : plan.channels) {
       if (channel.receiver == name_ && channel.to_device) {
-        ports_.push_back({channel.message, true, {}});
+        ports_.push_back({channel.message, true, fields(plan, channel, payloads)});
         const int answer = channel.answer ? static_cast<int>(*channel.answer) : -1;
         answers_.push_back(answer < 0 ? "" : plan.channels[static_cast<std::size_t>(answer)].message);
       } else if (channel.sender == name_ && channel.from_device) {
-        ports_.push_back({channel.message, false, {}});
+        ports_.push_back({channel.message, false, fields(plan, channel, payloads)});
         answers_.push_back("");
       }
     }
@@ -251,7 +253,23 @@ class PlannedDevice : public runtime::Device {
     }
     return ports_.size();
   }
+  void deliver(std::size_t port) {
+    const std::vector<double> zeros(runtime::payload_size(ports_[port].fields));
+    host_->deliver(port, zeros);
+  }
   std::size_t answer_to(std::size_t port) const { return port_out(answers_[port]); }
+
+  static std::vector<runtime::FieldSpec> fields(const Plan& plan, const PlannedChannel& channel,
+                                                Payloads payloads) {
+    std::vector<runtime::FieldSpec> specs;
+    if (payloads == Payloads::none || !channel.fields) return specs;
+    for (const PlannedField& field : plan.messages[*channel.fields].fields) {
+      const bool text = field.type == pan::ScalarType::text;
+      specs.push_back({field.pal_name, field.unit, text ? runtime::FieldKind::text : runtime::FieldKind::number,
+                       field.size == 0 ? 1 : static_cast<std::size_t>(field.size)});
+    }
+    return specs;
+  }
 
   Dealer dealer_;
   std::string name_;
@@ -262,8 +280,8 @@ class PlannedDevice : public runtime::Device {
 
 class Events final : public PlannedDevice {
  public:
-  Events(const Plan& plan, const std::string& name, const pan::EventDevice& of, Dealer dealer)
-      : PlannedDevice(plan, name, std::move(dealer)), of_(of) {}
+  Events(const Plan& plan, const std::string& name, const pan::EventDevice& of, Dealer dealer, Payloads payloads)
+      : PlannedDevice(plan, name, std::move(dealer), payloads), of_(of) {}
   void open() override {
     due_ = host_->now() + (of_.phase ? Time(*of_.phase) : between(Time(0), Time(of_.period)));
     host_->at(due_, [this] { next(); });
@@ -274,7 +292,7 @@ class Events final : public PlannedDevice {
     const Time late = between(Time(0), Time(of_.jitter));
     host_->at(due_ + late, [this] {
       const std::size_t port = port_out(of_.message);
-      if (port < ports_.size()) host_->deliver(port, {});
+      if (port < ports_.size()) deliver(port);
     });
     due_ += of_.sporadic ? between(Time(of_.period), Time(2 * of_.period)) : Time(of_.period);
     host_->at(due_, [this] { next(); });
@@ -285,8 +303,8 @@ class Events final : public PlannedDevice {
 
 class Answers final : public PlannedDevice {
  public:
-  Answers(const Plan& plan, const std::string& name, const pan::RequestDevice& of, Dealer dealer)
-      : PlannedDevice(plan, name, std::move(dealer)), of_(of) {}
+  Answers(const Plan& plan, const std::string& name, const pan::RequestDevice& of, Dealer dealer, Payloads payloads)
+      : PlannedDevice(plan, name, std::move(dealer), payloads), of_(of) {}
   void receive(std::size_t port, std::span<const double>) override {
     if (answers_[port].empty()) return;
     waiting_.push_back(port);
@@ -308,7 +326,7 @@ class Answers final : public PlannedDevice {
     host_->at(host_->now() + between(Time(of_.answer.best), Time(of_.answer.worst)), [this, port] {
       busy_ = false;
       host_->mark_busy(false);
-      host_->deliver(answer_to(port), {});
+      deliver(answer_to(port));
       if (!busy_ && !waiting_.empty()) serve();
     });
   }
@@ -319,8 +337,8 @@ class Answers final : public PlannedDevice {
 
 class Frames final : public PlannedDevice {
  public:
-  Frames(const Plan& plan, const std::string& name, const pan::FrameDevice& of, Dealer dealer)
-      : PlannedDevice(plan, name, std::move(dealer)), of_(of) {}
+  Frames(const Plan& plan, const std::string& name, const pan::FrameDevice& of, Dealer dealer, Payloads payloads)
+      : PlannedDevice(plan, name, std::move(dealer), payloads), of_(of) {}
   void attach(runtime::DeviceHost& host) override {
     host_ = &host;
     start_ = of_.phase ? Time(*of_.phase) : between(Time(0), Time(of_.period) - Time(1));
@@ -345,7 +363,7 @@ class Frames final : public PlannedDevice {
     for (std::size_t more = 1; more < served.size(); ++more) host_->mark_busy(true);
     host_->at(host_->now() + Time(of_.collecting), [this, served] {
       host_->mark_busy(false);
-      for (const std::size_t port : served) host_->deliver(answer_to(port), {});
+      for (const std::size_t port : served) deliver(answer_to(port));
     });
     host_->at(start_, [this] { frame(); });
   }
@@ -356,17 +374,18 @@ class Frames final : public PlannedDevice {
 
 }  // namespace
 
-std::unique_ptr<runtime::Device> planned_device(const Plan& plan, const std::string& name, Dealer dealer) {
+std::unique_ptr<runtime::Device> planned_device(const Plan& plan, const std::string& name, Dealer dealer,
+                                                Payloads payloads) {
   for (const pan::DeviceTiming& timing : plan.environment.devices) {
     if (timing.device != name) continue;
     if (const auto* event = std::get_if<pan::EventDevice>(&timing.behaviour))
-      return std::make_unique<Events>(plan, name, *event, std::move(dealer));
+      return std::make_unique<Events>(plan, name, *event, std::move(dealer), payloads);
     if (const auto* answers = std::get_if<pan::RequestDevice>(&timing.behaviour))
-      return std::make_unique<Answers>(plan, name, *answers, std::move(dealer));
+      return std::make_unique<Answers>(plan, name, *answers, std::move(dealer), payloads);
     return std::make_unique<Frames>(plan, name, std::get<pan::FrameDevice>(timing.behaviour),
-                                    std::move(dealer));
+                                    std::move(dealer), payloads);
   }
-  return std::make_unique<PlannedDevice>(plan, name, std::move(dealer));
+  return std::make_unique<PlannedDevice>(plan, name, std::move(dealer), payloads);
 }
 
 }  // namespace pal::test

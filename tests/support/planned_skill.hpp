@@ -53,8 +53,11 @@ class PlannedSkill final : public runtime::Skill {
   runtime::Wiring wiring_;
 };
 
+/// What messages of devices carry: nothing, as PlannedSkill has it; or all their fields, each of them zero.
+enum class Payloads { none, zeros };
+
 /// The device of that name as the environment of `plan` describes it, with times that `dealer` deals out.
 std::unique_ptr<runtime::Device> planned_device(const codegen::Plan& plan, const std::string& name,
-                                                Dealer dealer);
+                                                Dealer dealer, Payloads payloads = Payloads::none);
 
 }  // namespace pal::test
