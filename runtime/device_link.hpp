@@ -32,6 +32,7 @@ class DeviceLink final : public DeviceHost {
   /// A message passes the port.
   void observe(std::size_t port, std::span<const double> fields) const;
   /// Whether the device says when it takes its requests.
+  bool busy() const { return busy_; }
   bool marks_itself() const { return marks_itself_; }
 
  private:

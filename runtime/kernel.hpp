@@ -16,6 +16,7 @@
 #include "runtime/frame_pool.hpp"
 #include "runtime/journal.hpp"
 #include "runtime/mail.hpp"
+#include "runtime/promises.hpp"
 
 namespace pal::runtime {
 
@@ -23,8 +24,8 @@ namespace pal::runtime {
 class Kernel {
  public:
   /// All outlive the kernel. `connections`: one for each device of the skill's wiring, in its order.
-  Kernel(Executive& executive, Journal& journal, Skill& skill, const std::vector<Connection>& connections,
-         MessageObserver* observer);
+  Kernel(const Clock& clock, Executive& executive, Journal& journal, Skill& skill,
+         const std::vector<Connection>& connections, const RunOptions& options);
   Kernel(const Kernel&) = delete;
   Kernel& operator=(const Kernel&) = delete;
 
@@ -36,10 +37,24 @@ class Kernel {
   void act(int device, const std::function<void()>& action) { devices.act(device, action); }
   /// The thread's statement has had its processor: its effect. What the statement computes by itself is done
   /// before, by compute().
-  void finish(Thread& thread);
+  void finish(Thread& thread) {
+    try {
+      thread.control.operation->effect();
+    } catch (...) {
+      journal.fail_by_exception(thread);
+    }
+  }
   /// What the thread's statement works out by code that was written by hand; changes nothing in the kernel.
   /// False: it has thrown, and finish() is not called.
-  bool compute(Thread& thread);
+  bool compute(Thread& thread) {
+    try {
+      thread.control.operation->compute();
+      return true;
+    } catch (...) {
+      journal.fail_by_exception(thread);
+      return false;
+    }
+  }
   /// Those whose statement had its effect go on to their next. After whatever happens.
   void settle() {
     flow.settle([this](Thread& thread) {
@@ -58,6 +73,7 @@ class Kernel {
   // For the statements of threads.
   Executive& executive;
   Journal& journal;
+  Promises promises;
   FramePool frames;
   Flow flow;
   Mail mail;

@@ -10,14 +10,16 @@ Outcome run(Skill& skill, World& world, const std::vector<Connection>& connectio
   Clock clock;
   Journal journal(clock, skill, options);
   VirtualExecutive executive(clock, journal, world, skill.wiring(), options);
-  Kernel kernel(executive, journal, skill, connections, options.observer);
+  Kernel kernel(clock, executive, journal, skill, connections, options);
   try {
     executive.run(kernel);
   } catch (...) {
     journal.fail("the run: " + what_was_thrown());
   }
   kernel.devices.close();
-  return journal.take();
+  Outcome outcome = journal.take();
+  outcome.broken_promises = kernel.promises.take();
+  return outcome;
 }
 
 }  // namespace pal::runtime

@@ -41,6 +41,9 @@ struct Session {
   std::function<std::unique_ptr<runtime::Carrier>()> carrier{};
   runtime::RunControl* control = nullptr;
   std::vector<sim::PlannedFault> faults{};
+  std::vector<runtime::SlowStatement> slow{};  // statements that take longer than is declared
+  runtime::OnBrokenPromise on_broken_promise = runtime::OnBrokenPromise::report;
+  runtime::TraceRing* live = nullptr;  // gets the events of the skill, not of the one before
 };
 
 struct SessionResult {
