@@ -141,6 +141,8 @@ class BodyPlanner {
         made.line > 0 ? "line_" + std::to_string(made.line) : "node_" + std::to_string(id.value);
     made.constant = rows_.unique(planned_.words + "_" + place);
     made.cost = cost;
+    made.pan_module = module_;
+    made.pan_node = id;
     plan_.statements.push_back(std::move(made));
     return plan_.statements.size() - 1;
   }
@@ -323,7 +325,7 @@ class BodyPlanner {
   Scope& rows_;
   Plan& plan_;
   PlannedModule& planned_;
-  Scope names_{{"start"}};
+  Scope names_{{"start", "promise_broken"}};
   std::vector<pan::MessageId> given_;                  // messages that an activity writes or a wait takes
   std::vector<std::optional<std::size_t>> methods_;    // of each activity
   std::vector<std::optional<std::size_t>> decisions_;  // of each condition

@@ -21,6 +21,9 @@ std::vector<GeneratedFile> emit_wiring(const Plan& plan);
 /// The skill that the dispatcher runs, its description and its factory.
 std::vector<GeneratedFile> emit_skill(const Plan& plan);
 
+/// What a run is measured against, for emit_wiring.
+void write_promises(Writer& out, const Plan& plan);
+
 /// The store that the module keeps its messages in; null: in members of its own.
 const PlannedStore* store_of(const Plan& plan, const PlannedModule& module);
 

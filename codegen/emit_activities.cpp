@@ -39,7 +39,12 @@ void write_interface(Writer& out, const Plan& plan, const PlannedModule& module)
   out.line(" public:").indent();
   out.line("virtual ~" + module.interface + "() = default;").line();
   out.line("/// A run of the skill begins: what was left from the last one is to be forgotten.");
-  out.line("virtual void start(const Parameters&) {}");
+  out.line("virtual void start(const Parameters&) {}").line();
+  out.line(
+      "/// Somebody broke a promise, and the run asks for a contingency. True: what is computed from now on "
+      "answers");
+  out.line("/// it.");
+  out.line("virtual bool promise_broken(const runtime::BrokenPromise&) { return false; }");
   for (const PlannedMethod& method : module.methods) {
     out.line();
     out.line("/// " + method.pal + (method.description.empty() ? "" : ": " + method.description));
@@ -62,6 +67,7 @@ GeneratedFile emit_activities(const Plan& plan) {
   out.line("#pragma once").line();
   out.line("#include \"" + plan.file + "_messages.hpp\"");
   out.line("#include \"" + plan.file + "_parameters.hpp\"");
+  out.line("#include \"pal/runtime/broken_promise.hpp\"");
   open_namespace(out, plan);
   bool first = true;
   for (const PlannedModule& module : plan.modules) {

@@ -88,6 +88,16 @@ void write_class(Writer& out, const Plan& plan) {
   out.open("void start() override {");
   for (const PlannedModule& module : plan.modules) out.line(module.variable + "_.start(parameters_);");
   out.close().line();
+  if (!initialisers.empty()) {
+    out.open("bool promise_broken(const runtime::BrokenPromise& broken) override {");
+    out.line("bool answered = false;");
+    for (const PlannedModule& module : plan.modules) {
+      if (!module.interface.empty())
+        out.line("answered = " + module.variable + "_activities_->promise_broken(broken) || answered;");
+    }
+    out.line("return answered;");
+    out.close().line();
+  }
   out.open("runtime::Task body(std::size_t index, runtime::Thread& thread) override {");
   out.line("switch (index) {").indent();
   for (const PlannedModule& module : plan.modules) {

@@ -128,6 +128,7 @@ std::string wiring_source(const Plan& plan) {
   out.line("namespace {").line();
   out.line("using namespace std::chrono_literals;").line();
   write_tables(out, plan);
+  write_promises(out, plan);
   out.open("constexpr runtime::Wiring tables{");
   out.line(literal(plan.skill.name) + ", " + literal(plan.environment.name) + ",");
   out.line("processors, threads, statements, channels, conditions, devices,");
@@ -135,6 +136,7 @@ std::string wiring_source(const Plan& plan) {
   const pan::Latency& latency = plan.environment.latency;
   out.line("{" + interval(latency.within_processor) + ", " + interval(latency.between_processors) +
            "},  // latency within a processor, between two");
+  out.line("times, requirements,");
   out.close("};").line();
   out.line("}  // namespace").line();
   out.line("const runtime::Wiring& wiring() { return tables; }");

@@ -9,6 +9,7 @@
 #include "codegen/file_names.hpp"
 #include "codegen/names.hpp"
 #include "codegen/placement.hpp"
+#include "codegen/promises.hpp"
 #include "codegen/runners.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/pan/threads.hpp"
@@ -60,6 +61,7 @@ class Planner {
     stores();
     devices();
     if (diagnostics_.errors() != errors) return std::nullopt;
+    plan_requirements(network_, plan_);
     return std::move(plan_);
   }
 

@@ -149,6 +149,23 @@ struct PlannedRow {
   std::string file;
   int line = 0;
   Interval cost;
+  pan::ModuleId pan_module;  // in the network
+  pan::NodeId pan_node;
+};
+
+/// A requirement, and what its proof relies on: whoever can delay what it is about.
+struct PlannedRequirement {
+  enum class Measure { response, age, sample, interval, duration, other };
+  std::string name;
+  Measure measure = Measure::other;
+  Duration least{};
+  std::optional<Duration> most;
+  std::vector<std::size_t> channels;     // response, sample: in Plan::channels
+  std::vector<std::size_t> at;           // in Plan::statements
+  std::optional<std::size_t> condition;  // age
+  int code = 0;                          // duration
+  std::vector<std::size_t> threads;      // those that no CONCURRENT begins
+  std::vector<std::size_t> devices;      // in Plan::devices
 };
 
 struct PlannedChannel {
@@ -198,6 +215,7 @@ struct Plan {
   std::vector<PlannedCondition> conditions;
   std::vector<std::string> devices;
   std::vector<PlannedDevice> device_classes;  // one for each of `devices`
+  std::vector<PlannedRequirement> requirements;
 };
 
 /// Reports what the environment lacks (PAL09xx); no plan then. `network` has been checked.

@@ -12,9 +12,7 @@ std::uint64_t CostDraw::next() {
   return z ^ (z >> 31U);
 }
 
-Time CostDraw::draw(const Interval& interval) {
-  if (policy_ == CostPolicy::worst) return interval.worst;
-  if (policy_ == CostPolicy::best || interval.best == interval.worst) return interval.best;
+Time CostDraw::draw_within(const Interval& interval) {
   const auto choices = static_cast<std::uint64_t>((interval.worst - interval.best).count()) + 1;
   return interval.best + Time(static_cast<Time::rep>(next() % choices));
 }

@@ -36,6 +36,7 @@ class DeviceLink final : public DeviceHost {
   /// The device forgets the request that it was handed at the port.
   void observe_forgotten(std::size_t port) const;
   /// Whether the device says when it takes its requests.
+  bool busy() const { return busy_; }
   bool marks_itself() const { return marks_itself_; }
 
  private:

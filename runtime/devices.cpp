@@ -4,9 +4,9 @@
 
 namespace pal::runtime {
 
-Devices::Devices(Executive& executive, Journal& journal, Mail& mail, MessageObserver* observer,
-                 const std::vector<Connection>& connections)
-    : journal_(journal) {
+Devices::Devices(Executive& executive, Journal& journal, Mail& mail, Promises& promises,
+                 MessageObserver* observer, const std::vector<Connection>& connections)
+    : journal_(journal), promises_(promises) {
   for (const Connection& connection : connections) {
     const int index = static_cast<int>(links_.size());
     links_.emplace_back(executive, journal, mail, observer, index, *connection.device, connection.channels);
@@ -31,6 +31,7 @@ bool Devices::attach() {
 }
 
 void Devices::open(int device) {
+  promises_.opened(device);
   try {
     link(device).open();
   } catch (...) {
@@ -51,7 +52,10 @@ void Devices::hand_to(int device, std::size_t port, std::span<const double> fiel
 bool Devices::withdraw_from(int device, std::size_t port) {
   try {
     const bool forgets = link(device).device().withdraw(port);
-    if (forgets) link(device).observe_forgotten(port);
+    if (forgets) {
+      link(device).observe_forgotten(port);
+      promises_.forgotten(device, link(device).busy());
+    }
     return forgets;
   } catch (...) {
     fail(device);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/device_link.hpp"
+#include "runtime/promises.hpp"
 
 namespace pal::runtime {
 
@@ -19,7 +20,7 @@ struct Connection {
 class Devices {
  public:
   /// All outlive the devices; `observer` may be null.
-  Devices(Executive& executive, Journal& journal, Mail& mail, MessageObserver* observer,
+  Devices(Executive& executive, Journal& journal, Mail& mail, Promises& promises, MessageObserver* observer,
           const std::vector<Connection>& connections);
 
   /// False: one has thrown.
@@ -40,6 +41,7 @@ class Devices {
   void fail(int device);
 
   Journal& journal_;
+  Promises& promises_;
   std::deque<DeviceLink> links_;
 };
 

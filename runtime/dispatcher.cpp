@@ -70,8 +70,8 @@ Outcome refused(const Skill& skill, const std::string& reason) {
   }
   outcome.reason = reason;
   Recorder recorder(skill.wiring(), TraceMode::all, 2);
-  recorder.add_fault(Time::zero(), -1, -1, reason);
-  recorder.add(Time::zero(), trace::Kind::complete, -1, -1, -1, outcome.code);
+  recorder.next() = {0, trace::Kind::fault, -1, -1, -1, recorder.add_fault(reason)};
+  recorder.next() = {0, trace::Kind::complete, -1, -1, -1, outcome.code};
   outcome.trace = recorder.take();
   return outcome;
 }

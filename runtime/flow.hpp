@@ -30,9 +30,13 @@ class Flow {
   void settle(GoOn go_on) {
     while (!resuming_.empty() && !journal_.over()) {
       Thread& thread = *resuming_.front();
-      resuming_.erase(resuming_.begin());
+      const std::size_t others = resuming_.size() - 1;
+      if (others == 0) {
+        resuming_.clear();
+      } else {
+        resuming_.erase(resuming_.begin());
+      }
       thread.control.resuming = false;
-      const std::size_t others = resuming_.size();
       go_on(thread);
       if (others > 0) put_last(others);
     }

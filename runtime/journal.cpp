@@ -9,7 +9,11 @@ namespace pal::runtime {
 using trace::Kind;
 
 Journal::Journal(const Clock& clock, const Skill& skill, const RunOptions& options)
-    : clock_(clock), skill_(skill), recorder_(skill.wiring(), options.trace, options.trace_capacity) {}
+    : clock_(clock),
+      skill_(skill),
+      recorder_(skill.wiring(), options.trace, options.trace_capacity),
+      live_(options.live),
+      shown_(options.trace != TraceMode::none || live_ != nullptr) {}
 
 void Journal::overrun(int device, int channel) {
   ++outcome_.overruns;
@@ -26,19 +30,20 @@ int Journal::error_code() const {
 void Journal::complete(const Thread& thread, int code) {
   if (over_) return;
   record(Kind::complete, thread, -1, code);
+  if (over_) return;  // it breaks a promise, and that stops the skill
   record(Kind::done, thread);
-  over_ = true;
+  end();
   outcome_.code = code;
 }
 
 void Journal::fail_at(int actor, int statement, const std::string& reason) {
   if (over_) return;
-  over_ = true;
+  end();
   outcome_.fault = true;
   outcome_.code = error_code();
   outcome_.reason = reason;
-  recorder_.add_fault(clock_.now, actor, statement, reason);
-  recorder_.add(clock_.now, Kind::complete, actor, statement, -1, outcome_.code);
+  write(Kind::fault, actor, statement, -1, recorder_.add_fault(reason));
+  write(Kind::complete, actor, statement, -1, outcome_.code);
 }
 
 void Journal::fail(const Thread& thread, const std::string& reason) {

@@ -1,24 +1,24 @@
 #include "runtime/kernel.hpp"
 
-#include "runtime/processor_time.hpp"
 #include "runtime/thrown.hpp"
 
 namespace pal::runtime {
 
 using State = ThreadControl::State;
 
-Kernel::Kernel(Executive& the_executive, Journal& the_journal, Skill& skill,
-               const std::vector<Connection>& connections, MessageObserver* observer, WorkObserver* work)
+Kernel::Kernel(const Clock& clock, Executive& the_executive, Journal& the_journal, Skill& skill,
+               const std::vector<Connection>& connections, const RunOptions& options)
     : executive(the_executive),
       journal(the_journal),
+      promises(clock, journal, skill, options.on_broken_promise),
       flow(executive, journal, skill),
-      mail(executive, journal, flow, devices, skill.wiring()),
+      mail(executive, journal, flow, devices, promises, skill.wiring()),
       blocks(executive, journal, flow, mail, threads_),
       conditions(journal, skill.wiring().conditions.size()),
-      devices(executive, journal, mail, observer, connections),
+      devices(executive, journal, mail, promises, options.observer, connections),
       wiring(skill.wiring()),
       skill_(skill),
-      work_(work) {
+      work_(options.work) {
   for (std::size_t d = 0; d < connections.size(); ++d) {
     const std::vector<int>& channels = connections[d].channels;
     for (std::size_t port = 0; port < channels.size(); ++port) {
@@ -65,31 +65,6 @@ void Kernel::happen(Due due) {
     case Due::Kind::request_arrives:
       mail.request_arrives(due.subject);
       break;
-  }
-}
-
-bool Kernel::compute(Thread& thread) {
-  try {
-    Operation& operation = *thread.control.operation;
-    if (work_ == nullptr || !operation.by_hand()) {
-      operation.compute();
-      return true;
-    }
-    const Time before = processor_time();
-    operation.compute();
-    work_->worked(operation.statement(), processor_time() - before);
-    return true;
-  } catch (...) {
-    journal.fail_by_exception(thread);
-    return false;
-  }
-}
-
-void Kernel::finish(Thread& thread) {
-  try {
-    thread.control.operation->effect();
-  } catch (...) {
-    journal.fail_by_exception(thread);
   }
 }
 

@@ -16,6 +16,8 @@
 #include "runtime/frame_pool.hpp"
 #include "runtime/journal.hpp"
 #include "runtime/mail.hpp"
+#include "runtime/processor_time.hpp"
+#include "runtime/promises.hpp"
 
 namespace pal::runtime {
 
@@ -23,9 +25,8 @@ namespace pal::runtime {
 class Kernel {
  public:
   /// All outlive the kernel. `connections`: one for each device of the skill's wiring, in its order.
-  /// The observers may be null.
-  Kernel(Executive& executive, Journal& journal, Skill& skill, const std::vector<Connection>& connections,
-         MessageObserver* observer, WorkObserver* work);
+  Kernel(const Clock& clock, Executive& executive, Journal& journal, Skill& skill,
+         const std::vector<Connection>& connections, const RunOptions& options);
   Kernel(const Kernel&) = delete;
   Kernel& operator=(const Kernel&) = delete;
 
@@ -37,10 +38,31 @@ class Kernel {
   void act(int device, const std::function<void()>& action) { devices.act(device, action); }
   /// The thread's statement has had its processor: its effect. What the statement computes by itself is done
   /// before, by compute().
-  void finish(Thread& thread);
+  void finish(Thread& thread) {
+    try {
+      thread.control.operation->effect();
+    } catch (...) {
+      journal.fail_by_exception(thread);
+    }
+  }
   /// What the thread's statement works out by code that was written by hand; changes nothing in the kernel.
   /// False: it has thrown, and finish() is not called.
-  bool compute(Thread& thread);
+  bool compute(Thread& thread) {
+    try {
+      Operation& operation = *thread.control.operation;
+      if (work_ == nullptr || !operation.by_hand()) {
+        operation.compute();
+        return true;
+      }
+      const Time before = processor_time();
+      operation.compute();
+      work_->worked(operation.statement(), processor_time() - before);
+      return true;
+    } catch (...) {
+      journal.fail_by_exception(thread);
+      return false;
+    }
+  }
   /// Those whose statement had its effect go on to their next. After whatever happens.
   void settle() {
     flow.settle([this](Thread& thread) {
@@ -61,6 +83,7 @@ class Kernel {
   // For the statements of threads.
   Executive& executive;
   Journal& journal;
+  Promises promises;
   FramePool frames;
   Flow flow;
   Mail mail;
@@ -71,7 +94,7 @@ class Kernel {
 
  private:
   Skill& skill_;
-  WorkObserver* work_;
+  WorkObserver* work_;  // null: nobody measures
   std::deque<Thread> threads_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "runtime/devices.hpp"
 #include "runtime/ports.hpp"
+#include "runtime/promises.hpp"
 
 namespace pal::runtime {
 
@@ -19,8 +20,14 @@ std::int32_t in_trace(std::int64_t serial) {
 }
 }  // namespace
 
-Mail::Mail(Executive& executive, Journal& journal, Flow& flow, Devices& devices, const Wiring& wiring)
-    : executive_(executive), journal_(journal), flow_(flow), devices_(devices), wiring_(wiring) {
+Mail::Mail(Executive& executive, Journal& journal, Flow& flow, Devices& devices, Promises& promises,
+           const Wiring& wiring)
+    : executive_(executive),
+      journal_(journal),
+      flow_(flow),
+      devices_(devices),
+      promises_(promises),
+      wiring_(wiring) {
   for (const ChannelSpec& spec : wiring.channels) {
     slots_.emplace_back();
     Slot& slot = slots_.back();
@@ -37,6 +44,8 @@ Mail::Mail(Executive& executive, Journal& journal, Flow& flow, Devices& devices,
     requests_.push_back(static_cast<int>(i));
   }
   parties_.resize(wiring.devices.size());
+  const auto none = [](const Interval& time) { return time.best == Time() && time.worst == Time(); };
+  at_once_ = none(wiring.latency.within_processor) && none(wiring.latency.between_processors);
 }
 
 void Mail::connect(int channel, int device, std::size_t port) {
@@ -92,7 +101,14 @@ void Mail::look(WaitOperation& wait) {
 void Mail::stop_waiting(Thread& thread) {
   ThreadControl& control = thread.control;
   if (control.waiting == nullptr) return;
-  for (const Target& target : control.waiting->targets()) std::erase(at(target.channel).waiting, &thread);
+  for (const Target& target : control.waiting->targets()) {
+    std::vector<Thread*>& waiting = at(target.channel).waiting;
+    if (waiting.size() == 1 && waiting.front() == &thread) {
+      waiting.clear();
+    } else {
+      std::erase(waiting, &thread);
+    }
+  }
   control.waiting = nullptr;
   if (control.expiry.number != 0) executive_.cancel(std::exchange(control.expiry, {}));
 }
@@ -149,6 +165,7 @@ bool Mail::finish(WaitOperation& wait) {
 
 void Mail::message_available(int channel) {
   const Slot& slot = at(channel);
+  if (slot.waiting.empty()) return;
   for (Thread* thread : slot.waiting) {
     if (!available(slot, *thread)) continue;
     const auto targets = thread->control.waiting->targets();
@@ -229,8 +246,13 @@ void Mail::set_out(Slot& slot, const Thread& sender) {
     }
     return;
   }
-  const Latency& latency = wiring_.latency;
   slot.sender_processor = sender.control.spec->processor;
+  if (at_once_) {
+    slot.available_within = slot.available_between = executive_.now();
+    message_available(channel);
+    return;
+  }
+  const Latency& latency = wiring_.latency;
   slot.available_within = executive_.now() + executive_.latency(latency.within_processor);
   slot.available_between = executive_.now() + executive_.latency(latency.between_processors);
   const std::array<Time, 2> times{slot.available_within, slot.available_between};
@@ -300,6 +322,7 @@ void Mail::request_arrives(int channel) {
   Slot& slot = at(channel);
   slot.arrivals[0] = {};
   slot.handed = true;
+  promises_.asked(slot.device);
   devices_.hand_to(slot.device, slot.port, slot.fields);
 }
 
@@ -313,9 +336,19 @@ void Mail::device_takes_request(int device) {
   if (oldest != nullptr) taken_by_device(*oldest);
 }
 
+/// Before a message of a device is put, discarded or lost.
+void Mail::watch_device(const Slot& slot, int channel) {
+  if (slot.request_of < 0) {
+    promises_.sent(slot.device, channel);
+  } else if (const Asked* next = answered_next(slot)) {
+    promises_.answered(slot.device, channel, next->put);
+  }
+}
+
 bool Mail::deliver(int channel, std::span<const double> fields) {
   Slot& slot = at(channel);
   if (discards(slot)) {
+    watch_device(slot, channel);
     answered_in_vain(slot);
     journal_.record_device(Kind::drop, slot.device, channel, in_trace(++serials_));
     return true;
@@ -325,6 +358,7 @@ bool Mail::deliver(int channel, std::span<const double> fields) {
     Slot& request = at(slot.request_of);
     if (request.full && request.handed) taken_by_device(request);
   }
+  watch_device(slot, channel);
   if (slot.full) {
     answered_in_vain(slot);
     journal_.overrun(slot.device, channel);

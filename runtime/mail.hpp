@@ -14,11 +14,13 @@
 namespace pal::runtime {
 
 class Devices;
+class Promises;
 
 /// A request on its way to its answer.
 struct Asked {
   const Thread* owner = nullptr;  // the thread to which it belongs; nullptr: a device
   bool withdrawn = false;         // its answer is discarded
+  Time put{};                     // when it was put
 };
 
 /// A slot and what is known about the messages that went through it.
@@ -49,7 +51,8 @@ struct Slot {
 class Mail {
  public:
   /// All outlive the mail. The devices may be made after it.
-  Mail(Executive& executive, Journal& journal, Flow& flow, Devices& devices, const Wiring& wiring);
+  Mail(Executive& executive, Journal& journal, Flow& flow, Devices& devices, Promises& promises,
+       const Wiring& wiring);
 
   // Statements of threads.
   void reach(WaitOperation& wait);
@@ -94,9 +97,17 @@ class Mail {
   void taken_by_device(Slot& slot);
   void ask(Slot& request, const Thread* owner);
   bool in_slot(const Slot& request, std::size_t at) const;
-  Asked* answered_next(const Slot& answer);
-  bool discards(const Slot& answer);
+  /// The request that the next message of the slot answers; null: none.
+  Asked* answered_next(const Slot& answer) {
+    return answer.request_of < 0 ? nullptr : next_of_its_requests(answer);
+  }
+  Asked* next_of_its_requests(const Slot& answer);
+  bool discards(const Slot& answer) {
+    const Asked* next = answered_next(answer);
+    return next != nullptr && next->withdrawn;
+  }
   void answered_in_vain(const Slot& answer);
+  void watch_device(const Slot& slot, int channel);
   void withdraw(Slot& request, const Thread* owner);
 
   /// What is known about a device.
@@ -109,7 +120,9 @@ class Mail {
   Journal& journal_;
   Flow& flow_;
   Devices& devices_;
+  Promises& promises_;
   const Wiring& wiring_;
+  bool at_once_ = false;  // no message is ever on its way
   std::vector<Slot> slots_;
   std::vector<int> requests_;  // the channels of requests that have answers
   std::vector<Party> parties_;

@@ -7,7 +7,7 @@
 namespace pal::runtime {
 
 void Mail::ask(Slot& request, const Thread* owner) {
-  if (request.spec->answer >= 0) request.asked.push_back({owner, false});
+  if (request.spec->answer >= 0) request.asked.push_back({owner, false, executive_.now()});
 }
 
 /// Whether the request at place `at` is still in its slot. One that a device was given and does not forget is
@@ -17,17 +17,11 @@ bool Mail::in_slot(const Slot& request, std::size_t at) const {
 }
 
 /// The request that the next message of the slot answers: the oldest that was taken and is not answered yet.
-Asked* Mail::answered_next(const Slot& answer) {
-  if (answer.request_of < 0) return nullptr;
+Asked* Mail::next_of_its_requests(const Slot& answer) {
   Slot& request = at(answer.request_of);
   const std::size_t next = answer.answers ? 1 : 0;
   if (next >= request.asked.size() || in_slot(request, next)) return nullptr;
   return &request.asked[next];
-}
-
-bool Mail::discards(const Slot& answer) {
-  const Asked* next = answered_next(answer);
-  return next != nullptr && next->withdrawn;
 }
 
 /// The next message of the slot is lost or discarded.

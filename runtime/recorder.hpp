@@ -20,24 +20,39 @@ class Recorder {
   /// run goes on.
   Recorder(const Wiring& wiring, TraceMode mode, std::size_t capacity);
 
-  void add(Time time, trace::Kind kind, int actor, int statement, int subject = -1, std::int32_t value = 0) {
-    if (mode_ == TraceMode::none) return;
-    const trace::Event event{time.count(), kind, actor, statement, subject, value};
-    if (mode_ == TraceMode::all || trace_.events.size() < capacity_) {
-      trace_.events.push_back(event);
-    } else {
-      trace_.events[oldest_] = event;
-      oldest_ = oldest_ + 1 == capacity_ ? 0 : oldest_ + 1;
-    }
+  /// Where the next event goes, until the call after this one. All of it is to be filled in, member by
+  /// member. To copy an event that was just made takes longer: the copy waits for its parts.
+  trace::Event& next() {
+    if (mode_ == TraceMode::all) return trace_.events.emplace_back();
+    return mode_ == TraceMode::none ? unkept_ : next_of_last();
   }
-  void add_fault(Time time, int actor, int statement, const std::string& reason);
+  /// Indices of the text, for the events that name it.
+  std::int32_t add_promise(const std::string& promise) {
+    trace_.promises.push_back(promise);
+    return static_cast<std::int32_t>(trace_.promises.size()) - 1;
+  }
+  std::int32_t add_fault(const std::string& reason) {
+    trace_.faults.push_back(reason);
+    return static_cast<std::int32_t>(trace_.faults.size()) - 1;
+  }
+
+  /// Actors, statements, channels and conditions.
+  const trace::Trace& tables() const { return trace_; }
 
   trace::Trace take();
 
  private:
+  trace::Event& next_of_last() {
+    if (trace_.events.size() < capacity_) return trace_.events.emplace_back();
+    trace::Event& event = trace_.events[oldest_];
+    oldest_ = oldest_ + 1 == capacity_ ? 0 : oldest_ + 1;
+    return event;
+  }
+
   TraceMode mode_;
   std::size_t capacity_;
   std::size_t oldest_ = 0;  // of the last ones, once there are as many as are kept
+  trace::Event unkept_;
   trace::Trace trace_;
 };
 

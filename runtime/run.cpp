@@ -27,18 +27,22 @@ Outcome run(Skill& skill, World& world, const std::vector<Connection>& connectio
         options.real_time ? "a run in real time cannot be held: its devices would not be answered" : "");
   Clock clock;
   Journal journal(clock, skill, options);
+  Outcome outcome;
   if (options.real_time) {
     RealExecutive executive(clock, journal, world, skill.wiring(), options);
-    Kernel kernel(executive, journal, skill, connections, options.observer, options.work);
+    Kernel kernel(clock, executive, journal, skill, connections, options);
     run_by(executive, kernel);
-    Outcome outcome = journal.take();
+    outcome = journal.take();
+    outcome.broken_promises = kernel.promises.take();
     outcome.real_time = executive.take_report();
-    return outcome;
+  } else {
+    VirtualExecutive executive(clock, journal, world, skill.wiring(), options);
+    Kernel kernel(clock, executive, journal, skill, connections, options);
+    run_by(executive, kernel);
+    outcome = journal.take();
+    outcome.broken_promises = kernel.promises.take();
   }
-  VirtualExecutive executive(clock, journal, world, skill.wiring(), options);
-  Kernel kernel(executive, journal, skill, connections, options.observer, options.work);
-  run_by(executive, kernel);
-  return journal.take();
+  return outcome;
 }
 
 }  // namespace pal::runtime

@@ -33,10 +33,14 @@ void Scheduler::enqueue(Processor& processor, Thread& thread) {
     return control.spec->priority != of.spec->priority ? control.spec->priority > of.spec->priority
                                                        : control.queue_key < of.queue_key;
   };
+  if (!control.announced) processor.arrived.push_back(&thread);
+  if (processor.ready.empty() || goes_before(processor.ready.back())) {
+    processor.ready.push_back(&thread);
+    return;
+  }
   auto at = processor.ready.end();
   while (at != processor.ready.begin() && !goes_before(*(at - 1))) --at;
   processor.ready.insert(at, &thread);
-  if (!control.announced) processor.arrived.push_back(&thread);
 }
 
 void Scheduler::need_processor(Thread& thread, Time time) {
@@ -133,6 +137,13 @@ void Scheduler::announce(Processor& processor) {
 }
 
 void Scheduler::dispatch() {
+  if (changed_.size() == 1) {
+    Processor& only = *changed_.front();
+    changed_.clear();
+    only.changed = false;
+    dispatch(only);
+    return;
+  }
   if (changed_.size() > 1)
     std::sort(changed_.begin(), changed_.end(),
               [](const Processor* a, const Processor* b) { return a->index < b->index; });

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "pal/runtime/broken_promise.hpp"
 #include "pal/runtime/in_use.hpp"
 #include "pal/runtime/task.hpp"
 #include "pal/runtime/wiring.hpp"
@@ -80,6 +81,11 @@ class Skill {
   /// Makes a coroutine of each module that is run by Execute for each thread that runs it, and drops them
   /// together, so that the frames are there when they are needed.
   virtual void reserve_executed(Thread& thread) = 0;
+
+  /// Somebody has broken a promise, for the first time in this run, and the run's policy is `contingency`.
+  /// True: the skill has an answer, which its own statements give. Called at the instant at which it happens;
+  /// in real time also while activities are at work.
+  virtual bool promise_broken([[maybe_unused]] const BrokenPromise& broken) { return false; }
 
   /// Whether it runs; the dispatcher's business.
   InUse& in_use() { return in_use_; }

@@ -22,7 +22,22 @@ VirtualExecutive::VirtualExecutive(Clock& clock, Journal& journal, World& world,
       options_(options),
       costs_(options.costs, options.seed),
       queue_(queue_capacity),
-      scheduler_(clock, journal, queue_, wiring) {}
+      scheduler_(clock, journal, queue_, wiring),
+      wiring_(wiring),
+      taken_(wiring.threads.size()) {}
+
+// What a statement takes that was told to be slow.
+Time VirtualExecutive::slowed(const Thread& thread, Time cost) {
+  const StatementSpec& statement =
+      wiring_.statements[static_cast<std::size_t>(thread.control.operation->statement())];
+  Time& taken = taken_[static_cast<std::size_t>(thread.control.index)];
+  taken = Time::zero();
+  for (const SlowStatement& each : options_.slow) {
+    if (each.line == statement.line && each.module == statement.module && each.from <= now())
+      cost = taken = each.takes;
+  }
+  return cost;
+}
 
 Ticket VirtualExecutive::at(Time when, Due due) {
   static constexpr Event::Kind kinds[] = {Event::Kind::message_available, Event::Kind::wait_expired,
@@ -56,14 +71,20 @@ void VirtualExecutive::run(Kernel& kernel) {
   while (!journal_.over()) step(kernel);
 }
 
+void VirtualExecutive::fail(const char* reason, const Kernel& kernel) {
+  journal_.fail(reason + kernel.who_waits());
+}
+
+bool VirtualExecutive::too_long(const Kernel& kernel) {
+  set(options_.horizon);
+  journal_.fail("the run is longer than its limit of " + std::to_string(now().count()) + " ns" +
+                kernel.who_waits());
+  return false;
+}
+
 // Brings the clock and the world to `when`. False: the run is over, or something came in on the way.
 bool VirtualExecutive::go_to(Time when, const Kernel& kernel) {
-  if (when > options_.horizon) {
-    set(options_.horizon);
-    journal_.fail("the run is longer than its limit of " + std::to_string(now().count()) + " ns" +
-                  kernel.who_waits());
-    return false;
-  }
+  if (when > options_.horizon) return too_long(kernel);
   try {
     const Time reached = world_.wait_until(when);
     if (reached > now()) events_now_ = 0;
@@ -78,7 +99,8 @@ bool VirtualExecutive::go_to(Time when, const Kernel& kernel) {
 // Somebody asks for more than an end: holds the run for as long as it is to be held.
 void VirtualExecutive::obey(RunControl& control, Kernel& kernel) {
   const bool any = !queue_.empty();
-  const Time next = std::min(any ? queue_.next().time : Time::max(), world_.next_event());
+  const Time next =
+      std::min({any ? queue_.next().time : Time::max(), world_.next_event(), kernel.promises.due()});
   const Time stop = control.stop_instant();
   if (stop <= next) {
     if (stop <= now() || go_to(stop, kernel)) journal_.fail("stopped on request");
@@ -99,39 +121,65 @@ void VirtualExecutive::obey(RunControl& control, Kernel& kernel) {
   world_.resumed();
 }
 
+// What is late before `next` is noted at its instant. False: nothing is.
+bool VirtualExecutive::note_overdue(Time next, Kernel& kernel) {
+  const Time due = kernel.promises.due();
+  if (due >= next) return false;
+  if (go_to(due, kernel)) kernel.promises.overdue();
+  return true;
+}
+
 void VirtualExecutive::step(Kernel& kernel) {
-  if (options_.control != nullptr && options_.control->watching()) obey(*options_.control, kernel);
-  if (options_.control != nullptr && options_.control->stopping()) journal_.fail("stopped on request");
-  if (journal_.over()) return;
+  if (options_.control != nullptr) {
+    if (options_.control->watching()) obey(*options_.control, kernel);
+    if (options_.control->stopping()) journal_.fail("stopped on request");
+    if (journal_.over()) return;
+  }
   if (something_posted_.load(std::memory_order_acquire)) take_posted();
   const Time own = queue_.empty() ? Time::max() : queue_.next().time;
   const Time in_world = world_.next_event();
-  if (own == Time::max() && in_world == Time::max()) {
-    journal_.fail("nothing is left to happen" + kernel.who_waits());
+  const Time next = std::min(own, in_world);
+  if (kernel.promises.next() < next && note_overdue(next, kernel)) {
+    kernel.settle();
+    if (!journal_.over()) scheduler_.dispatch();
+    return;
+  }
+  if (next == Time::max()) {
+    fail("nothing is left to happen", kernel);
     return;
   }
   if (++events_now_ > most_events_at_one_instant) {
-    journal_.fail("the skill goes on and on without taking time" + kernel.who_waits());
+    fail("the skill goes on and on without taking time", kernel);
     return;
   }
   if (in_world <= own) {  // what arrives at an instant is there before anything else happens at it
     go_to(in_world, kernel);
   } else if (own == now() || go_to(own, kernel)) {
-    happen(queue_.pop(), kernel);
+    const Event event = queue_.pop();
+    if (event.kind == Event::Kind::work_done) {
+      work_done(event.subject, kernel);
+    } else {
+      happen(event, kernel);
+    }
   }
   // Coroutines go on one after the other; then the processors are given to those who should have them.
   kernel.settle();
   if (!journal_.over()) scheduler_.dispatch();
 }
 
+void VirtualExecutive::work_done(int processor, Kernel& kernel) {
+  Thread& thread = scheduler_.finish_work(processor);
+  if (!options_.slow.empty())
+    kernel.promises.took(thread, taken_[static_cast<std::size_t>(thread.control.index)]);
+  if (!journal_.over() && kernel.compute(thread)) kernel.finish(thread);
+  if (options_.control != nullptr && options_.control->watching()) options_.control->count_statement();
+}
+
 void VirtualExecutive::happen(const Event& event, Kernel& kernel) {
   switch (event.kind) {
-    case Event::Kind::work_done: {
-      Thread& thread = scheduler_.finish_work(event.subject);
-      if (kernel.compute(thread)) kernel.finish(thread);
-      if (options_.control != nullptr && options_.control->watching()) options_.control->count_statement();
+    case Event::Kind::work_done:
+      work_done(event.subject, kernel);
       break;
-    }
     case Event::Kind::message_available:
       kernel.happen({Due::Kind::message_available, event.subject});
       break;

@@ -26,7 +26,8 @@ class VirtualExecutive final : public Executive {
 
   Time latency(const Interval& interval) override { return costs_.draw(interval); }
   void need_processor(Thread& thread, const Interval& time) override {
-    scheduler_.need_processor(thread, costs_.draw(time));
+    const Time cost = costs_.draw(time);
+    scheduler_.need_processor(thread, options_.slow.empty() ? cost : slowed(thread, cost));
   }
   void leave(Thread& thread) override { scheduler_.leave(thread); }
   Ticket at(Time when, Due due) override;
@@ -36,9 +37,15 @@ class VirtualExecutive final : public Executive {
 
  private:
   void step(Kernel& kernel);
+  bool note_overdue(Time next, Kernel& kernel);
+  Time slowed(const Thread& thread, Time cost);
   void obey(RunControl& control, Kernel& kernel);
   bool go_to(Time when, const Kernel& kernel);
   void happen(const Event& event, Kernel& kernel);
+  void work_done(int processor, Kernel& kernel);
+  // What ends a run: apart from what goes on all the time.
+  [[gnu::cold]] void fail(const char* reason, const Kernel& kernel);
+  [[gnu::cold]] bool too_long(const Kernel& kernel);
   void take_posted();
 
   Journal& journal_;
@@ -47,6 +54,8 @@ class VirtualExecutive final : public Executive {
   CostDraw costs_;
   EventQueue queue_;
   Scheduler scheduler_;
+  const Wiring& wiring_;
+  std::vector<Time> taken_;       // by thread: of its processor, by a statement that is slowed; 0: of no such
   std::uint64_t events_now_ = 0;  // since time last went on
   std::atomic<bool> something_posted_ = false;
   std::mutex posting_;

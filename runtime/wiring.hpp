@@ -1,6 +1,7 @@
 // What a generated skill tells the runtime about itself: plain tables, each row found by its index.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -57,6 +58,45 @@ struct ChannelSpec {
   bool to_device = false;
 };
 
+/// What the environment says of a device's times.
+struct DeviceTimes {
+  enum class Behaviour : std::uint8_t {
+    unknown,
+    events,      // `message` every `period`, each late by up to `jitter`
+    sporadic,    // `message`, `period` apart or more, each late by up to `jitter`
+    on_request,  // an answer within `answer`
+    frames       // one every `period` is collected for answer.best; requests wait for the next one
+  };
+  Behaviour behaviour = Behaviour::unknown;
+  std::string_view message{};
+  Time period{};
+  Time jitter{};
+  Time phase{-1};  // of events: from the first wait to the first one; negative: any
+  Interval answer{};
+};
+
+/// What is required of the skill, as far as a run can tell, and what its proof relies on.
+struct RequirementSpec {
+  enum class Measure : std::uint8_t {
+    response,  // from a message that is put into one of `channels` to a statement of `at`
+    age,       // of `condition` at a statement of `at`
+    sample,    // of what a device says in `channels` at a statement of `at`
+    interval,  // between effects of statements of `at`
+    duration,  // to the completion `code`
+    other      // is not measured while the skill runs
+  };
+  std::string_view name;
+  Measure measure = Measure::other;
+  Time least{};
+  Time most = Time::max();
+  std::span<const int> channels;
+  std::span<const int> at;
+  int condition = -1;
+  int code = 0;
+  std::span<const int> threads;  // it relies on these and on the blocks that they begin
+  std::span<const int> devices;
+};
+
 struct Latency {
   Interval within_processor;
   Interval between_processors;
@@ -73,6 +113,8 @@ struct Wiring {
   std::span<const std::string_view> devices;
   Interval test;  // of a WTM that gives up
   Latency latency;
+  std::span<const DeviceTimes> times{};  // one each device; none: nothing is promised
+  std::span<const RequirementSpec> requirements{};
 };
 
 }  // namespace pal::runtime

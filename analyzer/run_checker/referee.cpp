@@ -114,6 +114,7 @@ void Referee::handle(const Event& event) {
     case Kind::busy:
     case Kind::idle:
     case Kind::fault:
+    case Kind::broken:
       break;
   }
   broken(std::string("a thread has no event ") + trace::name(event.kind));

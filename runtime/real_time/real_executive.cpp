@@ -154,6 +154,7 @@ void RealExecutive::serve(Level& level) {
 void RealExecutive::perform(Level& level) {
   Thread& thread = *level.work;
   const int statement = thread.control.operation->statement();
+  const bool by_hand = thread.control.operation->by_hand();
   exit();
   const Time begun = thread_time();
   std::string thrown;
@@ -165,6 +166,7 @@ void RealExecutive::perform(Level& level) {
     thrown = what_was_thrown();
   }
   const Time used = thread_time() - begun;
+  if (by_hand && !threw && options_.work != nullptr) options_.work->worked(statement, used);
   enter();
   note(statement, used);
   if (threw) journal_.fail(thread, thrown);

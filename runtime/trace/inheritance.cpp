@@ -9,13 +9,20 @@ bool is_progress(Kind kind) {
 
 }  // namespace
 
-Inheritance::Inheritance(const Trace& trace) : actors_(trace.actors), alive_(trace.actors.size()) {}
+Inheritance::Inheritance(const Trace& trace)
+    : actors_(trace.actors), blocks_(trace.actors.size()), alive_(trace.actors.size()) {
+  for (std::size_t block = 0; block < actors_.size(); ++block) {
+    const std::int32_t parent = actors_[block].parent;
+    if (parent >= 0) blocks_[static_cast<std::size_t>(parent)].push_back(static_cast<std::int32_t>(block));
+  }
+}
 
 void Inheritance::end_blocks_of(std::int32_t parent) {
-  for (std::size_t block = 0; block < actors_.size(); ++block) {
-    if (actors_[block].parent != parent || !alive_[block]) continue;
-    alive_[block] = false;
-    end_blocks_of(static_cast<std::int32_t>(block));
+  for (const std::int32_t block : blocks_[static_cast<std::size_t>(parent)]) {
+    const auto at = static_cast<std::size_t>(block);
+    if (!alive_[at]) continue;
+    alive_[at] = false;
+    end_blocks_of(block);
   }
 }
 

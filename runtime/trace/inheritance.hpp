@@ -22,7 +22,8 @@ class Inheritance {
   void end_blocks_of(std::int32_t parent);
 
   const std::vector<Actor>& actors_;
-  std::vector<bool> alive_;  // blocks, by actor
+  std::vector<std::vector<std::int32_t>> blocks_;  // that it begins, by actor
+  std::vector<bool> alive_;                        // blocks, by actor
 };
 
 }  // namespace pal::trace

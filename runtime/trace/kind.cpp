@@ -6,11 +6,11 @@ namespace pal::trace {
 
 namespace {
 
-constexpr std::array<const char*, 17> names = {
+constexpr std::array<const char*, 18> names = {
     "ready",   "start", "stop", "done", "block", "give_up", "put",      "take",  "drop",
-    "overrun", "set",   "read", "busy", "idle",  "cancel",  "complete", "fault",
+    "overrun", "set",   "read", "busy", "idle",  "cancel",  "complete", "fault", "broken",
 };
-static_assert(names.size() == static_cast<std::size_t>(Kind::fault) + 1);
+static_assert(names.size() == static_cast<std::size_t>(Kind::broken) + 1);
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pal/runtime/trace/meter.hpp"
 #include "pal/runtime/trace/trace.hpp"
 
 namespace pal::trace {
@@ -17,17 +18,6 @@ struct StatementName {
   int line = 0;
 
   friend bool operator==(const StatementName&, const StatementName&) = default;
-};
-
-/// One interval that a measure is about.
-struct Occurrence {
-  std::int64_t from_ns = 0;
-  std::int64_t to_ns = 0;
-  std::int32_t actor = -1;      // the thread of the statement at which it ends
-  std::int32_t statement = -1;  // that statement
-
-  std::int64_t length_ns() const { return to_ns - from_ns; }
-  friend bool operator==(const Occurrence&, const Occurrence&) = default;
 };
 
 /// Ages of `condition` at each effect of a statement of `at`, in order of time: from the set whose value the

@@ -137,6 +137,8 @@ void check(const Trace& trace) {
       check_index(event.subject, trace.conditions.size(), where, "condition");
     }
     if (event.kind == Kind::fault) check_index(event.value, trace.faults.size(), where, "fault");
+    if (event.kind == Kind::broken) check_index(event.value, trace.promises.size(), where, "promise");
+    if (event.kind == Kind::broken && event.value < 0) fail(where, "names no promise");
   }
 }
 
@@ -155,6 +157,7 @@ Trace from_json(const ParsedJson& root) {
   trace.channels = read_table<Channel>(root, "channels", channel);
   trace.conditions = read_table<std::string>(root, "conditions", plain_text);
   trace.faults = read_table<std::string>(root, "faults", plain_text);
+  if (root.contains("promises")) trace.promises = read_table<std::string>(root, "promises", plain_text);
   trace.events = read_table<Event>(root, "events", event);
   check(trace);
   return trace;

@@ -30,6 +30,7 @@ enum class Kind : std::uint8_t {
   cancel,    // actor, a CONCURRENT block that cannot end, is stopped
   complete,  // the skill ends; value: completion code
   fault,     // the runtime ended the skill; value: index into faults
+  broken,    // actor breaks what the environment promises; value: index into promises
 };
 
 /// "ready", "start", …: the spelling in files.
@@ -79,6 +80,7 @@ struct Trace {
   std::vector<Channel> channels;
   std::vector<std::string> conditions;
   std::vector<std::string> faults;
+  std::vector<std::string> promises;  // those that were broken, in words; a file without it has none
   std::vector<Event> events;  // in order of time; events at one instant in order of cause
 };
 

@@ -170,6 +170,9 @@ class ChromeWriter {
         instant(event, event.value >= 0 ? "fault: " + trace_.faults[static_cast<std::size_t>(event.value)]
                                         : "fault");
         break;
+      case Kind::broken:
+        instant(event, "broken promise: " + trace_.promises[static_cast<std::size_t>(event.value)]);
+        break;
       default:
         break;
     }

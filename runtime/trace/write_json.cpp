@@ -64,6 +64,9 @@ void write_json(const Trace& trace, std::ostream& out) {
       out, "conditions", trace.conditions, [&](const std::string& row) { out << text(row); }, ",\n");
   table(
       out, "faults", trace.faults, [&](const std::string& row) { out << text(row); }, ",\n");
+  if (!trace.promises.empty())
+    table(
+        out, "promises", trace.promises, [&](const std::string& row) { out << text(row); }, ",\n");
   table(
       out, "events", trace.events,
       [&](const Event& row) {

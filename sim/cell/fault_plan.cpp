@@ -12,7 +12,8 @@ using Kind = PlannedFault::Kind;
 using runtime::Carrier;
 
 constexpr const char* form =
-    "a fault is written as: at TIME ms|s DEVICE dropout|garble|late TIME|late-answer TIME|unplug";
+    "a fault is written as: at TIME ms|s DEVICE dropout|garble|late TIME|late-answer TIME|unplug, or "
+    "at TIME ms|s MODULE:LINE takes TIME";
 
 struct Wrong {
   std::string cause;
@@ -49,6 +50,17 @@ class Words {
   std::istringstream in_;
 };
 
+/// "SM1:55", which was read as a device.
+void read_statement(PlannedFault& fault) {
+  fault.kind = Kind::takes;
+  const std::size_t colon = fault.device.find(':');
+  const std::string line = colon == std::string::npos ? "" : fault.device.substr(colon + 1);
+  const auto [end, problem] = std::from_chars(line.data(), line.data() + line.size(), fault.statement);
+  if (problem != std::errc() || end != line.data() + line.size() || fault.statement < 1)
+    throw Wrong{"a statement is named by its module and its line, SM1:55; '" + fault.device + "' is not"};
+  fault.device.resize(colon);
+}
+
 void read_kind(Words& words, PlannedFault& fault) {
   const std::string kind = words.next();
   if (kind == "dropout") {
@@ -57,6 +69,9 @@ void read_kind(Words& words, PlannedFault& fault) {
     fault.kind = Kind::garble;
   } else if (kind == "unplug") {
     fault.kind = Kind::unplug;
+  } else if (kind == "takes") {
+    read_statement(fault);
+    fault.by = words.time();
   } else if (kind == "late") {
     fault.kind = Kind::late;
     fault.by = words.time();
@@ -66,7 +81,7 @@ void read_kind(Words& words, PlannedFault& fault) {
   } else {
     throw Wrong{kind.empty() ? form
                              : "there is no fault '" + kind +
-                                   "'; there are dropout, garble, late, late-answer, unplug"};
+                                   "'; there are dropout, garble, late, late-answer, unplug, takes"};
   }
 }
 
@@ -124,6 +139,8 @@ void bring_about(const PlannedFault& fault, runtime::Wire& wire) {
       return wire.delay(Carrier::Direction::to_b, fault.by);
     case Kind::unplug:
       return wire.cut("unplugged");
+    case Kind::takes:
+      break;
   }
 }
 

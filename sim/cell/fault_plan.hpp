@@ -18,9 +18,11 @@ struct PlannedFault {
     late,         // what comes from it comes later by `by`
     late_answer,  // what goes to it arrives later by `by`
     unplug,       // the cable is pulled
+    takes,        // from now on a statement takes `by` of its processor: no fault of a line
   };
   runtime::Time at{};  // from the skill's beginning
-  std::string device;
+  std::string device;  // takes: the statement's module
+  int statement = 0;   // takes: its line
   Kind kind = Kind::dropout;
   runtime::Time by{};
   int line = 0;  // of the text that it was read from; 0: of none
@@ -45,9 +47,10 @@ struct FaultTextError {
 /// One fault a line, `#` begins a comment:
 ///   at 500 ms force-torque dropout
 ///   at 1.2 s alter late-answer 25 ms
+///   at 2 s SM1:55 takes 40 ms
 std::variant<std::vector<PlannedFault>, FaultTextError> read_faults(std::string_view text);
 
-/// Makes it happen to the device's line, now.
+/// Makes it happen to the device's line, now. Of a line, not of a statement.
 void bring_about(const PlannedFault& fault, runtime::Wire& wire);
 
 }  // namespace pal::sim

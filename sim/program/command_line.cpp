@@ -109,6 +109,16 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
       ->excludes(sweep);
   app.add_option("--fault", command.faults, "a file that says what is to go wrong with devices, and when")
       ->excludes(sweep);
+  app.add_option(
+         "--on-broken-promise", command.on_broken_promise,
+         "what is done when a device or a statement does not keep to what the environment says of it, or a "
+         "requirement fails: note it and go on, tell the skill, or stop it")
+      ->check(CLI::IsMember({"report", "contingency", "stop"}))
+      ->capture_default_str()
+      ->excludes(sweep);
+  app.add_option("--live-trace", command.live_trace,
+                 "a file, or a named pipe, that gets the events of the run while it goes on, a line each")
+      ->excludes(sweep);
   app.add_option("--links", command.links,
                  "what the bytes of devices' lines go through; the run is the same with each")
       ->check(CLI::IsMember({"process", "pty", "tcp"}))

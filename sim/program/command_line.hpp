@@ -34,15 +34,17 @@ struct RunCommand {
   bool live = false;      // shows progress
   bool terminal = false;  // it goes to a terminal
   bool proof = true;
-  std::vector<std::string> skill_folders;  // of the skills' PAL
-  int sweep = 0;                           // runs; 0: one run
-  std::string against;                     // second skill of a sweep
-  std::string after;                       // a skill that is run before; empty: none
-  double paced = 0;                        // station seconds a second of real time; 0: as fast as can be
-  bool control = false;                    // paused, stepped and stopped by commands on the standard input
-  std::string faults;                      // a file of faults on demand; empty: nothing goes wrong
-  std::string links = "process";           // what carries the bytes of lines
-  std::string measure;                     // file for measured times; empty: nothing is measured
+  std::vector<std::string> skill_folders;    // of the skills' PAL
+  int sweep = 0;                             // runs; 0: one run
+  std::string against;                       // second skill of a sweep
+  std::string after;                         // a skill that is run before; empty: none
+  double paced = 0;                          // station seconds a second of real time; 0: as fast as can be
+  bool control = false;                      // paused, stepped and stopped by commands on the standard input
+  std::string faults;                        // a file of faults on demand; empty: nothing goes wrong
+  std::string on_broken_promise = "report";  // or contingency, stop
+  std::string live_trace;                    // a file that gets the events as they happen; empty: none
+  std::string links = "process";             // what carries the bytes of lines
+  std::string measure;                       // file for measured times; empty: nothing is measured
 };
 
 struct ServePortCommand {

@@ -39,6 +39,20 @@ Json promises_json(const std::vector<Promise>& promises) {
   return rows;
 }
 
+Json broken_json(const std::vector<runtime::BrokenPromise>& promises) {
+  Json rows = Json::array();
+  for (const runtime::BrokenPromise& broken : promises) {
+    const bool answered = broken.measured != runtime::Time::max();
+    rows.push_back({{"promise", broken.promise},
+                    {"by", broken.by},
+                    {"measured_ns", answered ? Json(broken.measured.count()) : Json()},
+                    {"first_ns", broken.first.count()},
+                    {"times", broken.times},
+                    {"endangers", broken.endangers}});
+  }
+  return rows;
+}
+
 Json run_json(const runtime::Skill& skill, const Session& session, const SessionResult& result,
               const std::vector<Promise>& promises) {
   Json parameters = Json::object();
@@ -64,6 +78,7 @@ Json run_json(const runtime::Skill& skill, const Session& session, const Session
                         {"controller", result.controller},
                         {"time_ns", result.outcome.duration.count()}};
   json["overruns"] = result.outcome.overruns;
+  json["broken_promises"] = broken_json(result.outcome.broken_promises);
   json["peak_force_N"] = result.peak_force;
   json["resting_force_N"] = result.resting_force;
   json["requirements"] = promises_json(promises);

@@ -17,6 +17,7 @@
 #include "sim/program/comparison.hpp"
 #include "sim/program/control_terminal.hpp"
 #include "sim/program/interrupt.hpp"
+#include "sim/program/live_trace.hpp"
 #include "sim/program/report_files.hpp"
 
 namespace pal::workcell {
@@ -158,6 +159,43 @@ std::vector<sim::PlannedFault> faults_in(const std::string& file) {
   return std::get<0>(std::move(read));
 }
 
+/// Of what is to go wrong, what is wrong with statements.
+std::vector<runtime::SlowStatement> slow_statements(const RunCommand& command, const runtime::Wiring& wiring,
+                                                    std::vector<sim::PlannedFault>& faults) {
+  std::vector<runtime::SlowStatement> slow;
+  for (const sim::PlannedFault& fault : faults) {
+    if (fault.kind != sim::PlannedFault::Kind::takes) continue;
+    const bool known =
+        std::any_of(wiring.statements.begin(), wiring.statements.end(),
+                    [&fault](const runtime::StatementSpec& statement) {
+                      return statement.module == fault.device && statement.line == fault.statement;
+                    });
+    if (!known)
+      throw Failure(ExitStatus::wrong_specification, fmt::format("{}:{}", command.faults, fault.line),
+                    fmt::format("module {} has no statement in line {}", fault.device, fault.statement),
+                    "name a line of the skill's PAL, or of a file that it uses, in which a statement stands");
+    slow.push_back({fault.device, fault.statement, fault.by, fault.at});
+  }
+  std::erase_if(faults, [](const auto& fault) { return fault.kind == sim::PlannedFault::Kind::takes; });
+  return slow;
+}
+
+runtime::OnBrokenPromise policy_named(const std::string& name) {
+  if (name == "contingency") return runtime::OnBrokenPromise::contingency;
+  return name == "stop" ? runtime::OnBrokenPromise::stop : runtime::OnBrokenPromise::report;
+}
+
+/// What the run does with its events while it goes on.
+std::unique_ptr<LiveTrace> live_trace(const RunCommand& command, const runtime::Wiring& wiring) {
+  if (command.live_trace.empty()) return nullptr;
+  try {
+    return std::make_unique<LiveTrace>(command.live_trace, wiring);
+  } catch (const std::runtime_error& problem) {
+    throw Failure(ExitStatus::usage, "--live-trace " + command.live_trace, problem.what(),
+                  "name a file in a folder that is there, or a named pipe");
+  }
+}
+
 /// Runs the session in the time and over the links that the command asks for; Ctrl-C stops it.
 SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Session session,
                            std::ostream& out) {
@@ -170,8 +208,18 @@ SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Ses
   std::optional<ControlTerminal> terminal;
   if (command.control) terminal.emplace(control, skill.wiring(), STDIN_FILENO, out);
   session.faults = faults_in(command.faults);
+  session.slow = slow_statements(command, skill.wiring(), session.faults);
+  session.on_broken_promise = policy_named(command.on_broken_promise);
+  const auto live = live_trace(command, skill.wiring());
+  if (live) session.live = &live->ring();
   try {
-    return run_session(skill, session);
+    SessionResult result = run_session(skill, session);
+    if (live && !live->end(result.outcome))
+      throw Failure(ExitStatus::usage, "--live-trace " + command.live_trace,
+                    "not everything could be written", "is there room, and does the reader go on reading?");
+    if (live && live->dropped() > 0)
+      out << fmt::format("  the live trace lacks {} events: its reader was too slow\n", live->dropped());
+    return result;
   } catch (const sim::NoSuchDevice& problem) {
     throw Failure(ExitStatus::wrong_specification, fmt::format("{}:{}", command.faults, problem.line()),
                   problem.what(), "name one of these, or choose a scene whose tool is the device");
@@ -208,6 +256,9 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
                      static_cast<double>(outcome.duration.count()) / 1e6,
                      static_cast<double>(result.phase.count()) / 1e6, session.seed);
   if (result.log.empty()) return ExitStatus::error_completion;
+  for (const runtime::BrokenPromise& broken : outcome.broken_promises)
+    out << fmt::format("  broken promise: {}; first at {}\n", runtime::in_words(broken),
+                       runtime::in_words(broken.first));
   const Eigen::Vector3d way = (result.log.back().tool - result.log.front().tool) * 1e3;
   out << fmt::format("  the tool moved by ({:.2f}, {:.2f}, {:.2f}) mm\n", way.x(), way.y(), way.z());
   out << fmt::format("  contact force: {:.2f} N at its peak, {:.2f} N at rest\n", result.peak_force,
@@ -225,7 +276,8 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
     return completion.code == outcome.code && completion.kind == runtime::CompletionSpec::Kind::error;
   };
   const auto completions = skill.description().completions;
-  return outcome.fault || !kept || std::any_of(completions.begin(), completions.end(), is_error)
+  return outcome.fault || !kept || !outcome.broken_promises.empty() ||
+                 std::any_of(completions.begin(), completions.end(), is_error)
              ? ExitStatus::error_completion
              : ExitStatus::done;
 }

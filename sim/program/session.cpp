@@ -96,6 +96,9 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   options.observer = &onlookers;
   options.work = session.measurement;
   if (session.measurement != nullptr) session.measurement->begin_run();
+  options.on_broken_promise = session.on_broken_promise;
+  options.slow = session.slow;
+  options.live = session.live;
   result.outcome = cell.run(skill, session.parameters, options);
   result.phase = cell.phase();
   result.controller = cell.val_driver().last_error();

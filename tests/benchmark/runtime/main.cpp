@@ -1,6 +1,7 @@
-// bench_runtime [ROUNDS]: what a Send, Receive, Reply round trip costs, beside other ways to pass a message
-// and its answer. All are measured in turns in one run, in
-// processor time, or by the wall where it says so; figures are medians (docs/internals/benchmarks.md).
+// bench_runtime [ROUNDS]; bench_runtime none|last|all, for a profiler: 20,000 round trips of a skill with
+// such a trace. What a Send, Receive, Reply round trip costs, beside other ways to pass a message and its
+// answer. All are measured in turns in one run, in processor time, or by the wall where it says so; figures
+// are medians (docs/internals/benchmarks.md).
 #include <time.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cstring>
 #include <exception>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +54,13 @@ Row skill(std::size_t threads, runtime::TraceMode mode, const std::string& trace
           [threads, mode](std::size_t count) { benchmark::skill_round_trips(count, threads, mode); }};
 }
 
+std::optional<runtime::TraceMode> mode_named(const char* name) {
+  if (std::strcmp(name, "none") == 0) return runtime::TraceMode::none;
+  if (std::strcmp(name, "last") == 0) return runtime::TraceMode::last;
+  if (std::strcmp(name, "all") == 0) return runtime::TraceMode::all;
+  return std::nullopt;
+}
+
 void measure(std::vector<Row>& rows, int rounds) {
   for (int round = -1; round < rounds; ++round) {  // the first one warms up
     for (Row& row : rows) {
@@ -66,17 +75,22 @@ void measure(std::vector<Row>& rows, int rounds) {
 
 int main(int argc, char** argv) {
   int rounds = 15;
-  if (argc == 2) {
+  const std::optional<runtime::TraceMode> profiled = argc == 2 ? mode_named(argv[1]) : std::nullopt;
+  if (argc == 2 && !profiled) {
     const char* end = argv[1] + std::strlen(argv[1]);
     const auto [at, problem] = std::from_chars(argv[1], end, rounds);
     if (problem != std::errc() || at != end || rounds < 1 || rounds > 10'000) argc = 3;
   }
   if (argc > 2) {
-    std::fprintf(stderr, "usage: bench_runtime [ROUNDS], from 1 to 10000\n");
+    std::fprintf(stderr, "usage: bench_runtime [ROUNDS], from 1 to 10000; or none, last, all\n");
     return 2;
   }
   try {
     using runtime::TraceMode;
+    if (profiled) {
+      benchmark::skill_round_trips(20'000, 27, *profiled);
+      return 0;
+    }
     std::vector<Row> rows;
     const bool fibers = benchmark::fiber_round_trips(1);
     if (fibers)

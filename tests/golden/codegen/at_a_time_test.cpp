@@ -21,8 +21,13 @@ class Mend final : public made::MendActivities {
   void start(const made::Parameters&) override { polished = 0; }
   void sand() override {}
   void polish() override { ++polished; }
+  bool promise_broken(const runtime::BrokenPromise& broken) override {
+    told.push_back(broken.promise);
+    return true;
+  }
 
   int polished = 0;
+  std::vector<std::string> told;
 };
 
 class Finish final : public made::FinishActivities {
@@ -99,4 +104,30 @@ TEST_CASE("blocks that execute one module at a time have threads of their own in
     CHECK(told(outcome.trace, trace::Kind::cancel, {"sand", "polish", "CONCURRENT"}) ==
           Told{"7000 Finish.3/Mend.1 sand", "7000 Finish.3 CONCURRENT"});
   }
+}
+
+TEST_CASE("a generated skill is told of a broken promise, and what relies on it is known") {
+  auto owned = std::make_unique<Mend>();
+  Mend& mend = *owned;
+  auto finish = std::make_unique<Finish>(mend);
+  const auto skill = made::make_at_a_time(std::move(finish), std::move(owned));
+  Lamp lamp;
+  NoWorld world;
+  runtime::Device* devices[] = {&lamp};
+  runtime::RunOptions options;
+  options.on_broken_promise = runtime::OnBrokenPromise::contingency;
+  for (const runtime::StatementSpec& statement : skill->wiring().statements) {
+    if (statement.text == "polish") options.slow = {{"Mend", statement.line, 3ms}};
+  }
+  const auto outcome = runtime::Dispatcher(devices, world).run(*skill, {}, options);
+  CHECK_FALSE(outcome.fault);
+  REQUIRE(outcome.broken_promises.size() >= 2);
+  const runtime::BrokenPromise& broken = outcome.broken_promises.front();
+  CHECK(broken.promise.find("polish of Mend (at_a_time.pal:") == 0);
+  CHECK(broken.by == "Finish.1/Mend.2");
+  CHECK(broken.measured == 3ms);
+  CHECK(broken.endangers == std::vector<std::string>{"in-time", "steady"});
+  CHECK(outcome.broken_promises.back().promise == "requirement in-time, a duration of at most 13.7 ms");
+  REQUIRE_FALSE(mend.told.empty());
+  CHECK(mend.told.front() == broken.promise);
 }

@@ -27,6 +27,9 @@ std::string to_text(const trace::Trace& trace) {
       case trace::Kind::complete:
         out << ' ' << event.value;
         break;
+      case trace::Kind::broken:
+        out << ": " << at(trace.promises, event.value);
+        break;
       case trace::Kind::fault:
         out << ' ' << at(trace.faults, event.value);
         break;

@@ -27,6 +27,9 @@ class WrittenSkill final : public runtime::Skill {
   std::vector<std::string_view> devices;
   runtime::Interval test;
   runtime::Latency latency;
+  std::vector<runtime::DeviceTimes> times;
+  std::vector<runtime::RequirementSpec> requirements;
+  std::function<bool(const runtime::BrokenPromise&)> on_promise_broken;
 
   int processor(std::string_view name, bool preemptive = true) {
     processors.push_back({name, preemptive});
@@ -58,8 +61,8 @@ class WrittenSkill final : public runtime::Skill {
 
   const runtime::SkillDescription& description() const override { return description_; }
   const runtime::Wiring& wiring() const override {
-    wiring_ = {"written", "bench",    processors, threads, statements,
-               channels,  conditions, devices,    test,    latency};
+    wiring_ = {"written",  "bench", processors, threads, statements, channels,
+               conditions, devices, test,       latency, times,      requirements};
     return wiring_;
   }
   void reset_parameters() override {}
@@ -69,6 +72,9 @@ class WrittenSkill final : public runtime::Skill {
   void start() override {}
   runtime::Task body(std::size_t index, runtime::Thread& thread) override { return bodies[index](thread); }
   void reserve_executed(runtime::Thread&) override {}
+  bool promise_broken(const runtime::BrokenPromise& broken) override {
+    return on_promise_broken && on_promise_broken(broken);
+  }
 
  private:
   std::vector<runtime::CompletionSpec> completions_{{0, runtime::CompletionSpec::Kind::normal, "done"},

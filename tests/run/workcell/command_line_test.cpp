@@ -205,6 +205,39 @@ TEST_CASE("a file of faults that says nothing is refused") {
                             "  hint: write a line, for example: at 500 ms force-torque dropout\n");
 }
 
+TEST_CASE("a broken promise is printed, written and the status is 3; live events are the trace") {
+  const Folder folder;
+  fs::create_directories(folder.path());
+  const std::string faults = folder.path() + "/slow.fault", events = folder.path() + "/events.jsonl";
+  std::ofstream(faults) << "at 100 ms SM1:7 takes 40 ms\n";
+  const Answer answer = workcell({"run", "touch", "--no-picture", "--no-plots", "--no-proof", "--fault",
+                                  faults, "--live-trace", events, "--output", folder.path() + "/run"});
+  CAPTURE(answer.out, answer.error);
+  CHECK(answer.status == ExitStatus::error_completion);
+  CHECK(
+      answer.out.find("  broken promise: WTM( Zforce from LS1 ) of SM1 (written.pal:7) takes at most 50 us: "
+                      "measured 40 ms") != std::string::npos);
+  CHECK(content(folder.path() + "/run/run.json").find("\"measured_ns\": 40000000") != std::string::npos);
+
+  std::ifstream trace(folder.path() + "/run/trace.json");
+  const std::size_t count = pal::trace::read_json(trace).events.size();
+  std::istringstream lines(content(events));
+  std::vector<std::string> read;
+  for (std::string line; std::getline(lines, line);) read.push_back(line);
+  REQUIRE(read.size() == count + 2);
+  CHECK(read.front().find("\"format\":\"pal-live-trace\"") != std::string::npos);
+  CHECK(read.back().find("\"dropped\":0") != std::string::npos);
+
+  std::ofstream(faults) << "at 100 ms SM1:700 takes 40 ms\n";
+  const Answer refused = workcell({"run", "touch", "--fault", faults});
+  CHECK(refused.status == ExitStatus::wrong_specification);
+  CHECK(refused.error.find(faults + ":1: module SM1 has no statement in line 700\n") != std::string::npos);
+  const Answer nowhere = workcell({"run", "touch", "--live-trace", "/proc/none/events"});
+  CHECK(nowhere.status == ExitStatus::usage);
+  CHECK(nowhere.error.find("--live-trace /proc/none/events: the file cannot be written") !=
+        std::string::npos);
+}
+
 TEST_CASE("a command line that is wrong is a matter of usage") {
   CHECK(workcell({}).status == ExitStatus::usage);
   CHECK(workcell({"run"}).status == ExitStatus::usage);

@@ -62,14 +62,37 @@ TEST_CASE("skills run one after the other on one station, and ALTER stays answer
   const auto skill = skills::touch_skill();
   CHECK(cell.run(*skill).code == 0);
   const runtime::Time first = cell.station().begun();
-  cell.rest(2s);
+  cell.rest(1s);
   const double there = cell.workcell().tool().translation().z();
+  cell.rest(2s);
+  CHECK(cell.workcell().tool().translation().z() == Approx(there).margin(1e-5));  // answered with no motion
   // The tool touches: the second run ends at once, and hardly moves.
   const runtime::Outcome second = cell.run(*skill);
   CHECK(second.code == 0);
   CHECK_FALSE(second.fault);
   CHECK(cell.station().begun() > first + 2s);
   CHECK(cell.workcell().tool().translation().z() == Approx(there).margin(2e-3));
+}
+
+TEST_CASE("a device whose line was cut refuses the next skill, and is used again when it is back") {
+  sim::CellOptions options;
+  options.seed = 5;
+  options.faults = std::get<0>(sim::read_faults("at 500 ms force-torque unplug"));
+  sim::Cell cell(session().scene, options);
+  const auto skill = skills::touch_skill();
+  CHECK(cell.run(*skill).reason == "force-torque: the link is broken: unplugged");
+  cell.rest(2s);
+  const runtime::Outcome refused = cell.run(*skill);
+  CHECK(refused.fault);
+  CHECK(refused.duration == 0s);
+  CHECK(refused.reason.find("force-torque: ") == 0);
+  for (const auto& line : cell.lines()) {
+    if (line.device == "force-torque") line.wire->mend();
+  }
+  cell.rest(2s);
+  const runtime::Outcome back = cell.run(*skill);
+  CHECK(back.code == 0);
+  CHECK_FALSE(back.fault);
 }
 
 TEST_CASE("each fault of a line is a clear end of the skill, with the arm at rest") {
@@ -99,6 +122,31 @@ TEST_CASE("each fault of a line is a clear end of the skill, with the arm at res
     const auto& before = result.log[result.log.size() - 100];
     CHECK((last.tool - before.tool).norm() < 1e-5);
   }
+}
+
+TEST_CASE("a run in the cell breaks no promise; one over a line that is late does, and its policy decides") {
+  using runtime::OnBrokenPromise;
+  Session one = session();
+  one.on_broken_promise = OnBrokenPromise::stop;
+  const SessionResult kept = run(one);
+  CHECK(kept.outcome.code == 0);
+  CHECK(kept.outcome.broken_promises.empty());
+
+  one.faults = std::get<0>(sim::read_faults("at 500 ms force-torque late 3 ms"));
+  const SessionResult stopped = run(one);
+  CHECK(stopped.outcome.fault);
+  CHECK(stopped.outcome.code == 2);
+  CHECK(stopped.outcome.reason.find(
+            "force-torque answers 6 ms after a request at the latest: measured 6.000001 ms; "
+            "endangers answer-alter, fresh-force") == 0);
+
+  one.on_broken_promise = OnBrokenPromise::report;
+  const SessionResult noted = run(one);
+  CHECK(noted.outcome.code == 0);
+  CHECK_FALSE(noted.outcome.fault);
+  REQUIRE_FALSE(noted.outcome.broken_promises.empty());
+  CHECK(noted.outcome.broken_promises.front().times > 5);
+  CHECK(noted.outcome.broken_promises.front().by == "force-torque");
 }
 
 TEST_CASE("each fault of the arm is a clear end of the skill, with the template's code and the arm at rest") {
@@ -151,6 +199,17 @@ TEST_CASE("each fault of the arm is a clear end of the skill, with the template'
     const auto& before = result.log[result.log.size() - 100];
     CHECK((last.tool - before.tool).norm() < 1e-4);
   }
+}
+
+TEST_CASE("a statement can be told to be slow") {
+  const auto read = std::get<0>(sim::read_faults("at 2 s SM1:55 takes 40 ms"));
+  REQUIRE(read.size() == 1);
+  CHECK(read[0].kind == sim::PlannedFault::Kind::takes);
+  CHECK(read[0].device == "SM1");
+  CHECK(read[0].statement == 55);
+  CHECK(read[0].by == 40ms);
+  for (const char* wrong : {"at 2 s SM1 takes 40 ms", "at 2 s SM1: takes 40 ms", "at 2 s SM1:0 takes 40 ms"})
+    CHECK(std::get<sim::FaultTextError>(sim::read_faults(wrong)).cause.find("a statement is named by") == 0);
 }
 
 TEST_CASE("faults are read line by line, and errors name the line") {

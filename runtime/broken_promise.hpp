@@ -1,0 +1,27 @@
+// A promise of the environment, or a requirement, that a run has seen broken.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "pal/runtime/device.hpp"
+
+namespace pal::runtime {
+
+struct BrokenPromise {
+  std::string promise;  // "force-torque answers 6 ms after a request at the latest"
+  std::string by;       // a device, or a thread, at which it was seen; may be empty
+  Time measured{};  // the longest; of a least time the shortest; Time::max(): something was never answered
+  Time first{};     // when it was broken for the first time, and noted
+  std::size_t times = 1;
+  std::vector<std::string> endangers;  // the requirements whose proof relies on it; of a requirement itself
+};
+
+/// "force-torque answers 6 ms after a request at the latest: measured 400 ms; endangers fresh-force"
+std::string in_words(const BrokenPromise& broken);
+
+/// "6 ms", "0.25 us", "1 ns": exact.
+std::string in_words(Time time);
+
+}  // namespace pal::runtime

@@ -1,0 +1,406 @@
+// Promises that are broken while a skill runs: of devices, of statements, of requirements; and what is done
+// then.
+#include <catch2/catch.hpp>
+
+#include "runtime/device_watch.hpp"
+#include "tests/run/support/bench.hpp"
+
+using namespace pal;
+using namespace pal::test;
+using runtime::BrokenPromise;
+using runtime::DeviceHost;
+using runtime::DeviceTimes;
+using runtime::DeviceWatch;
+using runtime::from;
+using runtime::OnBrokenPromise;
+using runtime::RequirementSpec;
+using runtime::Seen;
+using runtime::Task;
+using runtime::Thread;
+using runtime::Time;
+using Behaviour = DeviceTimes::Behaviour;
+using Measure = RequirementSpec::Measure;
+
+namespace {
+
+const std::array rows{0, 1, 2, 3};
+
+/// The row with this index, as a list.
+std::span<const int> row(int index) {
+  return std::span(rows).subspan(static_cast<std::size_t>(index), 1);
+}
+
+// A asks the sensor for x, three times. The sensor promises 2 to 3 ms, and takes what the test says.
+struct Asker {
+  Asker() {
+    const int p = skill.processor("P");
+    skill.devices = {"sensor"};
+    skill.times = {{.behaviour = Behaviour::on_request, .answer = {2ms, 3ms}}};
+    request = skill.channel("A", "request x", "sensor");
+    skill.channels.back().to_device = true;
+    x = skill.channel("sensor", "x", "A");
+    skill.channels.back().from_device = true;
+    skill.channels.front().answer = x;
+    send = skill.statement("send");
+    receive = skill.statement("receive", 100us);
+    end = skill.statement("end");
+    skill.requirements = {{.name = "fresh",
+                           .measure = Measure::other,
+                           .channels = {},
+                           .at = {},
+                           .threads = row(0),
+                           .devices = row(0)},
+                          {.name = "elsewhere", .channels = {}, .at = {}, .threads = {}, .devices = {}}};
+    skill.thread("A", p, 1, [this](Thread& t) -> Task {
+      for (int i = 0; i < 3; ++i) {
+        co_await t.send(send, request);
+        co_await t.wait(receive, from(x));
+      }
+      co_await t.complete(end, 0);
+    });
+    sensor.on_receive = [this](DeviceHost& host, std::size_t, std::span<const double>) {
+      if (answer_times.empty()) return;  // never
+      host.at(host.now() + answer_times.front(), [&host] { host.deliver(1, {}); });
+      answer_times.erase(answer_times.begin());
+    };
+  }
+  runtime::Outcome go(OnBrokenPromise policy = OnBrokenPromise::report) {
+    runtime::RunOptions options;
+    options.on_broken_promise = policy;
+    return run(skill, {&sensor}, options);
+  }
+  WrittenSkill skill;
+  ScriptedDevice sensor{"sensor", {{"request x", true, {}}, {"x", false, {}}}};
+  std::vector<Time> answer_times{2ms, 3ms, 2500us};
+  int request = 0, x = 0, send = 0, receive = 0, end = 0;
+};
+
+}  // namespace
+
+TEST_CASE("a device that keeps its promise to the nanosecond breaks none, and its trace has nothing of it") {
+  Asker asker;
+  const auto outcome = asker.go(OnBrokenPromise::stop);
+  CHECK(outcome.code == 0);
+  CHECK(outcome.broken_promises.empty());
+  CHECK(outcome.trace.promises.empty());
+}
+
+TEST_CASE(
+    "an answer that comes late is noted when it is due, with what it endangers, and the skill goes on") {
+  Asker asker;
+  asker.answer_times = {3ms, 400ms, 5ms};
+  const auto outcome = asker.go();
+  CHECK(outcome.code == 0);
+  CHECK_FALSE(outcome.fault);
+  REQUIRE(outcome.broken_promises.size() == 1);
+  const BrokenPromise& broken = outcome.broken_promises.front();
+  CHECK(broken.promise == "sensor answers 3 ms after a request at the latest");
+  CHECK(broken.by == "sensor");
+  CHECK(broken.measured == 400ms);
+  CHECK(broken.first == 6100us + 1ns);
+  CHECK(broken.times == 2);
+  CHECK(broken.endangers == std::vector<std::string>{"fresh"});
+  CHECK(in_words(broken) ==
+        "sensor answers 3 ms after a request at the latest: measured 400 ms, 2 times; endangers fresh");
+  CHECK(outcome.trace.promises == std::vector<std::string>{broken.promise});
+  CHECK(only(to_text(outcome.trace), {"broken"}) ==
+        "6.1 broken sensor: sensor answers 3 ms after a request at the latest\n"
+        "406.2 broken sensor: sensor answers 3 ms after a request at the latest\n");
+}
+
+TEST_CASE("an answer that comes too soon is another promise") {
+  Asker asker;
+  asker.answer_times = {2ms - 1ns, 3ms, 3ms + 1ns};
+  const auto outcome = asker.go();
+  REQUIRE(outcome.broken_promises.size() == 2);
+  CHECK(outcome.broken_promises[0].promise == "sensor answers 2 ms after a request at the soonest");
+  CHECK(outcome.broken_promises[0].measured == 2ms - 1ns);
+  CHECK(outcome.broken_promises[1].measured == 3ms + 1ns);
+}
+
+TEST_CASE(
+    "policy stop: the skill ends with its error completion when the promise is broken, devices closed") {
+  Asker asker;
+  asker.answer_times = {3ms, 400ms, 5ms};
+  const auto outcome = asker.go(OnBrokenPromise::stop);
+  CHECK(outcome.fault);
+  CHECK(outcome.code == 9);
+  CHECK(outcome.duration == 6100us + 1ns);
+  CHECK(outcome.reason ==
+        "sensor answers 3 ms after a request at the latest: measured 3.000001 ms; endangers fresh");
+  CHECK(outcome.broken_promises.size() == 1);
+  CHECK(asker.sensor.closed == 1);
+}
+
+TEST_CASE("a device that never answers is noted when its time is over, before the deadlock is told") {
+  Asker asker;
+  asker.answer_times.clear();
+  const auto outcome = asker.go();
+  CHECK(outcome.fault);
+  CHECK(outcome.reason.find("nothing is left to happen") == 0);
+  CHECK(outcome.duration == 3ms + 1ns);
+  REQUIRE(outcome.broken_promises.size() == 1);
+}
+
+TEST_CASE("policy contingency: the skill is told once, and leads itself to its contingency") {
+  Asker asker;
+  asker.answer_times = {2ms, 400ms, 2ms, 2ms};
+  bool broken = false;
+  std::vector<std::string> told;
+  asker.skill.on_promise_broken = [&](const BrokenPromise& promise) {
+    told.push_back(promise.promise);
+    broken = true;
+    return true;
+  };
+  const int c = asker.skill.condition("pc-broken");
+  const int set = asker.skill.statement("SPC( pc-broken )");
+  asker.skill.bodies.front() = [&, c, set](Thread& t) -> Task {
+    for (;;) {
+      co_await t.send(asker.send, asker.request);
+      co_await t.wait(asker.receive, from(asker.x));
+      co_await t.set(set, c, [&] { return broken; });
+      co_await t.test(set, c);
+      if (t.tested(c)) break;
+    }
+    co_await t.complete(asker.end, 1);
+  };
+  const auto outcome = asker.go(OnBrokenPromise::contingency);
+  CHECK_FALSE(outcome.fault);
+  CHECK(outcome.code == 1);
+  CHECK(told == std::vector<std::string>{"sensor answers 3 ms after a request at the latest"});
+}
+
+TEST_CASE("policy contingency: a skill that has no answer, or throws, is stopped") {
+  Asker asker;
+  asker.answer_times = {5ms, 5ms, 5ms};
+  std::string why;
+  SECTION("none") {
+    why = "; the skill has no answer to it";
+  }
+  SECTION("throws") {
+    asker.skill.on_promise_broken = [](const BrokenPromise&) -> bool { throw std::runtime_error("no idea"); };
+    why = "; the skill's answer: no idea";
+  }
+  const auto outcome = asker.go(OnBrokenPromise::contingency);
+  CHECK(outcome.fault);
+  CHECK(outcome.code == 9);
+  CHECK(outcome.reason.ends_with(why));
+}
+
+TEST_CASE("a statement that takes longer than its worst is noted with its line, from an instant on") {
+  Asker asker;
+  runtime::RunOptions options;
+  options.slow = {{"M", 2, 40ms, 3ms}};  // the second line: receive
+  const auto outcome = run(asker.skill, {&asker.sensor}, options);
+  CHECK(outcome.code == 0);
+  REQUIRE(outcome.broken_promises.size() == 1);
+  const BrokenPromise& broken = outcome.broken_promises.front();
+  CHECK(broken.promise == "receive of M (written.pal:2) takes at most 100 us");
+  CHECK(broken.by == "A");
+  CHECK(broken.measured == 40ms);
+  CHECK(broken.times == 2);
+  CHECK(broken.endangers == std::vector<std::string>{"fresh"});
+
+  options.on_broken_promise = OnBrokenPromise::stop;
+  asker.answer_times = {2ms, 3ms, 2500us};
+  const auto stopped = run(asker.skill, {&asker.sensor}, options);
+  CHECK(stopped.fault);
+  CHECK(stopped.reason.find("receive of M (written.pal:2) takes at most 100 us: measured 40 ms") == 0);
+}
+
+// Whether each instant of the events keeps the promise.
+std::vector<Seen::What> events(const DeviceTimes& times, const std::vector<Time>& instants) {
+  DeviceWatch watch(times);
+  watch.opened(0ms);
+  std::vector<Seen::What> result;
+  for (const Time instant : instants) result.push_back(watch.event(instant).what);
+  return result;
+}
+
+TEST_CASE("events of a device: neither closer than their period nor later, jitter allowed for") {
+  const auto kept = Seen::What::kept, sooner = Seen::What::sooner, later = Seen::What::later;
+  const DeviceTimes exact{Behaviour::events, "tick", 28ms};
+  CHECK(events(exact, {28ms, 56ms, 84ms}) == std::vector{kept, kept, kept});
+  CHECK(events(exact, {29ms}) == std::vector{later});
+  CHECK(events(exact, {0ms, 20ms, 48ms}) == std::vector{kept, sooner, kept});
+  CHECK(events(exact, {0ms, 30ms, 58ms}) == std::vector{kept, later, kept});
+  const DeviceTimes jitter{Behaviour::events, "tick", 10ms, 2ms};
+  CHECK(events(jitter, {2ms, 10ms, 22ms, 30ms}) == std::vector{kept, kept, kept, kept});
+  CHECK(events(jitter, {2ms, 10ms, 18ms}) ==
+        std::vector{kept, kept, sooner});  // each 8 ms apart: not for long
+  CHECK(events(jitter, {2ms, 15ms}) == std::vector{kept, later});
+  const DeviceTimes sporadic{Behaviour::sporadic, "tick", 10ms, 2ms};
+  CHECK(events(sporadic, {500ms, 508ms, 515ms, 3s}) == std::vector{kept, kept, sooner, kept});
+  const DeviceTimes phase{Behaviour::events, "tick", 28ms, 0ms, 5ms};
+  CHECK(events(phase, {5ms, 33ms}) == std::vector{kept, kept});
+  CHECK(events(phase, {4ms}) == std::vector{sooner});
+}
+
+TEST_CASE("a device that serves one request at a time has its time for each") {
+  DeviceWatch watch({.behaviour = Behaviour::on_request, .answer = {2ms, 3ms}});
+  watch.asked(0ms);
+  watch.asked(1ms);
+  CHECK(watch.due() == 3ms + 1ns);
+  CHECK(watch.answered(3ms, 0ms).what == Seen::What::kept);
+  CHECK(watch.due() == 6ms + 1ns);
+  CHECK(watch.answered(6ms, 1ms).what == Seen::What::kept);
+  CHECK(watch.due() == Time::max());
+  watch.asked(10ms);
+  watch.forgotten(11ms, false);
+  CHECK(watch.due() == Time::max());
+}
+
+TEST_CASE("a frame comes a period and the time of its collection after the request at the latest") {
+  DeviceWatch watch({.behaviour = Behaviour::frames, .period = 78ms, .answer = {76ms, 76ms}});
+  watch.asked(0ms);
+  CHECK(watch.due() == 154ms + 1ns);
+  CHECK(watch.answered(154ms, 0ms).what == Seen::What::kept);
+  watch.asked(160ms);
+  CHECK(watch.answered(200ms, 160ms).what == Seen::What::sooner);
+  watch.asked(300ms);
+  const Seen late = watch.overdue(300ms + 154ms + 1ns);
+  CHECK(late.what == Seen::What::later);
+  CHECK(watch.due() == Time::max());
+  CHECK(watch.answered(700ms, 300ms).noted);
+}
+
+namespace {
+
+// A bell rings every 10 ms. A hears it, works, sets c, reads it and rings back.
+struct Bell {
+  Bell() {
+    const int p = skill.processor("P");
+    skill.devices = {"bell"};
+    skill.times = {{Behaviour::events, "ring", 10ms}};
+    ring = skill.channel("bell", "ring", "A");
+    skill.channels.back().from_device = true;
+    back = skill.channel("A", "back", "bell");
+    skill.channels.back().to_device = true;
+    c = skill.condition("c");
+    hear = skill.statement("hear");
+    answer = skill.statement("answer", 1ms);
+    act = skill.statement("act", 1ms);
+    set = skill.statement("set");
+    skill.thread("A", p, 1, [this](Thread& t) -> Task {
+      for (const int naps : work) {
+        co_await t.wait(hear, from(ring));
+        co_await t.set(set, c, true);
+        co_await t.read(set, c);
+        for (int i = 0; i < naps; ++i) co_await t.perform(act, [] {});
+        co_await t.send(answer, back);
+      }
+      co_await t.complete(act, 0);
+    });
+    bell.on_open = [](DeviceHost& host) {
+      for (int i = 1; i < 10; ++i) host.at(host.now() + i * 10ms, [&host] { host.deliver(0, {}); });
+    };
+  }
+  runtime::Outcome require(RequirementSpec spec, OnBrokenPromise policy = OnBrokenPromise::report) {
+    spec.name = "r";
+    skill.requirements = {spec};
+    runtime::RunOptions options;
+    options.on_broken_promise = policy;
+    options.trace = runtime::TraceMode::none;  // what is measured needs no trace
+    return run(skill, {&bell}, options);
+  }
+  WrittenSkill skill;
+  ScriptedDevice bell{"bell", {{"ring", false, {}}, {"back", true, {}}}};
+  std::vector<int> work{1, 3, 1};
+  int ring = 0, back = 0, c = 0, hear = 0, answer = 0, act = 0, set = 0;
+};
+
+RequirementSpec spec(Measure measure, int channel, int at) {
+  RequirementSpec result;
+  result.measure = measure;
+  if (channel >= 0) result.channels = row(channel);
+  result.at = row(at);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a response that takes too long is seen when its limit is over, not when it comes") {
+  Bell bell;
+  RequirementSpec response = spec(Measure::response, 0, 1);
+  response.most = 4ms;
+  CHECK(bell.require(response).broken_promises.empty());
+  response.most = 3ms;
+  auto outcome = bell.require(response);
+  REQUIRE(outcome.broken_promises.size() == 1);
+  CHECK(outcome.broken_promises[0].promise == "requirement r, a response of at most 3 ms");
+  CHECK(outcome.broken_promises[0].measured == 4ms);
+  CHECK(outcome.broken_promises[0].times == 1);
+  CHECK(outcome.broken_promises[0].first == 23ms + 1ns);
+  CHECK(outcome.broken_promises[0].endangers == std::vector<std::string>{"r"});
+  outcome = bell.require(response, OnBrokenPromise::stop);
+  CHECK(outcome.fault);
+  CHECK(outcome.duration == 23ms + 1ns);
+}
+
+TEST_CASE("an event that is lost fails its response, whatever its limit") {
+  Bell bell;
+  bell.work = {30, 1};
+  RequirementSpec response = spec(Measure::response, 0, 1);
+  response.most = 1s;
+  const auto outcome = bell.require(response);
+  CHECK(outcome.overruns == 2);
+  REQUIRE(outcome.broken_promises.size() == 1);
+  CHECK(outcome.broken_promises[0].measured == Time::max());
+  CHECK(in_words(outcome.broken_promises[0]) ==
+        "requirement r, a response of at most 1 s: not answered, 2 times; endangers r");
+}
+
+TEST_CASE("ages, samples, intervals and durations are measured while the skill runs") {
+  Bell bell;
+  RequirementSpec age = spec(Measure::age, -1, 1);
+  age.condition = 0;
+  RequirementSpec sample = spec(Measure::sample, 0, 1);
+  RequirementSpec interval = spec(Measure::interval, -1, 1);
+  RequirementSpec duration = spec(Measure::duration, -1, 1);
+  struct Case {
+    RequirementSpec spec;
+    Time most;
+  };
+  // The second of three answers comes 4 ms after its ring, the others 2 ms: so they are 12 and 8 ms apart.
+  for (const Case& each : {Case{age, 4ms}, Case{sample, 4ms}, Case{interval, 12ms}, Case{duration, 33ms}}) {
+    CAPTURE(static_cast<int>(each.spec.measure));
+    RequirementSpec limited = each.spec;
+    limited.most = each.most;
+    CHECK(bell.require(limited).broken_promises.empty());
+    limited.most = each.most - 1ns;
+    const auto outcome = bell.require(limited);
+    REQUIRE(outcome.broken_promises.size() == 1);
+    CHECK(outcome.broken_promises[0].measured == each.most);
+    CHECK(bell.require(limited, OnBrokenPromise::stop).code == 9);
+  }
+  interval.least = 8ms;
+  CHECK(bell.require(interval).broken_promises.empty());
+  interval.least = 8ms + 1ns;
+  const auto outcome = bell.require(interval);
+  REQUIRE(outcome.broken_promises.size() == 1);
+  CHECK(outcome.broken_promises[0].promise == "requirement r, an interval of at least 8.000001 ms");
+  CHECK(outcome.broken_promises[0].measured == 8ms);
+}
+
+TEST_CASE("a bell that rings too soon, or falls silent, is noted") {
+  Bell bell;
+  Time step = 10ms;
+  int rings = 5;
+  bell.bell.on_open = [&](DeviceHost& host) {
+    for (int i = 1; i <= rings; ++i) host.at(host.now() + i * step, [&host] { host.deliver(0, {}); });
+  };
+  SECTION("too soon") {
+    step = 9ms;
+    const auto outcome = run(bell.skill, {&bell.bell});
+    REQUIRE(outcome.broken_promises.size() == 1);
+    CHECK(in_words(outcome.broken_promises[0]) ==
+          "bell sends ring every 10 ms, not sooner: measured 9 ms, 2 times");
+  }
+  SECTION("silent") {
+    rings = 1;
+    const auto outcome = run(bell.skill, {&bell.bell});
+    REQUIRE(outcome.broken_promises.size() == 1);
+    CHECK(outcome.broken_promises[0].promise == "bell sends ring every 10 ms, not later");
+    CHECK(outcome.broken_promises[0].first == 20ms + 1ns);
+  }
+}
