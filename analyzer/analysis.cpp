@@ -17,8 +17,17 @@ namespace {
 
 using State = Verdict::State;
 
-/// So many classes decide most skills at once; of larger ones cheaper answers are asked first.
+/// So many classes are explored before what leaves out parts of the skill is tried.
 constexpr std::size_t brief_exploration = 20'000;
+
+/// So many classes are explored in a moment, also where a bound says enough. A class of a skill with many
+/// threads takes longer, about with their square.
+std::size_t glance(const Problem& problem) {
+  constexpr std::size_t few_threads = 16;
+  constexpr std::size_t least = 1'000;
+  const std::size_t threads = std::max(problem.threads.size(), few_threads);
+  return std::max(least, brief_exploration * few_threads * few_threads / (threads * threads));
+}
 
 /// So many classes show most loops in which no time passes.
 constexpr std::size_t first_look = 5'000;
@@ -158,8 +167,38 @@ Statistics explore_slice(const Problem& problem, const Requirement& requirement,
   return found.statistics;
 }
 
-/// Decides what is open by what is cheap, first by what is known to be cheaper.
-void settle(const Problem& problem, const Options& options, Analysis& analysis) {
+/// Explores the requirements `open`, and puts what is found in the place of what is known by now if it says
+/// more.
+void explore(const Provers& provers, const Problem& problem, const Options& options,
+             const std::vector<std::size_t>& open, const std::vector<Verdict>& bounds, Analysis& known) {
+  Problem rest = problem;
+  rest.requirements.clear();
+  for (const std::size_t r : open) rest.requirements.push_back(problem.requirements[r]);
+  Analysis further = provers.exact(rest, options);
+  known.statistics += further.statistics;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    Verdict& before = known.verdicts[open[i]];
+    Verdict& now = further.verdicts[i];
+    const Statistics statistics = now.statistics;
+    const bool refuted = now.state == State::fails && before.state != State::fails;
+    if (now.gave_up && !refuted) {
+      if (now.witness && !now.witness->grows)
+        confront(problem, rest.requirements[i], std::move(*now.witness), before);
+    } else {
+      complete(now, bounds[open[i]]);
+      search(problem, rest.requirements[i], options, now);
+      now.statistics = before.statistics;
+      before = std::move(now);
+    }
+    before.statistics += statistics;
+  }
+}
+
+/// Decides what is open by what is cheap: first by runs, as pal simulate makes them.
+void settle(const Provers& provers, const Problem& problem, const Options& options,
+            const std::vector<Verdict>& bounds, Analysis& analysis) {
+  Options brief = options;
+  brief.max_states = std::min(options.max_states, brief_exploration);
   for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
     const double part = 0.5 / static_cast<double>(analysis.verdicts.size() - r);
     const Options here = share_of(options, part);
@@ -168,6 +207,12 @@ void settle(const Problem& problem, const Options& options, Analysis& analysis) 
     attack(problem, requirement, here, verdict);
     if (verdict.state != State::undecided) continue;
     look_for_long_run(problem, requirement, share_of(here, 0.25), verdict);
+    const bool more = verdict.gave_up && brief.max_states > glance(problem);
+    if (verdict.state == State::undecided && more) {
+      Options first = share_of(here, 0.3);
+      first.max_states = brief.max_states;
+      explore(provers, problem, first, {r}, bounds, analysis);
+    }
     if (verdict.state == State::undecided) explore_slice(problem, requirement, share_of(here, 0.6), verdict);
     // Also of a bound that decides: the run that comes near it is shown.
     search(problem, requirement, here, verdict);
@@ -183,64 +228,81 @@ std::vector<Verdict> confronted(std::vector<Verdict> bounds, const Analysis& kno
   return bounds;
 }
 
-/// `known`: from the exact analysis, whose runs must not contradict it.
-Analysis bounds_of(const Provers& provers, const Problem& problem, const Options& options,
-                   const Analysis& known) {
-  Analysis bounds = provers.compositional(problem, options);
-  bounds.verdicts = confronted(std::move(bounds.verdicts), known);
-  withdraw_refuted(bounds.verdicts);
-  return bounds;
-}
-
 /// So many classes are explored to see how far what fails can go.
 constexpr std::size_t most_of_failing = 200'000;
 
 /// Explores until all runs are seen, or the limits met, what is in the state that is `meant`; if `thorough`,
 /// whatever is not known exactly by now.
 void explore_further(const Provers& provers, const Problem& problem, const Options& options, bool thorough,
-                     State meant, const Analysis& bounds, Analysis& known) {
-  Problem rest = problem;
-  rest.requirements.clear();
+                     State meant, const std::vector<Verdict>& bounds, Analysis& known) {
   std::vector<std::size_t> open;
   for (std::size_t r = 0; r < known.verdicts.size(); ++r) {
     const Verdict& verdict = known.verdicts[r];
     if (!verdict.gave_up || verdict.exact || (!thorough && verdict.state != meant)) continue;
     open.push_back(r);
-    rest.requirements.push_back(problem.requirements[r]);
   }
   if (open.empty() || options.max_states <= brief_exploration) return;
-  Analysis further = provers.exact(rest, options);
-  known.statistics += further.statistics;
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    Verdict& before = known.verdicts[open[i]];
-    Verdict& now = further.verdicts[i];
-    const Statistics statistics = now.statistics;
-    const bool refuted = now.state == State::fails && before.state != State::fails;
-    if (now.gave_up && !refuted) {
-      if (now.witness && !now.witness->grows)
-        confront(problem, rest.requirements[i], std::move(*now.witness), before);
-    } else {
-      complete(now, bounds.verdicts[open[i]]);
-      search(problem, rest.requirements[i], options, now);
-      now.statistics = before.statistics;
-      before = std::move(now);
+  explore(provers, problem, options, open, bounds, known);
+}
+
+/// Of more classes a load that a bound has settled is not looked at: it takes much longer than a time.
+constexpr std::size_t most_of_load = 1'000;
+
+/// Whether a bound settles a load.
+bool settled_load(const Verdict& bound) {
+  return bound.measure == Requirement::Measure::load && bound.state == State::holds;
+}
+
+/// What a moment's exploration shows of every requirement.
+Analysis look_at_all(const Provers& provers, const Problem& problem, const Options& options,
+                     const std::vector<Verdict>& bounds) {
+  Analysis all;
+  all.verdicts.resize(bounds.size());
+  for (const bool load : {false, true}) {
+    Options how = options;
+    how.max_states = std::min(options.max_states, load ? most_of_load : glance(problem));
+    Problem part = problem;
+    part.requirements.clear();
+    std::vector<std::size_t> which;
+    for (std::size_t r = 0; r < bounds.size(); ++r) {
+      if (settled_load(bounds[r]) != load) continue;
+      which.push_back(r);
+      part.requirements.push_back(problem.requirements[r]);
     }
-    before.statistics += statistics;
+    if (which.empty()) continue;
+    Analysis shown = provers.exact(part, how);
+    all.statistics += shown.statistics;
+    for (std::size_t i = 0; i < which.size(); ++i) all.verdicts[which[i]] = std::move(shown.verdicts[i]);
+  }
+  return all;
+}
+
+/// A bound settles no load of the long run if there is none.
+void say_ends(const Problem& problem, const Options& options, Analysis& analysis) {
+  const auto open = [](const Verdict& verdict) { return settled_load(verdict) && verdict.gave_up; };
+  if (std::none_of(analysis.verdicts.begin(), analysis.verdicts.end(), open)) return;
+  Options brief = options;
+  brief.max_states = std::min(options.max_states, glance(problem));
+  if (!every_run_ends(problem, brief)) return;
+  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
+    Verdict& verdict = analysis.verdicts[r];
+    if (!open(verdict)) continue;
+    verdict.state = State::never;
+    verdict.bound.reset();
+    verdict.addends.clear();
+    verdict.explanation = nothing_measured(problem.requirements[r], true);
   }
 }
 
 Analysis analyze_automatically(const Provers& provers, const Problem& problem, const Options& options,
                                bool thorough) {
-  Options brief = share_of(options, 0.3);
-  brief.max_states = std::min(options.max_states, brief_exploration);
-  Analysis analysis = provers.exact(problem, brief);
-  const bool open = std::any_of(
-      analysis.verdicts.begin(), analysis.verdicts.end(),
-      [](const Verdict& verdict) { return verdict.gave_up || verdict.state == State::undecided; });
-  // Of a skill of thousands of statements a bound, too, takes long.
-  const Analysis bounds = open ? bounds_of(provers, problem, options, analysis) : Analysis{};
-  for (std::size_t r = 0; r < bounds.verdicts.size(); ++r) complete(analysis.verdicts[r], bounds.verdicts[r]);
-  settle(problem, options, analysis);
+  const Analysis proofs = provers.compositional(problem, share_of(options, 0.6));
+  Analysis analysis = look_at_all(provers, problem, share_of(options, 0.2), proofs.verdicts);
+  std::vector<Verdict> bounds = confronted(proofs.verdicts, analysis);
+  withdraw_refuted(bounds);
+  for (std::size_t r = 0; r < bounds.size(); ++r) complete(analysis.verdicts[r], bounds[r]);
+  say_ends(problem, share_of(options, 0.2), analysis);
+  settle(provers, problem, options, bounds, analysis);
   if (thorough) search_all(problem, options, analysis);
   const auto go_on = [&options] { return !(options.stop && options.stop()); };
   if (go_on()) explore_further(provers, problem, options, thorough, State::undecided, bounds, analysis);
@@ -248,8 +310,8 @@ Analysis analyze_automatically(const Provers& provers, const Problem& problem, c
   failing.max_states = std::min(options.max_states, most_of_failing);
   if (!thorough && go_on()) explore_further(provers, problem, failing, false, State::fails, bounds, analysis);
   // The runs that were found since may contradict bounds, also those that are not used.
-  withdraw_refuted(confronted(bounds.verdicts, analysis), analysis.verdicts);
-  analysis.statistics.seconds += bounds.statistics.seconds;
+  withdraw_refuted(confronted(std::move(bounds), analysis), analysis.verdicts);
+  analysis.statistics.seconds += proofs.statistics.seconds;
   return analysis;
 }
 

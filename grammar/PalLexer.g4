@@ -80,6 +80,7 @@ METHOD        : M E T H O D ;
 MODEL         : M O D E L ;
 MODULE        : M O D U L E ;
 MOST          : M O S T ;
+NEVER         : N E V E R ;
 NONPREEMPTIVE : N O N P R E E M P T I V E ;
 NORMAL        : N O R M A L ;
 NOTHING       : N O T H I N G ;

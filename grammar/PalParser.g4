@@ -207,7 +207,7 @@ item
   | GENERIC SKILL names                                                               # availableSkills
   | PROCESSOR name NONPREEMPTIVE?                                                     # processor
   | DEVICE name EVENT message eventClause+                                            # eventDevice
-  | DEVICE name ON REQUEST interval                                                   # requestDevice
+  | DEVICE name ON REQUEST interval ( OR NEVER )?                                     # requestDevice
   | DEVICE name FRAMES frameClause+                                                   # frameDevice
   | PLACE thread ON name PRIORITY NUMBER                                              # placement
   | TIME activityName ( OF name )? COLON interval                                     # activityTime
@@ -252,7 +252,7 @@ contextual
   : ACTIVITY | AGE | ANSWER | AT | BETWEEN | BOOLEAN | BUSY | COLLECTING | COMPLETION | CONTROLLER
   | COORDINATOR | COST | DATA | DEFAULT | DESCRIPTION | DRIVER | DURATION | EACH | ERROR | EVENT | EVERY
   | FIRST | FOREVER | FRAMES | GENERIC | IN | INTEGER | INTERVAL | JITTER | LATENCY | LEAST | LOAD | LOSS | METHOD
-  | MODEL | MODULE | MOST | NONPREEMPTIVE | NORMAL | NOTHING | OF | ON | PARAMETER | PERIOD | PHASE | PLACE
+  | MODEL | MODULE | MOST | NEVER | NONPREEMPTIVE | NORMAL | NOTHING | OF | ON | PARAMETER | PERIOD | PHASE | PLACE
   | POSTCONDITION | PRECONDITION | PRIORITY | PROCESSOR | PROCESSORS | PROTOCOL | RANGE | REACTION | READ
   | READS | REAL | RECEIVE | REQUIREMENT | RESPONSE | RETURNS | SEND | SET | SIGNAL | SPORADIC | TEST | TEXT | TIME | WITHIN
   | WRITES

@@ -220,6 +220,11 @@ class Analyzer {
       verdict.explanation = "The exploration ended before all runs had been seen.";
       return;
     }
+    if (ends_always(problem_, graph)) {
+      verdict.state = Is::never;
+      verdict.explanation = nothing_measured(requirement, true);
+      return;
+    }
     const std::vector<LoadBound> bounds = load_bounds(machine, graph, requirement.processors, limits());
     std::string others;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
@@ -289,6 +294,15 @@ class Analyzer {
 };
 
 }  // namespace
+
+bool every_run_ends(const Problem& problem, const Options& options) {
+  if (!fits_exploration(problem)) return false;
+  const Watch nothing;
+  const Machine machine(problem, nothing);
+  ZoneGraph graph(machine, 0, true);
+  Workers workers(options.threads);
+  return graph.explore({options.max_states, options.stop, {}, &workers}) && ends_always(problem, graph);
+}
 
 Analysis analyze_exactly(const Problem& problem, const Options& options) {
   return Analyzer(problem, options).run();

@@ -40,6 +40,10 @@ struct Analysis {
   std::optional<ZenoRun> zeno_run = {};
 };
 
+/// Whether every run ends: then a load, which is that of the long run, says nothing. False says nothing, as
+/// where `options` ended the exploration.
+bool every_run_ends(const Problem& problem, const Options& options);
+
 Analysis analyze_exactly(const Problem& problem, const Options& options = {});
 
 }  // namespace pal::analyzer

@@ -77,10 +77,10 @@ Grid::Grid(const Machine& machine, const Slice& slice) : sliced_(machine), slice
 State Grid::masked(State state) const {
   for (std::size_t t = 0; t < state.threads.size(); ++t) {
     // A thread that waits for its processor for ever must not get the one of somebody who is left out.
-    if (!slice_.threads[t]) std::erase(state.queue, static_cast<std::int8_t>(t));
+    if (!slice_.threads[t]) std::erase(state.queue, static_cast<ThreadNumber>(t));
     if (!slice_.left_out[t]) continue;
-    for (std::int8_t& running : state.running) {
-      if (running == static_cast<std::int8_t>(t)) running = -1;
+    for (ThreadNumber& running : state.running) {
+      if (running == static_cast<ThreadNumber>(t)) running = -1;
     }
     state.threads[t] = {};
   }

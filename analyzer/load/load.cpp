@@ -173,6 +173,16 @@ class Loads {
 
 }  // namespace
 
+bool ends_always(const Problem& problem, const ZoneGraph& graph) {
+  const auto may_wait_for_ever = [](const Device& device) {
+    const auto* event = std::get_if<pan::EventDevice>(&device.behaviour);
+    return event != nullptr && event->sporadic;
+  };
+  if (std::any_of(problem.devices.begin(), problem.devices.end(), may_wait_for_ever)) return false;
+  const auto goes_on = [](const Place& place) { return place.state.ended || !place.moves.empty(); };
+  return std::all_of(graph.places().begin(), graph.places().end(), goes_on) && recurrences(graph).empty();
+}
+
 std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph,
                                    const std::vector<int>& processors, const Limits& limits) {
   Loads loads(machine, graph, limits);

@@ -24,6 +24,10 @@ struct LoadBound {
   std::size_t states = 0;
 };
 
+/// Whether every run ends: then there is no long run in which a processor has a load. False says nothing.
+/// `graph` as for load_bounds().
+bool ends_always(const Problem& problem, const ZoneGraph& graph);
+
 /// One bound a processor. `graph`: all classes of `machine`, which watches nothing, with its edges, explored
 /// to the end.
 std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph,

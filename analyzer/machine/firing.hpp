@@ -139,6 +139,7 @@ class Firing {
   void take_pending(int device);
   void device_next(int device);
   void device_service(int device);
+  bool never_answers(const Device& of, const DeviceState::Served& served);
   void answer(int request, std::uint8_t carries);
   void event_occurs(int device);
 
@@ -184,7 +185,7 @@ class Firing {
   const Channel& channel_of(int channel) const {
     return problem_.channels[static_cast<std::size_t>(channel)];
   }
-  std::int8_t& running(int processor) { return state_.running[static_cast<std::size_t>(processor)]; }
+  ThreadNumber& running(int processor) { return state_.running[static_cast<std::size_t>(processor)]; }
 
   void start_timer(int timer, Range range);
   void stop_timer(int timer);

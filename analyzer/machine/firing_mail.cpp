@@ -283,6 +283,10 @@ void Firing::device_service(int device) {
   const DeviceState::Served served = state.serving;
   state.serving.reset();
   emit_device(Kind::idle, device);
+  if (never_answers(of, served)) {
+    due_.push_back({Due::What::serve, device});
+    return;
+  }
   if (counts_losses(device)) occurrence(device, !arrives(device, served));
   for (std::size_t i = 0; i < of.requests.size(); ++i) {
     if (!served[i]) continue;
@@ -292,6 +296,22 @@ void Firing::device_service(int device) {
     due_.push_back({Due::What::answer, request, -1, carries});
   }
   if (std::holds_alternative<pan::RequestDevice>(of.behaviour)) due_.push_back({Due::What::serve, device});
+}
+
+/// Whether the device, which serves one request, has no answer to it though somebody wants one: then the request
+/// is open no more.
+bool Firing::never_answers(const Device& of, const DeviceState::Served& served) {
+  const auto* request = std::get_if<pan::RequestDevice>(&of.behaviour);
+  if (request == nullptr || !request->may_fail) return false;
+  for (std::size_t i = 0; i < of.requests.size(); ++i) {
+    const int channel = channel_of(of.requests[i]).answer;
+    if (!served[i] || discards(channel) || choices_.pick(2) == 0) continue;
+    slot(of.requests[i]).serving_carries = tag::none;
+    discard(channel);
+    emit_device(Kind::drop, channel_of(of.requests[i]).receiver_device, channel);
+    return true;
+  }
+  return false;
 }
 
 /// The answer to a request is there, or lost, or not wanted any more.

@@ -16,7 +16,7 @@ void Firing::ask(int request, int thread) {
   if (asked.count == Asked::most) {
     outcome_.too_many = true;
   } else {
-    asked.push(thread < 0 ? Asked::device : static_cast<std::int8_t>(thread));
+    asked.push(thread < 0 ? Asked::device : static_cast<ThreadNumber>(thread));
   }
 }
 
@@ -57,7 +57,7 @@ void Firing::withdraw(int request, Meant meant, std::vector<int>& freed) {
   const int answer = channel_of(request).answer;
   // What is asked for from here on, by a sender whose slot becomes free, is not meant.
   for (int at = asked.count - 1; at >= 0; --at) {
-    std::int8_t& owner = asked.by[static_cast<std::size_t>(at)];
+    ThreadNumber& owner = asked.by[static_cast<std::size_t>(at)];
     if (owner == Asked::withdrawn || !meant(owner)) continue;
     const bool asking = in_slot(request, at);
     const bool answered = at == 0 && slot(answer).answers;
@@ -74,14 +74,14 @@ void Firing::withdraw(int request, Meant meant, std::vector<int>& freed) {
 
 void Firing::withdraw_all(int request, std::vector<int>& freed) {
   withdraw(
-      request, [](std::int8_t) { return true; }, freed);
+      request, [](ThreadNumber) { return true; }, freed);
 }
 
 /// What a block that has ended has open is its parent's.
 void Firing::hand_over(int block, int parent) {
   for (SlotState& of : state_.slots) {
     for (std::size_t i = 0; i < of.asked.count; ++i) {
-      if (of.asked.by[i] == block) of.asked.by[i] = static_cast<std::int8_t>(parent);
+      if (of.asked.by[i] == block) of.asked.by[i] = static_cast<ThreadNumber>(parent);
     }
   }
 }
@@ -112,7 +112,7 @@ std::vector<int> Firing::abandon(int thread) {
   std::vector<int> freed;
   for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
     withdraw(
-        static_cast<int>(c), [thread](std::int8_t owner) { return owner == thread; }, freed);
+        static_cast<int>(c), [thread](ThreadNumber owner) { return owner == thread; }, freed);
   }
   return freed;
 }

@@ -168,19 +168,19 @@ void Firing::leave_processor(int thread) {
 }
 
 void Firing::dequeue(int thread) {
-  std::erase(state_.queue, static_cast<std::int8_t>(thread));
+  std::erase(state_.queue, static_cast<ThreadNumber>(thread));
 }
 
 void Firing::enqueue(int thread, bool front) {
   const Thread& of = thread_of(thread);
-  const auto behind = [&](std::int8_t other) {  // whether `other` stands behind the new one
+  const auto behind = [&](ThreadNumber other) {  // whether `other` stands behind the new one
     const Thread& o = thread_of(other);
     if (o.processor != of.processor) return o.processor > of.processor;
     if (o.priority != of.priority) return o.priority < of.priority;
     return front;
   };
   const auto place = std::find_if(state_.queue.begin(), state_.queue.end(), behind);
-  state_.queue.insert(place, static_cast<std::int8_t>(thread));
+  state_.queue.insert(place, static_cast<ThreadNumber>(thread));
 }
 
 void Firing::end(int thread) {
@@ -284,7 +284,7 @@ void Firing::dispatch() {
 
 void Firing::dispatch(int processor) {
   int first = -1;
-  for (std::int8_t queued : state_.queue) {
+  for (ThreadNumber queued : state_.queue) {
     if (thread_of(queued).processor == processor) {
       first = queued;
       break;
@@ -307,7 +307,7 @@ void Firing::dispatch(int processor) {
     dequeue(first);
     current = first;
     state_of(current).status = Status::running;
-    running(processor) = static_cast<std::int8_t>(current);
+    running(processor) = static_cast<ThreadNumber>(current);
     if (state_of(current).begun) {
       outcome_.changes.push_back({TimerChange::Kind::resume, machine_.thread_timer(current), {}});
       emit(Kind::start, current);

@@ -31,6 +31,9 @@ constexpr bool newer(std::uint8_t a, std::uint8_t b) {
 }
 }  // namespace tag
 
+/// A thread, or a number below zero that says why it is none.
+using ThreadNumber = std::int16_t;
+
 enum class Status : std::uint8_t { off, ready, running, waiting, sending, joining };
 
 struct ThreadState {
@@ -55,13 +58,13 @@ struct ThreadState {
 /// Those before the last one are out of their slot; only the first can be answered already.
 struct Asked {
   static constexpr std::uint8_t most = 15;
-  static constexpr std::int8_t device = -1;     // of a device
-  static constexpr std::int8_t withdrawn = -2;  // open no more: its answer is discarded
+  static constexpr ThreadNumber device = -1;     // of a device
+  static constexpr ThreadNumber withdrawn = -2;  // open no more: its answer is discarded
 
   std::uint8_t count = 0;
-  std::array<std::int8_t, most> by{};  // the thread to which it belongs, or one of these; the rest is 0
+  std::array<ThreadNumber, most> by{};  // the thread to which it belongs, or one of these; the rest is 0
 
-  void push(std::int8_t owner) { by[count++] = owner; }
+  void push(ThreadNumber owner) { by[count++] = owner; }
   void erase(int at) {
     for (int i = at; i + 1 < count; ++i)
       by[static_cast<std::size_t>(i)] = by[static_cast<std::size_t>(i + 1)];
@@ -87,7 +90,7 @@ struct SlotState {
 };
 
 struct DeviceState {
-  static constexpr std::size_t most_requests = 128;  // more than fits_exploration() has channels
+  static constexpr std::size_t most_requests = 128;  // more than fits_exploration() has channels; fits_simulation() asks
   using Served = std::bitset<most_requests>;         // by index into Device::requests
 
   bool open = false;
@@ -102,8 +105,8 @@ enum class Pending : std::uint8_t { observed, lost, over };
 
 struct State {
   std::vector<ThreadState> threads;
-  std::vector<std::int8_t> running;  // by processor; -1: idle
-  std::vector<std::int8_t> queue;    // ready threads, by processor, priority, place in the queue
+  std::vector<ThreadNumber> running;  // by processor; -1: idle
+  std::vector<ThreadNumber> queue;    // ready threads, by processor, priority, place in the queue
   std::vector<SlotState> slots;
   std::vector<DeviceState> devices;
   std::uint64_t conditions = 0;
@@ -133,8 +136,8 @@ struct StateHash {
           static_cast<std::uint64_t>(t.begun ? 2 : 0) | static_cast<std::uint64_t>(t.cancelled ? 1 : 0));
       mix(t.latched * 3 + t.latched_values);
     }
-    for (std::int8_t r : state.running) mix(static_cast<std::uint64_t>(r + 1));
-    for (std::int8_t q : state.queue) mix(static_cast<std::uint64_t>(q + 1000));
+    for (const ThreadNumber r : state.running) mix(static_cast<std::uint64_t>(r + 1));
+    for (const ThreadNumber q : state.queue) mix(static_cast<std::uint64_t>(q + 1000));
     for (const SlotState& s : state.slots) {
       mix(static_cast<std::uint64_t>(s.fill) << 56U | static_cast<std::uint64_t>(s.near) << 54U |
           static_cast<std::uint64_t>(s.far) << 52U | static_cast<std::uint64_t>(s.from + 1) << 40U |

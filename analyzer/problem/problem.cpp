@@ -19,6 +19,9 @@ constexpr int most_conditions = 64;
 constexpr int most_channels = 40'000;
 constexpr int most_explored_threads = 100;
 constexpr int most_explored_channels = 120;
+constexpr int most_simulated_threads = 2'000;
+constexpr int most_simulated_channels = 4'000;
+constexpr std::size_t most_requests = 128;  // of a device
 
 const std::string& party(const Problem& problem, int device, int module) {
   return device >= 0 ? problem.devices[static_cast<std::size_t>(device)].name
@@ -62,6 +65,7 @@ std::optional<Problem> ProblemBuilder::build() {
   requirements();
   limits();
   if (diagnostics_.errors() != before) return std::nullopt;
+  endless_waits();
   overload();
   return std::move(problem_);
 }
@@ -296,6 +300,13 @@ std::optional<Problem> make_problem(const Network& network, const Environment& e
 bool fits_exploration(const Problem& problem) {
   return static_cast<int>(problem.threads.size()) <= most_explored_threads &&
          static_cast<int>(problem.channels.size()) <= most_explored_channels;
+}
+
+bool fits_simulation(const Problem& problem) {
+  return static_cast<int>(problem.threads.size()) <= most_simulated_threads &&
+         static_cast<int>(problem.channels.size()) <= most_simulated_channels &&
+         std::all_of(problem.devices.begin(), problem.devices.end(),
+                     [](const Device& device) { return device.requests.size() <= most_requests; });
 }
 
 }  // namespace pal::analyzer

@@ -148,7 +148,10 @@ const std::string& receiver_name(const Problem& problem, int channel);
 std::optional<Problem> make_problem(const pan::Network& network, const pan::Environment& environment,
                                     Diagnostics& diagnostics, const SourceManager* sources = nullptr);
 
-/// Whether the problem is small enough for the exact analysis and the simulation: 100 threads, 120 channels.
+/// Whether the problem is small enough for the exact analysis: 100 threads, 120 channels.
 bool fits_exploration(const Problem& problem);
+
+/// Whether single runs can be made of it: 2,000 threads, 4,000 channels, 128 requests of a device.
+bool fits_simulation(const Problem& problem);
 
 }  // namespace pal::analyzer

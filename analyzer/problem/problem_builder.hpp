@@ -54,6 +54,7 @@ class ProblemBuilder final : public TimesAndPlaces {
                     std::set<int>& sent, Device& made);
   void phase(const std::optional<Duration>& value, Duration period, const pan::DeviceTiming& timing,
              const std::string& device);
+  void endless_waits();
   void served_device(const pan::DeviceTiming& timing, int index, std::set<int>& sent, Device& made);
 
   // What is required (problem_requirements.cpp).

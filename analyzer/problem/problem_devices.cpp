@@ -1,4 +1,7 @@
 // The world of a problem: devices, and modules without a body, as the environment describes them.
+#include <algorithm>
+#include <set>
+
 #include "analyzer/problem/problem_builder.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
@@ -118,6 +121,28 @@ void ProblemBuilder::served_device(const DeviceTiming& timing, int index, std::s
     channel.served = true;
     made.requests.push_back(static_cast<int>(c));
     sent.erase(channel.answer);
+  }
+}
+
+/// Waits without a limit for nothing but answers that may not come.
+void ProblemBuilder::endless_waits() {
+  const auto may_fail = [&](int channel) {
+    const int device = problem_.channels[static_cast<std::size_t>(channel)].sender_device;
+    if (device < 0) return false;
+    const auto* request =
+        std::get_if<RequestDevice>(&problem_.devices[static_cast<std::size_t>(device)].behaviour);
+    return request != nullptr && request->may_fail;
+  };
+  std::set<std::pair<int, int>> said;  // an executed module has its statements several times
+  for (const Step& step : problem_.steps) {
+    if (step.kind != Step::Kind::wait || step.within || step.statement < 0 || step.channels.empty()) continue;
+    if (!std::all_of(step.channels.begin(), step.channels.end(), may_fail)) continue;
+    const Statement& statement = problem_.statements[static_cast<std::size_t>(step.statement)];
+    if (!said.emplace(statement.source_module, statement.source_node).second) continue;
+    const std::string& device = sender_name(problem_, step.channels.front());
+    diagnostics_.report(Code::PAL0733, statement.where,
+                        device + " may never answer, and " + statement.module + " waits without a limit",
+                        "wait WITHIN a time, with an ELSE, or remove OR NEVER from DEVICE " + device);
   }
 }
 

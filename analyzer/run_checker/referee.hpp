@@ -195,6 +195,7 @@ class Referee {
   bool serves_somebody(int device) const;
   void idle(int device);
   void delivered(int device, int channel);
+  void never_answers(int device, int channel);
   void check_not_idle(int request) const;
   void check_asked(int message) const;
   void check_device(int device, Nanoseconds next) const;

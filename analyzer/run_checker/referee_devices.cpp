@@ -58,8 +58,11 @@ void Referee::device_event(const Event& event, int device) {
       delivered(device, event.subject);
       return;
     case Kind::drop:
-      demand(!wanted(event.subject), "a message that somebody wants is discarded");
-      delivered(device, event.subject);
+      if (wanted(event.subject)) {
+        never_answers(device, event.subject);
+      } else {
+        delivered(device, event.subject);
+      }
       answered_in_vain(event.subject);
       return;
     default:
@@ -72,6 +75,16 @@ void Referee::delivered(int device, int channel) {
   Outside& of = devices_[static_cast<std::size_t>(device)];
   demand(of.answers.erase(request) == 1, "a device answers what it was not asked");
   if (of.answers.empty()) monitor_.served(device, !of.any_put);
+}
+
+/// The device has no answer to what it was asked, which is no loss.
+void Referee::never_answers(int device, int channel) {
+  const auto* request =
+      std::get_if<pan::RequestDevice>(&problem_.devices[static_cast<std::size_t>(device)].behaviour);
+  demand(request != nullptr && request->may_fail, "a message that somebody wants is discarded");
+  const int asked = channel_of(channel).answers;
+  demand(devices_[static_cast<std::size_t>(device)].answers.erase(asked) == 1,
+         "a device answers what it was not asked");
 }
 
 /// One more of a series with the given period, each up to `late` after it is due: narrows when the first was.

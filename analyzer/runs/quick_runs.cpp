@@ -15,14 +15,30 @@ constexpr std::uint64_t extreme_runs = 300;
 constexpr std::size_t few_events = 1'500;
 constexpr std::size_t many_events = 200'000;
 
+/// A run with times at their extremes is as long as pal simulate makes it, and all of them together so long.
+constexpr Nanoseconds usual_length = 10'000'000'000;
+constexpr std::size_t events_together = 1'500'000;
+
 using Times = SimulationOptions::Times;
 
 Simulation run_by_chance(const Machine& machine, std::uint64_t seed, std::size_t events,
-                         const std::function<bool()>& stop, Times times = Times::worst) {
+                         const std::function<bool()>& stop) {
   SimulationOptions how;
-  how.times = times;
   how.seed = seed;
   how.until = Range::unbounded;
+  how.max_events = events;
+  how.stop = stop;
+  how.record = false;
+  return simulate(machine, how);
+}
+
+/// The run that pal simulate makes of this seed, unless it has more events.
+Simulation run_of_extremes(const Machine& machine, std::uint64_t seed, std::size_t events,
+                           const std::function<bool()>& stop) {
+  SimulationOptions how;
+  how.times = Times::extremes;
+  how.seed = seed;
+  how.until = usual_length;
   how.max_events = events;
   how.stop = stop;
   how.record = false;
@@ -48,7 +64,7 @@ Break break_in(const Requirement& requirement, const Simulation& run) {
 
 /// Those that have to be watched one by one; -1: none is. Nothing: there is nothing to look at.
 std::vector<int> processors_of(const Problem& problem, const Requirement& requirement) {
-  if (!fits_exploration(problem)) return {};
+  if (!fits_simulation(problem)) return {};
   if (requirement.measure == Measure::load || requirement.measure == Measure::loss) return {};
   if (requirement.measure != Measure::busy) return {-1};
   return {requirement.processors.begin(), requirement.processors.end()};
@@ -94,10 +110,12 @@ std::optional<Witness> simulated_witness(const Problem& problem, const Requireme
   for (const int processor : processors_of(problem, requirement)) {
     const Watch watch = watch_of(problem, requirement, processor);
     const Machine machine(problem, watch);
-    for (std::uint64_t seed = 1; seed <= runs + extreme_runs; ++seed) {
+    std::size_t left = events_together;
+    for (std::uint64_t number = 1; number <= runs + extreme_runs && left > 0; ++number) {
       if (stop && stop()) return std::nullopt;
-      const Times times = seed <= runs ? Times::worst : Times::extremes;
-      Simulation run = run_by_chance(machine, seed <= runs ? seed : seed - runs, few_events, stop, times);
+      Simulation run = number <= runs ? run_by_chance(machine, number, few_events, stop)
+                                      : run_of_extremes(machine, number - runs, std::min(left, many_events), stop);
+      left -= std::min(left, run.script.size());
       if (break_in(requirement, run) == Break::none) continue;
       return witness_of(requirement, machine, std::move(run));
     }

@@ -12,7 +12,7 @@ namespace pal::analyzer {
 enum class Break { none, measured, grown };
 
 /// Whether one of the runs breaks `requirement`; `none` says nothing. Loads and losses are not looked at,
-/// nor skills that do not fit an exploration.
+/// nor skills that do not fit a simulation.
 Break simulated_break(const Problem& problem, const Requirement& requirement,
                       const std::function<bool()>& stop);
 

@@ -171,7 +171,7 @@ class RunSearch {
 
 std::optional<Witness> search_runs(const Problem& problem, const Requirement& requirement,
                                    const RunSearchOptions& options) {
-  if (!fits_exploration(problem) || requirement.measure == Requirement::Measure::load) return std::nullopt;
+  if (!fits_simulation(problem) || requirement.measure == Requirement::Measure::load) return std::nullopt;
   std::optional<Witness> worst;
   const bool busy = requirement.measure == Requirement::Measure::busy;
   for (const int processor : busy ? requirement.processors : std::vector<int>{-1}) {

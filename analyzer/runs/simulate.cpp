@@ -11,13 +11,16 @@ namespace {
 /// So much happens at one instant only where time stands still.
 constexpr std::size_t most_at_once = 20'000;
 
+/// Of more only the first are drawn from: a script holds small numbers.
+constexpr int most_picks = 255;
+
 /// Draws, and remembers what it drew for the firing at hand.
 class Dice final : public Choices {
  public:
   explicit Dice(std::uint64_t seed) : engine_(seed) {}
 
   int pick(int n) override {
-    const int picked = drawn(n);
+    const int picked = drawn(std::min(n, most_picks));
     picks_.push_back(static_cast<std::uint8_t>(picked));
     return picked;
   }

@@ -21,8 +21,9 @@ namespace {
 
 class Checker {
  public:
-  Checker(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics)
-      : trees_(trees), diagnostics_(diagnostics) {}
+  Checker(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics,
+          const std::function<bool()>& stop)
+      : trees_(trees), diagnostics_(diagnostics), stop_(stop) {}
 
   Specification check() {
     find_twice();
@@ -85,7 +86,7 @@ class Checker {
     const bool sound = every_name_known(before);
     check_network(network, sound);
     if (sound && diagnostics_.errors() == errors_before)
-      checker::check_deadlocks(network, pan::Flow(network), diagnostics_);
+      checker::check_deadlocks(network, pan::Flow(network), diagnostics_, stop_);
     result_.skills.push_back(std::move(network));
   }
 
@@ -182,6 +183,7 @@ class Checker {
 
   const std::vector<syntax::Tree>& trees_;
   Diagnostics& diagnostics_;
+  const std::function<bool()>& stop_;
   Specification result_;
   std::set<std::size_t> used_;
   std::map<std::string, const syntax::Name*> environments_;
@@ -191,8 +193,9 @@ class Checker {
 
 }  // namespace
 
-Specification check(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics) {
-  return Checker(trees, diagnostics).check();
+Specification check(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics,
+                    const std::function<bool()>& stop) {
+  return Checker(trees, diagnostics, stop).check();
 }
 
 }  // namespace pal

@@ -1,6 +1,7 @@
 // From trees to networks: the checked form that every later stage starts from.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "pal/pan/environment.hpp"
@@ -22,7 +23,9 @@ struct Specification {
 
 /// Looks up every name (a file sees what it declares and what the files that it USES declare), builds the
 /// networks, and reports everything that can be said without times. Each skill is checked with what its own
-/// file sees.
-Specification check(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics);
+/// file sees. `stop` is asked again and again by what may take long, the search for deadlocks: true leaves it
+/// undecided. Empty: it takes as long as it takes.
+Specification check(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics,
+                    const std::function<bool()>& stop = {});
 
 }  // namespace pal

@@ -80,11 +80,12 @@ std::optional<trace::Trace> read_trace(const std::string& path, const Console& c
 
 ExitStatus draw_atc(const AtcOptions& options, const Console& console) {
   Session session;
+  const Interruption interruption;  // till all is written
+  limit_checks(options.limits, session);
   const bool chosen = read(options.selection, console, session);
   std::vector<std::string> inputs = inputs_of(session);
   if (!options.measured.empty()) inputs.push_back(options.measured);
   if (!may_write({options.output, options.trace}, inputs, console)) return ExitStatus::usage;
-  const Interruption interruption;  // till all is written
   std::vector<Proof> proofs;
   if (chosen && !session.diagnostics.has_errors()) proofs = prove(session, options.limits);
   const ExitStatus found = status_of_findings(session);

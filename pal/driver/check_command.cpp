@@ -53,11 +53,12 @@ std::optional<std::string> write_witnesses(const std::string& path, const std::v
 ExitStatus check(const CheckOptions& options, const Console& console) {
   if (options.emit == Stage::tree) return emit_tree(options.selection, console);
   Session session;
+  const Interruption interruption;  // till all is written
+  limit_checks(options.limits, session);
   if (!read(options.selection, console, session)) return ExitStatus::usage;
   if (!may_write({options.witness}, inputs_of(session), console)) return ExitStatus::usage;
   if (options.emit == Stage::pan) emit_pan(session.specification, console.out);
 
-  const Interruption interruption;  // till all is written
   std::vector<Proof> proofs;
   if (!session.diagnostics.has_errors()) {
     ProofLimits limits = options.limits;

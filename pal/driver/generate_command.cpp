@@ -38,6 +38,8 @@ bool is_one(std::size_t count, const char* kind, const char* none, const char* s
 
 ExitStatus generate(const GenerateOptions& options, const Console& console) {
   Session session;
+  const Interruption interruption;  // till all is written
+  limit_checks(options.limits, session);
   const bool chosen = read(options.selection, console, session);
   std::vector<codegen::GeneratedFile> generated;
   const bool one =
@@ -62,7 +64,6 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
     if (plan) generated = codegen::emit(*plan, {.debug_lines = options.debug_lines});
   }
   if (one && !options.allow_failing && !session.diagnostics.has_errors()) {
-    const Interruption interruption;
     const std::vector<Proof> proofs = prove(session, options.limits);
     if (!session.diagnostics.has_errors() && !all_hold(proofs)) {
       report_unmet(proofs, false, session);

@@ -119,7 +119,7 @@ std::optional<Duration> worth_telling(const analyzer::Verdict& verdict) {
 
 std::string bound_text(const analyzer::Verdict& verdict) {
   using State = analyzer::VerdictState;
-  if (verdict.state == State::never) return "never";
+  if (verdict.state == State::never) return verdict.measure == Measure::load ? "ends" : "never";
   if (!verdict.bound) {
     const auto shown = worth_telling(verdict);
     if (shown) return (verdict.at_least ? "<= " : ">= ") + figure_text(verdict.measure, *shown);

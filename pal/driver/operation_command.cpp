@@ -96,9 +96,10 @@ std::vector<Program> read_programs(const OperationOptions& options, const Consol
 ExitStatus check_operation(const OperationOptions& options, const Console& console) {
   Session session;
   session.max_errors = options.max_errors;
+  const Interruption interruption;  // till all is written
+  limit_checks(options.limits, session);
   const std::vector<Program> programs = read_programs(options, console, session);
 
-  const Interruption interruption;  // till all is written
   std::vector<Proof> proofs;
   std::vector<Ways> ways;
   if (!session.diagnostics.has_errors() && !options.skills.empty()) {

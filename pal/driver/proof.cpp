@@ -35,15 +35,19 @@ analyzer::Options options_of(const ProofLimits& limits) {
   options.addends = limits.addends;
   options.clock = [begin] { return seconds_since(begin); };
   if (limits.peak_memory) options.peak_memory = peak_memory;
-  options.stop = end_after(limits.seconds);
-  if (limits.seconds > 0) options.deadline = limits.seconds;
+  options.stop = end_after(limits.seconds, limits.begun);
+  if (limits.seconds > 0) options.deadline = std::max(0.0, limits.seconds - seconds_since(limits.begun));
   return options;
 }
 
-std::function<bool()> end_after(double seconds) {
-  return [begin = Clock::now(), seconds] {
+std::function<bool()> end_after(double seconds, Clock::time_point begin) {
+  return [begin, seconds] {
     return Interruption::asked_for() || (seconds > 0 && seconds_since(begin) > seconds);
   };
+}
+
+void limit_checks(const ProofLimits& limits, Session& session) {
+  session.stop = end_after(limits.seconds / 2, limits.begun);
 }
 
 std::vector<Proof> prove(Session& session, const ProofLimits& limits) {

@@ -1,6 +1,7 @@
 // A skill's requirements proved in an environment: the stages from network to verdict, one after the other.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -25,6 +26,7 @@ struct Proof {
 struct ProofLimits {
   std::size_t max_states = 1'000'000;  // a requirement
   double seconds = 0;                  // of everything together; 0: as long as it takes
+  std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();  // when they began
   analyzer::AnalysisChoice analysis = analyzer::AnalysisChoice::thorough;  // who draws a run wants the worst
   unsigned threads = 0;                                                    // at work; 0: one a core
   bool peak_memory = false;                                                // count it
@@ -36,12 +38,16 @@ struct ProofLimits {
 std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
                                             Session& session);
 
-/// The limits as an analysis wants them, from now on: also Ctrl-C ends it, as long as an Interruption lives.
+/// The limits as an analysis wants them: also Ctrl-C ends it, as long as an Interruption lives.
 analyzer::Options options_of(const ProofLimits& limits);
 
-/// Whether it is time to end: `seconds` (0: never) after now, or after Ctrl-C, as long as an Interruption
+/// Whether it is time to end: `seconds` (0: never) after `begin`, or after Ctrl-C, as long as an Interruption
 /// lives.
-std::function<bool()> end_after(double seconds);
+std::function<bool()> end_after(
+    double seconds, std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now());
+
+/// Checks before the proofs end when half of the time is over, or after Ctrl-C.
+void limit_checks(const ProofLimits& limits, Session& session);
 
 /// Proves every skill of the session in every one of its environments. Ctrl-C leaves what is not decided by
 /// then undecided. What keeps a model from being built is added to the session's findings.

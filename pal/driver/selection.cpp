@@ -57,7 +57,7 @@ bool read(const Selection& selection, const Console& console, Session& session) 
   paths.insert(paths.end(), selection.environments.begin(), selection.environments.end());
   const std::vector<syntax::Tree> trees =
       read_sources(console.files, session.sources, paths, session.diagnostics);
-  session.specification = check(trees, session.diagnostics);
+  session.specification = check(trees, session.diagnostics, session.stop);
 
   if (session.diagnostics.has_errors()) return true;
   return choose(session.specification.skills, selection.skill, "skill", console.err) &&

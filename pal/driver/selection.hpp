@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct Session {
   Diagnostics diagnostics;
   Specification specification;
   std::size_t max_errors = default_max_errors;
+  std::function<bool()> stop;  // ends checks that take long, undecided; empty: nothing does
 };
 
 /// Reads and checks everything that `selection` names, and keeps of it what `selection` chooses. Findings are

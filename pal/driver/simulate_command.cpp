@@ -173,9 +173,9 @@ std::string obstacle(const SimulateOptions& options, const Session& session,
   if (session.specification.environments.empty())
     return "a simulation needs times: give an environment with --environment FILE";
   for (const auto& study : studies) {
-    if (!analyzer::fits_exploration(study->simulated.problem))
+    if (!analyzer::fits_simulation(study->simulated.problem))
       return "'" + study->simulated.problem.skill +
-             "' is too large to simulate (more than 100 threads or 120 channels)";
+             "' is too large to simulate (more than 2000 threads or 4000 channels, or a device with more than 128 requests)";
   }
   if (studies.empty()) {
     return options.script.empty() ? "there is no skill to simulate"
@@ -196,6 +196,7 @@ ExitStatus simulate(const SimulateOptions& options, const Console& console) {
   bool writes = false;  // a run that is to be written is made again, and whole
   const auto stop = [&] { return !writes && late(); };
   Session session;
+  session.stop = end_after(options.seconds / 2);
   if (!read(options.selection, console, session)) return ExitStatus::usage;
   std::vector<std::string> inputs = inputs_of(session);
   if (!options.script.empty()) inputs.push_back(options.script);

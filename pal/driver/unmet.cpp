@@ -100,7 +100,10 @@ void report_never(const Proof& proof, std::size_t index, Session& session) {
   session.diagnostics.report(Code::PAL0816, verdict.where,
                              "'" + verdict.requirement + "' says nothing: " + verdict.explanation + " in " +
                                  proof.problem.environment,
-                             "name a statement, an event or a completion that comes about in some run");
+                             verdict.measure == Measure::load
+                                 ? "limit how long the processor is busy at a stretch (BUSY PERIOD), or the skill's "
+                                   "DURATION"
+                                 : "name a statement, an event or a completion that comes about in some run");
 }
 
 // As many parts of the time as fit on a screen with what else is said.

@@ -129,13 +129,14 @@ bool good(const WhatIfAnswer& answer) {
 
 ExitStatus what_if(const WhatIfOptions& options, const Console& console) {
   Session session;
+  const Interruption interruption;  // till all is written
+  limit_checks(options.limits, session);
   if (!read(options.selection, console, session)) return ExitStatus::usage;
   if (!may_write({options.witness}, inputs_of(session), console)) return ExitStatus::usage;
   if (!session.diagnostics.has_errors() && session.specification.environments.empty()) {
     console.err << "pal: what if needs times: give an environment with --environment FILE\n";
     return ExitStatus::usage;
   }
-  const Interruption interruption;
   const analyzer::Options analysis = options_of(options.limits);
   std::vector<WhatIfAnswer> answers;
   bool sound_changes = true;

@@ -197,7 +197,9 @@ struct BehaviourDump {
     if (device.answer_within)
       out << " answer " << device.answer << " within " << to_text(*device.answer_within);
   }
-  void operator()(const RequestDevice& device) const { out << "on request " << to_text(device.answer); }
+  void operator()(const RequestDevice& device) const {
+    out << "on request " << to_text(device.answer) << (device.may_fail ? " or never" : "");
+  }
   void operator()(const FrameDevice& device) const {
     out << "frames every " << to_text(device.period) << " collecting " << to_text(device.collecting);
     if (device.phase) out << " phase " << to_text(*device.phase);

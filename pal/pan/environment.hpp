@@ -31,9 +31,10 @@ struct EventDevice {
   std::optional<Duration> answer_within;
 };
 
-/// Answers a request after `answer`; serves one at a time.
+/// Answers a request after `answer`, or, if it `may_fail`, not at all; serves one at a time.
 struct RequestDevice {
   Interval answer;
+  bool may_fail = false;
 };
 
 /// Runs freely: a frame starts every `period` and is collected for `collecting` <= period. A request that is

@@ -76,7 +76,7 @@ void Builder::add_item(EnvironmentUnit& environment, Parser::ItemContext* contex
   }
   if (auto* c = dynamic_cast<Parser::RequestDeviceContext*>(context)) {
     return add_device(environment, name(c->name()).text, where,
-                      [&] { return pan::RequestDevice{interval(c->interval())}; });
+                      [&] { return pan::RequestDevice{interval(c->interval()), c->NEVER() != nullptr}; });
   }
   if (auto* c = dynamic_cast<Parser::FrameDeviceContext*>(context)) {
     return add_device(environment, name(c->name()).text, where, [&] { return frame_device(c); });

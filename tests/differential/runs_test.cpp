@@ -13,6 +13,7 @@
 #include "tests/support/random_cell.hpp"
 #include "tests/support/runs/all_runs.hpp"
 #include "tests/support/setting.hpp"
+#include "tests/support/silent_devices.hpp"
 #include "tests/support/stopped_blocks.hpp"
 #include "tests/support/timed_skill.hpp"
 
@@ -137,6 +138,10 @@ TEST_CASE("no run of a skill with mistakes in it exceeds what was proved") {
     const std::string right = seed % 2 == 0 ? test::TimedSkill(seed).text() : cell(seed, 4);
     return test::Mutant(seed, right, accepts).text(1 + static_cast<int>(seed % 5));
   });
+}
+
+TEST_CASE("no run in which devices do not answer exceeds what was proved") {
+  expect_all_sound(40, [](std::uint64_t seed) { return test::with_silent_devices(cell(seed, 4)); });
 }
 
 TEST_CASE("no run in which blocks are stopped exceeds what was proved") {

@@ -139,6 +139,28 @@ void expect_same_findings_short(const pan::Network& network, Seen& seen, int& un
   }
 }
 
+/// The search is told to end after so many questions. What it has found by then is so; what it says to be all
+/// is all.
+void expect_same_findings_stopped(const pan::Network& network, Seen& seen, int& stopped) {
+  const auto expected = test::TalkOracle(network, 2'000).run();
+  if (!expected.complete) return;
+  const pan::Flow flow(network);
+  const auto automata = deadlock::automata(network, flow);
+  for (const int most : {0, 1, 3, 7, 15, 40, 100, 300}) {
+    CAPTURE(most);
+    int asked = 0;
+    deadlock::Limits limits;
+    limits.at_first = most % 2 == 0 ? limits.at_first : 0;
+    limits.stop = [&asked, most] { return ++asked > most; };
+    const auto found = deadlock::explore(automata, limits);
+    if (found.total) REQUIRE(expected.total);
+    if (found.partial) REQUIRE(expected.dead);
+    for (const auto& one : found.undelivered) CHECK(expected.undelivered.contains(one.channel.index()));
+    stopped += found.stopped ? 1 : 0;
+    if (found.complete) expect_same_findings(found, expected, seen);
+  }
+}
+
 void report(const Seen& seen) {
   std::cout << "compared " << seen.compared << ", deadlocks " << seen.total << ", waits for ever "
             << seen.partial << ", undelivered " << seen.undelivered << ", untaken " << seen.untaken
@@ -199,6 +221,21 @@ TEST_CASE("a search that has used up what all share is not complete") {
   CHECK(undecided > 100);
   CHECK(seen.partial > 100);
   CHECK(seen.undelivered > 50);
+}
+
+TEST_CASE("a search that is told to end says nothing of what it has not seen") {
+  Seen seen;
+  int stopped = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    CAPTURE(seed);
+    for (const std::string& text : {test::RandomTalk(seed).text(), test::RandomNest(seed).text()}) {
+      INFO(text);
+      if (const auto skill = talking_skill(text)) expect_same_findings_stopped(*skill, seen, stopped);
+    }
+  }
+  CAPTURE(seen.compared, seen.total);
+  CHECK(stopped > 100);
+  CHECK(seen.total > 10);
 }
 
 // One block takes a request and another sends the answer: which of them is first makes a difference.

@@ -1,5 +1,6 @@
 // The referee and the machine, written apart, must agree on what a run is.
 #include <catch2/catch.hpp>
+#include <functional>
 #include <iostream>
 #include <sstream>
 
@@ -11,6 +12,7 @@
 #include "tests/support/mutant.hpp"
 #include "tests/support/random_skill.hpp"
 #include "tests/support/setting.hpp"
+#include "tests/support/silent_devices.hpp"
 #include "tests/support/skill.hpp"
 #include "tests/support/timed_skill.hpp"
 
@@ -70,12 +72,14 @@ trace::Trace up_to(const trace::Trace& run, Nanoseconds time) {
 
 }  // namespace
 
-TEST_CASE("every simulated run keeps the rules, and shows the same values") {
+namespace {
+
+void expect_rules_kept(std::uint64_t usual_rounds, const std::function<std::string(std::uint64_t)>& text_of) {
   const std::uint64_t first = setting("PAL_SEED", 1);
-  const std::uint64_t rounds = setting("PAL_ROUNDS", 60);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", usual_rounds);
   std::size_t events = 0;
   for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
-    const std::string text = program(seed);
+    const std::string text = text_of(seed);
     const auto skill = test::skill_from_text(text);
     if (!skill->problem) continue;
     for (const Requirement& requirement : skill->problem->requirements) {
@@ -103,6 +107,16 @@ TEST_CASE("every simulated run keeps the rules, and shows the same values") {
   }
   std::cout << events << " events\n";
   CHECK(events > 0);
+}
+
+}  // namespace
+
+TEST_CASE("every simulated run keeps the rules, and shows the same values") {
+  expect_rules_kept(60, program);
+}
+
+TEST_CASE("runs in which devices do not answer keep the rules, and show the same values") {
+  expect_rules_kept(30, [](std::uint64_t seed) { return test::with_silent_devices(program(seed)); });
 }
 
 TEST_CASE("no run shows the referee more than was proved") {

@@ -8,6 +8,7 @@
 #include "tests/support/kinds.hpp"
 #include "tests/support/random_skill.hpp"
 #include "tests/support/setting.hpp"
+#include "tests/support/silent_devices.hpp"
 #include "tests/support/skill.hpp"
 
 using namespace pal;
@@ -104,6 +105,13 @@ TEST_CASE("no run goes beyond what is proved of a slice: small skills") {
       [](std::uint64_t seed) { return test::RandomSkill(seed, seed % 2 == 0 ? 9 : 40).text(); }, 15, tally);
   CHECK(tally.proper > 0);
   CHECK(tally.equal > 0);
+}
+
+TEST_CASE("no run goes beyond what is proved of a slice: devices that may not answer") {
+  Tally tally;
+  expect_sound_slice_seeds(
+      [](std::uint64_t seed) { return test::with_silent_devices(test::RandomSkill(seed, 9).text()); }, 10, tally);
+  CHECK(tally.bounds > 0);
 }
 
 TEST_CASE("no run goes beyond what is proved of a slice: skills of all kinds") {

@@ -1,6 +1,7 @@
 #include "analyzer/compositional/causes/precedence.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "analyzer/compositional/causes/sequence.hpp"
 
@@ -9,6 +10,9 @@ namespace {
 
 /// More pairs of segments in one module than this are not looked at.
 constexpr std::size_t most_pairs = 40'000;
+
+/// Of more nodes that come once only the causes are looked at.
+constexpr std::size_t most_once = 2'000;
 
 class Precedence {
  public:
@@ -72,17 +76,83 @@ class Precedence {
     return thread >= 0;
   }
 
-  /// What comes once and brings about something else that comes once.
+  /// What comes once and brings about something else that comes once, or is what its thread waited for before.
   void by_causes() {
-    for (std::size_t n = 0; n < later_.size() && !is_over(); ++n) {
-      if (context_.source(static_cast<int>(n)).period < never) continue;
-      for (int at = static_cast<int>(n); context_.node(at).cause >= 0; at = context_.node(at).cause) {
-        const auto cause = static_cast<std::size_t>(context_.node(at).cause);
-        if (!ends_with_cause(context_.problem, context_.forest, at)) continue;
-        later_[cause].push_back(static_cast<int>(n));
-        never_overlapping_[n].push_back(static_cast<int>(cause));
+    std::vector<int> once;
+    for (std::size_t n = 0; n < later_.size(); ++n) {
+      if (context_.source(static_cast<int>(n)).period == never) once.push_back(static_cast<int>(n));
+    }
+    place_.assign(later_.size(), -1);
+    for (std::size_t i = 0; i < once.size(); ++i)
+      place_[static_cast<std::size_t>(once[i])] = static_cast<int>(i);
+    const std::size_t words = once.size() <= most_once ? (once.size() + 63) / 64 : 0;
+    over_.assign(once.size(), Bits(words));
+    // Each round adds what follows from the one before. To end early is right, too.
+    for (bool more = words > 0; more && !is_over();) {
+      more = false;
+      for (const int n : once) more = add_over(n) || more;
+    }
+    for (const int n : once) {
+      if (is_over()) return;
+      for (int at = n; context_.node(at).cause >= 0; at = context_.node(at).cause) {
+        if (ends_with_cause(context_.problem, context_.forest, at)) before(context_.node(at).cause, n);
+      }
+      for (std::size_t i = 0; words > 0 && i < once.size(); ++i) {
+        if (over_of(n).has(i)) before(once[i], n);
       }
     }
+  }
+
+  /// `node` is over before `later` is released.
+  void before(int node, int later) {
+    later_[static_cast<std::size_t>(node)].push_back(later);
+    never_overlapping_[static_cast<std::size_t>(later)].push_back(node);
+  }
+
+  /// Of nodes that come once, by place_.
+  struct Bits {
+    explicit Bits(std::size_t count) : words(count) {}
+    bool has(std::size_t at) const { return (words[at / 64] >> at % 64 & 1U) != 0; }
+    void add(std::size_t at) { words[at / 64] |= std::uint64_t{1} << at % 64; }
+    void join(const Bits& other) {
+      for (std::size_t w = 0; w < words.size(); ++w) words[w] |= other.words[w];
+    }
+    void meet(const Bits& other) {
+      for (std::size_t w = 0; w < words.size(); ++w) words[w] &= other.words[w];
+    }
+    std::vector<std::uint64_t> words;
+  };
+
+  Bits& over_of(int node) { return over_[static_cast<std::size_t>(place_[static_cast<std::size_t>(node)])]; }
+
+  /// A node that is over, with what was over before it.
+  Bits up_to_end_of(int node) {
+    const int place = place_[static_cast<std::size_t>(node)];
+    if (place < 0) return Bits(over_.front().words.size());
+    Bits all = over_of(node);
+    all.add(static_cast<std::size_t>(place));
+    return all;
+  }
+
+  /// What is over before a node that comes once is released. That is what was over before its cause was, and
+  /// the cause itself if it has ended. It is also what was over when its thread came to the wait, in whichever
+  /// way. False: nothing new.
+  bool add_over(int n) {
+    Bits over = over_of(n);
+    const int cause = context_.node(n).cause;
+    if (cause >= 0 && place_[static_cast<std::size_t>(cause)] >= 0) {
+      const bool ended = ends_with_cause(context_.problem, context_.forest, n);
+      over.join(ended ? up_to_end_of(cause) : over_of(cause));
+    }
+    const std::vector<int>& previous = context_.behaviours.previous[static_cast<std::size_t>(n)];
+    if (!previous.empty()) {
+      Bits common = up_to_end_of(previous.front());
+      for (const int each : previous) common.meet(up_to_end_of(each));
+      over.join(common);
+    }
+    if (over.words == over_of(n).words) return false;
+    over_of(n) = std::move(over);
+    return true;
   }
 
   /// What starts again, or loops, after something that happens once.
@@ -185,6 +255,8 @@ class Precedence {
   const std::function<bool()>& stop_;
   std::vector<std::vector<int>> later_;
   std::vector<std::vector<int>> never_overlapping_;
+  std::vector<int> place_;  // by node: its number among those that come once; -1: it may come again
+  std::vector<Bits> over_;  // by that number: what is over before it is released
 };
 
 }  // namespace

@@ -68,9 +68,18 @@ std::string refusal_of_step(const Problem& problem, int index, int thread) {
   return {};
 }
 
+/// Whether a request may stay without an answer: then a wait for it has no end of its own.
+bool may_fail(const Device& device) {
+  const auto* request = std::get_if<pan::RequestDevice>(&device.behaviour);
+  return request != nullptr && request->may_fail && !device.requests.empty();
+}
+
 }  // namespace
 
 std::string refusal_of(const Problem& problem, const Segments& segments, const std::function<bool()>& stop) {
+  for (const Device& device : problem.devices) {
+    if (may_fail(device)) return device.name + " may not answer a request (OR NEVER)";
+  }
   bool over = false;
   const auto ends = [&stop, &over] { return over = over || (stop && stop()); };
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {

@@ -210,9 +210,18 @@ class Observer {
       for (const Segment::Arrival& fork : segment.forks) {
         if (!again) continue;
         of.waits_within = true;
-        if (!ends_within(fork.step)) of.unbounded_reason = name + " starts blocks again and again";
+        if (!ends_within(fork.step)) of.unbounded_reason = why_of_blocks(t, fork.step);
       }
     }
+  }
+
+  /// Why nothing is known of when blocks begin that do not end within the job that starts them.
+  std::string why_of_blocks(int t, int fork) {
+    const std::string& name = problem_.threads[static_cast<std::size_t>(t)].name;
+    if (recurrent(problem_, {Beginning::Kind::joined, t, fork, -1}))
+      return name + " starts blocks again and again";
+    return name + " starts blocks once, after " + text(thread(t).idle_wait) +
+           ", and nothing says which of the messages that come by themselves it takes there";
   }
 
   /// ThreadBehaviours::early: no way leads from a wait at which a job begins to where the node begins, and

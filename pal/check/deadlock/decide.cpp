@@ -50,8 +50,9 @@ struct Frame {
 /// can move.
 class Decider {
  public:
-  Decider(const Automata& automata, const Moves& moves, const Independence& independence, std::size_t most)
-      : automata_(automata), moves_(moves), independence_(independence), most_(most) {
+  Decider(const Automata& automata, const Moves& moves, const Independence& independence, std::size_t most,
+          const std::function<bool()>& stop)
+      : automata_(automata), moves_(moves), independence_(independence), most_(most), stop_(stop) {
     const auto channels = automata.request_of.size();
     result_.put.resize(channels);
     result_.taken.resize(channels);
@@ -67,7 +68,7 @@ class Decider {
       } else {
         leave();
       }
-      if (nodes_.size() > most_ || moves_.overflowed()) result_.complete = false;
+      if (nodes_.size() > most_ || moves_.overflowed() || (stop_ && stop_())) result_.complete = false;
     }
     result_.states = nodes_.size();
     return std::move(result_);
@@ -271,6 +272,7 @@ class Decider {
   const Moves& moves_;
   const Independence& independence_;
   std::size_t most_;
+  const std::function<bool()>& stop_;
   std::unordered_map<State, std::uint32_t> seen_;
   std::unordered_map<State, Chain> chains_;  // by the state that they begin in
   std::vector<Node> nodes_;
@@ -284,8 +286,8 @@ class Decider {
 }  // namespace
 
 Decision decide(const Automata& automata, const Moves& moves, const Independence& independence,
-                std::size_t most_states) {
-  return Decider(automata, moves, independence, most_states).run();
+                std::size_t most_states, const std::function<bool()>& stop) {
+  return Decider(automata, moves, independence, most_states, stop).run();
 }
 
 }  // namespace pal::checker::deadlock

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "pal/check/deadlock/independence.hpp"
@@ -21,7 +22,8 @@ struct Decision {
       undelivered;  // by channel: there when some run completes; of those that `independence` observes
 };
 
+/// `stop`: asked again and again; true ends it as the limit does. Empty: never.
 Decision decide(const Automata& automata, const Moves& moves, const Independence& independence,
-                std::size_t most_states);
+                std::size_t most_states, const std::function<bool()>& stop);
 
 }  // namespace pal::checker::deadlock

@@ -12,22 +12,27 @@ namespace {
 /// unknown it may be taken only on runs that the skill does not have.
 class Walks {
  public:
-  Walks(const Automata& automata, int withdrawn, std::vector<bool> wanted)
-      : moves_(automata, withdrawn), threads_(automata.threads.size()), wanted_(std::move(wanted)) {}
+  Walks(const Automata& automata, int withdrawn, std::vector<bool> wanted, const std::function<bool()>& stop)
+      : moves_(automata, withdrawn),
+        threads_(automata.threads.size()),
+        wanted_(std::move(wanted)),
+        stop_(stop) {}
 
   /// True: all of them were taken.
   bool run() {
-    while (moves_left_ > 0 && some_wanted() && !moves_.overflowed()) walk();
+    while (moves_left_ > 0 && some_wanted() && !moves_.overflowed() && !stopped()) walk();
     return !some_wanted() && !moves_.overflowed();
   }
 
  private:
   bool some_wanted() const { return std::find(wanted_.begin(), wanted_.end(), true) != wanted_.end(); }
 
+  bool stopped() const { return stop_ && stop_(); }
+
   void walk() {
     constexpr int most_in_one = 2'000;
     State state = moves_.first();
-    for (int i = 0; i < most_in_one; ++i) {
+    for (int i = 0; i < most_in_one && !stopped(); ++i) {
       --moves_left_;
       auto moves = next(state);
       if (moves.empty()) return;
@@ -54,24 +59,26 @@ class Walks {
   Moves moves_;
   std::size_t threads_;
   std::vector<bool> wanted_;
+  const std::function<bool()>& stop_;
   int moves_left_ = 100'000;
   std::mt19937_64 engine_{1};
 };
 
 }  // namespace
 
-std::optional<Decision> exclude(const Automata& automata, int withdrawn, std::size_t most_states) {
+std::optional<Decision> exclude(const Automata& automata, int withdrawn, std::size_t most_states,
+                                const std::function<bool()>& stop) {
   const auto unknown = without_conditions(automata);
   const Moves any(unknown, withdrawn);
   const Independence independence(unknown, any, unknown.command, true);
-  auto decision = decide(unknown, any, independence, most_states);
+  auto decision = decide(unknown, any, independence, most_states, stop);
   if (!decision.complete || decision.total || decision.partial) return std::nullopt;
   std::vector<bool> to_be_taken(automata.request_of.size());
   for (std::size_t c = 0; c < to_be_taken.size(); ++c) {
     to_be_taken[c] = decision.put[c] && !automata.to_device[c];
     if (to_be_taken[c] && !decision.taken[c]) return std::nullopt;
   }
-  if (!Walks(automata, withdrawn, std::move(to_be_taken)).run()) return std::nullopt;
+  if (!Walks(automata, withdrawn, std::move(to_be_taken), stop).run()) return std::nullopt;
   return decision;
 }
 

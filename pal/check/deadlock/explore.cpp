@@ -26,6 +26,7 @@ class DeadlockExplorer {
         at_first_(limits.at_first),
         shared_(limits.shared),
         withdrawn_(limits.withdrawn),
+        stop_(limits.stop),
         plain_(automata, moves_, std::vector<bool>(automata.request_of.size()), false) {}
 
   Findings run() {
@@ -43,18 +44,21 @@ class DeadlockExplorer {
     if (decision.total || !decision.complete) find_total();
     if (decision.partial || !decision.complete) find_partial();
     if (!find_undelivered(decision.undelivered, most_)) result_.complete = false;
+    result_.stopped = !result_.complete && stopped();
     result_.overflowed = moves_.overflowed() || (decision.blurred && !result_.complete);
     return std::move(result_);
   }
 
  private:
+  bool stopped() const { return stop_ && stop_(); }
+
   /// Small skills as they are; of large ones it is seen first whether the values of conditions matter at all.
   Decision decision_of() {
     const Independence absorbing(automata_, moves_, automata_.command, true);
     const auto at_first = automata_.bits == 0 ? most_ : std::min(at_first_, most_);
-    auto decision = decide(automata_, moves_, absorbing, at_first);
-    if (decision.complete || at_first == most_ || moves_.overflowed()) return decision;
-    if (auto excluded = exclude(automata_, withdrawn_, most_)) {
+    auto decision = decide(automata_, moves_, absorbing, at_first, stop_);
+    if (decision.complete || at_first == most_ || moves_.overflowed() || stopped()) return decision;
+    if (auto excluded = exclude(automata_, withdrawn_, most_, stop_)) {
       result_.without_values = find_undelivered(excluded->undelivered, most_ / 4);
       if (result_.without_values) {
         excluded->undelivered.clear();
@@ -62,11 +66,11 @@ class DeadlockExplorer {
       }
       result_.undelivered.clear();
     }
-    return decide(automata_, moves_, absorbing, most_);
+    return decide(automata_, moves_, absorbing, most_, stop_);
   }
 
   Found look(const Independence& independence, const State& from, const Goal& goal) {
-    auto found = search(moves_, independence, automata_.threads.size(), from, goal, most_);
+    auto found = search(moves_, independence, automata_.threads.size(), from, goal, most_, stop_);
     result_.complete = result_.complete && found.complete;
     return found;
   }
@@ -78,12 +82,12 @@ class DeadlockExplorer {
     if (!found.way) return;
     total_length_ = found.way->length;
     result_.total = DeadEnd{true, found.way->length.timely > 0, found.way->run, found.way->run.size(), {}, 0};
-    WaysOn ways(automata_, moves_, plain_, most_, shared_);
+    WaysOn ways(automata_, moves_, plain_, most_, shared_, stop_);
     describe(*result_.total, found.way->state, ways);
   }
 
   void find_partial() {
-    WaysOn ways(automata_, moves_, plain_, most_, shared_);
+    WaysOn ways(automata_, moves_, plain_, most_, shared_, stop_);
     Goal goal;
     goal.state = [&](const State& state, const Enabled&) { return ways.dead(state); };
     goal.needed = [&](const State& state, const Enabled& enabled) {
@@ -145,7 +149,7 @@ class DeadlockExplorer {
       if (t == 0 || (parent && method.test(*parent))) method.set(t);
     }
     goal.needed = [&](const State&, const Enabled&) { return method; };
-    return search(moves_, independence, automata_.threads.size(), moves_.first(), goal, most);
+    return search(moves_, independence, automata_.threads.size(), moves_.first(), goal, most, stop_);
   }
 
   void describe(DeadEnd& end, const State& state, WaysOn& ways) {
@@ -182,7 +186,7 @@ class DeadlockExplorer {
     std::deque<State> open{from};
     State best = from;
     auto most = stuck(from, ways).size();
-    while (!open.empty() && by.size() < most_looked_at) {
+    while (!open.empty() && by.size() < most_looked_at && !stopped()) {
       const auto at = std::move(open.front());
       open.pop_front();
       if (const auto count = stuck(at, ways).size(); count > most) {
@@ -207,6 +211,7 @@ class DeadlockExplorer {
   std::size_t at_first_;
   std::size_t shared_;
   int withdrawn_;
+  const std::function<bool()>& stop_;
   Independence plain_;
   Length total_length_;
   Findings result_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,12 +43,14 @@ struct Limits {
   int withdrawn = Moves::most_withdrawn;  // requests, yet to be answered, that are counted exactly
   std::size_t at_first = 1'000;           // states, before it is tried without the values of conditions
   std::size_t shared = 1'000'000;         // states, in all searches of one kind together
+  std::function<bool()> stop;             // asked again and again; true ends the search. Empty: never
 };
 
 struct Findings {
   bool complete = true;  // false: a limit was reached, and what was not found may be there
   bool overflowed =
       false;  // … because more requests than can be counted are open, or withdrawn and not yet answered
+  bool stopped = false;  // … because it was time to end
   bool blurred = false;  // more requests were withdrawn than are counted; what is found is real all the same
   bool without_values = false;  // whatever values the conditions have, it is the same
   std::size_t states = 0;

@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::uint32_t no_node = 0xffffffff;
 
+/// States that are looked at, whatever the time: what is found at its end can still be told.
+constexpr std::size_t at_least = 16;
+
 struct SearchNode {
   const State* state = nullptr;  // none: the goal
   std::uint32_t from = no_node;
@@ -23,8 +26,13 @@ struct SearchNode {
 class Searcher {
  public:
   Searcher(const Moves& moves, const Independence& independence, std::size_t threads, const Goal& goal,
-           std::size_t most)
-      : moves_(moves), independence_(independence), threads_(threads), goal_(goal), most_(most) {}
+           std::size_t most, const std::function<bool()>& stop)
+      : moves_(moves),
+        independence_(independence),
+        threads_(threads),
+        goal_(goal),
+        most_(most),
+        stop_(stop) {}
 
   Found run(const State& from) {
     auto found = found_from(from);
@@ -41,13 +49,15 @@ class Searcher {
       if (nodes_[at].done) continue;
       nodes_[at].done = true;
       if (nodes_[at].state == nullptr) return {way_to(at, goal_state_)};
-      if (nodes_.size() > most_) return {std::nullopt, false};
+      if (nodes_.size() > most_ || stopped()) return {std::nullopt, false};
       const Enabled enabled(moves_, *nodes_[at].state, threads_);
       if (goal_.state && goal_.state(*nodes_[at].state, enabled)) return {way_to(at, *nodes_[at].state)};
       expand(at, enabled);
     }
     return {std::nullopt, complete_};
   }
+
+  bool stopped() const { return stop_ && nodes_.size() > at_least && stop_(); }
 
   void reach(const State& state, std::uint32_t from, const Length& length, const Deed& deed) {
     const auto [entry, fresh] = seen_.emplace(state, static_cast<std::uint32_t>(nodes_.size()));
@@ -103,6 +113,7 @@ class Searcher {
   std::size_t threads_;
   const Goal& goal_;
   std::size_t most_;
+  const std::function<bool()>& stop_;
   std::unordered_map<State, std::uint32_t> seen_;
   std::vector<SearchNode> nodes_;
   using Entry = std::tuple<Length, std::uint32_t>;
@@ -149,8 +160,8 @@ Threads choose(const Independence& independence, const State& state, const Enabl
 }
 
 Found search(const Moves& moves, const Independence& independence, std::size_t threads, const State& from,
-             const Goal& goal, std::size_t most_states) {
-  return Searcher(moves, independence, threads, goal, most_states).run(from);
+             const Goal& goal, std::size_t most_states, const std::function<bool()>& stop) {
+  return Searcher(moves, independence, threads, goal, most_states, stop).run(from);
 }
 
 }  // namespace pal::checker::deadlock

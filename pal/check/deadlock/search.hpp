@@ -46,9 +46,10 @@ struct Found {
   std::size_t states = 0;  // looked at
 };
 
-/// Looks in the order of length; `independence` must not absorb.
+/// Looks in the order of length; `independence` must not absorb. `stop`: as for decide(), but a search of few
+/// states is never ended by it.
 Found search(const Moves& moves, const Independence& independence, std::size_t threads, const State& from,
-             const Goal& goal, std::size_t most_states);
+             const Goal& goal, std::size_t most_states, const std::function<bool()>& stop);
 
 /// The fewest threads that will do: with all of `needed` if there are any, else with one that can move, the
 /// first of those that need no other if there is one; `first` is tried first.

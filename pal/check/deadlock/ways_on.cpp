@@ -60,7 +60,7 @@ const WaysOn::Way& WaysOn::way(const State& state, std::size_t thread) {
   };
   goal.needed = [&](const State&, const Enabled&) { return Threads().set(thread); };
   auto found =
-      search(moves_, independence_, automata_.threads.size(), state, goal, std::min(most_states_, left_));
+      search(moves_, independence_, automata_.threads.size(), state, goal, std::min(most_states_, left_), stop_);
   left_ -= std::min(left_, found.states);
   complete_ = complete_ && found.complete;
   std::vector<Deed> run;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,14 +17,16 @@ namespace pal::checker::deadlock {
 /// a state without one must at some time get into the way of the way on that there is now.
 class WaysOn {
  public:
-  /// `most_states`: that each search for a way may look at, and `most_in_all` that all of them together may.
+  /// `most_states`: that each search for a way may look at, and `most_in_all` that all of them together may;
+  /// `stop` ends them as it ends a search.
   WaysOn(const Automata& automata, const Moves& moves, const Independence& independence,
-         std::size_t most_states, std::size_t most_in_all)
+         std::size_t most_states, std::size_t most_in_all, const std::function<bool()>& stop)
       : automata_(automata),
         moves_(moves),
         independence_(independence),
         most_states_(most_states),
-        left_(most_in_all) {}
+        left_(most_in_all),
+        stop_(stop) {}
 
   /// The thread can never move again. False if that was not found out.
   bool never_moves(const State& state, std::size_t thread);
@@ -56,6 +59,7 @@ class WaysOn {
   const Independence& independence_;
   std::size_t most_states_;
   std::size_t left_;
+  const std::function<bool()>& stop_;
   bool complete_ = true;
   std::unordered_map<State, ByThread> ways_;
 };

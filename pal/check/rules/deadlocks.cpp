@@ -68,10 +68,13 @@ void report_untaken(const pan::Channel& channel, const pan::Network& network, Di
 
 }  // namespace
 
-void check_deadlocks(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics) {
+void check_deadlocks(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics,
+                     const std::function<bool()>& stop) {
   if (!network.main.valid()) return;
   const auto automata = deadlock::automata(network, flow);
-  const auto findings = deadlock::explore(automata);
+  deadlock::Limits limits;
+  limits.stop = stop;
+  const auto findings = deadlock::explore(automata, limits);
   for (const auto& end : {findings.total, findings.partial}) {
     if (end) report_dead_end(deadlock::tell(network, automata, *end), network, diagnostics);
   }
@@ -83,7 +86,11 @@ void check_deadlocks(const pan::Network& network, const pan::Flow& flow, Diagnos
   }
   if (findings.complete) return;
   const auto begin = "skill " + quoted(network.skill.name);
-  if (findings.overflowed) {
+  if (findings.stopped) {
+    diagnostics.report(Code::PAL0525, network.skill.where,
+                       begin + " was not searched for deadlocks to the end: it was time to stop",
+                       "give a longer --timeout; the search takes half of it at most");
+  } else if (findings.overflowed) {
     diagnostics.report(Code::PAL0525, network.skill.where,
                        begin +
                            " can have more than 12 requests for one message open at once, or withdrawn and "

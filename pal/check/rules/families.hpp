@@ -1,6 +1,8 @@
 // The families of checks on a network, one file each.
 #pragma once
 
+#include <functional>
+
 #include "pal/pan/flow.hpp"
 #include "pal/pan/network.hpp"
 #include "pal/support/diagnostic.hpp"
@@ -29,7 +31,8 @@ void check_protocol(const pan::Network& network, const pan::Flow& flow, Diagnost
 /// Modules that begin with something other than a wait.
 void check_starts(const pan::Network& network, Diagnostics& diagnostics);
 /// Runs after which the skill can never complete, and messages that no run takes. For networks without
-/// errors.
-void check_deadlocks(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics);
+/// errors. `stop`: as for check().
+void check_deadlocks(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics,
+                     const std::function<bool()>& stop);
 
 }  // namespace pal::checker

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
+#include "pal/check/rules/steady_conditions.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
 namespace pal::checker {
@@ -29,23 +31,43 @@ class Sources {
   }
 
   /// Nodes that some way from the thread's start reaches without the message. Behind an Execute these are the
-  /// ways through the module, whoever executed it.
+  /// ways through the module, whoever executed it. A way agrees with itself in the values of conditions that
+  /// only it sets.
   Marks reached_without() {
-    for (const auto& module : network_.modules) reached_.emplace_back(module.body.nodes.size(), false);
-    reach(outermost_, pan::NodeId(0));
-    while (!open_.empty()) {
-      const auto [module, at] = open_.back();
-      open_.pop_back();
-      go_on(module, at);
+    if (!follow(SteadyConditions(network_, outermost_))) follow(SteadyConditions(network_));
+    Marks marks;
+    for (const auto& nodes : reached_) {
+      auto& of = marks.emplace_back();
+      for (const auto& values : nodes) of.push_back(!values.empty());
     }
-    return std::move(reached_);
+    return marks;
   }
 
  private:
+  using Values = SteadyConditions::Values;
   struct Place {
     pan::ModuleId module;
     pan::NodeId node;
+    Values values;
   };
+
+  /// False: there are too many ways.
+  bool follow(SteadyConditions conditions) {
+    constexpr std::size_t most_places = 50'000;
+    conditions_ = std::move(conditions);
+    reached_.clear();
+    open_.clear();
+    ended_.assign(network_.modules.size(), {});
+    for (const auto& module : network_.modules) reached_.emplace_back(module.body.nodes.size());
+    reach(outermost_, pan::NodeId(0), 0);
+    for (std::size_t looked = 0; !open_.empty(); ++looked) {
+      if (looked > most_places && !conditions_.none()) return false;
+      const Place place = open_.back();
+      open_.pop_back();
+      go_on(place);
+    }
+    return true;
+  }
 
   pan::ModuleId outermost(pan::ModuleId module) const {
     while (network_.modules[module.index()].executed_by.valid())
@@ -53,43 +75,42 @@ class Sources {
     return module;
   }
 
-  void reach(pan::ModuleId module, pan::NodeId node) {
+  void reach(pan::ModuleId module, pan::NodeId node, Values values) {
     auto& reached = reached_[module.index()];
-    if (!node.valid() || reached.empty() || reached[node.index()]) return;
-    reached[node.index()] = true;
-    open_.push_back({module, node});
+    if (!node.valid() || reached.empty() || !reached[node.index()].insert(values).second) return;
+    open_.push_back({module, node, values});
   }
 
-  void go_on(pan::ModuleId module, pan::NodeId at) {
+  void go_on(const Place& place) {
+    const auto& [module, at, values] = place;
     const auto& body = network_.modules[module.index()].body;
     if (const auto* execute = std::get_if<pan::Execute>(&body[at].content)) {
-      reach(execute->module, pan::NodeId(0));
-      if (ends_without(execute->module)) leave(module, at);
+      reach(execute->module, pan::NodeId(0), values);
+      if (reached_[execute->module.index()].empty()) leave(module, at, values);
+      const auto ended = ended_[execute->module.index()];
+      for (const Values after : ended) leave(module, at, after);
       return;
     }
-    if (at.index() + 1 == body.nodes.size()) return_to_callers(module);
+    if (at.index() + 1 == body.nodes.size()) return_to_callers(module, values);
     for (const auto next : flow_.next(module, at)) {
-      if (next.valid() && !gives(body[at], next)) reach(module, next);
+      if (!next.valid() || gives(body[at], next)) continue;
+      for (const Values after : conditions_.after(body[at], next, values)) reach(module, next, after);
     }
   }
 
-  void leave(pan::ModuleId module, pan::NodeId execute) {
-    for (const auto next : flow_.next(module, execute)) reach(module, next);
+  void leave(pan::ModuleId module, pan::NodeId execute, Values values) {
+    for (const auto next : flow_.next(module, execute)) reach(module, next, values);
   }
 
-  bool ends_without(pan::ModuleId module) const {
-    const auto& reached = reached_[module.index()];
-    return reached.empty() || reached.back();
-  }
-
-  void return_to_callers(pan::ModuleId module) {
+  void return_to_callers(pan::ModuleId module, Values values) {
+    if (!ended_[module.index()].insert(values).second) return;
     const auto caller = network_.modules[module.index()].executed_by;
     if (!caller.valid()) return;
     const auto& nodes = network_.modules[caller.index()].body.nodes;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const auto* execute = std::get_if<pan::Execute>(&nodes[i].content);
-      if (execute == nullptr || execute->module != module || !reached_[caller.index()][i]) continue;
-      leave(caller, pan::NodeId(i));
+      if (execute == nullptr || execute->module != module || reached_[caller.index()][i].empty()) continue;
+      leave(caller, pan::NodeId(i), values);
     }
   }
 
@@ -119,7 +140,9 @@ class Sources {
   const pan::Flow& flow_;
   pan::ModuleId outermost_;
   pan::MessageId message_;
-  Marks reached_;
+  SteadyConditions conditions_{network_};
+  std::vector<std::vector<std::set<Values>>> reached_;  // by module and node
+  std::vector<std::set<Values>> ended_;                 // by module: as some way comes to its end
   std::vector<Place> open_;
 };
 

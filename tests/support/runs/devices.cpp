@@ -110,10 +110,21 @@ void AllRuns::answer(int process) {
     const int channel = network_.channels[ix(of.requests[ix(i)])].answer.value;
     return !s_.slots[ix(channel)].full && !discards(channel);
   });
-  occurrence(process, !arrives);
+  const auto* request_device = std::get_if<RequestDevice>(&of.timing->behaviour);
+  const bool on_request = request_device != nullptr;
   device.service = -1;
   device.serving = 0;
-  const bool on_request = std::holds_alternative<RequestDevice>(of.timing->behaviour);
+  if (on_request && request_device->may_fail) {
+    const int request = of.requests[ix(served.front())];
+    const int channel = network_.channels[ix(request)].answer.value;
+    if (!discards(channel) && decisions_->pick(2) == 1) {
+      s_.slots[ix(request)].serving_carries = -1;
+      answered_in_vain(channel);
+      later([this, process] { next_request(process); });
+      return;
+    }
+  }
+  occurrence(process, !arrives);
   for (int i : served) {
     const int request = of.requests[ix(i)];
     Slot& slot = s_.slots[ix(request)];

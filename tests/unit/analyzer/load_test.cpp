@@ -84,6 +84,23 @@ END
 )",
                                     "PROCESSOR P0\nTIME work : 1 TO 4 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
   const Verdict verdict = analyze_exactly(*skill->problem).verdicts.front();
+  CHECK(verdict.state == Verdict::State::never);
+  CHECK_FALSE(verdict.bound);
+  CHECK(verdict.explanation == "every run ends, and a load is that of the long run");
+}
+
+TEST_CASE("a skill that may wait for ever has a load of nothing") {
+  const auto skill =
+      test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 0 %", R"(
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  WTM( tick from MC1 )
+  TXM( Completion Protocol 0 )
+END
+)",
+                                    "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\nDEVICE MC1 EVENT tick SPORADIC 5 ms\n"));
+  const Verdict verdict = analyze_exactly(*skill->problem).verdicts.front();
   CHECK(verdict.state == Verdict::State::holds);
   CHECK(verdict.bound == Duration(0));
 }
