@@ -98,6 +98,12 @@ ExitStatus check_operation(const OperationOptions& options, const Console& conso
   session.max_errors = options.max_errors;
   const std::vector<Program> programs = read_programs(options, console, session);
 
+  if (!session.diagnostics.has_errors() && !options.sensors.empty()) {
+    operations::Sensors sensors;
+    for (const std::string& name : options.sensors) sensors[name];
+    for (const Program& program : programs) operations::check_sensors(program, sensors, session.diagnostics);
+  }
+
   const Interruption interruption;  // till all is written
   std::vector<Proof> proofs;
   std::vector<Ways> ways;

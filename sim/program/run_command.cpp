@@ -17,6 +17,7 @@
 #include "sim/program/comparison.hpp"
 #include "sim/program/control_terminal.hpp"
 #include "sim/program/interrupt.hpp"
+#include "sim/program/needed_tool.hpp"
 #include "sim/program/report_files.hpp"
 
 namespace pal::workcell {
@@ -268,6 +269,7 @@ ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills,
   const KnownSkill& known = find_skill(command.skill, skills);
   const auto skill = known.make();
   const Session session = make_session(command, *skill, skills);
+  check_tool(*skill, session.scene, command.scene_folders);
   return command.sweep > 0 ? run_sweep(command, *skill, session, skills, out)
                            : run_once(command, known, *skill, session, out);
 }
