@@ -15,6 +15,14 @@ namespace pal::operations {
 /// The templates of the skills that a cell has, by name.
 using Skills = std::map<std::string, pan::Template>;
 
+/// What a sensor of the cell shows.
+struct Sensor {
+  std::string unit;  // empty: a plain number
+  std::string description;
+};
+/// The sensors that a cell has, by name.
+using Sensors = std::map<std::string, Sensor>;
+
 /// What can be said without skills: names, connections, reachability, sub-operations, loops.
 void check_shape(const Program& program, Diagnostics& diagnostics);
 
@@ -22,6 +30,9 @@ void check_shape(const Program& program, Diagnostics& diagnostics);
 /// taken. `locations`: those that are taught; nothing: not known. The program has no errors of shape.
 void check_skills(const Program& program, const Skills& skills,
                   const std::optional<std::set<std::string>>& locations, Diagnostics& diagnostics);
+
+/// That the cell has the sensors which tests and waits read.
+void check_sensors(const Program& program, const Sensors& sensors, Diagnostics& diagnostics);
 
 /// The names of all skills that the operation and its sub-operations run.
 std::set<std::string> skills_of(const Program& program);

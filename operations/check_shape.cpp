@@ -122,6 +122,7 @@ void check_start_and_reach(const Operation& operation, Diagnostics& diagnostics)
 
 bool takes_time(const Icon& icon) {
   return icon.kind == IconKind::skill || icon.kind == IconKind::sub_operation ||
+         icon.kind == IconKind::wait || icon.kind == IconKind::test ||
          (icon.kind == IconKind::delay && icon.seconds > 0);
 }
 

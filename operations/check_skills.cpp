@@ -132,7 +132,7 @@ void check_codes(const Program& program, const Skills& skills, Diagnostics& diag
     for (std::size_t i = 0; i < operation.icons.size(); ++i) {
       const Icon& icon = operation.icons[i];
       const std::set<int>& here = codes.at[o][i];
-      if (icon.kind == IconKind::skill || icon.kind == IconKind::sub_operation) {
+      if (has_completions(icon.kind)) {
         for (const auto& [code, normal] : completions_of(program, operation, icon, skills, codes.exits))
           if (!route(operation, icon, code, normal))
             diagnostics.report(Code::PAL1006, icon.where,

@@ -48,6 +48,8 @@ class Spread {
       case IconKind::restart:
         break;
       case IconKind::skill:
+      case IconKind::wait:
+      case IconKind::test:
       case IconKind::sub_operation:
         for (const auto& [code, normal] : completions_of(program_, operation, icon, skills_, codes_.exits))
           if (const auto way = route(operation, icon, code, normal)) send(o, *way, code);
@@ -68,6 +70,11 @@ class Spread {
 };
 
 }  // namespace
+
+bool has_completions(IconKind kind) {
+  return kind == IconKind::skill || kind == IconKind::sub_operation || kind == IconKind::wait ||
+         kind == IconKind::test;
+}
 
 std::optional<Connection> way_of(const Icon& branch, int code) {
   for (const Way& way : branch.ways)
@@ -108,6 +115,17 @@ std::vector<std::pair<int, bool>> completions_of(const Program& program, const O
   if (icon.kind == IconKind::sub_operation) {
     if (const auto sub = find_sub_operation(program, operation, icon))
       for (const int code : exits[*sub]) result.emplace_back(code, code == 0);
+    return result;
+  }
+  if (icon.kind == IconKind::test) {
+    for (int code = 0; code <= static_cast<int>(icon.limits.size()); ++code) result.emplace_back(code, true);
+    result.emplace_back(sensor_failed, false);
+    return result;
+  }
+  if (icon.kind == IconKind::wait) {
+    result.emplace_back(0, true);
+    if (icon.timeout) result.emplace_back(waited_in_vain, false);
+    result.emplace_back(sensor_failed, false);
     return result;
   }
   const auto skill = skills.find(icon.skill);

@@ -10,6 +10,9 @@
 
 namespace pal::operations {
 
+/// Of a skill, a hierarchical icon, a wait or a test: it ends with a code.
+bool has_completions(IconKind kind);
+
 /// The output by which the token leaves a skill or a hierarchical icon that ended with `code`. `normal`: the
 /// skill's completion is a normal one; of a hierarchical icon, the code is 0. In this order: the way of a
 /// CASE behind `next` (behind MERGEs and delays, too) that names the code; `error`, unless the code is
@@ -31,7 +34,8 @@ struct PossibleCodes {
 /// A skill that is not known ends with 0. The program has no errors of shape.
 PossibleCodes possible_codes(const Program& program, const Skills& skills);
 
-/// All completions of a skill or hierarchical icon: code, and whether it is normal.
+/// All completions of what has_completions(): code, and whether it is normal. All codes of a test are normal
+/// but `sensor_failed`; of a wait 0 is.
 std::vector<std::pair<int, bool>> completions_of(const Program& program, const Operation& operation,
                                                  const Icon& icon, const Skills& skills,
                                                  const std::vector<std::set<int>>& exits);

@@ -11,7 +11,7 @@ namespace pal::operations {
 namespace {
 
 constexpr const char* help =
-    "step                      one skill\n"
+    "step                      one skill, delay, wait or test\n"
     "run                       until the end, a breakpoint or Ctrl-C; also goes on after these\n"
     "set ICON PARAMETER VALUE  from the icon's next run on\n"
     "break ICON [CODE]         halt before the icon, with a code only if that came last\n"
@@ -26,19 +26,12 @@ bool parse_number(const std::string& text, double& value) {
   return problem == std::errc() && end == text.data() + text.size();
 }
 
-Value parse_value(const std::string& text) {
-  if (text == "true" || text == "false") return text == "true";
-  double number = 0;
-  if (parse_number(text, number)) return number;
-  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') return text.substr(1, text.size() - 2);
-  return text;
-}
-
 void list(const Program& program, std::size_t operation, const std::string& prefix, std::ostream& out) {
   const Operation& shown = program.operations[operation];
   for (const Icon& icon : shown.icons) {
     out << fmt::format("  {}{}  {}", prefix, icon.id, name(icon.kind));
     if (!icon.skill.empty() && icon.skill != icon.id) out << ' ' << icon.skill;
+    if (!icon.sensor.empty()) out << " of " << icon.sensor;
     for (const Parameter& parameter : icon.parameters)
       out << fmt::format("  {}={}", parameter.name, to_text(parameter));
     out << '\n';

@@ -15,6 +15,18 @@ namespace {
 // An operation of this many MERGEs in a row, and not one skill, is a circle.
 constexpr std::size_t most_idle = 100'000;
 
+// A wait looks again after this long.
+constexpr Duration between_readings = std::chrono::milliseconds(10);
+
+Duration duration_of(double seconds) {
+  return Duration(static_cast<std::int64_t>(seconds * 1e9));
+}
+
+bool is_step(IconKind kind) {
+  return kind == IconKind::skill || kind == IconKind::delay || kind == IconKind::wait ||
+         kind == IconKind::test;
+}
+
 std::size_t start_of(const Operation& operation) {
   for (std::size_t i = 0; i < operation.icons.size(); ++i)
     if (operation.icons[i].kind == IconKind::start) return i;
@@ -65,7 +77,7 @@ ExecutionState Executor::run(std::size_t steps) {
       halt(ExecutionState::paused, "breakpoint at " + token());
     } else {
       const std::size_t before = steps_;
-      const bool acts = icon().kind == IconKind::skill || icon().kind == IconKind::delay;
+      const bool acts = is_step(icon().kind);
       if (acts && steps_ == last) {
         halt(ExecutionState::paused, "paused before " + token());
       } else {
@@ -190,14 +202,12 @@ void Executor::act() {
       if (const auto way = way_of(here, last_code_)) return go(*way);
       return halt(ExecutionState::failed,
                   fmt::format("CASE '{}' has no way for code {}", token(), last_code_));
-    case IconKind::delay: {
-      Step step{++steps_, token(), {}, {}, {}, runner_.now(), {}};
-      if (observer_ != nullptr) observer_->begins(step);
-      runner_.delay(Duration(static_cast<std::int64_t>(here.seconds * 1e9)));
-      step.end = runner_.now();
-      if (observer_ != nullptr) observer_->done(step);
-      return go(here.next);
-    }
+    case IconKind::delay:
+      return act_delay();
+    case IconKind::wait:
+      return act_wait();
+    case IconKind::test:
+      return act_test();
     case IconKind::sub_operation:
       if (const auto sub = find_sub_operation(program_, operation(), here)) return enter(*sub);
       return halt(ExecutionState::failed, fmt::format("'{}' has no operation", token()));
@@ -221,12 +231,77 @@ void Executor::act_skill() {
   if (observer_ != nullptr) observer_->done(step);
   if (step.result.kind == SkillResult::Kind::stopped)
     return halt(ExecutionState::stopped, "stopped in " + token());
-  last_code_ = step.result.code;
   if (step.result.kind == SkillResult::Kind::normal) count_here();
-  const auto way = route(operation(), here, last_code_, step.result.kind == SkillResult::Kind::normal);
+  leave_with(step.result);
+}
+
+void Executor::leave_with(const SkillResult& result) {
+  last_code_ = result.code;
+  const auto way = route(operation(), icon(), last_code_, result.kind == SkillResult::Kind::normal);
   if (way) return go(*way);
   halt(ExecutionState::failed, fmt::format("'{}' ended with code {}, which nobody handles: {}", token(),
-                                           last_code_, step.result.reason));
+                                           last_code_, result.reason));
+}
+
+/// A delay or a wait that is not over; it begins anew when somebody resumes.
+void Executor::cut_off(Step& step) {
+  const bool paused = !stop_.load(std::memory_order_relaxed) && pause_.exchange(false, std::memory_order_relaxed);
+  step.result = {SkillResult::Kind::stopped, 0, paused ? "paused" : "stopped"};
+  step.end = runner_.now();
+  if (observer_ != nullptr) observer_->done(step);
+  halt(paused ? ExecutionState::paused : ExecutionState::stopped, step.result.reason + " in " + token());
+}
+
+void Executor::act_delay() {
+  Step step{++steps_, token(), {}, {}, {}, runner_.now(), {}};
+  if (observer_ != nullptr) observer_->begins(step);
+  if (!runner_.delay(duration_of(icon().seconds))) return cut_off(step);
+  step.end = runner_.now();
+  if (observer_ != nullptr) observer_->done(step);
+  go(icon().next);
+}
+
+void Executor::act_test() {
+  const Icon& here = icon();
+  Step step{++steps_, token(), {}, {}, {}, runner_.now(), {}, here.sensor};
+  if (observer_ != nullptr) observer_->begins(step);
+  const Reading reading = runner_.sense(here.sensor);
+  if (reading.stopped) return cut_off(step);
+  step.reading = reading.value;
+  if (reading.value) {
+    step.result = {SkillResult::Kind::normal, code_of(here, *reading.value), {}};
+  } else {
+    step.result = {SkillResult::Kind::error, sensor_failed, reading.problem};
+  }
+  step.end = runner_.now();
+  if (observer_ != nullptr) observer_->done(step);
+  leave_with(step.result);
+}
+
+void Executor::act_wait() {
+  const Icon& here = icon();
+  Step step{++steps_, token(), {}, {}, {}, runner_.now(), {}, here.sensor};
+  if (observer_ != nullptr) observer_->begins(step);
+  for (bool over = false; !over;) {
+    const Reading reading = runner_.sense(here.sensor);
+    if (reading.stopped || pause_.load(std::memory_order_relaxed)) return cut_off(step);
+    step.reading = reading.value;
+    over = true;
+    if (!reading.value) {
+      step.result = {SkillResult::Kind::error, sensor_failed, reading.problem};
+    } else if (is_met(here, *reading.value)) {
+      step.result = {SkillResult::Kind::normal, 0, {}};
+    } else if (here.timeout && runner_.now() - step.begin >= duration_of(*here.timeout)) {
+      step.result = {SkillResult::Kind::contingency, waited_in_vain, "the time is over"};
+    } else if (!runner_.delay(between_readings)) {
+      return cut_off(step);
+    } else {
+      over = false;
+    }
+  }
+  step.end = runner_.now();
+  if (observer_ != nullptr) observer_->done(step);
+  leave_with(step.result);
 }
 
 void Executor::go(const Connection& to) {

@@ -23,6 +23,13 @@ struct SkillResult {
   std::string reason;
 };
 
+/// What a sensor shows, in its unit; or why it shows nothing; or stop() came first.
+struct Reading {
+  std::optional<double> value;
+  std::string problem;
+  bool stopped = false;
+};
+
 /// Who can run skills: a workcell, a robot, a test.
 class SkillRunner {
  public:
@@ -31,24 +38,35 @@ class SkillRunner {
   virtual std::optional<std::string> initialise() { return std::nullopt; }
   /// Runs the skill to its end; the robot is at rest then. Parameters that are not given have their defaults.
   virtual SkillResult run(const std::string& skill, const std::vector<Parameter>& parameters) = 0;
-  /// Lets time pass.
-  virtual void delay(Duration time) = 0;
+  /// Lets time pass. False: stop() ended it.
+  virtual bool delay(Duration time) = 0;
+  /// Reads a sensor, which takes some time. By itself a cell has none.
+  virtual Reading sense(const std::string& sensor) {
+    return {{}, "the cell has no sensor '" + sensor + "'", false};
+  }
   /// The time of the cell.
   virtual Duration now() const = 0;
-  /// Ends the skill that runs, at once, with SkillResult::stopped. From any thread, or a signal handler.
+  /// Ends the skill, delay or reading that goes on, at once; a skill with SkillResult::stopped. From any thread, or a signal handler.
   virtual void stop() noexcept = 0;
   /// Skills may run again after stop().
   virtual void allow() = 0;
 };
 
-/// One line of the log: a skill or a delay.
+/// One line of the log: a skill, a delay, a wait or a test.
 struct Step {
   std::size_t number = 0;  // from 1
   std::string icon;        // "rub-in-square/side-1"
-  std::string skill;       // empty: a delay
+  std::string skill;       // empty: it is none
   std::vector<Parameter> parameters;
   SkillResult result;
   Duration begin{}, end{};
+  std::string sensor{};           // of a wait and a test
+  std::optional<double> reading{};  // the last one
+
+  /// A delay ends without a code, and so does what is stopped.
+  bool has_code() const {
+    return !(skill.empty() && sensor.empty()) && result.kind != SkillResult::Kind::stopped;
+  }
 };
 
 /// Gets every step, in order, none left out. Called by the thread that runs the operation.
@@ -58,7 +76,7 @@ class StepObserver {
   /// The token has come to an icon, whose breakpoints are looked at next: one that is set or cleared here
   /// counts.
   virtual void arrives(const std::string& /*icon*/) {}
-  /// A skill or a delay begins; result and end are not known yet.
+  /// A step begins; result and end are not known yet.
   virtual void begins(const Step& /*step*/) {}
   virtual void done(const Step& step) = 0;
 };
@@ -92,7 +110,7 @@ class Executor {
 
   /// Until something halts the token. Resumes what is paused or stopped; does nothing after the end.
   ExecutionState run();
-  /// One skill or delay, then halts before the next.
+  /// One skill, delay, wait or test, then halts before the next.
   ExecutionState step();
   /// As run(), but at most so many steps.
   ExecutionState run(std::size_t steps);
@@ -137,6 +155,11 @@ class Executor {
   void act();
   bool begin();
   void act_skill();
+  void act_delay();
+  void act_wait();
+  void act_test();
+  void leave_with(const SkillResult& result);
+  void cut_off(Step& step);
   void go(const Connection& to);
   void enter(std::size_t operation);
   void exit_operation();

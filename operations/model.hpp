@@ -2,6 +2,7 @@
 // 2.3.4 and 4.4).
 #pragma once
 
+#include <compare>
 #include <optional>
 #include <string>
 #include <variant>
@@ -42,26 +43,30 @@ struct Point {
   double x = 0, y = 0;
 };
 
-/// `branch` is the CASE icon; `sub_operation` the hierarchical icon.
-enum class IconKind { start, skill, branch, merge, delay, sub_operation, restart, exit };
+/// `branch` is the CASE icon; `test` the test of a sensor; `sub_operation` the hierarchical icon.
+enum class IconKind { start, skill, branch, merge, delay, wait, test, sub_operation, restart, exit };
 
 struct Icon {
   std::string id;
   IconKind kind = IconKind::merge;
-  Connection next;       // of start, skill, merge, delay, sub_operation
-  Connection error;      // of skill and sub_operation: for codes that nobody else handles
+  Connection next;       // of all but CASE, RESTART and EXIT
+  Connection error;      // of skill, wait, test and sub_operation: for codes that nobody else handles
   Connection otherwise;  // of a CASE: its default
   std::vector<Way> ways;
   std::string skill;
   std::vector<Parameter> parameters;
   double seconds = 0;         // of a delay
+  std::string sensor;         // of a wait and a test
+  std::vector<double> limits;                 // of a test, ascending, in the sensor's unit
+  std::optional<double> at_least{}, at_most{};  // of a wait: what it waits for, in the sensor's unit
+  std::optional<double> timeout{};              // of a wait, s; nothing: it waits for ever
   std::optional<int> code;    // of an exit; without one, the last completion code goes on
   std::string operation;      // of a hierarchical icon: the sub-operation's name
   std::string file;           // … and the file it stands in; empty: this one
   std::optional<Point> at{};  // on a canvas
   std::string note;
   SourceSpan where;    // its id
-  SourceSpan subject;  // its skill, operation or file
+  SourceSpan subject;  // its skill, sensor, operation or file
 };
 
 struct Operation {
@@ -89,8 +94,28 @@ std::optional<std::size_t> find_icon(const Operation& operation, const std::stri
 std::optional<std::size_t> find_sub_operation(const Program& program, const Operation& from,
                                               const Icon& icon);
 
+/// Where an icon stands: indices of its operation, and of it therein.
+struct Place {
+  std::size_t operation = 0, icon = 0;
+  friend auto operator<=>(const Place&, const Place&) = default;
+};
+/// The icons from the first operation down to "rub-in-square/side-1", which is the last; nothing if one of
+/// them is not there.
+std::vector<Place> find_path(const Program& program, const std::string& path);
+
 /// All outputs of an icon that are connected, in the order of the file.
 std::vector<Connection> outputs(const Icon& icon);
+
+/// A reading failed: the code of a test or a wait whose sensor gave no value.
+inline constexpr int sensor_failed = -1;
+/// A wait was over before its sensor showed what it waited for.
+inline constexpr int waited_in_vain = 1;
+/// The code of a test: how many of its limits the reading has reached.
+int code_of(const Icon& test, double reading);
+/// Whether a wait has come to its end.
+bool is_met(const Icon& wait, double reading);
+/// "at least 10", "from 10 to 20", …
+std::string condition_text(const Icon& wait);
 
 /// "start", "skill", "case", …, as in a file.
 const char* name(IconKind kind);
@@ -99,7 +124,9 @@ const std::vector<std::string>& icon_kind_names();
 
 /// "5", "true", "\"HOME\"".
 std::string to_text(const Value& value);
-/// Likewise; of a count "the count of put".
+/// The value that somebody typed: true, false, a number, or a text with or without quotation marks.
+Value parse_value(const std::string& text);
+/// As to_text(); of a count "the count of put".
 std::string to_text(const Parameter& parameter);
 
 }  // namespace pal::operations

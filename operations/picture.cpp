@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "operations/codes.hpp"
 #include "operations/storyboard.hpp"
 
 namespace pal::operations {
@@ -29,6 +30,10 @@ std::string label(const Icon& icon) {
       return "";
     case IconKind::delay:
       return fmt::format("wait {:g} s", icon.seconds);
+    case IconKind::wait:
+      return fmt::format("wait for\n{}\n{}", icon.sensor, condition_text(icon));
+    case IconKind::test:
+      return fmt::format("{}\n{}\n{}", icon.id, icon.sensor, fmt::join(icon.limits, " | "));
     case IconKind::skill:
       return icon.id == icon.skill ? icon.id : icon.id + "\n" + icon.skill;
     case IconKind::sub_operation:
@@ -48,7 +53,10 @@ const char* look(IconKind kind) {
     case IconKind::merge:
       return "shape=circle width=0.2 fixedsize=true style=filled fillcolor=\"#404040\"";
     case IconKind::delay:
+    case IconKind::wait:
       return "shape=box style=dashed";
+    case IconKind::test:
+      return "shape=hexagon style=filled fillcolor=\"#fce5cd\"";
     case IconKind::sub_operation:
       return "shape=box3d style=filled fillcolor=\"#d9ead3\"";
     case IconKind::skill:
@@ -65,7 +73,7 @@ std::string newlines(std::string text) {
 
 }  // namespace
 
-std::string to_dot(const Program& program, std::size_t operation) {
+std::string to_dot(const Program& program, std::size_t operation, const Happened* run) {
   const Operation& shown = program.operations[operation];
   std::string out =
       "digraph operation {\n  rankdir=LR\n  node [fontname=\"Liberation Sans\" fontsize=11]\n"
@@ -75,9 +83,16 @@ std::string to_dot(const Program& program, std::size_t operation) {
     out += fmt::format("  {} -> {} [label={}{}]\n", quoted(from.id), quoted(to.icon), quoted(text),
                        dashed ? " style=dashed" : "");
   };
-  for (const Icon& icon : shown.icons)
-    out +=
-        fmt::format("  {} [label={} {}]\n", quoted(icon.id), newlines(quoted(label(icon))), look(icon.kind));
+  for (std::size_t i = 0; i < shown.icons.size(); ++i) {
+    const Icon& icon = shown.icons[i];
+    std::string text = label(icon), more;
+    if (run != nullptr && (has_completions(icon.kind) || icon.kind == IconKind::delay)) {
+      const std::size_t count = run->count({operation, i});
+      if (icon.kind != IconKind::sub_operation && count > 0) text += fmt::format("\n{}×", count);
+      more = count > 0 ? " penwidth=2.5" : " color=\"#999999\" fontcolor=\"#999999\"";
+    }
+    out += fmt::format("  {} [label={} {}{}]\n", quoted(icon.id), newlines(quoted(text)), look(icon.kind), more);
+  }
   for (const Icon& icon : shown.icons) {
     line(icon, icon.next, "", false);
     for (const Way& way : icon.ways) line(icon, way.to, fmt::format("{}", fmt::join(way.codes, ", ")), false);

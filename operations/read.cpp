@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "operations/codes.hpp"
 #include "operations/private/json_value.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/nearest.hpp"
@@ -14,6 +15,8 @@ namespace pal::operations {
 namespace {
 
 using Kind = JsonValue::Kind;
+
+constexpr double longest_delay = 86'400;  // s
 
 /// The fields of an object, each asked for once; what nobody has asked for is reported.
 class Fields {
@@ -169,10 +172,51 @@ void read_delay(Icon& icon, Fields& fields) {
   const JsonValue* seconds = fields.find("seconds", Kind::number, "a number of seconds");
   if (seconds == nullptr) {
     fields.missing("seconds");
-  } else if (!(seconds->number >= 0 && seconds->number <= 86400)) {
+  } else if (!(seconds->number >= 0 && seconds->number <= longest_delay)) {
     fields.report(seconds->where, "a delay lasts 0 to 86400 s", "write a number from 0 to 86400");
   } else {
     icon.seconds = seconds->number;
+  }
+}
+
+void read_limits(Icon& icon, Fields& fields) {
+  const JsonValue* limits = fields.find("limits", Kind::array, "a list of numbers");
+  if (limits == nullptr) return fields.missing("limits");
+  for (const JsonValue& limit : limits->items) {
+    if (limit.kind != Kind::number) {
+      fields.report(limit.where, "a limit is a number", "write a number, in the sensor's unit");
+    } else if (!icon.limits.empty() && limit.number <= icon.limits.back()) {
+      fields.report(limit.where, fmt::format("limit {} is not above the one before it", limit.number),
+                    "write the limits in ascending order");
+    } else {
+      icon.limits.push_back(limit.number);
+    }
+  }
+  if (limits->items.empty() || limits->items.size() > 3)
+    fields.report(limits->where,
+                  fmt::format("a test has one to three limits, this one has {}", limits->items.size()),
+                  "each limit adds a code; a CASE has at most four ways");
+}
+
+std::optional<double> read_number(const char* name, Fields& fields) {
+  const JsonValue* value = fields.find(name, Kind::number, "a number");
+  if (value == nullptr) return std::nullopt;
+  return value->number;
+}
+
+void read_condition(Icon& icon, Fields& fields) {
+  icon.at_least = read_number("at-least", fields);
+  icon.at_most = read_number("at-most", fields);
+  if (!icon.at_least && !icon.at_most) fields.missing("at-least");
+  if (icon.at_least && icon.at_most && *icon.at_least > *icon.at_most)
+    fields.report(icon.where, "a wait for at least more than at most never ends",
+                  "exchange 'at-least' and 'at-most'");
+  const JsonValue* timeout = fields.find("timeout", Kind::number, "a number of seconds");
+  if (timeout == nullptr) return;
+  if (timeout->number >= 0 && timeout->number <= longest_delay) {
+    icon.timeout = timeout->number;
+  } else {
+    fields.report(timeout->where, "a wait lasts 0 to 86400 s", "write a number from 0 to 86400");
   }
 }
 
@@ -222,6 +266,14 @@ std::optional<Icon> read_icon(const JsonValue& value, Diagnostics& diagnostics) 
     case IconKind::delay:
       read_delay(icon, fields);
       break;
+    case IconKind::wait:
+      icon.sensor = fields.needed_text("sensor", &icon.subject);
+      read_condition(icon, fields);
+      break;
+    case IconKind::test:
+      icon.sensor = fields.needed_text("sensor", &icon.subject);
+      read_limits(icon, fields);
+      break;
     case IconKind::sub_operation:
       icon.subject = icon.where;
       icon.file = fields.text("file", &icon.subject);
@@ -242,7 +294,7 @@ std::optional<Icon> read_icon(const JsonValue& value, Diagnostics& diagnostics) 
   }
   if (icon.kind != IconKind::branch && icon.kind != IconKind::exit && icon.kind != IconKind::restart)
     icon.next = fields.connection("next");
-  if (icon.kind == IconKind::skill || icon.kind == IconKind::sub_operation)
+  if (has_completions(icon.kind))
     icon.error = fields.connection("error");
   read_position(icon, fields);
   icon.note = fields.text("note");

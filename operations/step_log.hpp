@@ -2,6 +2,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 #include "operations/executor.hpp"
@@ -9,8 +10,15 @@
 namespace pal::operations {
 
 /// {"step", "icon", "skill", "parameters", "kind", "code", "reason", "begin_s", "end_s"} on one line without
-/// its end. A delay has no skill, parameters, kind, code and reason. Times are those of the cell.
+/// its end. A wait and a test have "sensor" and "reading" in the place of skill and parameters. A delay has
+/// none of these, nor kind, code and reason, unless it was stopped. Times are those of the cell.
 std::string log_line(const Step& step);
+
+/// The step of a line that log_line() wrote; events of a server have the same fields. Nothing: it is none.
+std::optional<Step> parse_log_line(const std::string& line);
+
+/// For people: "   3  put: palletize ended with code 0 after 5.120 s: The part is at the next place."
+std::string told(const Step& step);
 
 /// Writes each step as it ends, so that a log that breaks off is whole up to there.
 class StepLog final : public StepObserver {

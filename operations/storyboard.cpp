@@ -21,6 +21,7 @@ struct Scene {
 struct Chapter {
   std::string title;
   std::vector<std::string> introduction;
+  std::vector<std::string> course;  // of a run
   std::vector<Scene> scenes;
   std::string dot;
 };
@@ -37,8 +38,7 @@ std::vector<std::size_t> told(const Operation& operation) {
     if (seen[here]) continue;
     seen[here] = true;
     const Icon& icon = operation.icons[here];
-    if (icon.kind == IconKind::skill || icon.kind == IconKind::sub_operation || icon.kind == IconKind::delay)
-      order.push_back(here);
+    if (has_completions(icon.kind) || icon.kind == IconKind::delay) order.push_back(here);
     const auto next = outputs(icon);
     for (auto to = next.rbegin(); to != next.rend(); ++to)
       if (const auto index = find_icon(operation, to->icon)) waiting.push_back(*index);
@@ -48,8 +48,10 @@ std::vector<std::size_t> told(const Operation& operation) {
 
 class Teller {
  public:
-  Teller(const Program& program, const Skills& skills, std::size_t index)
+  Teller(const Program& program, const Skills& skills, std::size_t index, const Happened* run)
       : program_(program),
+        index_(index),
+        run_(run),
         operation_(program.operations[index]),
         skills_(skills),
         exits_(possible_codes(program, skills).exits),
@@ -64,9 +66,8 @@ class Teller {
   std::string beginning() const {
     for (const Icon& icon : operation_.icons)
       if (icon.kind == IconKind::start) {
-        const std::string first = destination(icon.next, 0);
-        return first.starts_with("on to ") ? fmt::format("It begins with {}.", first.substr(6))
-                                           : fmt::format("It begins, and {}.", first);
+        const auto first = scene_behind(icon.next, 0);
+        return first ? fmt::format("It begins with {}.", name_of(*first)) : destination(icon.next, 0);
       }
     return {};
   }
@@ -84,10 +85,21 @@ class Teller {
       case IconKind::sub_operation:
         tell_sub_operation(icon, scene);
         break;
+      case IconKind::test:
+        scene.sentences.push_back(fmt::format("The sensor {} is read.", icon.sensor));
+        tell_branches(icon, scene);
+        break;
+      case IconKind::wait:
+        scene.sentences.push_back(
+            fmt::format("The robot waits until the sensor {} shows {}{}.", icon.sensor, condition_text(icon),
+                        icon.timeout ? fmt::format(", for {:g} s at most", *icon.timeout) : ""));
+        tell_branches(icon, scene);
+        break;
       default:
         scene.sentences.push_back(fmt::format("The robot waits for {:g} s.", icon.seconds));
-        scene.branches.push_back(fmt::format("Then {}.", destination(icon.next, 0)));
+        scene.branches.push_back("Then: " + destination(icon.next, 0));
     }
+    if (run_ != nullptr) scene.sentences.push_back(run_->at({index_, order_[number]}));
     return scene;
   }
 
@@ -101,12 +113,21 @@ class Teller {
     const pan::Template& skill = found->second;
     if (!skill.preconditions.empty())
       scene.sentences.push_back(fmt::format("Before: {}", fmt::join(skill.preconditions, " ")));
-    scene.sentences.push_back(fmt::format("The skill {} runs{}. {}", icon.skill, settings(icon, skill),
-                                          fmt::join(skill.descriptions, " ")));
+    scene.sentences.push_back(fmt::format("The skill {} runs{}{}", icon.skill, settings(icon, skill),
+                                          continued(fmt::format("{}", fmt::join(skill.descriptions, " ")))));
     if (!skill.postconditions.empty())
       scene.sentences.push_back(
           fmt::format("Afterwards, if the code is normal: {}", fmt::join(skill.postconditions, " ")));
     tell_branches(icon, scene);
+  }
+
+  /// "Moves the tool." becomes ": it moves the tool."
+  static std::string continued(std::string text) {
+    const std::string first = text.substr(0, text.find(' '));
+    if (text.empty()) return ".";
+    if (!first.ends_with('s') || text[0] < 'A' || text[0] > 'Z') return ". " + text;
+    text[0] = static_cast<char>(text[0] - 'A' + 'a');
+    return ": it " + text;
   }
 
   static std::string settings(const Icon& icon, const pan::Template& skill) {
@@ -117,7 +138,10 @@ class Teller {
         if (parameter.name == given.name && !parameter.unit.empty()) unit = " " + parameter.unit;
       texts.push_back(fmt::format("{} {}{}", given.name, to_text(given), given.count_of.empty() ? unit : ""));
     }
-    return texts.empty() ? "" : fmt::format(", with {}", fmt::join(texts, ", "));
+    if (texts.empty()) return "";
+    const std::string last = texts.back();
+    texts.pop_back();
+    return texts.empty() ? " with " + last : fmt::format(" with {} and {}", fmt::join(texts, ", "), last);
   }
 
   void tell_sub_operation(const Icon& icon, Scene& scene) const {
@@ -133,57 +157,89 @@ class Teller {
   void tell_branches(const Icon& icon, Scene& scene) const {
     for (const auto& [code, normal] : completions_of(program_, operation_, icon, skills_, exits_)) {
       const auto way = route(operation_, icon, code, normal);
-      scene.branches.push_back(
-          fmt::format("Code {}{}: {}.", code, meaning(icon, code),
-                      way ? destination(*way, code) : "nobody handles it, and the operation ends here"));
+      scene.branches.push_back(fmt::format(
+          "Code {}{} {}", code, meaning(icon, code),
+          way ? destination(*way, code) : "Nobody handles it, and the operation fails here."));
     }
   }
 
+  /// ": It is there." or "."
   std::string meaning(const Icon& icon, int code) const {
+    if (!icon.sensor.empty()) return ": " + meaning_of_reading(icon, code);
     const auto skill = skills_.find(icon.skill);
-    if (skill == skills_.end()) return {};
+    if (skill == skills_.end()) return ".";
     for (const pan::Completion& completion : skill->second.completions) {
       if (completion.code != code || completion.description.empty()) continue;
-      std::string text = completion.description;
-      if (text.ends_with('.')) text.pop_back();
-      return fmt::format(" ({})", text);
+      return fmt::format(": {}{}", completion.description, completion.description.ends_with('.') ? "" : ".");
     }
-    return {};
+    return ".";
+  }
+  static std::string meaning_of_reading(const Icon& icon, int code) {
+    if (code == sensor_failed) return "The sensor shows nothing.";
+    if (icon.kind == IconKind::wait) return code == 0 ? "It does." : "The time is over.";
+    const auto index = static_cast<std::size_t>(code);
+    if (index == 0) return fmt::format("It shows less than {}.", icon.limits.front());
+    if (index == icon.limits.size()) return fmt::format("It shows {} or more.", icon.limits.back());
+    return fmt::format("It shows {} or more, and less than {}.", icon.limits[index - 1], icon.limits[index]);
   }
 
-  /// "on to scene 3, rub", after all MERGEs and CASEs.
+  std::string name_of(std::size_t scene) const {
+    return fmt::format("scene {}, {}", scene + 1, operation_.icons[order_[scene]].id);
+  }
+  /// After all MERGEs and CASEs; nothing: no scene comes.
+  std::optional<std::size_t> scene_behind(const Connection& to, int code) const {
+    auto at = find_icon(operation_, to.icon);
+    for (std::size_t steps = 0; at && steps <= operation_.icons.size(); ++steps) {
+      const auto scene = std::find(order_.begin(), order_.end(), *at);
+      if (scene != order_.end()) return static_cast<std::size_t>(scene - order_.begin());
+      const Icon& icon = operation_.icons[*at];
+      if (icon.kind == IconKind::exit || icon.kind == IconKind::restart) return std::nullopt;
+      const auto way = icon.kind == IconKind::branch ? way_of(icon, code) : std::optional(icon.next);
+      if (!way) return std::nullopt;
+      at = find_icon(operation_, way->icon);
+    }
+    return std::nullopt;
+  }
+
+  /// "The story goes on with scene 3, rub."
   std::string destination(const Connection& to, int code) const {
+    if (const auto scene = scene_behind(to, code))
+      return fmt::format("The story goes on with {}.", name_of(*scene));
     auto at = find_icon(operation_, to.icon);
     for (std::size_t steps = 0; at && steps <= operation_.icons.size(); ++steps) {
       const Icon& icon = operation_.icons[*at];
       if (icon.kind == IconKind::exit)
-        return fmt::format("the operation ends with code {}", icon.code.value_or(code));
-      if (icon.kind == IconKind::restart) return "all begins again from START";
-      const auto scene = std::find(order_.begin(), order_.end(), *at);
-      if (scene != order_.end())
-        return fmt::format("on to scene {}, {}", scene - order_.begin() + 1, icon.id);
+        return fmt::format("The operation ends at {} with code {}.{}{}", icon.id, icon.code.value_or(code),
+                           icon.note.empty() ? "" : " ", icon.note);
+      if (icon.kind == IconKind::restart) return "All begins again from START.";
       const auto way = icon.kind == IconKind::branch ? way_of(icon, code) : std::optional(icon.next);
-      if (!way) return fmt::format("CASE {} has no way for it, and the operation ends here", icon.id);
+      if (!way) return fmt::format("CASE {} has no way for it, and the operation fails here.", icon.id);
       at = find_icon(operation_, way->icon);
     }
-    return "nowhere";
+    return "Nothing follows.";
   }
 
   const Program& program_;
+  std::size_t index_;
+  const Happened* run_;
   const Operation& operation_;
   const Skills& skills_;
   std::vector<std::set<int>> exits_;
   std::vector<std::size_t> order_;
 };
 
-std::vector<Chapter> chapters(const Program& program, const Skills& skills) {
+std::vector<Chapter> chapters(const Program& program, const Skills& skills, const Happened* run) {
   std::vector<Chapter> result;
   for (std::size_t i = 0; i < program.operations.size(); ++i) {
     const Operation& operation = program.operations[i];
-    const Teller teller(program, skills, i);
-    Chapter chapter{operation.name, {}, teller.scenes(), to_dot(program, i)};
+    const Teller teller(program, skills, i, run);
+    Chapter chapter{operation.name, {}, {}, teller.scenes(), to_dot(program, i, run)};
     if (!operation.description.empty()) chapter.introduction.push_back(operation.description);
     chapter.introduction.push_back(teller.beginning());
+    if (run != nullptr && i == 0) {
+      chapter.introduction.push_back(run->summary());
+      chapter.course = run->course();
+    }
     result.push_back(std::move(chapter));
   }
   return result;
@@ -209,11 +265,15 @@ svg { display: block; max-width: 100%; height: auto; margin: 1rem 0; }
 
 }  // namespace
 
-std::string storyboard_markdown(const Program& program, const Skills& skills) {
+std::string storyboard_markdown(const Program& program, const Skills& skills, const Happened* run) {
   std::string out;
-  for (const Chapter& chapter : chapters(program, skills)) {
+  for (const Chapter& chapter : chapters(program, skills, run)) {
     out += fmt::format("{}# {}\n", out.empty() ? "" : "\n#", plain(chapter.title));
     for (const std::string& text : chapter.introduction) out += "\n" + plain(text) + "\n";
+    if (!chapter.course.empty()) {
+      out += "\n### What happened\n\n";
+      for (const std::string& text : chapter.course) out += "1. " + plain(text) + "\n";
+    }
     for (const Scene& scene : chapter.scenes) {
       out += "\n### " + plain(scene.title) + "\n";
       for (const std::string& text : scene.sentences) out += "\n" + plain(text) + "\n";
@@ -224,15 +284,20 @@ std::string storyboard_markdown(const Program& program, const Skills& skills) {
   return out;
 }
 
-std::string storyboard_html(const Program& program, const Skills& skills) {
+std::string storyboard_html(const Program& program, const Skills& skills, const Happened* run) {
   const std::string title = xml_escaped(program.operations.front().name);
   std::string out = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n"
       "<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
       title, style, title);
-  for (const Chapter& chapter : chapters(program, skills)) {
+  for (const Chapter& chapter : chapters(program, skills, run)) {
     if (xml_escaped(chapter.title) != title) out += "<h2>" + xml_escaped(chapter.title) + "</h2>\n";
     for (const std::string& text : chapter.introduction) out += "<p>" + xml_escaped(text) + "</p>\n";
+    if (!chapter.course.empty()) {
+      out += "<h3>What happened</h3>\n<ol>\n";
+      for (const std::string& text : chapter.course) out += "<li>" + xml_escaped(text) + "</li>\n";
+      out += "</ol>\n";
+    }
     const std::string drawing = pan::svg(chapter.dot);
     // Without the prologue, which stands once, before a whole document.
     out += drawing.substr(drawing.find("<svg"));

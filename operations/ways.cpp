@@ -83,6 +83,8 @@ class Walk {
         if (const auto way = way_of(icon, left.code)) go(place, *way, std::move(left));
         break;
       case IconKind::skill:
+      case IconKind::wait:
+      case IconKind::test:
         for (const auto& [code, normal] : completions_of(program_, operation, icon, skills_, exits_))
           if (const auto way = route(operation, icon, code, normal))
             go(place, *way, after_skill(place, icon, left, code));
@@ -102,15 +104,16 @@ class Walk {
     }
   }
 
+  /// Or behind a wait or a test: nothing is proved of how long a sensor takes.
   Left after_skill(const Place& place, const Icon& icon, Left left, int code) {
     left.code = code;
     left.way.icons.push_back(fmt::format("{}{} ({})", place.prefix, icon.id, code));
-    const auto time = times_.find({icon.skill, code});
+    const auto time = icon.sensor.empty() ? times_.find({icon.skill, code}) : times_.end();
     if (time == times_.end()) {
       left.way.longest.reset();
+      const std::string what = icon.sensor.empty() ? icon.skill : "the sensor " + icon.sensor;
       auto& unbounded = left.way.unbounded;
-      if (std::find(unbounded.begin(), unbounded.end(), icon.skill) == unbounded.end())
-        unbounded.push_back(icon.skill);
+      if (std::find(unbounded.begin(), unbounded.end(), what) == unbounded.end()) unbounded.push_back(what);
     } else if (left.way.longest) {
       *left.way.longest += time->second;
     }

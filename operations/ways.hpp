@@ -22,7 +22,7 @@ struct WayThrough {
   std::string end;
   Duration shortest{};                 // what is known to pass at least: the delays
   std::optional<Duration> longest;     // nothing: some skill has no bound
-  std::vector<std::string> unbounded;  // skills without one, each once
+  std::vector<std::string> unbounded;  // skills without one and "the sensor NAME", each once
 };
 
 struct Ways {

@@ -40,6 +40,11 @@ Json json(const Icon& icon) {
   put(result, "operation", icon.operation);
   put(result, "file", icon.file);
   if (icon.kind == IconKind::delay) result["seconds"] = number(icon.seconds);
+  put(result, "sensor", icon.sensor);
+  for (const double limit : icon.limits) result["limits"].push_back(number(limit));
+  if (icon.at_least) result["at-least"] = number(*icon.at_least);
+  if (icon.at_most) result["at-most"] = number(*icon.at_most);
+  if (icon.timeout) result["timeout"] = number(*icon.timeout);
   for (const Way& way : icon.ways) {
     Json each;
     each["codes"] = way.codes;

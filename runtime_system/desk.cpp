@@ -152,7 +152,7 @@ struct Desk::Parts final : operations::StepObserver {
     if (auto refusal = need_controls(client)) return refusal;
     if (auto refusal = need_rest()) return refusal;
     Diagnostics diagnostics;
-    operations::check_skills(program_of(command), skills, std::nullopt, diagnostics);
+    operations::check_skills(program_of(command), skills, options.locations, diagnostics);
     if (const auto problem = first_error(diagnostics, {})) return wrong(*problem);
     begin(Activity::skill);
     skill_job = SkillJob{std::move(command), std::exchange(answer, nullptr)};
@@ -167,7 +167,9 @@ struct Desk::Parts final : operations::StepObserver {
     auto program = operations::load(files, sources, command.main, diagnostics);
     if (program && !diagnostics.has_errors()) operations::check_shape(*program, diagnostics);
     if (program && !diagnostics.has_errors())
-      operations::check_skills(*program, skills, std::nullopt, diagnostics);
+      operations::check_skills(*program, skills, options.locations, diagnostics);
+    if (program && !diagnostics.has_errors())
+      operations::check_sensors(*program, options.sensors, diagnostics);
     if (const auto problem = first_error(diagnostics, sources)) return wrong(*problem);
     if (!program) return wrong("there is no operation in it");
     executor = std::make_unique<Executor>(std::move(*program), runner, this, &skills);
@@ -269,7 +271,7 @@ struct Desk::Parts final : operations::StepObserver {
     if (options.log != nullptr) options.log->done(step);
     const std::lock_guard lock(mutex);
     status.time = step.end;
-    if (!step.skill.empty() && step.result.kind != operations::SkillResult::Kind::stopped)
+    if (step.has_code())
       status.last_code = step.result.code;
     publish(StepEnds{step});
   }
@@ -385,6 +387,10 @@ Status Desk::status(ClientId client) const {
 
 const operations::Skills& Desk::skills() const {
   return parts_->skills;
+}
+
+const operations::Sensors& Desk::sensors() const {
+  return parts_->options.sensors;
 }
 
 void Desk::end() {

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -40,6 +42,9 @@ struct DeskOptions {
   bool pause_when_holder_goes = true;
   /// Sees each step of every operation, and skills that run alone; may be null.
   operations::StepObserver* log = nullptr;
+  operations::Sensors sensors{};  // what tests and waits can read
+  /// Those that are taught; nothing: not known.
+  std::optional<std::set<std::string>> locations{};
 };
 
 /// Clients are served by any threads; the cell works in one, which calls work(). A pause or a stop that is
@@ -62,6 +67,7 @@ class Desk final {
   void ask(ClientId client, Command command, Answerer answer);
   Status status(ClientId client) const;
   const operations::Skills& skills() const;
+  const operations::Sensors& sensors() const;
   /// The cell stops at once, and nothing is obeyed from now on.
   void end();
 

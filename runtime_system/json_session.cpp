@@ -48,7 +48,7 @@ Json describe(const StateChanged& state) {
 Json describe(const operations::Step& step, bool ended) {
   Json json = Json::parse(operations::log_line(step));
   if (ended) return json;
-  for (const char* later : {"kind", "code", "reason", "end_s"}) json.erase(later);
+  for (const char* later : {"reading", "kind", "code", "reason", "end_s"}) json.erase(later);
   return json;
 }
 
@@ -135,6 +135,13 @@ Json describe(const operations::Skills& skills) {
                                      {"description", completion.description}});
     list.push_back(std::move(each));
   }
+  return list;
+}
+
+Json describe(const operations::Sensors& sensors) {
+  Json list = Json::array();
+  for (const auto& [name, sensor] : sensors)
+    list.push_back({{"sensor", name}, {"unit", sensor.unit}, {"description", sensor.description}});
   return list;
 }
 
@@ -300,6 +307,7 @@ class JsonSession final : public Session {
     }
     if (method == "state") return result(id, answered, describe(lobby_.desk.status(*client_)));
     if (method == "skills") return result(id, answered, describe(lobby_.desk.skills()));
+    if (method == "sensors") return result(id, answered, describe(lobby_.desk.sensors()));
     if (method == "watch") return watch(members, id, answered);
     if (method == "controls.take") return ask(TakeControls{}, id, answered);
     if (method == "controls.release") return ask(ReleaseControls{}, id, answered);

@@ -45,6 +45,12 @@ std::optional<operations::Value> value_of(const std::string& text, pan::ScalarTy
   return std::nullopt;
 }
 
+/// The skill or the sensor; of a delay "-".
+std::string subject(const operations::Step& step) {
+  const std::string& what = step.skill.empty() ? step.sensor : step.skill;
+  return what.empty() ? "-" : what;
+}
+
 class LineSession final : public Session {
  public:
   LineSession(Lobby& lobby, Mouth mouth)
@@ -122,6 +128,7 @@ class LineSession final : public Session {
     if (verb == "why") return tell(why_);
     if (verb == "state") return tell_state();
     if (verb == "skills") return tell_skills();
+    if (verb == "sensors") return tell_sensors();
     if (verb == "data") return set(words, showing_);
     if (verb == "watch") return set(words, watching_);
     if (verb == "take") return ask(TakeControls{});
@@ -260,6 +267,11 @@ class LineSession final : public Session {
     }
     acknowledge(0);
   }
+  void tell_sensors() {
+    for (const auto& [name, sensor] : lobby_.desk.sensors())
+      tell(sensor.unit.empty() ? name : name + " " + sensor.unit);
+    acknowledge(0);
+  }
   void report(const Event& event) {
     struct Visitor {
       std::string operator()(const ControlsChanged& what) const {
@@ -272,11 +284,11 @@ class LineSession final : public Session {
       std::string operator()(const IconReached& what) const { return "icon " + what.icon; }
       std::string operator()(const StepBegins& what) const {
         return fmt::format("begins {} {} {}", what.step.number, what.step.icon.empty() ? "-" : what.step.icon,
-                           what.step.skill);
+                           subject(what.step));
       }
       std::string operator()(const StepEnds& what) const {
         return fmt::format("ends {} {} {} {}", what.step.number,
-                           what.step.icon.empty() ? "-" : what.step.icon, what.step.skill,
+                           what.step.icon.empty() ? "-" : what.step.icon, subject(what.step),
                            what.step.result.code);
       }
     };

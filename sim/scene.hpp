@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/arm/kinematics.hpp"
+#include "sim/arm/tool.hpp"
 
 namespace pal::sim {
 
@@ -38,5 +39,8 @@ std::vector<Scene> list_scenes(const std::vector<std::filesystem::path>& folders
 
 /// What the scene says about itself in one line. Throws SceneError.
 std::string describe_scene(const Scene& scene);
+
+/// What the arm carries in it. Throws SceneError.
+ToolKind tool_of(const Scene& scene);
 
 }  // namespace pal::sim

@@ -275,6 +275,10 @@ const std::map<std::string, Pose>& Workcell::locations() const {
   return parts_->physics.loaded().locations;
 }
 
+const std::map<std::string, Eigen::Vector3d>& Workcell::fixed_sensors() const {
+  return parts_->physics.loaded().sensors;
+}
+
 ToolKind Workcell::tool_kind() const {
   return parts_->physics.loaded().tool;
 }

@@ -108,6 +108,9 @@ class Workcell final : public runtime::World {
   /// it says otherwise.
   const std::map<std::string, Pose>& locations() const;
 
+  /// Distance sensors that are fixed in the cell and look straight down: where they stand in frame 0, m.
+  const std::map<std::string, Eigen::Vector3d>& fixed_sensors() const;
+
   ToolKind tool_kind() const;
   /// From the flange to the tip.
   Pose flange_to_tip() const;

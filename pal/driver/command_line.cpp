@@ -333,6 +333,9 @@ void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tel
   command->add_option("--location", check.locations, "a location that is taught; may be repeated")
       ->type_name("NAME")
       ->take_all();
+  command->add_option("--sensor", check.sensors, "a sensor that the cell has; may be repeated")
+      ->type_name("NAME")
+      ->take_all();
   add_limits(*command, check.limits);
   add_choice<Format>(*command, "--format", check.format,
                      {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}},
@@ -347,6 +350,8 @@ void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tel
   command
       ->add_option("-o,--output", tell.output, "the document, .html or .md; without it Markdown is printed")
       ->type_name("FILE");
+  command->add_option("--run", tell.run, "the log of a run, which is told, too (workcell operation run --log)")
+      ->type_name("LOG");
   command->footer(statuses_of_results);
 
   command = operation->add_subcommand("format", "Gives operations their one form: an icon a line");

@@ -142,10 +142,12 @@ struct OperationOptions {
   std::vector<std::string> skills;        // PAL files, or folders with them
   std::vector<std::string> environments;  // PAL files
   std::vector<std::string> locations;     // those that are taught; empty: not known
+  std::vector<std::string> sensors;       // those that the cell has; empty: not known
   ProofLimits limits;
   Format format = Format::text;
   std::size_t max_errors = default_max_errors;
   std::string output;  // of a storyboard, .html or .md; empty: Markdown to console.out
+  std::string run;     // of a storyboard: the log of a run that it tells, too
   bool check = false;  // of the format: change nothing
 };
 /// Finds what is wrong with operations, what their skills need and the cell lacks, and how long each way

@@ -100,6 +100,12 @@ ExitStatus check_operation(const OperationOptions& options, const Console& conso
   limit_checks(options.limits, session);
   const std::vector<Program> programs = read_programs(options, console, session);
 
+  if (!session.diagnostics.has_errors() && !options.sensors.empty()) {
+    operations::Sensors sensors;
+    for (const std::string& name : options.sensors) sensors[name];
+    for (const Program& program : programs) operations::check_sensors(program, sensors, session.diagnostics);
+  }
+
   std::vector<Proof> proofs;
   std::vector<Ways> ways;
   if (!session.diagnostics.has_errors() && !options.skills.empty()) {

@@ -2,6 +2,7 @@
 
 #include "operations/load.hpp"
 #include "operations/read.hpp"
+#include "operations/read_log.hpp"
 #include "operations/storyboard.hpp"
 #include "operations/write.hpp"
 #include "pal/driver/private/operation_files.hpp"
@@ -24,15 +25,29 @@ ExitStatus tell_operation(const OperationOptions& options, const Console& consol
   const auto program =
       operations::load(console.files, session.sources, options.files.front(), session.diagnostics);
   operations::Skills skills;
+  std::vector<operations::Step> steps;
   if (program && !session.diagnostics.has_errors()) {
     operations::check_shape(*program, session.diagnostics);
     if (!options.skills.empty())
       skills = read_skills(options, operations::skills_of(*program), console, session);
+    if (!options.run.empty()) {
+      auto content = console.files.read(options.run);
+      if (const auto* error = std::get_if<FileError>(&content)) {
+        console.err << "pal: cannot read '" << options.run << "': " << error->reason << "\n";
+        return ExitStatus::usage;
+      }
+      const FileId log = session.sources.add(options.run, std::get<std::string>(content));
+      if (!session.diagnostics.has_errors())
+        steps = operations::read_log(session.sources, log, *program, session.diagnostics);
+    }
   }
   show_findings(session, console);
   if (!program || session.diagnostics.has_errors()) return status_of_findings(session);
-  const std::string document = html ? operations::storyboard_html(*program, skills)
-                                    : operations::storyboard_markdown(*program, skills);
+  std::optional<operations::Happened> run;
+  if (!options.run.empty()) run.emplace(*program, steps);
+  const operations::Happened* happened = run ? &*run : nullptr;
+  const std::string document = html ? operations::storyboard_html(*program, skills, happened)
+                                    : operations::storyboard_markdown(*program, skills, happened);
   if (options.output.empty()) {
     console.out << document;
     return ExitStatus::all_hold;

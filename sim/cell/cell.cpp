@@ -1,6 +1,7 @@
 #include "sim/cell/cell.hpp"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -77,7 +78,8 @@ runtime::World& physics(std::unique_ptr<runtime::World>& world, Workcell& workce
 // In this order: what comes later uses what stands before it.
 struct Cell::Parts {
   Parts(const Scene& scene, const CellOptions& options)
-      : workcell(
+      : fixed_noise(options.seed, 7),
+        workcell(
             scene,
             {.raise = options.raise, .machine_seed = options.machine_seed, .keep_log = options.keep_log}),
         world(watched(options, workcell)),
@@ -156,6 +158,34 @@ struct Cell::Parts {
     attach(*range_finder->driver, range_finder->wire);
   }
 
+  runtime::Driver* driver_of(const std::string& device) {
+    if (force_torque && force_torque->driver->name() == device) return force_torque->driver.get();
+    if (gripper && gripper->driver->name() == device) return gripper->driver.get();
+    if (range_finder && range_finder->driver->name() == device) return range_finder->driver.get();
+    return nullptr;
+  }
+
+  Sensed sense_device(const std::string& sensor, const Source& source, const runtime::RunControl* control) {
+    runtime::Driver* driver = driver_of(source.device);
+    if (driver == nullptr) return {{}, "the cell has no " + source.device, false};
+    const bool prepare = !started.contains(source.device) || !driver->trouble().empty();
+    const Answer answer = ask(station, *driver, source.message, prepare, control);
+    if (!answer.fields) {
+      started.erase(source.device);
+      return {{}, answer.problem, answer.stopped};
+    }
+    started.insert(source.device);
+    const auto value = quantity(sensor, *answer.fields);
+    return {value, value ? "" : source.device + ": sees nothing", false};
+  }
+
+  Sensed sense_fixed(const std::string& sensor) {
+    const runtime::Time now = station.now();
+    station.idle((now / fixed_sensor_period + 1) * fixed_sensor_period - now);
+    const auto value = read_fixed_sensor(workcell, sensor, fixed_noise);
+    return {value, value ? "" : "there is no sensor '" + sensor + "', or it sees nothing", false};
+  }
+
   runtime::Wire& line_of(const PlannedFault& fault) {
     std::string names;
     for (const Line& line : lines) {
@@ -171,6 +201,8 @@ struct Cell::Parts {
       station.timeline().at(begin + fault.at, [this, fault] { bring_about(fault, line_of(fault)); });
   }
 
+  Random fixed_noise;
+  std::set<std::string> started;  // devices that a skill or a reading has started
   Workcell workcell;
   std::unique_ptr<runtime::World> world;
   runtime::Station station;
@@ -207,7 +239,17 @@ runtime::Outcome Cell::run(runtime::Skill& skill, std::span<const runtime::Param
     if (parts_->at_begin) parts_->at_begin(begin);
     return begin;
   };
+  for (const std::string_view device : skill.wiring().devices) parts_->started.emplace(device);
   return parts_->station.run(skill, parameters, session);
+}
+
+std::vector<SensorSpec> Cell::sensors() const {
+  return sensors_of(parts_->workcell);
+}
+
+Cell::Sensed Cell::sense(const std::string& sensor, const runtime::RunControl* control) {
+  if (const auto source = source_of(sensor)) return parts_->sense_device(sensor, *source, control);
+  return parts_->sense_fixed(sensor);
 }
 
 void Cell::rest(runtime::Time time) {

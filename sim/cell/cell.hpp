@@ -12,6 +12,7 @@
 #include "runtime/drivers/val/val_driver.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/cell/fault_plan.hpp"
+#include "sim/cell/sensors.hpp"
 #include "sim/scene.hpp"
 #include "sim/val/store.hpp"
 #include "sim/workcell.hpp"
@@ -60,6 +61,18 @@ class Cell {
                        const runtime::RunOptions& options = {});
   /// Until the arm has made all motions that it accepted, and for `time` more.
   void rest(runtime::Time time);
+
+  /// What sense() can read.
+  std::vector<SensorSpec> sensors() const;
+  /// Reads a sensor between skills, by its device's line or at a fixed sensor's next measurement; time
+  /// passes. The force-torque sensor counts from the load under which it was started last, by a skill or by
+  /// its first reading. Stopped by `control`, which may be null. Never throws for what devices do.
+  struct Sensed {
+    std::optional<double> value;
+    std::string problem;  // why there is no value
+    bool stopped = false;
+  };
+  Sensed sense(const std::string& sensor, const runtime::RunControl* control = nullptr);
 
   runtime::Time phase() const { return phase_; }
   Workcell& workcell();

@@ -138,6 +138,8 @@ LoadedScene load_scene(const Scene& scene) {
     for (const Thing& thing : description.things) loaded.lines[thing.name] = thing.line;
     for (const DescribedLocation& location : description.locations)
       loaded.locations[location.name] = pointing_down(in_metres(location.tip));
+    for (const DescribedSensor& sensor : description.sensors)
+      loaded.sensors[sensor.name] = Eigen::Vector3d(sensor.at[0], sensor.at[1], sensor.at[2]) / 1000;
     loaded.tool = description.tool;
     loaded.machine = description.machine;
   } else {
@@ -151,6 +153,11 @@ LoadedScene load_scene(const Scene& scene) {
   loaded.locations.emplace("HOME", loaded.start.tool);
   let_loose_bodies_touch(*loaded.model);
   return loaded;
+}
+
+ToolKind tool_of(const Scene& scene) {
+  // A scene in MJCF has no say in it.
+  return scene.file.extension() == ".scene" ? read_description(scene).tool : ToolKind::pad;
 }
 
 std::string describe_scene(const Scene& scene) {

@@ -85,6 +85,7 @@ class Reader {
     if (first == "start") return read_start_line();
     if (first == "configuration") return read_configuration();
     if (first == "location") return read_location();
+    if (first == "sensor") return read_sensor();
     if (first == "machine") return read_machine();
     if (first == "no") return read_no();
     const auto& kinds = thing_kinds();
@@ -92,7 +93,7 @@ class Reader {
         std::find_if(kinds.begin(), kinds.end(), [&](const ThingKind& known) { return known.name == first; });
     if (kind != kinds.end()) return read_thing(*kind);
     std::vector<std::string> names{"about",    "tool",    "start",   "configuration",
-                                   "location", "machine", "no table"};
+                                   "location", "sensor",  "machine", "no table"};
     for (const ThingKind& known : kinds) names.emplace_back(known.name);
     fail("'" + first + "' is not something that a scene has", "a line begins with " + join(names));
   }
@@ -150,6 +151,32 @@ class Reader {
     if (std::any_of(scene_.locations.begin(), scene_.locations.end(), taught))
       fail("location " + name + " is said twice", "take one of them out");
     scene_.locations.push_back({name, read_tip("location", usage)});
+  }
+
+  void read_sensor() {
+    const std::string usage = "write sensor NAME at X Y Z: a distance sensor that looks straight down";
+    DescribedSensor sensor{at_ < words_.size() ? words_[at_++].text : "", {}};
+    const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
+    if (sensor.name.empty() || sensor.name == "at" || !std::all_of(sensor.name.begin(), sensor.name.end(), fits))
+      fail("'" + sensor.name + "' is not a name of a sensor",
+           usage + "; a name has lower-case letters, digits and '-'");
+    for (const char* taken : {"force-", "torque-", "gripper-", "range-"})
+      if (sensor.name.starts_with(taken))
+        fail("sensor '" + sensor.name + "' begins as those of the arm do", "give it another name");
+    const auto known = [&](const DescribedSensor& other) { return other.name == sensor.name; };
+    if (std::any_of(scene_.sensors.begin(), scene_.sensors.end(), known))
+      fail("sensor " + sensor.name + " is said twice", "take one of them out");
+    if (at_ >= words_.size() || words_[at_++].text != "at") fail("the sensor does not say where it stands", usage);
+    for (double& figure : sensor.at) {
+      const auto value = at_ < words_.size() ? number(words_[at_].text) : std::nullopt;
+      if (!value)
+        fail(at_ < words_.size() ? "'" + words_[at_].text + "' is not a number" : "the sensor has too few figures",
+             usage + ", in mm from the shoulder");
+      figure = *value;
+      ++at_;
+    }
+    nothing_left();
+    scene_.sensors.push_back(std::move(sensor));
   }
 
   void read_configuration() {

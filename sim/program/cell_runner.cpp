@@ -84,6 +84,19 @@ operations::Skills templates_of(const std::vector<KnownSkill>& skills) {
   return result;
 }
 
+operations::Sensors sensors_of(const sim::Cell& cell) {
+  operations::Sensors result;
+  for (const sim::SensorSpec& sensor : cell.sensors())
+    result[sensor.name] = {sensor.unit, sensor.description};
+  return result;
+}
+
+std::set<std::string> locations_of(sim::Cell& cell) {
+  std::set<std::string> result;
+  for (const auto& [name, place] : cell.val_store().locations) result.insert(name);
+  return result;
+}
+
 CellRunner::CellRunner(sim::Cell& cell, const std::vector<KnownSkill>& skills, runtime::CostPolicy times,
                        std::uint64_t seed, OnInterrupt on_interrupt, runtime::MessageObserver* messages)
     : cell_(cell),
@@ -123,8 +136,17 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
   return result;
 }
 
-void CellRunner::delay(Duration time) {
-  cell_.station().idle(time);
+bool CellRunner::delay(Duration time) {
+  constexpr Duration grain = std::chrono::milliseconds(20);
+  const runtime::RunControl& control = *control_.load();
+  const Duration end = now() + time;
+  while (now() < end && !control.stopping()) cell_.station().idle(std::min(grain, end - now()));
+  return !control.stopping();
+}
+
+operations::Reading CellRunner::sense(const std::string& sensor) {
+  sim::Cell::Sensed sensed = cell_.sense(sensor, control_.load());
+  return {sensed.value, std::move(sensed.problem), sensed.stopped};
 }
 
 Duration CellRunner::now() const {

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ namespace pal::workcell {
 /// What the skills of the program say of themselves.
 operations::Skills templates_of(const std::vector<KnownSkill>& skills);
 
+/// The sensors that tests and waits can read, and the locations that are taught.
+operations::Sensors sensors_of(const sim::Cell& cell);
+std::set<std::string> locations_of(sim::Cell& cell);
+
 /// Whether Ctrl-C stops the skill that runs.
 enum class OnInterrupt { stop, leave };
 
@@ -33,7 +38,8 @@ class CellRunner final : public operations::SkillRunner {
 
   operations::SkillResult run(const std::string& skill,
                               const std::vector<operations::Parameter>& parameters) override;
-  void delay(Duration time) override;
+  bool delay(Duration time) override;
+  operations::Reading sense(const std::string& sensor) override;
   Duration now() const override;
   void stop() noexcept override;
   void allow() override;

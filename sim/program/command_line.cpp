@@ -188,9 +188,16 @@ void describe_serve(CLI::App& app, ServeCommand& command, std::vector<std::strin
 struct Verb {
   const char* name;
   const char* description;
+  std::size_t words = 0;  // that it must be given
+  const char* usage = "";
 };
 constexpr Verb remote_verbs[] = {
-    {"step", "at a server: one skill or delay; with FILE it is loaded first"},
+    {"load", "at a server: FILE takes the place of what is loaded"},
+    {"step", "at a server: one skill, delay, wait or test; with FILE it is loaded first"},
+    {"from", "at a server: puts the token before an icon", 1, "ICON"},
+    {"set", "at a server: a parameter of a skill icon, from its next run on", 3, "ICON PARAMETER VALUE"},
+    {"break", "at a server: pauses before an icon; with a code, only if that came last", 1, "ICON[=CODE]"},
+    {"clear", "at a server: forgets all breakpoints"},
     {"resume", "at a server: goes on with what is paused or stopped"},
     {"pause", "at a server: after the current skill; also while another client has the controls"},
     {"stop", "at a server: at once; also while another client has the controls"},
@@ -201,7 +208,14 @@ void describe_remote(CLI::App& operation, RemoteCommand& command) {
   for (const Verb& verb : remote_verbs) {
     CLI::App* app = operation.add_subcommand(verb.name, verb.description);
     app->parse_complete_callback([&command, &verb] { command.verb = verb.name; });
-    if (verb.name == std::string("step")) app->add_option("file", command.file, "the operation, .op.json");
+    const std::string name = verb.name;
+    if (name == "step" || name == "load")
+      app->add_option("file", command.file, "the operation, .op.json")->required(name == "load");
+    if (verb.words > 0)
+      app->add_option("what", command.arguments, verb.usage)
+          ->required()
+          ->expected(static_cast<int>(verb.words))
+          ->type_name(verb.usage);
     app->add_option("--at", command.announcement, "the file that the server has written");
   }
 }
@@ -210,7 +224,7 @@ CLI::App* describe_operation(CLI::App& app, OperationCommand& command, std::vect
   CLI::App* operation = app.add_subcommand("operation", "runs operations: skills, connected");
   operation->require_subcommand(1);
   CLI::App* run = operation->add_subcommand("run", "runs an operation; Ctrl-C stops the skill");
-  run->add_option("file", command.file, "the operation, .op.json")->required();
+  run->add_option("file", command.file, "the operation, .op.json; with --server what is loaded, if not given");
   run->add_option("--scene", command.scene, "a scene's name, or the path of a scene file")
       ->capture_default_str();
   run->add_option("--scenes", folders, "a further folder of scenes, looked into first");
@@ -220,7 +234,7 @@ CLI::App* describe_operation(CLI::App& app, OperationCommand& command, std::vect
   run->add_option("--time", command.times, "which times of their intervals things take")
       ->check(CLI::IsMember({"worst", "best", "random"}))
       ->capture_default_str();
-  run->add_option("--steps", command.steps, "pause after so many skills and delays")
+  run->add_option("--steps", command.steps, "pause after so many skills, delays, waits and tests")
       ->check(CLI::Range(1, 1'000'000'000));
   run->add_option("--log", command.log, "a file that gets a line of JSON a step");
   run->add_option("--from", command.from, "start before this icon instead of START");
@@ -295,6 +309,8 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
           {"run", asked.file, asked.announcement, asked.log, asked.from, asked.breakpoints, asked.detach},
           out, error);
     }
+    if (operation_app->parsed() && operation_command.file.empty())
+      throw Failure(ExitStatus::usage, "operation run", "no operation is given", "name a file, .op.json");
     if (operation_app->parsed()) return run_operation(operation_command, skills, in, out, error);
     if (serve_app->parsed()) {
       runtime::RunControl control;

@@ -98,12 +98,13 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& ski
 
 /// What a client asks of a server that runs.
 struct RemoteCommand {
-  std::string verb;  // run, step, pause, stop, resume, state, watch
+  std::string verb;  // run, load, step, pause, stop, resume, from, set, break, clear, state, watch
   std::string file;
   std::string announcement;  // of the server; empty: the usual place
   std::string log, from;
   std::vector<std::string> breakpoints;
   bool detach = false;
+  std::vector<std::string> arguments{};  // of from, set and break
 };
 
 /// Throws Failure.

@@ -1,7 +1,11 @@
 #include <fmt/format.h>
 
+#include <charconv>
 #include <fstream>
+#include <functional>
+#include <optional>
 #include <ostream>
+#include <set>
 
 #include "operations/debugger.hpp"
 #include "operations/load.hpp"
@@ -9,27 +13,36 @@
 #include "pal/support/render.hpp"
 #include "sim/program/cell_runner.hpp"
 #include "sim/program/command_line.hpp"
+#include "sim/program/needed_tool.hpp"
 
 namespace pal::workcell {
 namespace {
 
 using operations::ExecutionState;
 
+using Check = std::function<void(const operations::Program&, Diagnostics&)>;
+
 /// Without what would end or upset it halfway. Warnings are for `pal operation check`.
-operations::Program checked_program(const OperationCommand& command, const operations::Skills& skills,
+operations::Program checked_program(const std::string& file, const std::vector<Check>& checks,
                                     std::ostream& error) {
   SourceManager sources;
   Diagnostics diagnostics;
-  auto program = operations::load(DiskFileSystem(), sources, command.file, diagnostics);
-  if (program && !diagnostics.has_errors()) operations::check_shape(*program, diagnostics);
-  if (program && !diagnostics.has_errors())
-    operations::check_skills(*program, skills, std::nullopt, diagnostics);
+  auto program = operations::load(DiskFileSystem(), sources, file, diagnostics);
+  for (const Check& check : checks)
+    if (program && !diagnostics.has_errors()) check(*program, diagnostics);
   if (program && !diagnostics.has_errors()) return std::move(*program);
   render_text(diagnostics.sorted(), sources, error);
   const bool unreadable = sources.size() == 0;
-  throw Failure(unreadable ? ExitStatus::usage : ExitStatus::wrong_specification, command.file,
+  throw Failure(unreadable ? ExitStatus::usage : ExitStatus::wrong_specification, file,
                 unreadable ? "it cannot be read" : "the operation has errors, so nothing moved",
                 "pal operation check shows them all");
+}
+
+void check_tools(const operations::Program& program, const std::vector<KnownSkill>& known,
+                 const sim::Scene& scene, const std::vector<std::string>& folders) {
+  const std::set<std::string> needed = operations::skills_of(program);
+  for (const KnownSkill& skill : known)
+    if (needed.contains(skill.name)) check_tool(*skill.make(), scene, folders);
 }
 
 /// A line a step for people, and the log.
@@ -39,13 +52,7 @@ class Onlooker final : public operations::StepObserver {
     if (log != nullptr) log_.emplace(*log);
   }
   void done(const operations::Step& step) override {
-    const double seconds = static_cast<double>((step.end - step.begin).count()) / 1e9;
-    if (step.skill.empty()) {
-      out_ << fmt::format("{:4}  {}: waited {:.3f} s\n", step.number, step.icon, seconds);
-    } else {
-      out_ << fmt::format("{:4}  {}: {} ended with code {} after {:.3f} s: {}\n", step.number, step.icon,
-                          step.skill, step.result.code, seconds, step.result.reason);
-    }
+    out_ << operations::told(step) << '\n';
     if (log_) log_->done(step);
   }
 
@@ -77,12 +84,12 @@ ExitStatus execute(const OperationCommand& command, operations::Executor& execut
 operations::Breakpoint breakpoint_of(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) return {text, {}};
-  try {
-    return {text.substr(0, equals), std::stoi(text.substr(equals + 1))};
-  } catch (const std::exception&) {
-    throw Failure(ExitStatus::usage, "--break " + text, "what follows the '=' is no completion code",
+  int code = 0;
+  const auto [end, problem] = std::from_chars(text.data() + equals + 1, text.data() + text.size(), code);
+  if (problem != std::errc() || end != text.data() + text.size())
+    throw Failure(ExitStatus::usage, "breakpoint " + text, "what follows the '=' is no completion code",
                   "write ICON or ICON=CODE");
-  }
+  return {text.substr(0, equals), code};
 }
 
 runtime::CostPolicy times_named(const std::string& name) {
@@ -93,20 +100,32 @@ runtime::CostPolicy times_named(const std::string& name) {
 ExitStatus run_operation(const OperationCommand& command, const std::vector<KnownSkill>& known,
                          std::istream* in, std::ostream& out, std::ostream& error) {
   const operations::Skills skills = templates_of(known);
-  operations::Program program = checked_program(command, skills, error);
-  std::ofstream log;
-  if (!command.log.empty()) {
-    log.open(command.log, std::ios::binary);
-    if (!log) throw Failure(ExitStatus::usage, "--log " + command.log, "it cannot be written");
-  }
   const sim::Scene scene =
       sim::find_scene(command.scene, {command.scene_folders.begin(), command.scene_folders.end()});
   const runtime::CostPolicy times = times_named(command.times);
   sim::CellOptions options;
   options.seed = command.seed;
   options.times = times;
-  sim::Cell cell(scene, options);
-  CellRunner runner(cell, known, times, command.seed);
+  std::optional<sim::Cell> cell;
+  operations::Program program = checked_program(
+      command.file,
+      {operations::check_shape,
+       [&](const auto& each, auto& diagnostics) {
+         operations::check_skills(each, skills, std::nullopt, diagnostics);
+       },
+       [&](const auto& each, auto& diagnostics) {
+         check_tools(each, known, scene, command.scene_folders);
+         cell.emplace(scene, options);
+         operations::check_skills(each, skills, locations_of(*cell), diagnostics);
+         operations::check_sensors(each, sensors_of(*cell), diagnostics);
+       }},
+      error);
+  std::ofstream log;
+  if (!command.log.empty()) {
+    log.open(command.log, std::ios::binary);
+    if (!log) throw Failure(ExitStatus::usage, "--log " + command.log, "it cannot be written");
+  }
+  CellRunner runner(*cell, known, times, command.seed);
   Onlooker onlooker(out, command.log.empty() ? nullptr : &log);
   operations::Executor executor(std::move(program), runner, &onlooker, &skills);
   try {

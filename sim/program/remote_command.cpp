@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "operations/load.hpp"
+#include "operations/step_log.hpp"
 #include "pal/support/render.hpp"
 #include "runtime/run_control.hpp"
 #include "runtime_system/announcement.hpp"
@@ -129,16 +130,8 @@ class Terminal {
     }
   }
   void tell_step(Json step) {
-    const double seconds = step.value("end_s", 0.0) - step.value("begin_s", 0.0);
-    if (step.contains("skill")) {
-      out_ << fmt::format("{:4}  {}: {} ended with code {} after {:.3f} s: {}\n", step.value("step", 0),
-                          step.value("icon", ""), step.value("skill", ""), step.value("code", 0), seconds,
-                          step.value("reason", ""));
-    } else {
-      out_ << fmt::format("{:4}  {}: waited {:.3f} s\n", step.value("step", 0), step.value("icon", ""),
-                          seconds);
-    }
-    out_ << std::flush;
+    if (const auto parsed = operations::parse_log_line(step.dump()))
+      out_ << operations::told(*parsed) << '\n' << std::flush;
     if (!log_.is_open()) return;
     for (const char* ours : {"number", "time_s", "event"}) step.erase(ours);
     log_ << step.dump() << '\n' << std::flush;
@@ -149,6 +142,33 @@ class Terminal {
   std::ofstream log_;
   Json state_;
 };
+
+void set_breakpoint(const std::string& text, Terminal& terminal) {
+  const operations::Breakpoint breakpoint = breakpoint_of(text);
+  Json json{{"icon", breakpoint.icon}};
+  if (breakpoint.code) json["code"] = *breakpoint.code;
+  terminal.call("operation.break", json.dump());
+}
+
+/// True: the command changes the operation and runs nothing.
+bool change(const RemoteCommand& command, Terminal& terminal) {
+  const std::vector<std::string>& words = command.arguments;
+  if (command.verb == "set") {
+    const operations::Value value = operations::parse_value(words[2]);
+    Json json{{"icon", words[0]}, {"parameter", words[1]}};
+    std::visit([&](const auto& each) { json["value"] = each; }, value);
+    terminal.call("operation.set", json.dump());
+  } else if (command.verb == "break") {
+    set_breakpoint(words[0], terminal);
+  } else if (command.verb == "from") {
+    terminal.call("operation.from", Json{{"icon", words[0]}}.dump());
+  } else if (command.verb == "clear") {
+    terminal.call("operation.clear");
+  } else {
+    return false;
+  }
+  return true;
+}
 
 ExitStatus obey(const RemoteCommand& command, Terminal& terminal, std::ostream& out, std::ostream& error) {
   if (command.verb == "state") {
@@ -162,12 +182,15 @@ ExitStatus obey(const RemoteCommand& command, Terminal& terminal, std::ostream& 
     return ExitStatus::done;
   }
   if (!command.file.empty()) terminal.call("operation.load", files_of(command.file, error));
-  for (const std::string& text : command.breakpoints) {
-    const operations::Breakpoint breakpoint = breakpoint_of(text);
-    Json json{{"icon", breakpoint.icon}};
-    if (breakpoint.code) json["code"] = *breakpoint.code;
-    terminal.call("operation.break", json.dump());
+  if (command.verb == "load") {
+    out << "loaded; 'workcell operation run' runs it, 'step' one step of it\n";
+    return ExitStatus::done;
   }
+  if (change(command, terminal)) {
+    out << "done\n";
+    return ExitStatus::done;
+  }
+  for (const std::string& text : command.breakpoints) set_breakpoint(text, terminal);
   if (!command.from.empty()) terminal.call("operation.from", Json{{"icon", command.from}}.dump());
   if (command.verb == "run" && command.detach) {
     terminal.call("operation.run");

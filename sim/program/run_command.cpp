@@ -18,6 +18,7 @@
 #include "sim/program/control_terminal.hpp"
 #include "sim/program/interrupt.hpp"
 #include "sim/program/live_trace.hpp"
+#include "sim/program/needed_tool.hpp"
 #include "sim/program/report_files.hpp"
 
 namespace pal::workcell {
@@ -325,6 +326,7 @@ ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills,
   const KnownSkill& known = find_skill(command.skill, skills);
   const auto skill = known.make();
   Session session = make_session(command, *skill, skills);
+  check_tool(*skill, session.scene, command.scene_folders);
   std::optional<runtime::Measurement> measurement;
   if (!command.measure.empty()) session.measurement = &measurement.emplace(skill->wiring());
   const ExitStatus status = command.sweep > 0 ? run_sweep(command, *skill, session, skills, out)

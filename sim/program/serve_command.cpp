@@ -99,7 +99,8 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   ProfileWatcher profiles(*server, [&cell] { return cell.station().now(); });
   CellRunner runner(cell, known, options.times, command.seed, OnInterrupt::leave, &profiles);
   runtime_system::Desk desk(runner, templates_of(known), *server,
-                            {scene.name, !command.goes_on, command.log.empty() ? nullptr : &log});
+                            {scene.name, !command.goes_on, command.log.empty() ? nullptr : &log,
+                             sensors_of(cell), locations_of(cell)});
   server->start(desk, true);
   const std::string path =
       command.announcement.empty() ? runtime_system::default_announcement() : command.announcement;

@@ -17,19 +17,26 @@ class Counting final : public operations::SkillRunner {
     if (moved > 100) desk->end();  // an endless operation
     return {};
   }
-  void delay(Duration length) override {
+  bool delay(Duration length) override {
     time_ += length;
     if (++waited_ > 100) desk->end();
+    return !stopped_;
+  }
+  operations::Reading sense(const std::string&) override {
+    time_ += std::chrono::milliseconds(10);
+    if (++waited_ > 100) desk->end();
+    return {static_cast<double>(waited_ % 5), {}, stopped_};
   }
   Duration now() const override { return time_; }
-  void stop() noexcept override {}
-  void allow() override {}
+  void stop() noexcept override { stopped_ = true; }
+  void allow() override { stopped_ = false; }
   int moved = 0;
   runtime_system::Desk* desk = nullptr;
 
  private:
   Duration time_{};
   int waited_ = 0;
+  bool stopped_ = false;
 };
 
 class Door final : public runtime_system::EventSink {
@@ -55,6 +62,11 @@ class Door final : public runtime_system::EventSink {
     was_admitted = was_admitted || session->admitted();
   }
 
+  static runtime_system::DeskOptions options() {
+    runtime_system::DeskOptions result;
+    result.sensors = {{"eye", {"mm", "what it sees"}}};
+    return result;
+  }
   static operations::Skills skills() {
     pan::Template skill;
     skill.name = "rub";
@@ -75,7 +87,7 @@ class Door final : public runtime_system::EventSink {
   Counting runner;
   runtime_system::History history;
   std::vector<runtime_system::Event> waiting;
-  runtime_system::Desk desk{runner, skills(), *this};
+  runtime_system::Desk desk{runner, skills(), *this, options()};
   runtime_system::Lobby lobby{desk, history, "0123456789abcdef0123456789abcdef",
                               [](const std::function<void()>& action) { action(); }};
   bool hung_up = false, was_admitted = false;

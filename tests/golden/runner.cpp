@@ -67,13 +67,18 @@ Outcome check(const std::string& file) {
   return {out.str(), session.diagnostics.has_errors()};
 }
 
-/// Everything that `pal operation check` says, with the skills and the cell beside it.
+/// Everything that `pal operation check` says, with the skills and the cell beside it; with a log beside it
+/// its storyboard, too.
 Outcome check_operation(const std::string& file) {
   const pal::DiskFileSystem files;
   std::ostringstream out;
-  const auto status = pal::driver::run(
-      {"operation", "check", file, "--skills", "skills.pal", "-e", "cell.pal", "--location", "HOME"},
-      {out, out, files});
+  auto status = pal::driver::run({"operation", "check", file, "--skills", "skills.pal", "-e", "cell.pal",
+                                  "--location", "HOME", "--sensor", "eye"},
+                                 {out, out, files});
+  const std::string log = std::filesystem::path(file).replace_extension(".jsonl").string();
+  if (std::filesystem::exists(log))
+    status = pal::driver::run({"operation", "storyboard", file, "--skills", "skills.pal", "--run", log},
+                              {out, out, files});
   return {out.str(), status == pal::driver::ExitStatus::wrong_specification};
 }
 

@@ -29,6 +29,7 @@ struct Start {
 struct LoadedScene {
   ModelPointer model;  // never null
   std::map<std::string, Pose> locations;
+  std::map<std::string, Eigen::Vector3d> sensors;  // where they stand, m
   std::map<std::string, int> lines;  // of a .scene's things, by their names
   Start start;
   ToolKind tool = ToolKind::pad;

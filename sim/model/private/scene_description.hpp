@@ -57,6 +57,12 @@ struct DescribedLocation {
   std::array<double, 4> tip{};  // as a start
 };
 
+/// A distance sensor that is fixed in the cell and looks straight down.
+struct DescribedSensor {
+  std::string name;
+  std::array<double, 3> at{};  // mm
+};
+
 struct SceneDescription {
   std::string about;
   ToolKind tool = ToolKind::pad;
@@ -67,6 +73,7 @@ struct SceneDescription {
   MachineOptions machine;
   std::vector<Thing> things;
   std::vector<DescribedLocation> locations;
+  std::vector<DescribedSensor> sensors;
 };
 
 /// The top of the table in frame 0, mm.

@@ -92,6 +92,49 @@ TEST_CASE("the program of the RAPL kind deals with all parts, which the operatio
   CHECK(placed == std::vector<int>{0, 1, 2});
 }
 
+TEST_CASE("a part is told by its height, picked, told by its width and put in its place") {
+  const std::string part = GENERATE("low", "middle", "high");
+  const bool collapsed = GENERATE(false, true);
+  const Answer answer =
+      run(collapsed ? "pick_by_identity_collapsed" : "pick_by_identity", {"--scene", "delivery-" + part});
+  INFO(answer.out << answer.error);
+  CHECK(answer.status == ExitStatus::done);
+  const std::string pick = collapsed ? "pick-it/" : "", place = collapsed ? "place-it/" : "";
+  CHECK(icons(answer) ==
+        std::vector<std::string>{"go-home", "a-part-comes", pick + "which-part", pick + "pick-" + part, "carry",
+                                 place + "which-held", place + "place-" + part, "go-home", "a-part-comes"});
+  CHECK(answer.out.find("exit 'no-part' with code 0") != std::string::npos);
+}
+
+TEST_CASE("sensors are read by their lines, between skills") {
+  using namespace pal;
+  sim::Cell cell(sim::find_scene("delivery-middle", {PAL_SOURCE_DIR "/sim/scenes"}), {});
+  const auto width = cell.sense("gripper-width");
+  CHECK(*width.value == Approx(80).margin(0.2));
+  CHECK(*cell.sense("gripper-holding").value == 0);
+  CHECK(*cell.sense("delivery").value == Approx(240).margin(0.6));
+  CHECK(*cell.sense("force-z").value == Approx(0).margin(1));  // its first reading is its zero
+  CHECK(cell.sense("range-nearest").problem == "the cell has no range-finder");
+  CHECK(cell.sense("smell").problem.find("there is no sensor 'smell'") == 0);
+  runtime::RunControl control;
+  control.stop();
+  CHECK(cell.sense("gripper-width", &control).stopped);
+  CHECK(cell.sense("gripper-width").value);
+  sim::Cell range(sim::find_scene("flat", {PAL_SOURCE_DIR "/sim/scenes"}), {});
+  CHECK(*range.sense("range-nearest").value == Approx(225).margin(3));
+}
+
+TEST_CASE("a skill without its tool is refused, with scenes that have it") {
+  std::ostringstream out, error;
+  std::istringstream in;
+  CHECK(main_program({"run", "standoff"}, linked_skills(), out, error, false, &in) ==
+        ExitStatus::wrong_specification);
+  INFO(error.str());
+  CHECK(error.str().find("choose one with --scene: ") != std::string::npos);
+  CHECK(error.str().find("pyramid") != std::string::npos);
+  CHECK(run("pick_and_place", {"--scene", "touch"}).error.find("parts") != std::string::npos);
+}
+
 TEST_CASE("an operation is stepped and changed by hand") {
   const Answer answer = run("rub_in_square", {"--scene", "touch", "--step"},
                             "break rub-in-square/side-1\nrun\nset rub-in-square/side-1 distance 1\nset "

@@ -46,7 +46,22 @@ TEST_CASE("a document that is written and read is the same") {
   leave.id = "x";
   leave.kind = IconKind::exit;
   leave.code = 3;
-  operation.icons = {skill, branch, wait, leave};
+  Icon look;
+  look.id = "t";
+  look.kind = IconKind::test;
+  look.sensor = "eye";
+  look.limits = {-1, 2.5};
+  look.next.icon = "c";
+  look.error.icon = "x";
+  Icon until;
+  until.id = "u";
+  until.kind = IconKind::wait;
+  until.sensor = "eye";
+  until.at_least = 1;
+  until.at_most = 2;
+  until.timeout = 0.5;
+  until.next.icon = "x";
+  operation.icons = {skill, branch, wait, leave, look, until};
   document.operations = {operation, operation};
   document.operations[1].name = "second";
 
@@ -63,6 +78,11 @@ TEST_CASE("a document that is written and read is the same") {
   CHECK(std::get<std::string>(read_skill.parameters[2].value) == "x: y, \"z\"");
   CHECK(again->operations[1].icons[1].ways[0].codes == std::vector<int>{0, 1});
   CHECK(again->operations[1].icons[2].seconds == 0.25);
+  CHECK(again->operations[1].icons[4].limits == std::vector<double>{-1, 2.5});
+  CHECK(again->operations[1].icons[4].error.icon == "x");
+  CHECK(again->operations[1].icons[5].at_least == 1);
+  CHECK(again->operations[1].icons[5].at_most == 2);
+  CHECK(again->operations[1].icons[5].timeout == 0.5);
 }
 
 TEST_CASE("places are those of the text") {

@@ -58,7 +58,20 @@ class ScriptedRunner final : public operations::SkillRunner {
     using Kind = operations::SkillResult::Kind;
     return {code == 0 ? Kind::normal : code == 9 ? Kind::error : Kind::contingency, code, "as told"};
   }
-  void delay(Duration length) override { time += length; }
+  bool delay(Duration length) override {
+    time += length;
+    if (during_delay) during_delay();
+    return !stopped;
+  }
+  operations::Reading sense(const std::string& sensor) override {
+    sensed.push_back(sensor);
+    time += std::chrono::milliseconds(10);
+    if (stopped) return {{}, {}, true};
+    if (readings.empty()) return {{}, "nobody answers", false};
+    const double reading = readings.front();
+    if (readings.size() > 1) readings.pop_front();
+    return {reading, {}, false};
+  }
   Duration now() const override { return time; }
   void stop() noexcept override { stopped = true; }
   void allow() override { stopped = false; }
@@ -66,7 +79,9 @@ class ScriptedRunner final : public operations::SkillRunner {
   std::deque<int> codes;  // of the next skills; then 0
   std::vector<std::string> ran;
   std::vector<operations::Parameter> last_parameters;
-  std::function<void()> during;
+  std::deque<double> readings;  // of the next tests and waits; the last one stays; none: the sensor fails
+  std::vector<std::string> sensed;
+  std::function<void()> during, during_delay;
   std::optional<std::string> problem;
   int initialised = 0;
   bool stopped = false;

@@ -160,6 +160,30 @@ TEST_CASE("breakpoints can be set while an operation runs") {
   CHECK(f.desk.status(f.ann).reason == "breakpoint at b");
 }
 
+TEST_CASE("only sensors and locations of the cell are taken") {
+  test::Clockwork cell;
+  Events events;
+  DeskOptions options;
+  options.sensors = {{"eye", {"mm", "what it sees"}}};
+  Desk desk(cell, test::clockwork_skills(), events, options);
+  const ClientId ann = desk.enter("ann");
+  const auto load = [&](const std::string& sensor) {
+    std::string said = "done";
+    const std::string text =
+        R"({"operation-format": 1, "name": "o", "icons": [{"id": "start", "kind": "start", "next": "a"}, {"id": "a", "kind": "test", "sensor": ")" +
+        sensor + R"(", "limits": [10], "next": "end", "error": "end"}, {"id": "end", "kind": "exit"}]})";
+    desk.ask(ann, LoadOperation{{{"o", text}}, "o"}, [&](const Reply& reply) {
+      if (const auto* refusal = std::get_if<Refusal>(&reply)) said = refusal->message;
+    });
+    return said;
+  };
+  CHECK(load("eyes").find("the cell has no sensor 'eyes'; did you mean 'eye'?") != std::string::npos);
+  CHECK(load("eye") == "done");
+  desk.ask(ann, RunOperation{}, [](const Reply&) {});
+  CHECK(desk.work());
+  CHECK(desk.status(ann).last_code == 1);
+}
+
 TEST_CASE("an operation that is wrong is refused with its place") {
   Fixture f;
   CHECK(f.load(f.ann, "{") != "done");

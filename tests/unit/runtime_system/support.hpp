@@ -34,7 +34,14 @@ class Clockwork final : public operations::SkillRunner {
     if (!parameters.empty()) code = static_cast<int>(std::get<double>(parameters.front().value));
     return {code == 0 ? Kind::normal : Kind::contingency, code, "as told"};
   }
-  void delay(Duration length) override { time += length; }
+  bool delay(Duration length) override {
+    time += length;
+    return !stopped_;
+  }
+  operations::Reading sense(const std::string&) override {
+    time += std::chrono::milliseconds(10);
+    return {20.0, {}, stopped_.load()};
+  }
   Duration now() const override { return time; }
   void stop() noexcept override {
     stopped_ = true;

@@ -45,6 +45,7 @@ TEST_CASE("scene files: what they say") {
       "machine seed 7\n"
       "no table\n"
       "location PART_2 460 105 -156.8 90\n"
+      "sensor part-height at 460 -200 118.5\n"
       "post at 1 2\n"
       "post at 3 4 5 diameter 12\n"
       "part \"blue one\" at 0 0 mass 150 turn 45\n",
@@ -59,6 +60,9 @@ TEST_CASE("scene files: what they say") {
   REQUIRE(scene.locations.size() == 1);
   CHECK(scene.locations[0].name == "PART_2");
   CHECK(scene.locations[0].tip == std::array<double, 4>{460, 105, -156.8, 90});
+  REQUIRE(scene.sensors.size() == 1);
+  CHECK(scene.sensors[0].name == "part-height");
+  CHECK(scene.sensors[0].at == std::array<double, 3>{460, -200, 118.5});
   REQUIRE(scene.things.size() == 3);
   CHECK(scene.things[0].name == "post 1");
   CHECK(scene.things[0].all("at") == std::vector<double>{1, 2, table_top});  // it stands on the table
@@ -67,7 +71,7 @@ TEST_CASE("scene files: what they say") {
   CHECK(scene.things[1].one("diameter") == 12);
   CHECK(scene.things[1].one("height") == 300);
   CHECK(scene.things[2].name == "blue one");
-  CHECK(scene.things[2].line == 12);
+  CHECK(scene.things[2].line == 13);
 }
 
 TEST_CASE("scene files: what is wrong has its line, its cause and a way out") {
@@ -100,6 +104,12 @@ TEST_CASE("scene files: what is wrong has its line, its cause and a way out") {
   CHECK(second_line("location part 1 2 3") == "my.scene:2: 'part' is not a name of VAL");
   CHECK(second_line("location PART 1 2") == "my.scene:2: the location has too few figures");
   CHECK(refused("start 1 2 3\nlocation P 1 2 3\nlocation P 1 2 3\n").cause() == "location P is said twice");
+  CHECK(second_line("sensor Eye at 1 2 3") == "my.scene:2: 'Eye' is not a name of a sensor");
+  CHECK(second_line("sensor eye 1 2 3") == "my.scene:2: the sensor does not say where it stands");
+  CHECK(second_line("sensor eye at 1 2") == "my.scene:2: the sensor has too few figures");
+  CHECK(second_line("sensor eye at 1 2 x") == "my.scene:2: 'x' is not a number");
+  CHECK(second_line("sensor force-z at 1 2 3") == "my.scene:2: sensor 'force-z' begins as those of the arm do");
+  CHECK(refused("start 1 2 3\nsensor s at 1 2 3\nsensor s at 1 2 3\n").cause() == "sensor s is said twice");
   CHECK(second_line("about") == "my.scene:2: 'about' says nothing");
   CHECK(second_line("post \"tool\" at 1 2") == "my.scene:2: there is more than one thing named 'tool'");
 

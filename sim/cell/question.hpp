@@ -1,0 +1,25 @@
+// One question to a device and its answer, without a skill.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/drivers/station.hpp"
+#include "runtime/run_control.hpp"
+
+namespace pal::sim {
+
+/// What a device answered; or why it did not; or somebody stopped it.
+struct Answer {
+  std::optional<std::vector<double>> fields;
+  std::string problem;
+  bool stopped = false;
+};
+
+/// Sends `request MESSAGE` and lets station time pass until MESSAGE comes. `prepare`: as before a skill that
+/// uses the device. No skill runs meanwhile. `control` may be null.
+Answer ask(runtime::Station& station, runtime::Driver& driver, const std::string& message, bool prepare,
+           const runtime::RunControl* control);
+
+}  // namespace pal::sim
