@@ -83,6 +83,7 @@ void RealExecutive::exit() {
     wake(timer_);
     wake(world_alarm_);
   }
+  if (timer_.asleep && kernel_->promises.next() < timer_.until) wake(timer_);
   if (moving_ && world_alarm_.asleep && world_.next_event() < world_alarm_.until) wake(world_alarm_);
   // Woken when the lock is free: they would only wait for it.
   std::array<Sleeper*, 16> later{};
@@ -189,7 +190,10 @@ void RealExecutive::keep_time() {
   enter();
   while (!journal_.over()) {
     const Time next = queue_.empty() ? Time::max() : queue_.next().time;
-    if (next <= now()) {
+    const Time promised = kernel_->promises.due();
+    if (promised <= now()) {
+      kernel_->promises.overdue();
+    } else if (next <= now()) {
       happen(queue_.pop());
       exit();  // others may come in between
       enter();
@@ -197,7 +201,7 @@ void RealExecutive::keep_time() {
       journal_.fail("the run is longer than its limit of " + std::to_string(options_.horizon.count()) +
                     " ns" + kernel_->who_waits());
     } else {
-      sleep(timer_, std::min(next, options_.horizon));
+      sleep(timer_, std::min({next, promised, options_.horizon}));
     }
   }
   exit();
