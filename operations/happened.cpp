@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_told = 50;
 
-double seconds(Duration time) {
+double in_seconds(Duration time) {
   return static_cast<double>(time.count()) / 1e9;
 }
 
@@ -32,7 +32,7 @@ std::string ending(const Step& step) {
 
 /// "took 1.20 s, read 5.00 from eye and ended with code 0: The tool touches the surface"
 std::string course_of(const Step& step) {
-  const std::string length = fmt::format("took {:.2f} s", seconds(step.end - step.begin));
+  const std::string length = fmt::format("took {:.2f} s", in_seconds(step.end - step.begin));
   if (step.skill.empty() && step.sensor.empty() && step.result.kind != SkillResult::Kind::stopped) return length;
   const std::string reading =
       step.reading ? fmt::format(", read {:.2f} from {}", *step.reading, step.sensor) : "";
@@ -51,8 +51,8 @@ std::string Happened::summary() const {
   if (steps_.empty()) return "In the run nothing happened.";
   const Duration begin = steps_.front().begin, end = steps_.back().end;
   return fmt::format("The run had {} step{}, from {:.2f} s to {:.2f} s of the cell's time: {:.2f} s.",
-                     steps_.size(), steps_.size() == 1 ? "" : "s", seconds(begin), seconds(end),
-                     seconds(end - begin));
+                     steps_.size(), steps_.size() == 1 ? "" : "s", in_seconds(begin), in_seconds(end),
+                     in_seconds(end - begin));
 }
 
 std::vector<std::string> Happened::course() const {
@@ -65,7 +65,7 @@ std::vector<std::string> Happened::course() const {
     const std::string skill =
         step.skill.empty() || step.skill == step.icon ? "" : fmt::format(" ({})", step.skill);
     result.push_back(
-        fmt::format("At {:.2f} s {}{} began, {}.", seconds(step.begin), step.icon, skill, course_of(step)));
+        fmt::format("At {:.2f} s {}{} began, {}.", in_seconds(step.begin), step.icon, skill, course_of(step)));
   }
   return result;
 }
@@ -81,10 +81,10 @@ std::string Happened::at(Place place) const {
   const std::vector<std::size_t>& here = found->second;
   if (program_.operations[place.operation].icons[place.icon].kind == IconKind::sub_operation)
     return fmt::format("In the run {} step{} inside, from {:.2f} s on.", here.size(),
-                       here.size() == 1 ? " was" : "s were", seconds(steps_[here.front()].begin));
+                       here.size() == 1 ? " was" : "s were", in_seconds(steps_[here.front()].begin));
   const auto length = [&](std::size_t i) { return steps_[i].end - steps_[i].begin; };
   if (here.size() == 1)
-    return fmt::format("In the run it began at {:.2f} s, {}.", seconds(steps_[here.front()].begin),
+    return fmt::format("In the run it began at {:.2f} s, {}.", in_seconds(steps_[here.front()].begin),
                        course_of(steps_[here.front()]));
   std::map<int, std::size_t> codes;
   std::size_t cut_off = 0;
@@ -98,8 +98,8 @@ std::string Happened::at(Place place) const {
   const auto [shortest, longest] = std::minmax_element(
       here.begin(), here.end(), [&](std::size_t a, std::size_t b) { return length(a) < length(b); });
   return fmt::format("In the run it began {}, first at {:.2f} s; it took {:.2f} to {:.2f} s{}{}.", times(here.size()),
-                     seconds(steps_[here.front()].begin), seconds(length(*shortest)),
-                     seconds(length(*longest)), endings.empty() ? "" : "; ", fmt::join(endings, ", "));
+                     in_seconds(steps_[here.front()].begin), in_seconds(length(*shortest)),
+                     in_seconds(length(*longest)), endings.empty() ? "" : "; ", fmt::join(endings, ", "));
 }
 
 }  // namespace pal::operations

@@ -7,7 +7,7 @@
 namespace pal::operations {
 namespace {
 
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';
@@ -80,7 +80,7 @@ std::string to_dot(const Program& program, std::size_t operation, const Happened
       "  edge [fontname=\"Liberation Sans\" fontsize=9]\n";
   const auto line = [&](const Icon& from, const Connection& to, const std::string& text, bool dashed) {
     if (!to.connected()) return;
-    out += fmt::format("  {} -> {} [label={}{}]\n", quoted(from.id), quoted(to.icon), quoted(text),
+    out += fmt::format("  {} -> {} [label={}{}]\n", in_quotes(from.id), in_quotes(to.icon), in_quotes(text),
                        dashed ? " style=dashed" : "");
   };
   for (std::size_t i = 0; i < shown.icons.size(); ++i) {
@@ -91,7 +91,7 @@ std::string to_dot(const Program& program, std::size_t operation, const Happened
       if (icon.kind != IconKind::sub_operation && count > 0) text += fmt::format("\n{}×", count);
       more = count > 0 ? " penwidth=2.5" : " color=\"#999999\" fontcolor=\"#999999\"";
     }
-    out += fmt::format("  {} [label={} {}{}]\n", quoted(icon.id), newlines(quoted(text)), look(icon.kind), more);
+    out += fmt::format("  {} [label={} {}{}]\n", in_quotes(icon.id), newlines(in_quotes(text)), look(icon.kind), more);
   }
   for (const Icon& icon : shown.icons) {
     line(icon, icon.next, "", false);
