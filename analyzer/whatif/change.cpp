@@ -1,4 +1,5 @@
 // Reading a change of a figure.
+#include <algorithm>
 #include <charconv>
 
 #include "analyzer/whatif/figures.hpp"
@@ -8,6 +9,7 @@ namespace pal::analyzer {
 namespace {
 
 const std::string activity_mark = "ACTIVITY ";
+const std::string processor_mark = "PROCESSOR ";
 
 std::optional<Duration> length(const std::string& number, const std::string& unit) {
   const auto parsed = parse_duration(number, unit);
@@ -66,12 +68,23 @@ std::string set_device(pan::Environment& environment, const std::string& device,
   return "there is no device " + device + " in environment " + environment.name;
 }
 
+pan::Placement* placement_of(pan::Environment& environment, const std::string& thread) {
+  for (pan::Placement& placement : environment.placements) {
+    if (placement.thread == thread) return &placement;
+  }
+  // A block that is not placed runs where its module does; from now on it has a place of its own.
+  const auto dot = thread.find('.');
+  const pan::Placement* module =
+      dot == std::string::npos ? nullptr : placement_of(environment, thread.substr(0, dot));
+  if (module == nullptr) return nullptr;
+  pan::Placement block = *module;
+  block.thread = thread;
+  return &environment.placements.emplace_back(std::move(block));
+}
+
 std::string set_placement(pan::Environment& environment, const std::string& thread, const std::string& what,
                           const std::string& value) {
-  pan::Placement* found = nullptr;
-  for (pan::Placement& placement : environment.placements) {
-    if (placement.thread == thread) found = &placement;
-  }
+  pan::Placement* found = placement_of(environment, thread);
   if (found == nullptr) return "environment " + environment.name + " places no " + thread;
   if (what == "processor") return found->processor = value, "";
   int priority = 0;
@@ -80,10 +93,24 @@ std::string set_placement(pan::Environment& environment, const std::string& thre
   return found->priority = priority, "";
 }
 
+std::string add_processor(pan::Environment& environment, const std::string& name) {
+  const auto same = [&](const pan::Processor& each) { return each.name == name; };
+  if (std::any_of(environment.processors.begin(), environment.processors.end(), same))
+    return "environment " + environment.name + " has a processor " + name + " already";
+  if (name.empty() || environment.processors.empty()) return "a processor needs a name: write PROCESSOR P4";
+  pan::Processor more = environment.processors.back();
+  more.name = name;
+  environment.processors.push_back(std::move(more));
+  return "";
+}
+
 }  // namespace
 
 std::string change(pan::Environment& environment, const std::string& text) {
   const auto equals = text.find('=');
+  const std::string all = trimmed(text);
+  if (equals == std::string::npos && all.starts_with(processor_mark))
+    return add_processor(environment, trimmed(all.substr(processor_mark.size())));
   if (equals == std::string::npos) return "'" + text + "' is no change: write NAME = VALUE";
   const std::string name = trimmed(text.substr(0, equals));
   const std::string value = trimmed(text.substr(equals + 1));

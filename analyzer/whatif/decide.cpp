@@ -1,10 +1,12 @@
 #include "analyzer/whatif/decide.hpp"
 
 #include <algorithm>
+#include <cassert>
 
-#include "analyzer/exact/zeno_run.hpp"
+#include "analyzer/exact/slice_bound.hpp"
 #include "analyzer/load/load.hpp"
 #include "analyzer/runs/quick_runs.hpp"
+#include "analyzer/runs/run_search.hpp"
 #include "analyzer/verdict/unread.hpp"
 
 namespace pal::analyzer {
@@ -16,6 +18,10 @@ using Is = Verdict::State;
 /// Where more is to be done than there is time a skill has mostly too many classes to be explored, unless it
 /// ends soon.
 constexpr std::size_t overloaded_classes = 20'000;
+
+/// Single runs that are looked at for a loss, first and later.
+constexpr std::size_t few_runs = 16;
+constexpr std::size_t many_runs = 400;
 
 /// Requirements that one watch decides, and for which growing beyond the limit is failing.
 bool has_cap(const Requirement& requirement) {
@@ -108,25 +114,25 @@ class Search {
   Nanoseconds tried_ = -1;
 };
 
-Decision by_analysis(const Problem& problem, std::size_t requirement, const Options& options) {
+Decision by_analysis(const Problem& problem, const Requirement& requirement, const Options& options) {
   Problem alone = problem;
-  alone.requirements = {problem.requirements[requirement]};
+  alone.requirements = {requirement};
   Verdict verdict = std::move(analyze_exactly(alone, options).verdicts.front());
   const bool fails = verdict.state == Is::fails;
   const bool grows = verdict.witness && verdict.witness->grows && !verdict.witness->failed;
   return {verdict.state == Is::never ? Is::holds : verdict.state,
-          fails && one_run(problem.requirements[requirement]) ? std::move(verdict.witness) : std::nullopt,
+          fails && one_run(requirement) ? std::move(verdict.witness) : std::nullopt,
           {},
           fails && grows};
 }
 
-Decision load_decision(const Problem& problem, std::size_t index, const Options& options, Workers& workers) {
+Decision load_decision(const Problem& problem, const Requirement& requirement, const Options& options,
+                       Workers& workers) {
   const Watch nothing;
   const Machine machine(problem, nothing);
   ZoneGraph graph(machine, 0, true);
   const Limits limits{options.max_states, options.stop, {}, &workers};
   if (!graph.explore(limits)) return {};
-  const Requirement& requirement = problem.requirements[index];
   const Fraction limit{requirement.limit, 1'000'000'000};
   const LoadDecision decision = decide_loads(machine, graph, requirement.processors, limit, limits);
   if (decision.state == Is::undecided) return {};
@@ -140,16 +146,76 @@ Decision held_by(const Requirement& requirement, const Verdict& bound) {
   return decision;
 }
 
-Decision decide_by_time(const Problem& problem, std::size_t index, const Verdict& bound,
-                        const Options& options, Workers& workers) {
-  const Requirement& requirement = problem.requirements[index];
+/// By one run that was found, if it breaks the requirement.
+Decision decision_of(const Requirement& requirement, std::optional<Witness> found) {
+  if (!found || found->grows || !broken(requirement, *found)) return {};
+  return {Is::fails, std::move(found), {}, false};
+}
+
+Decision by_search(const Problem& problem, const Requirement& requirement, std::size_t runs,
+                   const std::function<bool()>& stop) {
+  RunSearchOptions how;
+  how.runs = runs;
+  how.stop = stop;
+  return decision_of(requirement, search_runs(problem, requirement, how));
+}
+
+/// Where more is to be done than there is time nothing is explored for long.
+Options limited(const Options& given, const Problem& problem, const Requirement& requirement) {
+  Options options = given;
+  if (is_overloaded(problem, requirement))
+    options.max_states = std::min(given.max_states, overloaded_classes);
+  return options;
+}
+
+const Requirement& requirement_of(const Problem& problem, RequirementId id) {
+  assert(id.valid() && id.index() < problem.requirements.size());
+  return problem.requirements[id.index()];
+}
+
+}  // namespace
+
+Decision decide_quickly(const Problem& problem, RequirementId id, const Verdict& bound,
+                        const std::function<bool()>& stop) {
+  const Requirement& requirement = requirement_of(problem, id);
   if (is_unread(problem, requirement)) return {Is::holds, {}, {}};
   if (bound.state == Is::holds) return held_by(requirement, bound);
+  if (requirement.measure == Measure::loss) return by_search(problem, requirement, few_runs, stop);
+  const Break simulated = simulated_break(problem, requirement, stop);
+  if (simulated == Break::none) return {};
+  Decision decision{Is::fails, {}, {}, simulated == Break::grown};
+  // The run is kept. One that is overloaded is too long to be played again.
+  if (simulated == Break::measured && one_run(requirement) && problem.overloaded.empty())
+    decision.witness = decision_of(requirement, simulated_witness(problem, requirement, stop)).witness;
+  return decision;
+}
+
+Decision decide_by_runs(const Problem& problem, RequirementId id, const std::function<bool()>& stop) {
+  const Requirement& requirement = requirement_of(problem, id);
+  if (!one_run(requirement)) return {};
+  Decision decision = decision_of(requirement, simulated_witness(problem, requirement, stop));
+  if (decision.state == Is::fails) return decision;
+  return by_search(problem, requirement, many_runs, stop);
+}
+
+Decision decide_by_slice(const Problem& problem, RequirementId id, const Options& options) {
+  const Requirement& requirement = requirement_of(problem, id);
+  if (!one_run(requirement) || !fits_exploration(problem)) return {};
+  const Options here = limited(options, problem, requirement);
+  const SliceBound found = slice_bound(problem, requirement, here, here.max_states);
+  if (!found.bound) return {};
+  const bool within =
+      requirement.at_least ? *found.bound >= requirement.limit : *found.bound <= requirement.limit;
+  return within ? Decision{Is::holds, {}, {}} : Decision{};
+}
+
+Decision decide_by_exploration(const Problem& problem, RequirementId id, const Options& given,
+                               Workers& workers) {
+  const Requirement& requirement = requirement_of(problem, id);
   if (!fits_exploration(problem)) return {};
-  if (requirement.measure == Measure::load) return load_decision(problem, index, options, workers);
-  const Break simulated = simulated_break(problem, requirement, options.stop);
-  if (simulated != Break::none) return {Is::fails, {}, {}, simulated == Break::grown};
-  if (!has_cap(requirement)) return by_analysis(problem, index, options);
+  const Options options = limited(given, problem, requirement);
+  if (requirement.measure == Measure::load) return load_decision(problem, requirement, options, workers);
+  if (!has_cap(requirement)) return by_analysis(problem, requirement, options);
   const Watch watch = watch_of(problem, requirement);
   const Machine machine(problem, watch);
   Search search(requirement, machine, options.stop);
@@ -166,27 +232,12 @@ Decision decide_by_time(const Problem& problem, std::size_t index, const Verdict
                      findings.peak.value <= requirement.limit;
   if (complete && clean) return {Is::holds, {}, {}};
   if (!complete) return {};
-  return by_analysis(problem, index, options);  // what is over the limit may not be possible
+  return by_analysis(problem, requirement, options);  // what is over the limit may not be possible
 }
 
-}  // namespace
-
-Decision decide(const Problem& problem, std::size_t index, const Verdict& bound, const Options& given,
-                Workers& workers) {
-  Options options = given;
-  if (is_overloaded(problem, problem.requirements[index]))
-    options.max_states = std::min(given.max_states, overloaded_classes);
-  Decision decision = decide_by_time(problem, index, bound, options, workers);
-  const Limits limits{options.max_states, options.stop, {}, &workers};
-  // Where time stands still nothing holds, and what has no end by then is not measured.
-  const bool of_all_time = decision.state == Is::holds || decision.grows;
-  if (of_all_time && find_zeno_run(problem, limits).found) return {};
-  return decision;
-}
-
-bool refutes(const Problem& problem, std::size_t index, const Witness& witness,
+bool refutes(const Problem& problem, RequirementId id, const Witness& witness,
              const std::function<bool()>& stop) {
-  const Requirement& requirement = problem.requirements[index];
+  const Requirement& requirement = requirement_of(problem, id);
   if (!one_run(requirement) || witness.grows || witness.script.empty()) return false;
   const Watch watch = watch_of(problem, requirement);
   const Machine machine(problem, watch);

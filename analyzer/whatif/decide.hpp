@@ -1,32 +1,44 @@
-// Whether a requirement holds, and no more: cheaper than its bound.
+// Whether a requirement holds, and no more: cheaper than its bound. Four ways, the cheapest first.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <optional>
 
 #include "analyzer/exact/exact.hpp"
+#include "analyzer/whatif/ids.hpp"
+#include "analyzer/zones/workers.hpp"
 
 namespace pal::analyzer {
 
-/// `holds` (also where no run measures anything) and `fails` are proved as by analyze(). Values are followed
-/// up to the limit only, and the exploration ends with the first run that is confirmed to exceed it; that is
-/// the witness.
+/// `holds` (also where no run measures anything) and `fails` are proved as by analyze(), but for runs in which
+/// time stands still (zeno_run.hpp): the caller looks for them.
 struct Decision {
   Verdict::State state = Verdict::State::undecided;
-  std::optional<Witness> witness;  // fails; nothing if a simulation sufficed, or of loads
+  std::optional<Witness> witness;  // fails; nothing if no single run is known, or of loads
   /// Load: by how much one that no run exceeds (holds) or that a run attains (fails) is over the limit, in
   /// nanoseconds of work in a second. Nothing: not known.
   std::optional<Nanoseconds> excess;
   bool grows = false;  // it fails by what has only grown by the end of the run
 };
-/// `bound`: what the compositional analysis says of it.
-Decision decide(const Problem& problem, std::size_t requirement, const Verdict& bound, const Options& options,
-                Workers& workers);
+
+/// By its compositional `bound`, and by a few single runs with worst times: some milliseconds.
+Decision decide_quickly(const Problem& problem, RequirementId requirement, const Verdict& bound,
+                        const std::function<bool()>& stop);
+
+/// By some hundreds of single runs, which can only refute.
+Decision decide_by_runs(const Problem& problem, RequirementId requirement, const std::function<bool()>& stop);
+
+/// By exploring what has an influence (slice_bound.hpp), which can only prove.
+Decision decide_by_slice(const Problem& problem, RequirementId requirement, const Options& options);
+
+/// By exploring all runs, in at most `options.max_states` classes. Values are followed up to the limit only,
+/// and the exploration ends with the first run that is confirmed to exceed it.
+Decision decide_by_exploration(const Problem& problem, RequirementId requirement, const Options& options,
+                               Workers& workers);
 
 /// Whether a run that fires as `script` does, at times of its own, breaks the requirement; `script` may come
 /// from a problem with other figures. False says nothing, also where `stop` ended it.
-bool refutes(const Problem& problem, std::size_t requirement, const Witness& witness,
+bool refutes(const Problem& problem, RequirementId requirement, const Witness& witness,
              const std::function<bool()>& stop);
 
 }  // namespace pal::analyzer

@@ -8,79 +8,167 @@
 namespace pal::analyzer {
 namespace {
 
+using Is = Verdict::State;
+
 /// More would take longer to try than they spare.
 constexpr std::size_t most_refutations = 12;
 
+/// So many classes decide most skills at once; of larger ones cheaper answers are asked first.
+constexpr std::size_t few_classes = 20'000;
+
 /// They cost next to nothing, and often suffice.
-std::vector<Verdict> bounds_of(const Problem& problem, const std::vector<std::size_t>& requirements,
-                               Options options) {
+std::vector<Verdict> bounds_of(const Problem& problem, const RequirementIds& requirements, Options options) {
   Problem asked = problem;
   asked.requirements.clear();
-  for (const std::size_t r : requirements) asked.requirements.push_back(problem.requirements[r]);
+  for (const RequirementId r : requirements) asked.requirements.push_back(problem.requirements[r.index()]);
   options.addends = false;
   return analyze_compositionally(asked, options).verdicts;
 }
 
+bool contains(const RequirementIds& all, RequirementId one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
 }  // namespace
+
+struct Judge::Hearing {
+  RequirementIds order;
+  std::vector<Decision> decisions;  // by order
+
+  /// The first that is shown to fail.
+  std::optional<std::size_t> failing() const {
+    const auto found = std::find_if(decisions.begin(), decisions.end(),
+                                    [](const Decision& each) { return each.state == Is::fails; });
+    return found == decisions.end() ? std::nullopt : std::optional<std::size_t>(found - decisions.begin());
+  }
+  bool open(std::size_t k) const { return decisions[k].state == Is::undecided; }
+  bool decided() const {
+    return failing() || std::all_of(decisions.begin(), decisions.end(),
+                                    [](const Decision& each) { return each.state == Is::holds; });
+  }
+};
 
 std::optional<Problem> Judge::problem(const pan::Environment& environment) const {
   Diagnostics ignored;
   return make_problem(network_, environment, ignored);
 }
 
-int Judge::refuted(const Problem& problem, const std::vector<std::size_t>& requirements) {
+RequirementId Judge::refuted(const Problem& problem, const RequirementIds& requirements,
+                             const std::function<bool()>& stop) {
   for (const Refutation& known : refutations_) {
-    const bool asked =
-        std::find(requirements.begin(), requirements.end(), known.requirement) != requirements.end();
-    if (stopped()) return -1;
-    if (asked && refutes(problem, known.requirement, known.witness, options_.stop))
-      return static_cast<int>(known.requirement);
+    if (stop && stop()) return {};
+    if (contains(requirements, known.requirement) &&
+        refutes(problem, known.requirement, known.witness, stop))
+      return known.requirement;
   }
-  return -1;
+  return {};
 }
 
-bool Judge::bounded(const Problem& problem, const std::vector<std::size_t>& requirements) const {
+bool Judge::bounded(const Problem& problem, const RequirementIds& requirements) const {
   const std::vector<Verdict> bounds = bounds_of(problem, requirements, options_);
   return std::all_of(bounds.begin(), bounds.end(),
-                     [](const Verdict& bound) { return bound.state == Verdict::State::holds; });
+                     [](const Verdict& bound) { return bound.state == Is::holds; });
 }
 
 bool Judge::has_zeno_run(const Problem& problem) {
   return find_zeno_run(problem, {options_.max_states, options_.stop, {}, &workers_}).found.has_value();
 }
 
-Ruling Judge::ask(const Problem& problem, const std::vector<std::size_t>& requirements) {
-  if (const int broken = refuted(problem, requirements); broken >= 0) return {Verdict::State::fails, broken};
-  std::vector<std::size_t> order;
-  for (std::size_t r : failed_) {
-    if (std::find(requirements.begin(), requirements.end(), r) != requirements.end()) order.push_back(r);
+RequirementIds Judge::in_order(const RequirementIds& requirements) const {
+  RequirementIds order;
+  for (const RequirementId r : failed_) {
+    if (contains(requirements, r)) order.push_back(r);
   }
-  for (std::size_t r : requirements) {
-    if (std::find(order.begin(), order.end(), r) == order.end()) order.push_back(r);
+  for (const RequirementId r : requirements) {
+    if (!contains(order, r)) order.push_back(r);
   }
-  Ruling ruling{Verdict::State::holds, -1};
+  return order;
+}
+
+void Judge::remember(RequirementId requirement, std::optional<Witness> witness) {
+  std::erase(failed_, requirement);
+  failed_.insert(failed_.begin(), requirement);
+  if (!witness) return;
+  refutations_.insert(refutations_.begin(), {requirement, std::move(*witness)});
+  if (refutations_.size() > most_refutations) refutations_.pop_back();
+}
+
+void Judge::explore(const Problem& problem, Hearing& hearing, const Options& options) {
+  for (std::size_t k = 0; k < hearing.order.size() && !hearing.failing(); ++k) {
+    if (options.stop && options.stop()) return;
+    if (hearing.open(k))
+      hearing.decisions[k] = decide_by_exploration(problem, hearing.order[k], options, workers_);
+  }
+}
+
+void Judge::explore(const Problem& problem, Hearing& hearing, const Effort& effort) {
+  Options options = options_;
+  options.stop = effort.stop;
+  options.max_states = std::min(effort.classes, few_classes);
+  explore(problem, hearing, options);
+  if (effort.classes <= few_classes) return;
+  options.max_states = effort.classes;
+  for (std::size_t k = 0; k < hearing.order.size() && !hearing.failing(); ++k) {
+    if (effort.over()) return;
+    if (hearing.open(k)) hearing.decisions[k] = decide_by_slice(problem, hearing.order[k], options);
+    if (hearing.open(k) && !effort.over())
+      hearing.decisions[k] = decide_by_runs(problem, hearing.order[k], effort.stop);
+  }
+  explore(problem, hearing, options);
+}
+
+Ruling Judge::ruling_of(const Problem& problem, Hearing hearing, const Effort& effort) {
+  const auto failing = hearing.failing();
+  Ruling ruling{failing ? Is::fails : Is::holds, {}, {}};
   bool known = true;
-  const std::vector<Verdict> bounds = bounds_of(problem, order, options_);
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const std::size_t r = order[k];
-    if (stopped()) return {Verdict::State::undecided, static_cast<int>(r)};
-    Decision decision = decide(problem, r, bounds[k], options_, workers_);
-    known = known && decision.excess;
-    ruling.excess = known ? std::max(ruling.excess.value_or(*decision.excess), *decision.excess)
-                          : std::optional<Nanoseconds>();
-    if (decision.state == Verdict::State::holds) continue;
-    ruling.state = decision.state;
-    ruling.requirement = static_cast<int>(r);
-    if (decision.state != Verdict::State::fails) continue;
-    std::erase(failed_, r);
-    failed_.insert(failed_.begin(), r);
-    if (decision.witness) {
-      refutations_.insert(refutations_.begin(), {r, std::move(*decision.witness)});
-      if (refutations_.size() > most_refutations) refutations_.pop_back();
+  for (std::size_t k = 0; k < hearing.order.size(); ++k) {
+    const Decision& decision = hearing.decisions[k];
+    const bool says = failing ? k == *failing : decision.state == Is::undecided;
+    if (says && !ruling.requirement.valid()) {
+      ruling.state = decision.state;
+      ruling.requirement = hearing.order[k];
     }
-    return ruling;
+    if (decision.excess)
+      ruling.excess = std::max(ruling.excess.value_or(*decision.excess), *decision.excess);
+    known = known && decision.excess;
+    if (failing && k == *failing) break;
   }
+  if (!known) ruling.excess.reset();
+  // Where time stands still nothing holds, and what has no end by then is not measured.
+  const bool of_all_time =
+      ruling.state == Is::holds || (failing && hearing.decisions[*failing].grows);
+  if (of_all_time) {
+    const ZenoSearch look = find_zeno_run(problem, {options_.max_states, effort.stop, {}, &workers_});
+    if (look.found || (!look.excluded && effort.over()))
+      return {Is::undecided, hearing.order.empty() ? RequirementId() : hearing.order.front(), {}};
+  }
+  if (failing) remember(hearing.order[*failing], std::move(hearing.decisions[*failing].witness));
   return ruling;
+}
+
+Ruling Judge::ask(const Problem& problem, const RequirementIds& requirements, const Effort& effort) {
+  if (const RequirementId broken = refuted(problem, requirements, effort.stop); broken.valid())
+    return {Is::fails, broken, {}};
+  Hearing hearing;
+  hearing.order = in_order(requirements);
+  hearing.decisions.resize(hearing.order.size());
+  const std::vector<Verdict> bounds = bounds_of(problem, hearing.order, options_);
+  for (std::size_t k = 0; k < hearing.order.size() && !hearing.failing(); ++k) {
+    if (effort.over()) break;
+    hearing.decisions[k] = decide_quickly(problem, hearing.order[k], bounds[k], effort.stop);
+  }
+  if (!hearing.decided() && effort.classes > 0) explore(problem, hearing, effort);
+  return ruling_of(problem, std::move(hearing), effort);
+}
+
+Ruling Judge::ask(const Problem& problem, const RequirementIds& requirements) {
+  return ask(problem, requirements, {options_.max_states, options_.stop});
+}
+
+RequirementIds requirements_of(const Problem& problem) {
+  RequirementIds all;
+  for (std::size_t r = 0; r < problem.requirements.size(); ++r) all.emplace_back(r);
+  return all;
 }
 
 }  // namespace pal::analyzer

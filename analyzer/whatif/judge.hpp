@@ -1,6 +1,7 @@
 // A skill's requirements asked again and again, with other figures.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -13,14 +14,24 @@ namespace pal::analyzer {
 /// What a set of requirements comes to: `holds` if all do, `fails` if one does, else `undecided`.
 struct Ruling {
   Verdict::State state = Verdict::State::undecided;
-  int requirement = -1;  // that fails, or is undecided
+  RequirementId requirement;  // that fails, or is undecided
   /// Where all are loads: the greatest excess (Decision), if it is known of each.
   std::optional<Nanoseconds> excess = {};
 };
 
+/// What may be spent on one question.
+struct Effort {
+  /// Of each requirement that is open after bounds and a few runs, so many classes are explored; 0: none.
+  std::size_t classes = 0;
+  std::function<bool()> stop;  // asked now and then; what is open when it says true is undecided
+
+  bool over() const { return stop && stop(); }
+};
+
 /// Keeps the runs that refuted something: one that still breaks its requirement with the new figures spares
-/// the exploration. The requirement that failed last is asked first, and the first that fails ends the
-/// asking.
+/// the exploration. What decides quickly is asked of all requirements first: bounds, single runs, some
+/// classes, slices, all classes. The requirement that failed last is asked first, and the first that fails
+/// ends the asking.
 class Judge {
  public:
   Judge(const pan::Network& network, const Options& options)
@@ -29,17 +40,19 @@ class Judge {
   /// Nothing: the environment is no model (a time is too long, …).
   std::optional<Problem> problem(const pan::Environment& environment) const;
 
-  /// Of the requirements given, by index.
-  Ruling ask(const Problem& problem, const std::vector<std::size_t>& requirements);
+  Ruling ask(const Problem& problem, const RequirementIds& requirements, const Effort& effort);
+  /// With all that the options allow.
+  Ruling ask(const Problem& problem, const RequirementIds& requirements);
 
   /// Whether bounds alone show that all of them hold: cheap, also where nothing can be explored.
-  bool bounded(const Problem& problem, const std::vector<std::size_t>& requirements) const;
+  bool bounded(const Problem& problem, const RequirementIds& requirements) const;
 
   /// Whether some run gets to where no time passes any more. Nothing holds then.
   bool has_zeno_run(const Problem& problem);
 
-  /// Whether a known run refutes it without exploration: the requirement, or -1.
-  int refuted(const Problem& problem, const std::vector<std::size_t>& requirements);
+  /// Whether a known run refutes it without exploration: the requirement; invalid: none is refuted.
+  RequirementId refuted(const Problem& problem, const RequirementIds& requirements,
+                        const std::function<bool()>& stop);
 
   const pan::Network& network() const { return network_; }
   bool stopped() const { return options_.stop && options_.stop(); }
@@ -47,15 +60,26 @@ class Judge {
 
  private:
   struct Refutation {
-    std::size_t requirement;
+    RequirementId requirement;
     Witness witness;
   };
+  /// A question on its way: what each requirement came to by now, in the order of asking.
+  struct Hearing;
+
+  RequirementIds in_order(const RequirementIds& requirements) const;
+  void explore(const Problem& problem, Hearing& hearing, const Effort& effort);
+  void explore(const Problem& problem, Hearing& hearing, const Options& options);
+  Ruling ruling_of(const Problem& problem, Hearing hearing, const Effort& effort);
+  void remember(RequirementId requirement, std::optional<Witness> witness);
 
   const pan::Network& network_;
   Options options_;
   Workers workers_;
   std::vector<Refutation> refutations_;  // the last ones first
-  std::vector<std::size_t> failed_;      // requirements, the last first
+  RequirementIds failed_;                // the last first
 };
+
+/// All of a problem.
+RequirementIds requirements_of(const Problem& problem);
 
 }  // namespace pal::analyzer

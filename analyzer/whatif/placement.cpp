@@ -1,7 +1,6 @@
 #include "analyzer/whatif/placement.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace pal::analyzer {
 namespace {
@@ -21,9 +20,8 @@ void add_processor(pan::Environment& environment) {
 void sit(pan::Environment& environment, const std::vector<Seat>& seats) {
   environment.placements.clear();
   for (const Seat& seat : seats) {
-    while (environment.processors.size() <= static_cast<std::size_t>(seat.processor))
-      add_processor(environment);
-    const auto& processor = environment.processors[static_cast<std::size_t>(seat.processor)];
+    while (environment.processors.size() <= seat.processor.index()) add_processor(environment);
+    const auto& processor = environment.processors[seat.processor.index()];
     environment.placements.push_back({seat.thread, processor.name, seat.priority, {}});
   }
 }
@@ -65,10 +63,9 @@ class PlacementSearch {
   }
 
   Placements run(const Problem& as_it_is) {
-    for (const Thread& thread : as_it_is.threads) seats_.push_back({thread.name, 0, thread.priority});
+    for (const Thread& thread : as_it_is.threads) seats_.push_back({thread.name, ProcessorId(0), thread.priority});
     found_.broken.assign(as_it_is.requirements.size(), 0);
-    requirements_.resize(as_it_is.requirements.size());
-    std::iota(requirements_.begin(), requirements_.end(), std::size_t{0});
+    requirements_ = requirements_of(as_it_is);
     if (static_cast<int>(seats_.size()) >= found_.processors) seat(0, found_.processors);
     return std::move(found_);
   }
@@ -96,7 +93,7 @@ class PlacementSearch {
     for (std::size_t processor = 0; processor < used_.size(); ++processor) {
       const int still = used_[processor] == 0 ? free - 1 : free;
       if (still < 0 || still > left || (used_[processor] == 0 && stands_for_another(processor))) continue;
-      seats_[next].processor = static_cast<int>(processor);
+      seats_[next].processor = ProcessorId(processor);
       ++used_[processor];
       seat(next + 1, still);
       --used_[processor];
@@ -109,7 +106,7 @@ class PlacementSearch {
     if (processor == used_.size()) return attempt();
     std::vector<std::size_t> here;
     for (std::size_t s = 0; s < seats_.size(); ++s) {
-      if (seats_[s].processor == static_cast<int>(processor)) here.push_back(s);
+      if (seats_[s].processor == ProcessorId(processor)) here.push_back(s);
     }
     if (here.empty()) return order(processor + 1);
     for (std::size_t ties = 0; ties < here.size(); ++ties) {
@@ -146,7 +143,7 @@ class PlacementSearch {
     const Ruling ruling = problem ? judge_.ask(*problem, requirements_) : Ruling{};
     if (ruling.state == Is::fails) {
       found_.refuted.push_back({seats_, ruling});
-      ++found_.broken[static_cast<std::size_t>(ruling.requirement)];
+      ++found_.broken[ruling.requirement.index()];
     } else {
       (ruling.state == Is::holds ? found_.meet : found_.undecided).push_back({seats_, ruling});
     }
@@ -157,7 +154,7 @@ class PlacementSearch {
   const PlacementOptions& options_;
   std::vector<std::size_t> like_;  // by processor
   std::vector<int> used_;          // by processor: threads
-  std::vector<std::size_t> requirements_;
+  RequirementIds requirements_;
   std::vector<Seat> seats_;
   Placements found_;
 };

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analyzer/whatif/ids.hpp"
 #include "analyzer/whatif/judge.hpp"
 
 namespace pal::analyzer {
@@ -13,7 +14,7 @@ namespace pal::analyzer {
 /// Where a thread runs.
 struct Seat {
   std::string thread;
-  int processor = 0;
+  ProcessorId processor;
   int priority = 0;
 };
 
@@ -32,7 +33,7 @@ struct Placements {
   std::vector<Placed> refuted;  // shown to break a requirement
   std::vector<Placed> meet;
   std::vector<Placed> undecided;
-  std::vector<std::size_t> broken;  // by requirement: how many placements it was shown to fail in
+  std::vector<std::size_t> broken;  // by RequirementId: how many placements it was shown to fail in
   bool complete = true;             // all were tried
 };
 

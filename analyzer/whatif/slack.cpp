@@ -1,244 +1,216 @@
 #include "analyzer/whatif/slack.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <memory>
+
+#include "analyzer/whatif/bracket.hpp"
 
 namespace pal::analyzer {
 namespace {
 
 using Is = Verdict::State;
 
-/// The model allows no longer time (problem.cpp).
-constexpr Nanoseconds longest_time = 1'000'000'000'000'000;
+/// Seconds for each figure in the first round, and by how much longer each next one is.
+constexpr double first_share = 0.5;
+constexpr double longer_share = 3;
 
-/// By how much the steps get longer in which a growth is looked for that does not hold. Where a run fails it
-/// leads back at once. A load has none that does, and a skill more classes the longer it may take.
-constexpr Nanoseconds longer_steps = 100;
-constexpr Nanoseconds longer_steps_of_loads = 4;
+/// Classes of a question in the rounds; then as many as the options allow.
+constexpr std::size_t classes_of_rounds[] = {0, 20'000, 100'000};
 
-/// How an environment looks when some worst times have grown.
-class Growth {
- public:
-  __extension__ using Wide = __int128;
-
-  Growth(const pan::Environment& environment, std::vector<std::string> names)
-      : environment_(environment), names_(std::move(names)) {
-    pan::Environment copy = environment;
-    for (const std::string& name : names_)
-      longest_ = std::max(longest_, find_figure(copy, name)->worst.count());
-    single_ = names_.size() == 1;
-  }
-
-  Nanoseconds longest() const { return longest_; }
-  Nanoseconds most() const { return longest_time - longest_; }
-
-  /// `extra`: of the longest.
-  pan::Environment by(Nanoseconds extra) const {
-    pan::Environment grown = environment_;
-    for (const std::string& name : names_) {
-      Interval& time = *find_figure(grown, name);
-      time.worst += Duration(share(time.worst.count(), extra));
-      time.worst = std::min(time.worst, Duration(longest_time));
-    }
-    return grown;
-  }
-
- private:
-  Nanoseconds share(Nanoseconds worst, Nanoseconds extra) const {
-    // Where all are 0 there is no proportion: all grow alike.
-    if (single_ || longest_ == 0) return extra;
-    return static_cast<Nanoseconds>((static_cast<Wide>(worst) * extra + longest_ - 1) / longest_);
-  }
-
-  const pan::Environment& environment_;
-  std::vector<std::string> names_;
-  Nanoseconds longest_ = 0;
-  bool single_ = false;
+/// One round: what a question may take, and what each figure may.
+struct Round {
+  std::size_t classes = 0;
+  double seconds = 0;
+  bool last_classes = false;  // more are not allowed
 };
 
-class SlackSearch {
+Round round_of(std::size_t number, const Options& options) {
+  Round round;
+  const bool stepped = number < std::size(classes_of_rounds);
+  round.classes = stepped ? std::min(classes_of_rounds[number], options.max_states) : options.max_states;
+  round.last_classes = round.classes >= options.max_states && number > 0;
+  round.seconds = first_share;
+  for (std::size_t n = 1; n < number; ++n) round.seconds *= longer_share;
+  return round;
+}
+
+/// Of a round that begins now.
+Effort effort_of(const Round& round, const Options& options) {
+  if (!options.clock) return {round.classes, options.stop};
+  const double end = options.clock() + round.seconds;
+  return {round.classes, [stop = options.stop, clock = options.clock, end] {
+            return (stop && stop()) || clock() > end;
+          }};
+}
+
+/// The search for the slack of one figure, or of all together.
+class FigureSearch {
  public:
-  SlackSearch(Judge& judge, const Problem& problem) : judge_(judge) {
-    for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
-      const bool load = problem.requirements[r].measure == Requirement::Measure::load;
-      (load ? loads_ : timed_).push_back(r);
-      all_.push_back(r);
-    }
-  }
+  FigureSearch(const pan::Environment& environment, std::vector<std::string> names, const Problem& problem)
+      : growth_(environment, std::move(names)),
+        timed_(growth_, requirements_that(problem, false), false),
+        loads_(growth_, requirements_that(problem, true), true) {}
 
   /// A growth that bounds alone show to hold, the greatest or nearly so.
-  Nanoseconds bounded(const Growth& growth) {
-    const Nanoseconds most = growth.most();
+  void bound(Judge& judge, const RequirementIds& all, const Effort& effort) {
+    const Nanoseconds most = growth_.most();
     Nanoseconds holds = 0;
     Nanoseconds open = most + 1;
-    Nanoseconds step = std::max<Nanoseconds>(growth.longest(), 1'000);
-    while (open - holds > 1 && !judge_.stopped()) {
+    Nanoseconds step = std::max<Nanoseconds>(growth_.longest(), 1'000);
+    while (open - holds > 1 && !effort.over()) {
       const bool looking = open > most;
       const Nanoseconds extra =
           looking ? (most - holds <= step ? most : holds + step) : holds + (open - holds) / 2;
-      const auto problem = judge_.problem(growth.by(extra));
-      (problem && judge_.bounded(*problem, all_) ? holds : open) = extra;
-      step *= longer_steps;
+      const auto problem = judge.problem(growth_.by(extra));
+      (problem && judge.bounded(*problem, all) ? holds : open) = extra;
+      if (step < most / 100) step *= 100;
     }
-    if (holds == 0) return 0;
-    const auto problem = judge_.problem(growth.by(holds));
-    return problem && !judge_.has_zeno_run(*problem) ? holds : 0;
+    if (holds == 0) return;
+    const auto problem = judge.problem(growth_.by(holds));
+    if (!problem || judge.has_zeno_run(*problem)) return;
+    timed_.hold(holds);
+    loads_.hold(holds);
   }
 
-  /// `known_to_hold`: so much more.
-  void find(const Growth& growth, Nanoseconds known_to_hold, Slack& slack) {
-    Nanoseconds most = growth.most();
-    Known known = narrow(growth, known_to_hold, most, timed_, longer_steps);
-    if (!loads_.empty()) {
-      // Loads are asked last: never beyond what the others allow.
-      const Known load = narrow(growth, known_to_hold, known.holds, loads_, longer_steps_of_loads);
-      if (load.fails >= 0) {
-        known.fails = load.fails;
-        known.failing = load.failing;
-      }
-      if (load.holds < known.holds) known.open = load.open;
-      known.holds = load.holds;
-    }
-    slack.holds = Duration(known.holds);
-    slack.unlimited = known.holds == most;
-    if (known.fails >= 0) slack.fails = Duration(known.fails);
-    slack.requirement = known.fails >= 0 ? known.failing : known.open;
+  void narrow(Judge& judge, const Effort& effort, Precision precision) {
+    timed_.narrow(judge, effort, precision, ceiling_of(loads_));
+    loads_.narrow(judge, effort, precision, ceiling_of(timed_));
+  }
+
+  bool exact() const { return holds() == growth_.most() || (fails() && *fails() - holds() == 1); }
+  /// What this round could decide is decided.
+  bool exhausted() const {
+    return exact() || (timed_.exhausted(ceiling_of(loads_)) && loads_.exhausted(ceiling_of(timed_)));
+  }
+
+  void tell(Slack& slack) const {
+    slack.holds = Duration(holds());
+    slack.unlimited = holds() == growth_.most();
+    if (fails()) slack.fails = Duration(*fails());
+    const bool timed_says = fails() ? timed_.fails() == fails() : timed_.holds() == holds();
+    const bool loads_only = timed_.requirements().empty();
+    slack.requirement = (timed_says && !loads_only ? timed_ : loads_).requirement();
   }
 
  private:
-  struct Known {
-    Nanoseconds holds = 0;
-    Nanoseconds fails = -1;  // -1: nothing is known to fail
-    int failing = -1;        // requirement
-    int open = -1;           // the last requirement that could not be decided
-  };
-
-  Ruling ask(const Growth& growth, Nanoseconds extra, const std::vector<std::size_t>& requirements) {
-    const auto problem = judge_.problem(growth.by(extra));
-    return problem ? judge_.ask(*problem, requirements) : Ruling{};
+  static RequirementIds requirements_that(const Problem& problem, bool are_loads) {
+    RequirementIds chosen;
+    for (const RequirementId r : requirements_of(problem)) {
+      const bool load = problem.requirements[r.index()].measure == Requirement::Measure::load;
+      if (load == are_loads) chosen.push_back(r);
+    }
+    return chosen;
   }
 
-  /// Greatest growth from `least`, which holds, up to `most` that is known to hold, and the least beyond it
-  /// that is known to fail.
-  Known narrow(const Growth& growth, Nanoseconds least, Nanoseconds most,
-               const std::vector<std::size_t>& requirements, Nanoseconds longer) {
-    const auto asker = [&](Nanoseconds extra) { return ask(growth, extra, requirements); };
-    Known known;
-    known.holds = least;
-    Nanoseconds open = most + 1;  // nothing from here on is asked
-    Nanoseconds step = std::max<Nanoseconds>(growth.longest(), 1'000);
-    std::optional<Nanoseconds> below;  // the excess of `holds`, if it is known
-    std::optional<Nanoseconds> above;  // of `open`
-    const auto heard = [&](Nanoseconds extra, const Ruling& ruling) {
-      if (ruling.state == Is::holds) {
-        known.holds = extra;
-        below = ruling.excess;
-        return;
-      }
-      open = extra;
-      above = ruling.excess;
-      if (ruling.state != Is::fails) {
-        known.open = ruling.requirement;
-        return;
-      }
-      known.fails = extra;
-      known.failing = ruling.requirement;
-      sharpen(growth, requirements, known);
-      open = known.fails;
-    };
-    if (least < most && most < growth.most())
-      heard(most, asker(most));  // others allow no more: is it enough?
-    while (known.holds < most && open > most && !judge_.stopped()) {
-      const Nanoseconds extra = most - known.holds <= step ? most : known.holds + step;
-      heard(extra, asker(extra));
-      step *= longer;
-    }
-    bool next_to_failure = true;
-    for (int n = 1; open - known.holds > 1 && !judge_.stopped(); ++n) {
-      // The least growth with which a known run fails is often the least of all.
-      const bool try_it = next_to_failure && known.fails == open;
-      Nanoseconds extra = try_it ? open - 1 : known.holds + (open - known.holds) / 2;
-      // Loads grow in proportion, or nearly so.
-      if (below && above && n % 4 != 0) extra = crossing(known.holds, *below, open, *above);
-      heard(extra, asker(extra));
-      next_to_failure = !try_it || open < extra;  // sharpened: worth another try
-    }
-    // What could not be decided lies between: the least that fails.
-    Nanoseconds low = open;
-    while (known.fails - low > 1 && !judge_.stopped()) {
-      const Nanoseconds middle = low + (known.fails - low) / 2;
-      const Ruling ruling = asker(middle);
-      if (ruling.state == Is::fails) {
-        known.fails = middle;
-        known.failing = ruling.requirement;
-      } else {
-        low = middle;
-      }
-    }
-    return known;
+  /// What is of no interest to the others: something fails there.
+  Nanoseconds ceiling_of(const Bracket& bracket) const {
+    return bracket.fails().value_or(growth_.most() + 1);
   }
 
-  /// Between two growths, one with and one without excess: where it begins, if it grows in proportion.
-  static Nanoseconds crossing(Nanoseconds low, Nanoseconds below, Nanoseconds high, Nanoseconds above) {
-    const Growth::Wide part =
-        static_cast<Growth::Wide>(high - low) * -below / std::max<Nanoseconds>(above - below, 1);
-    return std::clamp<Nanoseconds>(low + static_cast<Nanoseconds>(part), low + 1, high - 1);
+  Nanoseconds holds() const {
+    if (timed_.requirements().empty()) return loads_.requirements().empty() ? growth_.most() : loads_.holds();
+    return loads_.requirements().empty() ? timed_.holds() : std::min(timed_.holds(), loads_.holds());
+  }
+  std::optional<Nanoseconds> fails() const {
+    if (!timed_.fails() || !loads_.fails()) return timed_.fails() ? timed_.fails() : loads_.fails();
+    return std::min(timed_.fails(), loads_.fails());
   }
 
-  /// Down to the least growth with which a known run fails: replays only.
-  void sharpen(const Growth& growth, const std::vector<std::size_t>& requirements, Known& known) {
-    Nanoseconds low = known.holds;
-    while (known.fails - low > 1 && !judge_.stopped()) {
-      const Nanoseconds middle = low + (known.fails - low) / 2;
-      const auto problem = judge_.problem(growth.by(middle));
-      const int refuted = problem ? judge_.refuted(*problem, requirements) : -1;
-      if (refuted >= 0) {
-        known.fails = middle;
-        known.failing = refuted;
-      } else {
-        low = middle;
-      }
-    }
-  }
-
-  Judge& judge_;
-  std::vector<std::size_t> timed_;
-  std::vector<std::size_t> loads_;
-  std::vector<std::size_t> all_;
+  const Growth growth_;
+  Bracket timed_;
+  Bracket loads_;
 };
+
+/// All figures, round by round.
+class Rounds {
+ public:
+  Rounds(std::vector<Slack>& slacks, Judge& judge, const SlackObserver& observer)
+      : slacks_(slacks), judge_(judge), observer_(observer) {}
+
+  void add(std::unique_ptr<FigureSearch> search) { searches_.push_back(std::move(search)); }
+
+  void run(const RequirementIds& all) {
+    for (std::size_t number = 0; settled_ < slacks_.size() && !judge_.stopped(); ++number) {
+      const Round round = round_of(number, judge_.options());
+      for (std::size_t n = 0; n < slacks_.size(); ++n) {
+        if (!searches_[n] || judge_.stopped()) continue;
+        turn(n, round, number == 0 ? &all : nullptr);
+      }
+    }
+    for (std::size_t n = 0; n < slacks_.size(); ++n) {
+      if (!searches_[n]) continue;
+      searches_[n]->tell(slacks_[n]);
+      slacks_[n].ended = true;
+    }
+  }
+
+ private:
+  /// `bounded`: first what bounds show of these.
+  void turn(std::size_t n, const Round& round, const RequirementIds* bounded) {
+    FigureSearch& search = *searches_[n];
+    const Effort effort = effort_of(round, judge_.options());
+    if (bounded != nullptr) search.bound(judge_, *bounded, effort);
+    search.narrow(judge_, effort, round.classes == 0 ? Precision::rough : Precision::exact);
+    const bool settled = search.exact() || (round.last_classes && search.exhausted());
+    if (settled) {
+      search.tell(slacks_[n]);
+      searches_[n].reset();
+      ++settled_;
+      if (observer_.settled) observer_.settled(slacks_[n]);
+    }
+    if (observer_.asked) observer_.asked(settled_, slacks_.size());
+  }
+
+  std::vector<Slack>& slacks_;
+  Judge& judge_;
+  const SlackObserver& observer_;
+  std::vector<std::unique_ptr<FigureSearch>> searches_;  // by slack; null: settled
+  std::size_t settled_ = 0;
+};
+
+/// What holds as things are, with as much effort as it takes.
+Ruling ruling_now(Judge& judge, const Problem& problem, const RequirementIds& all) {
+  for (std::size_t number = 0;; ++number) {
+    const Round round = round_of(number, judge.options());
+    const Effort effort = effort_of(round, judge.options());
+    const Ruling now = judge.ask(problem, all, effort);
+    const bool last = round.last_classes && !effort.over();
+    if (now.state != Is::undecided || last || judge.stopped()) return now;
+  }
+}
 
 }  // namespace
 
 std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& environment,
-                          const Options& options) {
-  std::vector<Slack> all;
-  std::vector<std::string> names;
-  for (const Figure& figure : figures(network, environment)) {
-    all.push_back({figure.name, figure.time, {}, {}, false, -1});
-    names.push_back(figure.name);
-  }
-  const Growth together(environment, names);
-  all.push_back({"", {Duration(0), Duration(together.longest())}, {}, {}, false, -1});
-
+                          const Options& options, const SlackObserver& observer) {
   Judge judge(network, options);
   const auto problem = judge.problem(environment);
   if (!problem) return {};
-  std::vector<std::size_t> everything(problem->requirements.size());
-  std::iota(everything.begin(), everything.end(), std::size_t{0});
-  const Ruling now = judge.ask(*problem, everything);
-  SlackSearch search(judge, *problem);
-  for (Slack& slack : all) {
-    slack.requirement = now.requirement;
-    if (now.state == Is::fails) slack.fails = Duration(0);
+
+  std::vector<Slack> all;
+  std::vector<std::string> names;
+  for (const Figure& figure : figures(network, environment)) {
+    all.push_back({figure.name, figure.time, {}, {}, false, {}, false});
+    names.push_back(figure.name);
   }
-  if (now.state != Is::holds) return all;
-  const auto growth_of = [&](const Slack& slack) {
-    return slack.figure.empty() ? together : Growth(environment, {slack.figure});
-  };
-  // What costs little is known of all before any is looked for further.
-  std::vector<Nanoseconds> bounded;
-  for (const Slack& slack : all) bounded.push_back(search.bounded(growth_of(slack)));
-  for (std::size_t n = 0; n < all.size(); ++n) search.find(growth_of(all[n]), bounded[n], all[n]);
+  const Growth together(environment, names);
+  all.push_back({"", {Duration(0), Duration(together.longest())}, {}, {}, false, {}, false});
+
+  const RequirementIds everything = requirements_of(*problem);
+  const Ruling now = ruling_now(judge, *problem, everything);
+  if (now.state != Is::holds) {
+    for (Slack& slack : all) {
+      slack.requirement = now.requirement;
+      if (now.state == Is::fails) slack.fails = Duration(0);
+    }
+    return all;
+  }
+  Rounds rounds(all, judge, observer);
+  for (const Slack& slack : all) {
+    rounds.add(std::make_unique<FigureSearch>(
+        environment, slack.figure.empty() ? names : std::vector<std::string>{slack.figure}, *problem));
+  }
+  rounds.run(everything);
   return all;
 }
 

@@ -1,13 +1,15 @@
 // By how much worst times may grow before some requirement no longer holds.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "analyzer/exact/exact.hpp"
 #include "analyzer/whatif/figures.hpp"
-#include "analyzer/whatif/judge.hpp"
+#include "analyzer/whatif/ids.hpp"
 
 namespace pal::analyzer {
 
@@ -22,17 +24,31 @@ struct Slack {
   std::optional<Duration> fails;
   /// Everything holds whatever the time, up to the longest that the model allows.
   bool unlimited = false;
-  int requirement = -1;  // that fails, or could not be decided
+  RequirementId requirement;  // that fails, or could not be decided
+  bool ended = false;         // by the time, not because nothing more can be decided
 
   /// To the nanosecond.
   bool exact() const { return unlimited || (holds && fails && *fails - *holds == Duration(1)); }
+};
+
+/// For somebody who watches the search. Called by the thread that called slacks().
+struct SlackObserver {
+  /// Nothing more is looked for of this one: it is exact, or cannot be decided. Not called of those that the
+  /// end of the time leaves open.
+  std::function<void(const Slack&)> settled;
+  /// After each question: so many of all are settled.
+  std::function<void(std::size_t settled, std::size_t all)> asked;
 };
 
 /// Slack of each figure by itself, then of all together. All together grow in proportion: with `holds` = k
 /// each worst time w becomes w + w · k / longest, rounded up, where `longest` is the longest of them; if that
 /// is 0, k. Requirements that do not hold as things are make every slack nothing; the index of one is in
 /// `requirement`, and `fails` is 0 if a run breaks it.
+///
+/// Works in rounds. The first one asks only what bounds and single runs decide; each next one explores more
+/// and, with Options::clock, gives each open figure half a second, then three times as much. So all have a
+/// first answer soon.
 std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& environment,
-                          const Options& options);
+                          const Options& options, const SlackObserver& observer = {});
 
 }  // namespace pal::analyzer

@@ -14,6 +14,7 @@ struct Console {
   std::ostream& out;
   std::ostream& err;
   const FileSystem& files;
+  bool terminal = false;  // somebody watches `out`, and may be shown how far a long search has come
 };
 
 /// The text of a file of the command line with runs; says on `console.err` why it cannot be had.

@@ -1,6 +1,7 @@
 // What `pal whatif` answers, and its two forms.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,15 +17,28 @@ struct WhatIfAnswer {
   std::string environment;
   std::vector<std::string> requirements;
   std::vector<analyzer::Slack> slacks;
+  bool slacks_shown = false;  // while they were found: text() leaves them out
   std::vector<Proof> before_and_after;  // both, or neither
   std::vector<analyzer::Placements> placements;
   std::vector<std::string> witnesses;  // of refuted placements, if asked for: as they are filed
   bool fewest = false;                 // the placements answer how few processors do
   bool priorities = false;             // … in every order by priority
-  double seconds = 0;
 };
 
 std::string text(const WhatIfAnswer& answer);
+
+/// The table of slacks, line by line: for somebody who watches how they are found.
+class SlackTable {
+ public:
+  /// `figures`: their names, which say how wide the table is.
+  explicit SlackTable(const std::vector<std::string>& figures);
+  std::string heading() const;
+  std::string row(const WhatIfAnswer& answer, const analyzer::Slack& slack) const;
+
+ private:
+  std::size_t width_ = 12;
+};
+
 /// {"what_if": [{skill, environment, slack, changed, placements}]} (docs/reference/what-if.md).
 std::string json(const std::vector<WhatIfAnswer>& answers);
 

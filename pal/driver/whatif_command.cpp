@@ -5,6 +5,7 @@
 
 #include "pal/driver/commands.hpp"
 #include "pal/driver/interruption.hpp"
+#include "pal/driver/slack_display.hpp"
 #include "pal/driver/whatif_answer.hpp"
 #include "pal/driver/witness.hpp"
 #include "pal/driver/write.hpp"
@@ -29,27 +30,36 @@ std::optional<pan::Environment> changed(const pan::Environment& environment,
 
 class Question {
  public:
-  Question(const WhatIfOptions& options, Session& session, const analyzer::Options& analysis)
-      : options_(options), session_(session), analysis_(analysis) {}
+  Question(const WhatIfOptions& options, Session& session, const analyzer::Options& analysis,
+           const Console& console)
+      : options_(options), session_(session), analysis_(analysis), console_(console) {}
 
   /// False: the changes are wrong.
-  bool answer(const pan::Network& skill, const pan::Environment& environment, WhatIfAnswer& answer,
-              std::ostream& err) {
+  bool answer(const pan::Network& skill, const pan::Environment& environment, WhatIfAnswer& answer) {
     auto problem = problem_of(skill, environment, session_);
     if (!problem) return true;
     answer.skill = problem->skill;
     answer.environment = problem->environment;
     for (const auto& requirement : problem->requirements) answer.requirements.push_back(requirement.name);
-    const auto other = changed(environment, options_.changes, err);
+    const auto other = changed(environment, options_.changes, console_.err);
     if (!other) return false;
     if (!options_.changes.empty() && !compare(skill, *other, std::move(*problem), answer)) return true;
     if (options_.place) place(skill, *other, answer);
-    if (options_.changes.empty() && !options_.place)
-      answer.slacks = analyzer::slacks(skill, environment, analysis_);
+    if (options_.changes.empty() && !options_.place) look_for_slack(skill, environment, answer);
     return true;
   }
 
  private:
+  void look_for_slack(const pan::Network& skill, const pan::Environment& environment, WhatIfAnswer& answer) {
+    if (!console_.terminal || options_.format == Format::json) {
+      answer.slacks = analyzer::slacks(skill, environment, analysis_);
+      return;
+    }
+    SlackDisplay display(skill, environment, answer, console_.out);
+    answer.slacks = analyzer::slacks(skill, environment, analysis_, display.observer());
+    display.finish();
+  }
+
   bool compare(const pan::Network& skill, const pan::Environment& other, analyzer::Problem before,
                WhatIfAnswer& answer) {
     auto after = analyzer::make_problem(skill, other, session_.diagnostics, &session_.sources);
@@ -80,6 +90,7 @@ class Question {
   const WhatIfOptions& options_;
   Session& session_;
   const analyzer::Options& analysis_;
+  const Console& console_;
 };
 
 /// With the figures as they are asked for: no verdict says `holds` where time stands still.
@@ -141,11 +152,11 @@ ExitStatus what_if(const WhatIfOptions& options, const Console& console) {
   std::vector<WhatIfAnswer> answers;
   bool sound_changes = true;
   if (!session.diagnostics.has_errors()) {
-    Question question(options, session, analysis);
+    Question question(options, session, analysis, console);
     for (const pan::Network& skill : session.specification.skills) {
       for (const pan::Environment& environment : session.specification.environments) {
         WhatIfAnswer& answer = answers.emplace_back();
-        sound_changes = sound_changes && question.answer(skill, environment, answer, console.err);
+        sound_changes = sound_changes && question.answer(skill, environment, answer);
       }
     }
   }

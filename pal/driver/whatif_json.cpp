@@ -12,8 +12,8 @@ Json nanoseconds(const std::optional<Duration>& time) {
   return time ? Json(time->count()) : Json();
 }
 
-Json requirement(const WhatIfAnswer& answer, int index) {
-  return index < 0 ? Json() : Json(answer.requirements[static_cast<std::size_t>(index)]);
+Json requirement(const WhatIfAnswer& answer, analyzer::RequirementId id) {
+  return id.valid() ? Json(answer.requirements[id.index()]) : Json();
 }
 
 Json slack_row(const WhatIfAnswer& answer, const analyzer::Slack& slack) {
@@ -37,8 +37,8 @@ Json placed_row(const WhatIfAnswer& answer, const analyzer::Placed& placed) {
   row["threads"] = Json::array();
   for (const analyzer::Seat& seat : placed.seats)
     row["threads"].push_back(
-        {{"thread", seat.thread}, {"processor", seat.processor}, {"priority", seat.priority}});
-  if (placed.ruling.requirement >= 0) row["requirement"] = requirement(answer, placed.ruling.requirement);
+        {{"thread", seat.thread}, {"processor", seat.processor.value}, {"priority", seat.priority}});
+  if (placed.ruling.requirement.valid()) row["requirement"] = requirement(answer, placed.ruling.requirement);
   return row;
 }
 

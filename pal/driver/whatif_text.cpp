@@ -14,8 +14,8 @@ namespace {
 using analyzer::Slack;
 using State = analyzer::VerdictState;
 
-std::string named(const WhatIfAnswer& answer, int requirement) {
-  return requirement < 0 ? "" : answer.requirements[static_cast<std::size_t>(requirement)];
+std::string named(const WhatIfAnswer& answer, analyzer::RequirementId requirement) {
+  return requirement.valid() ? answer.requirements[requirement.index()] : "";
 }
 
 std::string slack_text(const Slack& slack) {
@@ -26,7 +26,7 @@ std::string slack_text(const Slack& slack) {
 
 std::string reason_text(const WhatIfAnswer& answer, const Slack& slack) {
   if (slack.unlimited) return "";
-  if (slack.requirement < 0) {
+  if (!slack.requirement.valid()) {
     const bool some = slack.holds && slack.holds->count() > 0;
     return std::string(some ? "further " : "") + "not looked for: the search was ended before";
   }
@@ -34,8 +34,9 @@ std::string reason_text(const WhatIfAnswer& answer, const Slack& slack) {
   if (!slack.holds)
     return "'" + name + (slack.fails ? "' does not hold" : "' is undecided") + " as things are";
   if (slack.exact()) return "then '" + name + "' fails";
-  if (slack.fails) return "'" + name + "' fails at " + to_text(*slack.fails) + " more; between is undecided";
-  return "beyond that '" + name + "' is undecided";
+  const std::string open = slack.ended ? "not decided in the time given" : "undecided";
+  if (slack.fails) return "'" + name + "' fails at " + to_text(*slack.fails) + " more; between is " + open;
+  return "beyond that '" + name + "' is " + open;
 }
 
 std::string now_text(const Slack& slack) {
@@ -50,18 +51,17 @@ std::string percent(const Slack& slack) {
   return fmt::format("{}.{} %", tenths / 10, tenths % 10);
 }
 
+std::vector<std::string> names_of(const std::vector<Slack>& slacks) {
+  std::vector<std::string> names;
+  for (const Slack& slack : slacks) names.push_back(slack.figure);
+  return names;
+}
+
 std::string slack_table(const WhatIfAnswer& answer) {
   if (answer.slacks.empty()) return "";
-  std::size_t width = 12;
-  for (const Slack& slack : answer.slacks) width = std::max(width, slack.figure.size());
-  std::string out =
-      fmt::format("  {:{}}  {:>17}  {:>15}  {:>10}\n", "worst time of", width, "now", "may grow by", "");
-  for (const Slack& slack : answer.slacks) {
-    const std::string name = slack.figure.empty() ? "all together" : slack.figure;
-    out +=
-        fmt::format("  {:{}}  {:>17}  {:>15}  {:>10}  {}\n", name, width, now_text(slack), slack_text(slack),
-                    slack.figure.empty() ? percent(slack) : "", reason_text(answer, slack));
-  }
+  const SlackTable table(names_of(answer.slacks));
+  std::string out = table.heading();
+  for (const Slack& slack : answer.slacks) out += table.row(answer, slack);
   return out;
 }
 
@@ -83,12 +83,12 @@ std::string change_table(const WhatIfAnswer& answer) {
 }
 
 std::string seats_text(const analyzer::Placements& on, const analyzer::Placed& placed) {
-  std::map<int, std::string> by;  // processor
+  std::map<analyzer::ProcessorId, std::string> by;
   for (const analyzer::Seat& seat : placed.seats)
     by[seat.processor] += " " + seat.thread + "(" + std::to_string(seat.priority) + ")";
   std::string out;
   for (const auto& [processor, threads] : by) {
-    out += (out.empty() ? "" : "; ") + on.names[static_cast<std::size_t>(processor)] + ":" + threads;
+    out += (out.empty() ? "" : "; ") + on.names[processor.index()] + ":" + threads;
   }
   return out;
 }
@@ -129,9 +129,25 @@ std::string conclusion(const WhatIfAnswer& answer) {
 
 }  // namespace
 
+SlackTable::SlackTable(const std::vector<std::string>& figures) {
+  for (const std::string& figure : figures) width_ = std::max(width_, figure.size());
+}
+
+std::string SlackTable::heading() const {
+  return fmt::format("  {:{}}  {:>17}  {:>15}  {:>10}\n", "worst time of", width_, "now", "may grow by", "");
+}
+
+std::string SlackTable::row(const WhatIfAnswer& answer, const Slack& slack) const {
+  const std::string name = slack.figure.empty() ? "all together" : slack.figure;
+  return fmt::format("  {:{}}  {:>17}  {:>15}  {:>10}  {}\n", name, width_, now_text(slack),
+                     slack_text(slack), slack.figure.empty() ? percent(slack) : "",
+                     reason_text(answer, slack));
+}
+
 std::string text(const WhatIfAnswer& answer) {
-  std::string out = answer.skill + " in " + answer.environment + "\n";
-  out += slack_table(answer) + change_table(answer);
+  std::string out;
+  if (!answer.slacks_shown) out = answer.skill + " in " + answer.environment + "\n" + slack_table(answer);
+  out += change_table(answer);
   for (const analyzer::Placements& on : answer.placements) out += placement_lines(answer, on);
   return out + conclusion(answer);
 }

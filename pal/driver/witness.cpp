@@ -62,7 +62,7 @@ bool has_processors(const pan::Environment& environment, const FiledWitness& wit
 pan::Environment placed(const pan::Environment& environment, const FiledWitness& witness) {
   if (witness.placement.empty()) return environment;
   std::vector<analyzer::Seat> seats;
-  for (const auto& seat : witness.placement) seats.push_back({seat.thread, seat.processor, seat.priority});
+  for (const auto& seat : witness.placement) seats.push_back({seat.thread, analyzer::ProcessorId(static_cast<std::size_t>(seat.processor)), seat.priority});
   return analyzer::placed(environment, seats);
 }
 
@@ -143,14 +143,14 @@ std::vector<std::string> filed_witnesses_of(const std::vector<analyzer::Placemen
       Diagnostics known;
       auto problem = analyzer::make_problem(network, there, known);
       if (!problem) continue;
-      problem->requirements = {problem->requirements[static_cast<std::size_t>(refuted.ruling.requirement)]};
+      problem->requirements = {problem->requirements[refuted.ruling.requirement.index()]};
       const auto witness = breaking(*problem, options);
       if (!witness) continue;
       const analyzer::Requirement& requirement = problem->requirements.front();
       FiledWitness found = filed(*problem, requirement.name, requirement.measure, *witness);
       found.identity = identity_of(network, there);
       for (const analyzer::Seat& seat : refuted.seats)
-        found.placement.push_back({seat.thread, seat.processor, seat.priority});
+        found.placement.push_back({seat.thread, seat.processor.value, seat.priority});
       made.push_back(analyzer::rules::filed_text(found));
     }
   }

@@ -135,8 +135,8 @@ TEST_CASE("with a slack no run breaks anything, and with a nanosecond more some 
         ++held;
       }
       if (!slack.fails || *slack.fails > Duration(7)) continue;
-      REQUIRE(slack.requirement >= 0);
-      const Requirement& named = problem->requirements[static_cast<std::size_t>(slack.requirement)];
+      REQUIRE(slack.requirement.valid());
+      const Requirement& named = problem->requirements[slack.requirement.index()];
       INFO(named.name << " fails with " << slack.fails->count());
       const pan::Environment there = grown(skill, slack.figure, *slack.fails);
       const Kept seen = kept(skill, there, named);
@@ -170,7 +170,7 @@ TEST_CASE("what meets everything in some places no run breaks there, and what is
       ++meet;
     }
     for (const Placed& each : on.refuted) {
-      const Requirement& named = problem->requirements[static_cast<std::size_t>(each.ruling.requirement)];
+      const Requirement& named = problem->requirements[each.ruling.requirement.index()];
       INFO(named.name);
       const pan::Environment there = placed(skill.environment, each.seats);
       const Kept seen = kept(skill, there, named);
@@ -198,15 +198,11 @@ TEST_CASE("figures that are all nothing grow together, too, each as much as any 
 
 TEST_CASE("no run refutes a skill that has more threads than can be followed") {
   Problem problem = test::problem_of(test::pairs_of_drivers(140));
-  std::vector<std::size_t> all;
-  for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
-    problem.requirements[r].limit = 4'000'000;
-    all.push_back(r);
-  }
+  for (Requirement& each : problem.requirements) each.limit = 4'000'000;
   const pan::Network network;
   Judge judge(network, Options());
   // Every second one may be interrupted and takes 6 ms then.
-  const Ruling ruling = judge.ask(problem, all);
+  const Ruling ruling = judge.ask(problem, requirements_of(problem));
   CHECK(ruling.state == Verdict::State::undecided);
-  CHECK(ruling.requirement % 2 == 0);
+  CHECK(ruling.requirement.index() % 2 == 0);
 }

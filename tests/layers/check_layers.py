@@ -22,6 +22,7 @@ LAYERS = {
     "pal/doc": ["pal/support", "pal/pan"],
     "grammar": [],
     "pal/syntax": ["pal/support", "pal/units", "pal/pan", "grammar"],
+    "pal/rewrite": ["pal/support", "pal/pan", "pal/syntax"],
     "pal/check": ["pal/support", "pal/units", "pal/pan", "pal/syntax"],
     "analyzer/chart": ["pal/support", "runtime/trace"],
     **{stage: STAGES[:i] + MODEL for i, stage in enumerate(STAGES)},
@@ -31,7 +32,7 @@ LAYERS = {
     "codegen": ["pal/support", "pal/pan"],
     "operations": ["pal/support", "pal/pan"],  # neither robots nor simulators: it asks a SkillRunner
     "runtime_system": ["operations", "pal/support", "pal/pan"],  # likewise
-    "pal/driver": ["pal/support", "pal/explain", "pal/doc", "pal/pan", "pal/syntax", "pal/check", "analyzer", "analyzer/chart",
+    "pal/driver": ["pal/support", "pal/explain", "pal/doc", "pal/pan", "pal/syntax", "pal/rewrite", "pal/check", "analyzer", "analyzer/chart",
                    "analyzer/run_checker", "analyzer/whatif", *STAGES, "codegen", "operations", "runtime/trace"],
     "pal/program": ["pal/driver", "pal/support"],
     "runtime": ["runtime/trace"],

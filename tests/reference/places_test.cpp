@@ -60,7 +60,7 @@ std::vector<Placements> fewest(const test::Skill& skill, bool priorities) {
 
 int processor_of(const Placed& placed, const std::string& thread) {
   for (const Seat& seat : placed.seats) {
-    if (seat.thread == thread) return seat.processor;
+    if (seat.thread == thread) return seat.processor.value;
   }
   return -1;
 }

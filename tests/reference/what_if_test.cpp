@@ -98,7 +98,7 @@ TEST_CASE("slack of rate monotonic drivers is what the time demand leaves, to th
     CHECK(slack.exact());
     CHECK(slack.holds == Duration(nanoseconds));
     CHECK(slack.fails == Duration(nanoseconds + 1));
-    CHECK(slack.requirement == 2);
+    CHECK(slack.requirement == RequirementId(2));
     // The same, asked of the exact analysis.
     CHECK(with(*skill, name, *slack.holds) == Verdict::State::holds);
     CHECK(with(*skill, name, *slack.fails) == Verdict::State::fails);
@@ -129,7 +129,7 @@ TEST_CASE("slack is nothing where a requirement does not hold as things are") {
   REQUIRE(change(environment, "work-3 = 7 ms").empty());
   for (const Slack& slack : slacks(skill->specification.skills.front(), environment, few_states())) {
     CHECK_FALSE(slack.holds);
-    CHECK(slack.requirement == 2);
+    CHECK(slack.requirement == RequirementId(2));
   }
 }
 
@@ -169,7 +169,7 @@ END ENVIRONMENT
     ++seen;
     CHECK(slack.exact());
     CHECK(slack.holds == Duration(1'000'018));  // to 6,000,000 ns in 12,000,001 ns
-    CHECK(slack.requirement == 0);
+    CHECK(slack.requirement == RequirementId(0));
   }
   CHECK(seen == 2);
 }
@@ -184,11 +184,11 @@ TEST_CASE("a slack names what fails with a nanosecond more, not what fails with 
   CHECK(all[0].figure == "first OF SM1");
   CHECK(all[0].exact());
   CHECK(all[0].holds == Duration(2'000'000));
-  CHECK(all[0].requirement == 1);
+  CHECK(all[0].requirement == RequirementId(1));
   CHECK(all[1].figure == "again OF SM1");
   CHECK(all[1].exact());
   CHECK(all[1].holds == Duration(1'500'000));
-  CHECK(all[1].requirement == 0);
+  CHECK(all[1].requirement == RequirementId(0));
 }
 
 // 1000 ns and 10 ns grow by x and a hundredth of it. A whole nanosecond is more than a hundredth of nine:
@@ -208,7 +208,7 @@ TEST_CASE("figures that grow together are rounded up, each for itself") {
   CHECK(together.figure.empty());
   CHECK(together.exact());
   CHECK(together.holds == Duration(9));
-  CHECK(together.requirement == 1);
+  CHECK(together.requirement == RequirementId(1));
 }
 
 TEST_CASE("what could not be decided is neither what holds nor what fails") {
@@ -266,7 +266,7 @@ END ENVIRONMENT
   for (const Slack& slack :
        slacks(skill->specification.skills.front(), skill->specification.environments.front(), few_states())) {
     CHECK_FALSE(slack.holds);
-    CHECK(slack.requirement == 0);
+    CHECK(slack.requirement == RequirementId(0));
   }
 }
 

@@ -173,7 +173,7 @@ TEST_CASE("how much all may grow together is a part of the longest time, however
   slack.time = {pal::Duration(2), pal::Duration(2)};
   slack.holds = pal::Duration(1);
   slack.fails = pal::Duration(2);
-  slack.requirement = 0;
+  slack.requirement = pal::analyzer::RequirementId(0);
   answer.slacks = {slack};
   CHECK(text(answer).find(" 50.0 %  then 'r' fails") != std::string::npos);
 }

@@ -1,0 +1,160 @@
+#include "analyzer/whatif/bracket.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace pal::analyzer {
+namespace {
+
+__extension__ using Wide = __int128;
+
+using Is = Verdict::State;
+
+/// By how much the steps get longer in which a growth is looked for that does not hold. Where a run fails it
+/// leads back at once. A load has none that does, and a skill more classes the longer it may take.
+constexpr Nanoseconds longer_steps = 100;
+constexpr Nanoseconds longer_steps_of_loads = 4;
+
+/// The least first step.
+constexpr Nanoseconds least_step = 1'000;
+
+/// Such a part of a time is near enough at first.
+constexpr Nanoseconds rough = 32;
+
+/// Ends that are further apart than this are halved by ratio.
+constexpr Nanoseconds far_apart = 8;
+
+/// Between two growths, one with and one without excess: where it begins, if it grows in proportion.
+Nanoseconds crossing(Nanoseconds low, Nanoseconds below, Nanoseconds high, Nanoseconds above) {
+  const Wide part = static_cast<Wide>(high - low) * -below / std::max<Nanoseconds>(above - below, 1);
+  return std::clamp<Nanoseconds>(low + static_cast<Nanoseconds>(part), low + 1, high - 1);
+}
+
+}  // namespace
+
+Bracket::Bracket(const Growth& growth, RequirementIds requirements, bool loads)
+    : growth_(growth),
+      requirements_(std::move(requirements)),
+      longer_(loads ? longer_steps_of_loads : longer_steps),
+      step_(std::max(growth.longest(), least_step)) {}
+
+Nanoseconds Bracket::tolerance(Precision precision) const {
+  if (precision == Precision::exact) return 1;
+  return std::max(least_step, (holds_ + growth_.longest()) / rough);
+}
+
+/// Beyond that nothing is asked.
+Nanoseconds Bracket::upper_end(Nanoseconds ceiling) const {
+  return std::min(ceiling, fails_.value_or(ceiling));
+}
+
+/// Up to there it is not known whether everything holds.
+Nanoseconds Bracket::lower_end(Nanoseconds ceiling) const {
+  return undecided_ ? std::min(upper_end(ceiling), undecided_->first) : upper_end(ceiling);
+}
+
+bool Bracket::exhausted(Nanoseconds ceiling) const {
+  if (requirements_.empty()) return true;
+  if (lower_end(ceiling) - holds_ > 1) return false;
+  return !undecided_ || upper_end(ceiling) - undecided_->second <= 1;
+}
+
+Nanoseconds Bracket::middle(Nanoseconds low, Nanoseconds high) const {
+  const Nanoseconds base = growth_.longest() + least_step;
+  if ((high + base) / (low + base) < far_apart) return low + (high - low) / 2;
+  const double ratio = std::sqrt(static_cast<double>(low + base) * static_cast<double>(high + base));
+  return std::clamp<Nanoseconds>(static_cast<Nanoseconds>(ratio) - base, low + 1, high - 1);
+}
+
+Nanoseconds Bracket::step_up(Nanoseconds from, Nanoseconds ceiling) {
+  const Nanoseconds extra = ceiling - 1 - from <= step_ ? ceiling - 1 : from + step_;
+  if (step_ < ceiling / longer_) step_ *= longer_;
+  return extra;
+}
+
+/// What to ask next; nothing: all is known that can be.
+std::optional<Nanoseconds> Bracket::next(Nanoseconds tolerance, Nanoseconds ceiling, bool explores) {
+  const Nanoseconds end = lower_end(ceiling);
+  if (end - holds_ > tolerance) {
+    const bool at_failure = fails_ == end;
+    if (!at_failure && !undecided_) return step_up(holds_, ceiling);
+    // Loads grow in proportion, or nearly so.
+    if (below_ && above_ && asked_ % 4 != 3) return crossing(holds_, *below_, end, *above_);
+    // The least growth with which a known run fails is often the least of all.
+    const bool try_it = explores && next_to_failure_ && at_failure;
+    return try_it ? end - 1 : middle(holds_, end);
+  }
+  if (!undecided_) return std::nullopt;
+  const Nanoseconds upper = upper_end(ceiling);
+  if (upper - undecided_->second <= tolerance) return std::nullopt;
+  return fails_ == upper ? middle(undecided_->second, upper) : step_up(undecided_->second, ceiling);
+}
+
+void Bracket::hear(Nanoseconds extra, const Ruling& ruling) {
+  assert(extra > holds_ && (!fails_ || extra < *fails_));
+  const Nanoseconds end_before = lower_end(growth_.most() + 1);
+  if (ruling.state == Is::holds) {
+    // The greater proof holds for all that is below, also where that could not be decided.
+    if (undecided_ && undecided_->second <= extra) undecided_.reset();
+    if (undecided_) undecided_->first = std::max(undecided_->first, extra + 1);
+    holds_ = extra;
+    below_ = ruling.excess;
+  } else if (ruling.state == Is::fails) {
+    fails_ = extra;
+    failing_ = ruling.requirement;
+    if (extra < end_before) above_ = ruling.excess;
+    // A run that fails with less settles what was open above it.
+    if (undecided_ && undecided_->first >= extra) undecided_.reset();
+    if (undecided_) undecided_->second = std::min(undecided_->second, extra - 1);
+  } else {
+    open_ = ruling.requirement;
+    undecided_ = undecided_ ? std::pair(std::min(undecided_->first, extra), std::max(undecided_->second, extra))
+                            : std::pair(extra, extra);
+    if (extra < end_before) above_.reset();
+  }
+  assert(!fails_ || holds_ < *fails_);
+}
+
+/// Down to the least growth with which a known run fails: replays only.
+void Bracket::sharpen(Judge& judge, const Effort& effort) {
+  Nanoseconds low = holds_;
+  while (*fails_ - low > 1 && !effort.over()) {
+    const Nanoseconds half = middle(low, *fails_);
+    const auto problem = judge.problem(growth_.by(half));
+    const RequirementId refuted =
+        problem ? judge.refuted(*problem, requirements_, effort.stop) : RequirementId();
+    if (refuted.valid()) {
+      hear(half, {Is::fails, refuted, {}});
+    } else {
+      low = half;
+    }
+  }
+}
+
+void Bracket::narrow(Judge& judge, const Effort& effort, Precision precision, Nanoseconds ceiling) {
+  if (requirements_.empty()) return;
+  if (effort.classes > classes_ || effort.classes == 0) {
+    undecided_.reset();
+    classes_ = effort.classes;
+  }
+  while (!effort.over()) {
+    const auto extra = next(tolerance(precision), ceiling, effort.classes > 0);
+    if (!extra) return;
+    const auto problem = judge.problem(growth_.by(*extra));
+    const Ruling ruling = problem ? judge.ask(*problem, requirements_, effort) : Ruling{};
+    const bool at_failure = fails_ && *extra == *fails_ - 1;
+    ++asked_;
+    if (ruling.state == Is::undecided && effort.over()) {
+      // The next turn has more time, or decides another one.
+      open_ = ruling.requirement;
+      next_to_failure_ = !at_failure;
+      return;
+    }
+    hear(*extra, ruling);
+    if (ruling.state == Is::fails) sharpen(judge, effort);
+    next_to_failure_ = !at_failure || (ruling.state == Is::fails && *fails_ < *extra);
+  }
+}
+
+}  // namespace pal::analyzer

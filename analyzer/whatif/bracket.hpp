@@ -1,0 +1,66 @@
+// The search for the greatest growth with which a set of requirements holds: what is known of it by now.
+#pragma once
+
+#include <optional>
+
+#include "analyzer/whatif/growth.hpp"
+#include "analyzer/whatif/judge.hpp"
+
+namespace pal::analyzer {
+
+/// How near holding and failing have to come: to the nanosecond, or to some hundredths.
+enum class Precision { rough, exact };
+
+/// Holding and failing are monotone in the growth, deciding is not: so what could not be decided is kept apart
+/// from what was proved. Works in turns, each of which goes on where the last one stopped.
+class Bracket {
+ public:
+  /// `loads`: the requirements are loads. The growth must live as long.
+  Bracket(const Growth& growth, RequirementIds requirements, bool loads);
+
+  /// Everything holds with so much more.
+  Nanoseconds holds() const { return holds_; }
+  /// Something fails with so much more. Nothing: not found.
+  std::optional<Nanoseconds> fails() const { return fails_; }
+  /// What fails there; else what could not be decided last.
+  RequirementId requirement() const { return fails_ ? failing_ : open_; }
+  const RequirementIds& requirements() const { return requirements_; }
+
+  /// Known to hold, by bounds.
+  void hold(Nanoseconds extra) { holds_ = std::max(holds_, extra); }
+
+  /// Narrows until holding and failing are as near to each other as is wanted, below `ceiling`, which need not
+  /// be asked, or until the effort is over. What this effort cannot decide is asked again by a greater one only.
+  void narrow(Judge& judge, const Effort& effort, Precision precision, Nanoseconds ceiling);
+
+  /// Nothing is left to be asked below `ceiling`, unless with more effort.
+  bool exhausted(Nanoseconds ceiling) const;
+
+ private:
+  Nanoseconds tolerance(Precision precision) const;
+  Nanoseconds upper_end(Nanoseconds ceiling) const;
+  Nanoseconds lower_end(Nanoseconds ceiling) const;
+  std::optional<Nanoseconds> next(Nanoseconds tolerance, Nanoseconds ceiling, bool explores);
+  Nanoseconds step_up(Nanoseconds from, Nanoseconds ceiling);
+  Nanoseconds middle(Nanoseconds low, Nanoseconds high) const;
+  void hear(Nanoseconds extra, const Ruling& ruling);
+  void sharpen(Judge& judge, const Effort& effort);
+
+  const Growth& growth_;
+  const RequirementIds requirements_;
+  const Nanoseconds longer_;  // by how much steps get longer
+  Nanoseconds step_;
+  Nanoseconds holds_ = 0;
+  std::optional<Nanoseconds> fails_;
+  RequirementId failing_;
+  RequirementId open_;
+  /// The least and the greatest growth that the present effort could not decide.
+  std::optional<std::pair<Nanoseconds, Nanoseconds>> undecided_;
+  std::size_t classes_ = 0;           // of that effort
+  std::optional<Nanoseconds> below_;  // excess of loads with `holds_`, if it is known
+  std::optional<Nanoseconds> above_;  // with lower_end()
+  bool next_to_failure_ = true;
+  int asked_ = 0;
+};
+
+}  // namespace pal::analyzer

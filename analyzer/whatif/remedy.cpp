@@ -1,0 +1,228 @@
+#include "analyzer/whatif/remedy.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "analyzer/whatif/figures.hpp"
+#include "analyzer/whatif/judge.hpp"
+
+namespace pal::analyzer {
+namespace {
+
+using Is = Verdict::State;
+
+/// Most changes either do it at once or break something at once.
+constexpr std::size_t classes_of_trial = 20'000;
+
+/// Seconds of one trial, and of the verdicts on what was found.
+constexpr double seconds_of_trial = 1;
+constexpr double seconds_of_verdicts = 5;
+
+/// So many of those that help are tried in twos, and in threes.
+constexpr std::size_t most_in_twos = 10;
+constexpr std::size_t most_in_threes = 7;
+
+/// What is without bound is so far from its limit: in limits.
+constexpr double far_off = 10;
+
+/// A change helps if it brings things nearer by such a part.
+constexpr double helpful = 0.98;
+
+Options within(const Options& given, double seconds) {
+  Options options = given;
+  options.addends = false;
+  if (!given.clock) return options;
+  double end = given.clock() + seconds;
+  if (given.deadline) end = std::min(end, *given.deadline);
+  options.deadline = end;
+  options.stop = [stop = given.stop, clock = given.clock, end] { return (stop && stop()) || clock() > end; };
+  return options;
+}
+
+/// By how much a requirement is missed, in limits; 0: it holds.
+double missed(const Verdict& verdict) {
+  if (verdict.state == Is::holds) return 0;
+  const auto value = verdict.state == Is::fails ? attained(verdict) : verdict.bound;
+  if (!value) return far_off;
+  const double limit = std::max<double>(1, static_cast<double>(verdict.limit.count()));
+  const double over = static_cast<double>((*value - verdict.limit).count()) * (verdict.at_least ? -1 : 1);
+  return std::clamp(over / limit, 0.001, far_off);
+}
+
+class RemedySearch {
+ public:
+  RemedySearch(const pan::Network& network, const pan::Environment& environment, const NetworkOf& network_of,
+               const Options& options, const RemedyOptions& how)
+      : network_(network), environment_(environment), network_of_(network_of), options_(options), how_(how) {}
+
+  Remedies run(const Problem& problem, std::size_t programs) {
+    made_.before = verdicts_on(problem, options_.max_states, seconds_of_verdicts);
+    if (total(made_.before) == 0) return std::move(made_);
+    for (std::size_t number = 0; number < programs; ++number)
+      made_.candidates.push_back({{}, ProgramChangeId(number)});
+    for (ChangeTexts& changes : candidates_for(problem, environment_))
+      made_.candidates.push_back({std::move(changes), {}});
+    std::vector<CandidateId> all;
+    for (std::size_t c = 0; c < made_.candidates.size(); ++c) all.emplace_back(c);
+    for (const CandidateId one : all) attempt({one});
+    if (made_.found.empty()) combine(all);
+    made_.complete = !stopped();
+    if (!made_.found.empty()) made_.nearest.reset();
+    return std::move(made_);
+  }
+
+ private:
+  bool stopped() const { return options_.stop && options_.stop(); }
+  bool enough() const { return made_.found.size() >= how_.most_found || stopped(); }
+
+  std::vector<Verdict> verdicts_on(const Problem& problem, std::size_t classes, double seconds) const {
+    Options options = within(options_, seconds);
+    options.max_states = std::min(classes, options_.max_states);
+    return analyze(problem, AnalysisChoice::automatic, options).verdicts;
+  }
+
+  /// How far off everything is together. What says nothing as things are is no fault of a change.
+  double total(const std::vector<Verdict>& verdicts) const {
+    double sum = 0;
+    for (std::size_t r = 0; r < verdicts.size(); ++r) {
+      const bool vacuous = verdicts[r].state == Is::never && made_.before[r].state == Is::never;
+      if (!vacuous) sum += missed(verdicts[r]);
+    }
+    return sum;
+  }
+
+  /// Two changes of one thing are none together.
+  bool exclude_each_other(const std::vector<CandidateId>& together) const {
+    std::set<std::string> names;
+    for (const CandidateId id : together) {
+      for (const std::string& change : made_.candidates[id.index()].changes) {
+        const bool names_new = change.find('=') == std::string::npos;
+        if (!names_new && !names.insert(change.substr(0, change.find('='))).second) return true;
+      }
+    }
+    return false;
+  }
+
+  /// The environment with the changes; nothing: one cannot be made.
+  std::optional<pan::Environment> environment_with(const std::vector<CandidateId>& together) const {
+    pan::Environment environment = environment_;
+    std::set<std::string> done;
+    for (const CandidateId id : together) {
+      for (const std::string& text : made_.candidates[id.index()].changes) {
+        // Two threads may share a processor that is added.
+        if (done.insert(text).second && !change(environment, text).empty()) return std::nullopt;
+      }
+    }
+    return environment;
+  }
+
+  const pan::Network* network_with(const std::vector<CandidateId>& together) const {
+    std::vector<ProgramChangeId> programs;
+    for (const CandidateId id : together) {
+      if (made_.candidates[id.index()].program.valid())
+        programs.push_back(made_.candidates[id.index()].program);
+    }
+    return programs.empty() ? &network_ : network_of_(programs);
+  }
+
+  std::optional<Problem> problem_with(const std::vector<CandidateId>& together, const pan::Network* network) {
+    const auto environment = environment_with(together);
+    if (network == nullptr || !environment) return std::nullopt;
+    Diagnostics ignored;
+    auto problem = make_problem(*network, *environment, ignored);
+    if (problem && problem->requirements.size() != made_.before.size()) return std::nullopt;
+    return problem;
+  }
+
+  Judge& judge_of(const pan::Network& network) {
+    auto& judge = judges_[&network];
+    if (!judge) judge = std::make_unique<Judge>(network, options_);
+    return *judge;
+  }
+
+  /// Keeps the changes if everything holds with them.
+  void attempt(const std::vector<CandidateId>& together) {
+    if (enough()) return;
+    const pan::Network* network = network_with(together);
+    const auto problem = problem_with(together, network);
+    if (!problem) return;
+    ++made_.tried;
+    const Options trial = within(options_, seconds_of_trial);
+    const Ruling ruling = judge_of(*network).ask(*problem, requirements_of(*problem),
+                                                 {std::min(classes_of_trial, trial.max_states), trial.stop});
+    if (ruling.state != Is::holds) return;
+    Remedy remedy{together, verdicts_on(*problem, options_.max_states, seconds_of_verdicts)};
+    if (total(remedy.after) == 0) made_.found.push_back(std::move(remedy));
+  }
+
+  struct Helper {
+    CandidateId id;
+    double score = 0;
+  };
+
+  /// Those that bring things nearer, the best first; the best one is kept as the nearest.
+  std::vector<Helper> helpers(const std::vector<CandidateId>& all) {
+    const double as_it_is = total(made_.before);
+    std::vector<Helper> helping;
+    for (const CandidateId id : all) {
+      if (stopped()) break;
+      const auto problem = problem_with({id}, network_with({id}));
+      if (!problem) continue;
+      std::vector<Verdict> after = verdicts_on(*problem, classes_of_trial, seconds_of_trial);
+      const double score = total(after);
+      if (score >= as_it_is * helpful) continue;
+      if (helping.empty() || std::all_of(helping.begin(), helping.end(),
+                                         [&](const Helper& each) { return score < each.score; }))
+        made_.nearest = Remedy{{id}, std::move(after)};
+      helping.push_back({id, score});
+    }
+    std::stable_sort(helping.begin(), helping.end(),
+                     [](const Helper& a, const Helper& b) { return a.score < b.score; });
+    return helping;
+  }
+
+  void combine(const std::vector<CandidateId>& all) {
+    if (how_.most_changes < 2) return;
+    const std::vector<Helper> best = helpers(all);
+    const std::size_t twos = std::min(best.size(), most_in_twos);
+    for (std::size_t a = 0; a < twos; ++a) {
+      for (std::size_t b = a + 1; b < twos; ++b) attempt_together({best[a].id, best[b].id});
+    }
+    if (!made_.found.empty() || how_.most_changes < 3) return;
+    const std::size_t threes = std::min(best.size(), most_in_threes);
+    for (std::size_t a = 0; a < threes; ++a) {
+      for (std::size_t b = a + 1; b < threes; ++b) {
+        for (std::size_t c = b + 1; c < threes; ++c)
+          attempt_together({best[a].id, best[b].id, best[c].id});
+      }
+    }
+  }
+
+  void attempt_together(const std::vector<CandidateId>& together) {
+    if (!exclude_each_other(together)) attempt(together);
+  }
+
+  const pan::Network& network_;
+  const pan::Environment& environment_;
+  const NetworkOf& network_of_;
+  const Options& options_;
+  const RemedyOptions& how_;
+  std::map<const pan::Network*, std::unique_ptr<Judge>> judges_;
+  Remedies made_;
+};
+
+}  // namespace
+
+Remedies find_remedies(const pan::Network& network, const pan::Environment& environment, std::size_t programs,
+                       const NetworkOf& network_of, const Options& options, const RemedyOptions& how) {
+  assert(programs == 0 || network_of);
+  Diagnostics ignored;
+  const auto problem = make_problem(network, environment, ignored);
+  if (!problem) return {};
+  return RemedySearch(network, environment, network_of, options, how).run(*problem, programs);
+}
+
+}  // namespace pal::analyzer

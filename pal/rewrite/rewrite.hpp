@@ -1,0 +1,30 @@
+// Changes of a program's text that may mend its timing. They are proposals: whether the program is still right, and
+// in time, has to be checked afterwards.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pal/support/diagnostic.hpp"
+#include "pal/syntax/tree.hpp"
+
+namespace pal::rewrite {
+
+/// All `edits` are to be made, in one file.
+struct Rewriting {
+  std::string title;  // what it does, for people: "wait for motion request before pc-force is read"
+  std::string module;
+  SourceSpan where;  // the first statement that it changes
+  std::vector<Edit> edits;
+};
+
+/// Where a condition is read, or tested, just before a message is waited for: the wait comes first. If the
+/// wait stands at the beginning of arms of the CASE that tests it, it leaves them. `text`: of the tree's file.
+std::vector<Rewriting> read_after_wait(const syntax::Tree& tree, std::string_view text);
+
+/// Where a loop asks for something and then waits for it: the first request goes out before the loop, and each
+/// next one as soon as the answer to the last is there. What is asked works meanwhile: a courier.
+std::vector<Rewriting> ask_ahead(const syntax::Tree& tree, std::string_view text);
+
+}  // namespace pal::rewrite
