@@ -80,7 +80,8 @@ function(pal_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
     -Wnon-virtual-dtor -Wold-style-cast $<$<BOOL:${PAL_WARNINGS_AS_ERRORS}>:-Werror>)
   if(CMAKE_UNITY_BUILD)
-    target_compile_options(${target} PRIVATE -Wno-shadow)  # of a name in another file, which the compiler sees as one with this
+    # Both are about names of other files, which the compiler sees as one with this.
+    target_compile_options(${target} PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # g++ 12 sees overlaps in std::string (GCC bug 105329) and unset values in std::optional (80635) where there are none.

@@ -46,7 +46,7 @@ std::string number(Time time, const Unit& unit) {
   return text + "." + digits;
 }
 
-std::string in_words(Time time) {
+std::string written(Time time) {
   const Unit unit = unit_for(time);
   return number(time, unit) + " " + unit.name;
 }
@@ -126,10 +126,10 @@ std::string Measurement::devices() const {
         const Time least = std::max(port.apart.least(), Time(1));
         const Time jitter = (port.apart.greatest() - least) / 2;
         const Time period = least + jitter;
-        text += "  DEVICE " + device + " EVENT " + port.message + " EVERY " + in_words(period) +
-                (jitter == Time::zero() ? "" : " JITTER " + in_words(jitter)) + "  # " +
-                in_words(port.apart.least()) +
-                (jitter == Time::zero() ? "" : " to " + in_words(port.apart.greatest())) + " apart, " +
+        text += "  DEVICE " + device + " EVENT " + port.message + " EVERY " + written(period) +
+                (jitter == Time::zero() ? "" : " JITTER " + written(jitter)) + "  # " +
+                written(port.apart.least()) +
+                (jitter == Time::zero() ? "" : " to " + written(port.apart.greatest())) + " apart, " +
                 times(port.apart.count()) + "\n";
       }
     }
@@ -145,7 +145,7 @@ std::string Measurement::environment() const {
       "#\n"
       "# TIME, COST: processor time of this computer that the C++ of the activities took, whatever time the skill ran in.\n"
       "#   Reading the clock is in each: about " +
-      in_words(cost_of_processor_time()) +
+      written(cost_of_processor_time()) +
       ".\n"
       "# DEVICE: in the time of the run, from a request to its answer, or from message to message.\n"
       "ENVIRONMENT " +
