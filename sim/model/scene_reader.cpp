@@ -14,19 +14,19 @@ struct Word {
   bool quoted = false;
 };
 
-std::string join(const std::vector<std::string>& words) {
+std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
   return text;
 }
 
-std::string shortest(double value) {
+std::string shortest_text(double value) {
   std::ostringstream out;
   out << value;
   return out.str();
 }
 
-std::optional<double> number(const std::string& text) {
+std::optional<double> number_in(const std::string& text) {
   const char* begin = text.c_str() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
   const char* end = text.c_str() + text.size();
   double value = 0;
@@ -35,9 +35,9 @@ std::optional<double> number(const std::string& text) {
   return value;
 }
 
-class Reader {
+class SceneReader {
  public:
-  explicit Reader(std::string file) : file_(std::move(file)) {}
+  explicit SceneReader(std::string file) : file_(std::move(file)) {}
 
   SceneDescription read(std::string_view text) {
     std::istringstream in{std::string(text)};
@@ -95,7 +95,7 @@ class Reader {
     std::vector<std::string> names{"about",    "tool",    "start",   "configuration",
                                    "location", "sensor",  "machine", "no table"};
     for (const ThingKind& known : kinds) names.emplace_back(known.name);
-    fail("'" + first + "' is not something that a scene has", "a line begins with " + join(names));
+    fail("'" + first + "' is not something that a scene has", "a line begins with " + joined(names));
   }
 
   void read_about(const std::string& line) {
@@ -125,7 +125,7 @@ class Reader {
     std::array<double, 4> tip{};
     for (std::size_t i = 0; i < tip.size(); ++i) {
       if (i == 3 && at_ == words_.size()) break;
-      const auto value = at_ < words_.size() ? number(words_[at_].text) : std::nullopt;
+      const auto value = at_ < words_.size() ? number_in(words_[at_].text) : std::nullopt;
       if (!value)
         fail(at_ < words_.size() ? "'" + words_[at_].text + "' is not a number"
                                  : "the " + what + " has too few figures",
@@ -168,7 +168,7 @@ class Reader {
       fail("sensor " + sensor.name + " is said twice", "take one of them out");
     if (at_ >= words_.size() || words_[at_++].text != "at") fail("the sensor does not say where it stands", usage);
     for (double& figure : sensor.at) {
-      const auto value = at_ < words_.size() ? number(words_[at_].text) : std::nullopt;
+      const auto value = at_ < words_.size() ? number_in(words_[at_].text) : std::nullopt;
       if (!value)
         fail(at_ < words_.size() ? "'" + words_[at_].text + "' is not a number" : "the sensor has too few figures",
              usage + ", in mm from the shoulder");
@@ -240,16 +240,16 @@ class Reader {
       std::vector<std::string> names;
       for (const Setting& known : kind.settings) names.emplace_back(known.name);
       fail("a " + thing.kind + " has no '" + name + "'",
-           "it can be told " + join(names) + "; a name comes first, in quotation marks");
+           "it can be told " + joined(names) + "; a name comes first, in quotation marks");
     }
     if (thing.given(name)) fail("'" + name + "' is said twice", "take one of them out");
     std::vector<double> figures;
     for (; at_ < words_.size() && figures.size() < setting->most; ++at_) {
-      const auto value = number(words_[at_].text);
+      const auto value = number_in(words_[at_].text);
       if (!value) break;
       if (*value < setting->low || *value > setting->high)
         fail("'" + name + "' is " + words_[at_].text + ", which is out of its range",
-             "write a value from " + shortest(setting->low) + " to " + shortest(setting->high) + " " +
+             "write a value from " + shortest_text(setting->low) + " to " + shortest_text(setting->high) + " " +
                  std::string(setting->unit));
       figures.push_back(*value);
     }
@@ -323,7 +323,7 @@ bool Thing::given(std::string_view setting) const {
 }
 
 SceneDescription parse_description(std::string_view text, const std::string& file) {
-  return Reader(file).read(text);
+  return SceneReader(file).read(text);
 }
 
 SceneDescription read_description(const Scene& scene) {

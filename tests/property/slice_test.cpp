@@ -108,7 +108,7 @@ TEST_CASE("no run goes beyond what is proved of a slice: small skills") {
 }
 
 TEST_CASE("no run goes beyond what is proved of a slice: devices that may not answer") {
-  Tally tally;
+  SliceTally tally;
   expect_sound_slice_seeds(
       [](std::uint64_t seed) { return test::with_silent_devices(test::RandomSkill(seed, 9).text()); }, 10, tally);
   CHECK(tally.bounds > 0);

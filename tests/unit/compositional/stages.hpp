@@ -3,7 +3,9 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "analyzer/compositional/causes/analysis_context.hpp"
 #include "analyzer/compositional/times/times.hpp"
 #include "tests/support/skill.hpp"
 
