@@ -153,6 +153,22 @@ void RealExecutive::serve(Level& level) {
 
 void RealExecutive::perform(Level& level) {
   Thread& thread = *level.work;
+  if (thread.control.claimed >= 0) {  // takes a message: nothing of it was written by hand
+    set(std::max(now(), monotonic_now() - origin_));
+    note(thread.control.operation->statement(), Time::zero());
+  } else {
+    compute(thread);
+  }
+  go_on();
+  // Whoever was interrupted has its effect when it has its processor again.
+  while (!journal_.over() && !levels_.has_processor(level)) sleep(level);
+  if (journal_.over()) return;
+  levels_.finish(level);
+  kernel_->finish(thread);
+}
+
+/// What was written by hand, outside the kernel.
+void RealExecutive::compute(Thread& thread) {
   const int statement = thread.control.operation->statement();
   exit();
   const Time begun = thread_time();
@@ -168,12 +184,6 @@ void RealExecutive::perform(Level& level) {
   enter();
   note(statement, used);
   if (threw) journal_.fail(thread, thrown);
-  go_on();
-  // Whoever was interrupted has its effect when it has its processor again.
-  while (!journal_.over() && !levels_.has_processor(level)) sleep(level);
-  if (journal_.over()) return;
-  levels_.finish(level);
-  kernel_->finish(thread);
 }
 
 void RealExecutive::note(int statement, Time used) {
@@ -303,7 +313,8 @@ int RealExecutive::schedule() {
 
   if (priorities.size() > most_priorities) {
     lacking.push_back("the skill has " + std::to_string(priorities.size()) +
-                      " priorities; SCHED_FIFO tells the greatest " + std::to_string(most_priorities) + " apart");
+                      " priorities; SCHED_FIFO tells the greatest " + std::to_string(most_priorities) +
+                      " apart");
     priorities.erase(priorities.begin(), priorities.end() - most_priorities);
   }
   const auto rank = [&priorities](int priority) {

@@ -126,6 +126,20 @@ bool print(const std::vector<Promise>& promises, std::ostream& out) {
   return kept;
 }
 
+/// How far the run was one in real time, and what it measured.
+void print(const runtime::RealTimeReport& report, const runtime::Wiring& wiring, std::ostream& out) {
+  out << fmt::format("  in real time; the kernel was held for {} at most\n", to_text(report.longest_hold));
+  for (const std::string& lacking : report.shortcomings) out << "  " << lacking << '\n';
+  for (std::size_t i = 0; i < report.statements.size(); ++i) {
+    const runtime::StatementTimes& times = report.statements[i];
+    if (times.late == 0) continue;
+    const runtime::StatementSpec& statement = wiring.statements[i];
+    out << fmt::format("  {}:{} {}: {} of {} times beyond its worst time of {}, {} at most\n", statement.file,
+                       statement.line, statement.text, times.late, times.count, to_text(statement.cost.worst),
+                       to_text(times.greatest));
+  }
+}
+
 std::unique_ptr<runtime::Carrier> make_carrier(const std::string& links) {
   try {
     if (links == "pty") return runtime::pseudo_terminal_carrier();
@@ -164,6 +178,7 @@ SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Ses
   std::optional<ControlTerminal> terminal;
   if (command.control) terminal.emplace(control, skill.wiring(), STDIN_FILENO, out);
   session.faults = faults_in(command.faults);
+  if (command.real_time) session.real_time.emplace().hang_status = static_cast<int>(ExitStatus::hung);
   try {
     return run_session(skill, session);
   } catch (const sim::NoSuchDevice& problem) {
@@ -201,6 +216,7 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
   out << fmt::format("  ended after {:.3f} ms; alter's first request after {:.3f} ms; seed {}\n",
                      static_cast<double>(outcome.duration.count()) / 1e6,
                      static_cast<double>(result.phase.count()) / 1e6, session.seed);
+  if (outcome.real_time) print(*outcome.real_time, skill.wiring(), out);
   if (result.log.empty()) return ExitStatus::error_completion;
   const Eigen::Vector3d way = (result.log.back().tool - result.log.front().tool) * 1e3;
   out << fmt::format("  the tool moved by ({:.2f}, {:.2f}, {:.2f}) mm\n", way.x(), way.y(), way.z());

@@ -74,6 +74,7 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   options.seed = session.seed;
   options.control = session.control;
   options.observer = &result.messages;
+  options.real_time = session.real_time;
   result.outcome = cell.run(skill, session.parameters, options);
   result.phase = cell.phase();
   result.controller = cell.val_driver().last_error();

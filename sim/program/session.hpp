@@ -40,6 +40,7 @@ struct Session {
   runtime::Pace* pace = nullptr;
   std::function<std::unique_ptr<runtime::Carrier>()> carrier{};
   runtime::RunControl* control = nullptr;
+  std::optional<runtime::RealTime> real_time{};  // of the skill; nothing: virtual time
   std::vector<sim::PlannedFault> faults{};
 };
 
