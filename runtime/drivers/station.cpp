@@ -48,6 +48,7 @@ class Station::RunWorld final : public World {
     if (station_.pace_ == nullptr) return when;
     return station_.pace_->wait_until(station_.begun_ + when) - station_.begun_;
   }
+  Time beat() override { return station_.options_.physics_grain; }
   void resumed() override {
     if (station_.pace_ != nullptr) station_.pace_->resumed(station_.timeline_.now());
   }

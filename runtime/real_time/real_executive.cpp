@@ -154,6 +154,24 @@ void RealExecutive::serve(Level& level) {
 
 void RealExecutive::perform(Level& level) {
   Thread& thread = *level.work;
+  Time used{};
+  if (thread.control.claimed >= 0) {  // takes a message: nothing of it was written by hand
+    set(std::max(now(), monotonic_now() - origin_));
+    note(thread.control.operation->statement(), Time::zero());
+  } else {
+    used = compute(thread);
+  }
+  go_on();
+  // Whoever was interrupted has its effect when it has its processor again.
+  while (!journal_.over() && !levels_.has_processor(level)) sleep(level);
+  if (journal_.over()) return;
+  levels_.finish(level);
+  kernel_->promises.took(thread, used);
+  kernel_->finish(thread);
+}
+
+/// What was written by hand, outside the kernel.
+Time RealExecutive::compute(Thread& thread) {
   const int statement = thread.control.operation->statement();
   const bool by_hand = thread.control.operation->by_hand();
   exit();
@@ -171,12 +189,7 @@ void RealExecutive::perform(Level& level) {
   enter();
   note(statement, used);
   if (threw) journal_.fail(thread, thrown);
-  go_on();
-  // Whoever was interrupted has its effect when it has its processor again.
-  while (!journal_.over() && !levels_.has_processor(level)) sleep(level);
-  if (journal_.over()) return;
-  levels_.finish(level);
-  kernel_->finish(thread);
+  return used;
 }
 
 void RealExecutive::note(int statement, Time used) {
@@ -309,7 +322,8 @@ int RealExecutive::schedule() {
 
   if (priorities.size() > most_priorities) {
     lacking.push_back("the skill has " + std::to_string(priorities.size()) +
-                      " priorities; SCHED_FIFO tells the greatest " + std::to_string(most_priorities) + " apart");
+                      " priorities; SCHED_FIFO tells the greatest " + std::to_string(most_priorities) +
+                      " apart");
     priorities.erase(priorities.begin(), priorities.end() - most_priorities);
   }
   const auto rank = [&priorities](int priority) {

@@ -68,6 +68,7 @@ class RealExecutive final : public Executive {
   void advance_world();
 
   void perform(Level& level);
+  Time compute(Thread& thread);
   void happen(const Event& event);
   void note(int statement, Time used);
 

@@ -104,9 +104,17 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
       ->default_str("1")
       ->check(CLI::Range(0.001, 1000.0))
       ->excludes(sweep);
+  auto* real_time = app.add_flag("--real-time", command.real_time,
+                                 "by the clock on the wall, each module in threads of the operating system")
+                        ->excludes(sweep)
+                        ->excludes(app.get_option("--paced"))
+                        ->excludes(app.get_option("--time"));
+  // Who looks on would hold up the arm, which waits for nobody.
+  for (CLI::Option* looks : {video, live}) real_time->excludes(looks);
   app.add_flag("--control", command.control,
                "reads commands from the standard input: step, go, pause, break MODULE:LINE, where, stop")
-      ->excludes(sweep);
+      ->excludes(sweep)
+      ->excludes(real_time);
   app.add_option("--fault", command.faults, "a file that says what is to go wrong with devices, and when")
       ->excludes(sweep);
   app.add_option(
@@ -123,7 +131,8 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
                  "what the bytes of devices' lines go through; the run is the same with each")
       ->check(CLI::IsMember({"process", "pty", "tcp"}))
       ->capture_default_str()
-      ->excludes(sweep);
+      ->excludes(sweep)
+      ->excludes(real_time);
 }
 
 void describe_serve_port(CLI::App& app, ServePortCommand& command, std::vector<std::string>& folders) {
@@ -262,7 +271,8 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
   app.require_subcommand(1);
   app.footer(
       "Exit status: 0 done, 1 a wrong scene, skill or parameter, 2 wrong usage or a file problem,\n"
-      "3 the skill ended with its error completion, or took longer than was proved.");
+      "3 the skill ended with its error completion, or took longer than was proved,\n"
+      "4 with --real-time: code of the skill or of a device did not return.");
   std::vector<std::string> folders;
   ListCommand list_command;
   CLI::App* list_app =

@@ -39,6 +39,7 @@ struct RunCommand {
   std::string against;                       // second skill of a sweep
   std::string after;                         // a skill that is run before; empty: none
   double paced = 0;                          // station seconds a second of real time; 0: as fast as can be
+  bool real_time = false;                    // the skill runs by the clock on the wall
   bool control = false;                      // paused, stepped and stopped by commands on the standard input
   std::string faults;                        // a file of faults on demand; empty: nothing goes wrong
   std::string on_broken_promise = "report";  // or contingency, stop

@@ -12,6 +12,7 @@ enum class ExitStatus : int {
   wrong_specification = 1,  // the scene, the skill or a parameter is wrong
   usage = 2,                // bad command line, or a file could not be read or written
   error_completion = 3,     // the skill ended with its error completion
+  hung = 4,                 // in real time: code of the skill or of a device did not return
 };
 
 /// Ends a command: place, cause, hint (which may be empty).

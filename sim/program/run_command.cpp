@@ -134,6 +134,20 @@ bool print(const std::vector<Promise>& promises, std::ostream& out) {
   return kept;
 }
 
+/// How far the run was one in real time, and what it measured.
+void print(const runtime::RealTimeReport& report, const runtime::Wiring& wiring, std::ostream& out) {
+  out << fmt::format("  in real time; the kernel was held for {} at most\n", to_text(report.longest_hold));
+  for (const std::string& lacking : report.shortcomings) out << "  " << lacking << '\n';
+  for (std::size_t i = 0; i < report.statements.size(); ++i) {
+    const runtime::StatementTimes& times = report.statements[i];
+    if (times.late == 0) continue;
+    const runtime::StatementSpec& statement = wiring.statements[i];
+    out << fmt::format("  {}:{} {}: {} of {} times beyond its worst time of {}, {} at most\n", statement.file,
+                       statement.line, statement.text, times.late, times.count, to_text(statement.cost.worst),
+                       to_text(times.greatest));
+  }
+}
+
 std::unique_ptr<runtime::Carrier> make_carrier(const std::string& links) {
   try {
     if (links == "pty") return runtime::pseudo_terminal_carrier();
@@ -213,6 +227,7 @@ SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Ses
   session.on_broken_promise = policy_named(command.on_broken_promise);
   const auto live = live_trace(command, skill.wiring());
   if (live) session.live = &live->ring();
+  if (command.real_time) session.real_time.emplace().hang_status = static_cast<int>(ExitStatus::hung);
   try {
     SessionResult result = run_session(skill, session);
     if (live && !live->end(result.outcome))
@@ -255,6 +270,7 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
   out << fmt::format("  ended after {:.3f} ms; alter's first request after {:.3f} ms; seed {}\n",
                      static_cast<double>(outcome.duration.count()) / 1e6,
                      static_cast<double>(result.phase.count()) / 1e6, session.seed);
+  if (outcome.real_time) print(*outcome.real_time, skill.wiring(), out);
   if (result.log.empty()) return ExitStatus::error_completion;
   for (const runtime::BrokenPromise& broken : outcome.broken_promises)
     out << fmt::format("  broken promise: {}; first at {}\n", runtime::in_words(broken),

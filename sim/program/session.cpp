@@ -99,6 +99,7 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   options.on_broken_promise = session.on_broken_promise;
   options.slow = session.slow;
   options.live = session.live;
+  options.real_time = session.real_time;
   result.outcome = cell.run(skill, session.parameters, options);
   result.phase = cell.phase();
   result.controller = cell.val_driver().last_error();

@@ -24,8 +24,8 @@ RunOptions real_time() {
   return options;
 }
 
-// CLIENT asks SERVER `rounds` times; each has a processor of its own, unless `together`. WITNESS, which is more
-// urgent, is told of every round.
+// CLIENT asks SERVER `rounds` times; each has a processor of its own, unless `together`. WITNESS, which is
+// more urgent, is told of every round.
 struct Talk {
   explicit Talk(int rounds, bool together = false) {
     const int p = skill.processor("P");
@@ -43,12 +43,16 @@ struct Talk {
     const int hear = skill.statement("hear", 1ms);
     const int end = skill.statement("end", 1ms);
     skill.thread("CLIENT", p, 1, [=, this](Thread& t) -> Task {
-      co_await t.perform(act, [this] { if (first) first(); });
+      co_await t.perform(act, [this] {
+        if (first) first();
+      });
       for (int i = 0; i < rounds; ++i) {
         co_await t.send(ask, request);
         co_await t.wait_within(take, 5s, from(answer));
       }
-      co_await t.perform(act, [this] { if (last) last(); });
+      co_await t.perform(act, [this] {
+        if (last) last();
+      });
       co_await t.complete(end, 0);
     });
     skill.thread("SERVER", q, 2, [=](Thread& t) -> Task {
@@ -79,8 +83,8 @@ std::string kinds(const runtime::Outcome& outcome) {
   std::string text;
   for (const trace::Event& event : outcome.trace.events) {
     if (event.actor < 0 || event.statement < 0) continue;
-    text += outcome.trace.actors[static_cast<std::size_t>(event.actor)].name + " " + trace::name(event.kind) + " " +
-            outcome.trace.statements[static_cast<std::size_t>(event.statement)].text + "\n";
+    text += outcome.trace.actors[static_cast<std::size_t>(event.actor)].name + " " + trace::name(event.kind) +
+            " " + outcome.trace.statements[static_cast<std::size_t>(event.statement)].text + "\n";
   }
   return text;
 }
@@ -104,7 +108,9 @@ struct Asker {
     const int receive = skill.statement("receive", 1ms);
     const int end = skill.statement("end", 1ms);
     skill.thread("A", p, 1, [=, this](Thread& t) -> Task {
-      co_await t.perform(act, [this] { if (work) work(); });
+      co_await t.perform(act, [this] {
+        if (work) work();
+      });
       co_await t.send(send, request);
       int taken = 0;
       if (within) {
@@ -151,7 +157,9 @@ TEST_CASE("real time: a more urgent thread interrupts an activity on a preemptiv
   const int end = skill.statement("end", 1ms);
   ScriptedDevice device("sensor", {{"x", false, {}}});
   std::atomic<bool> begun = false, freed = false;
-  device.on_open = [](runtime::DeviceHost& host) { host.at(host.now() + 1ms, [&host] { host.deliver(0, {}); }); };
+  device.on_open = [](runtime::DeviceHost& host) {
+    host.at(host.now() + 1ms, [&host] { host.deliver(0, {}); });
+  };
   skill.thread("LOW", p, 1, [&](Thread& t) -> Task {
     // Comes to its end only if HIGH has the processor meanwhile.
     co_await t.perform(spin, [&] {
@@ -219,7 +227,9 @@ TEST_CASE("real time: what an activity or a device throws ends the skill, with i
     place = "sensor: broken";
   }
   SECTION("a device that reports a fault") {
-    device.on_receive = [](runtime::DeviceHost& host, std::size_t, std::span<const double>) { host.fault("hot"); };
+    device.on_receive = [](runtime::DeviceHost& host, std::size_t, std::span<const double>) {
+      host.fault("hot");
+    };
     place = "sensor: hot";
   }
   const auto outcome = run(asker.skill, {&device}, real_time());
@@ -243,8 +253,7 @@ TEST_CASE("real time: a device that never answers is given up by WITHIN, or by t
     options.horizon = 30ms;
     const auto outcome = run(asker.skill, {&device}, options);
     CHECK(outcome.fault);
-    CHECK(outcome.reason ==
-          "the run is longer than its limit of 30000000 ns: A at receive (written.pal:3)");
+    CHECK(outcome.reason == "the run is longer than its limit of 30000000 ns: A at receive (written.pal:3)");
   }
   CHECK(device.closed == 1);
 }

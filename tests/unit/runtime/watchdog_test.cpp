@@ -56,7 +56,8 @@ struct Telling final : ScriptedDevice {
   Telling() : ScriptedDevice("sensor", {{"command", true, {}}}) {}
   void close() override {
     say("sensor closed\n");
-    if (stuck) for (;;) ::pause();
+    if (stuck)
+      for (;;) ::pause();
   }
   bool stuck = false;
 };
@@ -73,7 +74,9 @@ struct Acting {
     const int end = skill.statement("end", 1ms);
     skill.thread("A", p, 1, [=, this](Thread& t) -> Task {
       co_await t.send(send, command);
-      co_await t.perform(act, [this] { if (work) work(); });
+      co_await t.perform(act, [this] {
+        if (work) work();
+      });
       co_await t.complete(end, 0);
     });
   }
@@ -157,7 +160,8 @@ TEST_CASE("real time: without the right to SCHED_FIFO a skill runs, and its outc
   CHECK(ended.status == 0);
   const auto times = [&ended](const std::string& text) {
     int count = 0;
-    for (auto at = ended.said.find(text); at != std::string::npos; at = ended.said.find(text, at + 1)) ++count;
+    for (auto at = ended.said.find(text); at != std::string::npos; at = ended.said.find(text, at + 1))
+      ++count;
     return count;
   };
   CHECK(times("SCHED_FIFO is not permitted (Operation not permitted)") == 1);
