@@ -315,14 +315,19 @@ Analysis analyze_automatically(const Provers& provers, const Problem& problem, c
   return analysis;
 }
 
+std::vector<Addend> addends_of(const std::vector<Reason>& reasons) {
+  std::vector<Addend> addends;
+  for (const Reason& each : reasons) {
+    if (each.to > each.from)
+      addends.push_back(
+          {each.to - each.from, each.actor, each.what, each.file, each.line, addends_of(each.inside)});
+  }
+  return addends;
+}
+
 /// Of a bound that a run attains, what happens in that run adds up to it.
 void add_up(Verdict& verdict) {
-  if (!attains(verdict) || verdict.reasons.empty()) return;
-  verdict.addends.clear();
-  for (const Reason& each : verdict.reasons) {
-    if (each.to > each.from)
-      verdict.addends.push_back({each.to - each.from, each.actor, each.what, each.file, each.line});
-  }
+  if (attains(verdict) && !verdict.reasons.empty()) verdict.addends = addends_of(verdict.reasons);
 }
 
 Analysis analyze_as(const Provers& provers, const Problem& problem, AnalysisChoice choice,

@@ -60,11 +60,18 @@ Length draw_caption(const std::vector<Layer>& layers, Length top, SvgWriter& out
   const std::vector<std::string> lines = caption_lines(layers);
   Length y = top + 190;
   const std::string& verdict = layers.front().options->caption.verdict;
-  out.text({left_edge, y}, Anchor::start, verdict == "fails" ? "title fails" : "title", lines.front());
-  for (std::size_t i = 1; i < lines.size(); ++i) {
+  const Length width = panel_right - left_edge;
+  for (const std::string& line : wrapped(lines.front(), 165, width, true)) {
+    if (y > top + 190) y += 30;
+    out.text({left_edge, y}, Anchor::start, verdict == "fails" ? "title fails" : "title", line);
     y += 150;
-    out.text({left_edge, y}, Anchor::start, i == 2 ? "subtitle strong" : "subtitle",
-             fitted(lines[i], 115, panel_right - left_edge));
+  }
+  y -= 150;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    for (const std::string& line : wrapped(lines[i], 115, width, i == 2)) {
+      y += 150;
+      out.text({left_edge, y}, Anchor::start, i == 2 ? "subtitle strong" : "subtitle", line);
+    }
   }
   return y + 60;
 }

@@ -11,6 +11,11 @@ namespace {
 constexpr Length wanted_bar = 122;
 // Below this, a second drawing would show nothing that the first does not.
 constexpr Length legible_bar = 100;
+// In short actions: how long a bar may be and still be drawn whole, how much is drawn of each end of one that
+// is longer, and how much of a run is worth a stretch of its own.
+constexpr std::int64_t most_units = 10;
+constexpr std::int64_t end_units = 2;
+constexpr std::int64_t least_units = 8;
 
 struct Focus {
   std::int64_t from_ns;
@@ -76,12 +81,105 @@ std::int64_t distance(const Window& window, std::int64_t instant) {
   return instant > window.to_ns ? instant - window.to_ns : 0;
 }
 
-// Whether one part of the explanation passes into the next within the window.
-bool explains(const Window& window, const Layer& layer, std::int64_t pad_ns) {
-  return std::any_of(
-      layer.options->explanation.begin(), layer.options->explanation.end(),
-      [&](const Segment& segment) { return distance(window, segment.from_ns + layer.shift_ns) <= pad_ns; });
+// Of an action much longer than others only its ends: what is between shows nothing.
+std::vector<Window> with_long_ones_split(const std::vector<Window>& actions, std::int64_t unit) {
+  std::vector<Window> result;
+  for (const Window& action : actions) {
+    if (action.to_ns - action.from_ns <= most_units * unit) {
+      result.push_back(action);
+      continue;
+    }
+    result.push_back({action.from_ns, action.from_ns + end_units * unit});
+    result.push_back({action.to_ns - end_units * unit, action.to_ns});
+  }
+  std::sort(result.begin(), result.end(),
+            [](const Window& a, const Window& b) { return a.from_ns < b.from_ns; });
+  return result;
 }
+
+/// Which stretches are worth their place, and which part of those that are too long.
+class Choice {
+ public:
+  Choice(const std::vector<Layer>& layers, Focus focus, const std::vector<Window>& actions, std::int64_t unit)
+      : focus_(focus), unit_(unit) {
+    instants_.push_back({focus.from_ns, weight_of_edge});
+    instants_.push_back({focus.to_ns, weight_of_edge});
+    const Layer& first = layers.front();
+    for (const Segment& segment : first.options->explanation) {
+      if (segment.depth == 0) instants_.push_back({segment.from_ns + first.shift_ns, weight_of_part});
+    }
+    for (const Window& action : actions) instants_.push_back({action.from_ns, 1});
+    std::sort(instants_.begin(), instants_.end());
+  }
+
+  /// Windows of `room` together, with a fold between two; in order of time.
+  std::vector<Window> choose(std::vector<Window> candidates, std::int64_t room, std::int64_t fold) const {
+    std::stable_sort(candidates.begin(), candidates.end(), [&](const Window& a, const Window& b) {
+      const std::int64_t more = weight(a);
+      const std::int64_t less = weight(b);
+      return more != less ? more > less : distance(a, focus_.to_ns) < distance(b, focus_.to_ns);
+    });
+    // As many of the important ones as may have a legible part each, then each as much as is left for it.
+    std::size_t important = 0;
+    while (important < candidates.size() && weight(candidates[important]) >= weight_of_part &&
+           static_cast<std::int64_t>(important + 1) * (least_units * unit_ + fold) <= room) {
+      ++important;
+    }
+    std::stable_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(important),
+                     [](const Window& a, const Window& b) { return length(a) < length(b); });
+    std::vector<Window> chosen;
+    std::int64_t left = room + fold;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const bool needed = i < important;
+      const std::int64_t share = (needed ? left / static_cast<std::int64_t>(important - i) : left) - fold;
+      if (length(candidates[i]) > share && !needed) continue;
+      chosen.push_back(length(candidates[i]) > share ? best_part(candidates[i], share) : candidates[i]);
+      left -= length(chosen.back()) + fold;
+    }
+    std::sort(chosen.begin(), chosen.end(),
+              [](const Window& a, const Window& b) { return a.from_ns < b.from_ns; });
+    return chosen;
+  }
+
+ private:
+  struct Instant {
+    std::int64_t at_ns;
+    std::int64_t weight;
+    bool operator<(const Instant& other) const { return at_ns < other.at_ns; }
+  };
+  static constexpr std::int64_t weight_of_edge = 1'000'000;
+  static constexpr std::int64_t weight_of_part = 1'000;
+
+  static std::int64_t length(const Window& window) { return window.to_ns - window.from_ns; }
+
+  std::int64_t weight(const Window& window) const {
+    const auto first = std::lower_bound(instants_.begin(), instants_.end(), Instant{window.from_ns, 0});
+    std::int64_t sum = 0;
+    for (auto it = first; it != instants_.end() && it->at_ns <= window.to_ns; ++it) sum += it->weight;
+    return sum;
+  }
+
+  /// The part of this length with the most to see; of several the last. It begins a little before something.
+  Window best_part(const Window& whole, std::int64_t length) const {
+    Window best{whole.to_ns - length, whole.to_ns};
+    std::int64_t most = weight(best);
+    for (auto it = instants_.rbegin(); it != instants_.rend(); ++it) {
+      const std::int64_t from = std::max(whole.from_ns, it->at_ns - unit_);
+      if (it->at_ns > whole.to_ns || from + length > whole.to_ns) continue;
+      if (it->at_ns < whole.from_ns) break;
+      const Window part{from, from + length};
+      if (const std::int64_t now = weight(part); now > most) {
+        most = now;
+        best = part;
+      }
+    }
+    return best;
+  }
+
+  Focus focus_;
+  std::int64_t unit_;
+  std::vector<Instant> instants_;
+};
 
 }  // namespace
 
@@ -104,7 +202,7 @@ Window overview_window(const std::vector<Layer>& layers) {
     const auto& highlight = layer.options->highlight;
     if (!highlight || highlight->limit_ns < 0) continue;
     const std::int64_t limit = highlight->from_ns + layer.shift_ns + highlight->limit_ns;
-    if (limit - focus->from_ns <= 2 * (focus->to_ns - focus->from_ns)) to = std::max(to, limit);
+    if (limit - focus->to_ns <= (focus->to_ns - focus->from_ns) / 6) to = std::max(to, limit);
   }
   const std::int64_t context = std::max<std::int64_t>((to - focus->from_ns) / 8, 1000);
   Window window{std::max(run_from, focus->from_ns - context), std::min(std::max(run_to, to), to + context)};
@@ -123,38 +221,9 @@ std::vector<Window> detail_windows(const std::vector<Layer>& layers, const Windo
   if (unit == 0 || unit * width / (window.to_ns - window.from_ns) >= legible_bar) return {};
 
   const auto time_of = [&](Length length) { return length * unit / wanted_bar; };
-  const std::vector<Window> candidates = merged(actions, unit, time_of(2 * fold), window);
-  std::vector<Window> ranked = candidates;
-  const auto rank = [&](const Window& it) {
-    if (distance(it, focus->to_ns) <= unit) return std::int64_t{-2};
-    if (distance(it, focus->from_ns) <= unit) return std::int64_t{-1};
-    if (explains(it, layers.front(), unit)) return std::int64_t{0};
-    return distance(it, focus->to_ns);
-  };
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [&](const Window& a, const Window& b) { return rank(a) < rank(b); });
-  std::vector<Window> chosen;
-  std::int64_t left = time_of(width);
-  for (Window it : ranked) {
-    const bool needed = rank(it) < 0;
-    const std::int64_t cost = chosen.empty() ? 0 : time_of(fold);
-    if (it.to_ns - it.from_ns > left - cost) {
-      if (!needed || left - cost < 4 * unit) continue;
-      // Too long even alone: what leads to the end, or follows the beginning.
-      if (rank(it) == -2) {
-        it.to_ns = std::min(it.to_ns, focus->to_ns + 2 * unit);
-        it.from_ns = std::max(it.from_ns, it.to_ns - (left - cost));
-      } else {
-        it.from_ns = std::max(it.from_ns, focus->from_ns - 2 * unit);
-        it.to_ns = std::min(it.to_ns, it.from_ns + (left - cost));
-      }
-    }
-    left -= it.to_ns - it.from_ns + cost;
-    chosen.push_back(it);
-  }
-  std::sort(chosen.begin(), chosen.end(),
-            [](const Window& a, const Window& b) { return a.from_ns < b.from_ns; });
-  return chosen;
+  const std::vector<Window> candidates =
+      merged(with_long_ones_split(actions, unit), unit, time_of(2 * fold), window);
+  return Choice(layers, *focus, actions, unit).choose(candidates, time_of(width), time_of(fold));
 }
 
 }  // namespace pal::chart

@@ -14,8 +14,9 @@ Window overview_window(const std::vector<Layer>& layers);
 
 /// Where something runs in and around the highlighted intervals, in one scale large enough for numbered bars
 /// on `width`. Empty if the whole window in that width already shows every action that large, or nothing is
-/// highlighted. If not everything can be shown: the end of the interval, its beginning, where the
-/// explanation passes from one part to the next, then what is nearest to the end.
+/// highlighted. Of long actions the ends only. If not everything can be shown: the end of the interval, its
+/// beginning, where the explanation passes from one part to the next, each in part if need be, then where
+/// most happens.
 std::vector<Window> detail_windows(const std::vector<Layer>& layers, const Window& window, Length width,
                                    Length fold);
 

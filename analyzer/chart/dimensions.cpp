@@ -59,6 +59,13 @@ void Panel::draw_dimensions() {
   if (!layers_.front().options->explanation.empty()) draw_segments(layers_.front(), y);
 }
 
+void Panel::keep_off_edges(const Layer& layer) {
+  if (!layer.options->highlight) return;
+  const Length left = x(layer, layer.options->highlight->from_ns);
+  const Length right = std::max(x(layer, layer.options->highlight->to_ns), left + 20);
+  for (const Length edge : {left, right}) labels_.take({edge - 7, lanes_top_, edge + 7, lanes_bottom_});
+}
+
 void Panel::draw_edges(const Layer& layer, const Highlight& highlight, Length y) {
   const Length left = x(layer, highlight.from_ns);
   const Length right = std::max(x(layer, highlight.to_ns), left + 20);
@@ -90,12 +97,13 @@ void Panel::draw_dimension(const Layer& layer, const Highlight& highlight, Lengt
 
 void Panel::draw_segments(const Layer& layer, Length y) {
   const std::vector<Segment>& segments = layer.options->explanation;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const Segment& segment = segments[i];
+  std::size_t next = 0;
+  for (const Segment& segment : segments) {
+    if (segment.depth > 0) continue;
+    const std::string letter = segment_letter(next++);
     if (!touches(layer, segment.from_ns, segment.to_ns)) continue;
     const Length left = x(layer, segment.from_ns);
     const Length right = x(layer, segment.to_ns);
-    const std::string letter = segment_letter(i);
     const std::string length = figure(layer, segment.to_ns - segment.from_ns);
     const std::string title = letter + ": " + length + " " + segment.text +
                               (segment.actor.empty() ? "" : " (" + segment.actor + ")");
@@ -129,6 +137,7 @@ void Panel::draw_deadlines() {
 }
 
 void Panel::draw_deadline(std::int64_t at_ns, const std::string& label) {
+  if (at_ns > scale_.to_ns()) return point_to_deadline(at_ns, label);
   if (!scale_.shows(at_ns)) return;
   const Length place = scale_.x(at_ns);
   const std::string title = label + "\n" + at(at_ns);
@@ -142,6 +151,19 @@ void Panel::draw_deadline(std::int64_t at_ns, const std::string& label) {
   if (labels_.claim({left, lanes_top_ - 110, left + width, lanes_top_ - 10})) {
     out_.text({left, lanes_top_ - 30}, Anchor::start, "on-light", label, title);
   }
+}
+
+// One beyond the right edge: where it lies, not its line.
+void Panel::point_to_deadline(std::int64_t at_ns, const std::string& label) {
+  const std::string title = label + "\n" + at(at_ns);
+  const Length tip = scale_.x1();
+  const Length y = lanes_top_ - 60;
+  const Length left = tip - 130 - text_width(label, bar_font);
+  if (!labels_.claim({left, y - 50, tip, y + 50})) return;
+  out_.text({left, y + 30}, Anchor::start, "on-light", label, title);
+  out_.path(move_to({tip - 90, y}) + line_to({tip - 30, y}), "deadline-pointer", title);
+  out_.path(move_to({tip - 60, y - 30}) + line_to({tip, y}) + line_to({tip - 60, y + 30}) + "Z",
+            "deadline-flag", title);
 }
 
 }  // namespace pal::chart

@@ -16,13 +16,13 @@ std::string decimal(std::int64_t value, std::size_t digits) {
 
 }  // namespace
 
-// The environments speak of milliseconds, so do charts, from a hundredth of one on.
+// The environments speak of milliseconds, so do charts, from a hundredth of one to a second.
 std::string duration_text(std::int64_t ns) {
   if (ns < 0) return "\u2212" + duration_text(-ns);
   if (ns == 0) return "0 ms";
   if (ns < 1'000) return std::to_string(ns) + " ns";
   if (ns < 10'000) return decimal(ns, 3) + " \u00b5s";
-  if (ns < 10'000'000'000) return decimal(ns, 6) + " ms";
+  if (ns < 1'000'000'000) return decimal(ns, 6) + " ms";
   return decimal(ns, 9) + " s";
 }
 

@@ -21,43 +21,31 @@ std::string drawn_figure(const Layer& layer, std::int64_t ns) {
   return layer.timeline->origin == "measured" ? rounded_duration_text(ns) : duration_text(ns);
 }
 
-bool any_gap(const std::vector<Layer>& layers, GapKind kind) {
-  for (const Layer& layer : layers) {
-    for (const Lane& lane : layer.timeline->lanes) {
-      if (std::any_of(lane.gaps.begin(), lane.gaps.end(), [&](const Gap& gap) { return gap.kind == kind; }))
-        return true;
+// Where the texts of an explanation begin; each depth of its tree stands further to the right.
+constexpr Length explained_x = 840;
+constexpr Length depth_indent = 500;
+
+/// The texts of an explanation's parts.
+class Explanation {
+ public:
+  explicit Explanation(const Layer& layer) {
+    for (const Segment& segment : layer.options->explanation) {
+      const std::string who = segment.actor.empty() ? "" : segment.actor + ": ";
+      texts_.push_back(who + segment.text + (segment.place.empty() ? "" : " (" + segment.place + ")"));
+      widest_ = std::max(widest_, text_width(texts_.back(), font));
+      tree_ = tree_ || segment.depth > 0;
     }
   }
-  return false;
-}
 
-bool any_bar(const std::vector<Layer>& layers, BarKind kind) {
-  for (const Layer& layer : layers) {
-    for (const Lane& lane : layer.timeline->lanes) {
-      if (std::any_of(lane.bars.begin(), lane.bars.end(), [&](const Bar& bar) { return bar.kind == kind; }))
-        return true;
-    }
-  }
-  return false;
-}
+  const std::string& text(std::size_t part) const { return texts_[part]; }
+  /// Two columns read downwards, if every part fits into half of the page.
+  bool halves() const { return texts_.size() > 6 && !tree_ && explained_x + widest_ + 40 <= full_width / 2; }
 
-bool any_mark(const std::vector<Layer>& layers, MarkKind kind) {
-  for (const Layer& layer : layers) {
-    const auto& marks = layer.timeline->marks;
-    if (std::any_of(marks.begin(), marks.end(), [&](const Mark& mark) { return mark.kind == kind; }))
-      return true;
-  }
-  return false;
-}
-
-bool any_arrow(const std::vector<Layer>& layers, Fate fate) {
-  for (const Layer& layer : layers) {
-    const auto& arrows = layer.timeline->arrows;
-    if (std::any_of(arrows.begin(), arrows.end(), [&](const Arrow& arrow) { return arrow.fate == fate; }))
-      return true;
-  }
-  return false;
-}
+ private:
+  std::vector<std::string> texts_;
+  Length widest_ = 0;
+  bool tree_ = false;
+};
 
 }  // namespace
 
@@ -71,23 +59,28 @@ Length draw_explanation(const Layer& layer, Length top, SvgWriter& out) {
               " come about";
   }
   top = draw_panel_heading(heading, top, out) + 60;
-  // Two columns read downwards.
-  const std::size_t rows = segments.size() > 6 ? (segments.size() + 1) / 2 : segments.size();
+  const Explanation parts(layer);
+  const std::size_t rows = parts.halves() ? (segments.size() + 1) / 2 : segments.size();
+  const Length room = (parts.halves() ? full_width / 2 : full_width) - explained_x;
+  Length y = top;
+  Length lowest = top;
+  std::size_t letter = 0;
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    const Segment& segment = segments[i];
-    const Length x = legend_edge + static_cast<Length>(i / rows) * full_width / 2;
-    const Length y = top + static_cast<Length>(i % rows + 1) * row_height;
-    out.text({x, y}, Anchor::start, "key strong", segment_letter(i));
-    out.text({x + 720, y}, Anchor::end, "key", drawn_figure(layer, segment.to_ns - segment.from_ns));
-    const std::string text = segment.actor.empty() ? segment.text : segment.actor + ": " + segment.text;
-    const std::string place = segment.place.empty() ? "" : " (" + segment.place + ")";
-    const Length room = (rows < segments.size() ? full_width / 2 : full_width) - 830;
-    // Where it is written stays to be read; what is said there gets the rest.
-    const std::string said = fitted(text, font, room - text_width(place, font));
-    const std::string shown = said.empty() ? fitted(text + place, font, room) : said + place;
-    out.text({x + 800, y}, Anchor::start, "key", shown, text + place);
+    if (i == rows) y = top;
+    const Length x = legend_edge + (i < rows ? 0 : full_width / 2);
+    const Length indent = segments[i].depth * depth_indent;
+    y += row_height;
+    if (segments[i].depth == 0) out.text({x, y}, Anchor::start, "key strong", segment_letter(letter++));
+    out.text({x + explained_x - 80 + indent, y}, Anchor::end, "key",
+             drawn_figure(layer, segments[i].to_ns - segments[i].from_ns));
+    const std::vector<std::string> lines = wrapped(parts.text(i), font, room - indent);
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+      if (line > 0) y += row_height;
+      out.text({x + explained_x + indent, y}, Anchor::start, "key", lines[line]);
+    }
+    lowest = std::max(lowest, y);
   }
-  return top + static_cast<Length>(rows) * row_height + 40;
+  return lowest + 40;
 }
 
 Length draw_statement_key(const Numbering& numbering, Length top, SvgWriter& out) {
@@ -100,7 +93,7 @@ Length draw_statement_key(const Numbering& numbering, Length top, SvgWriter& out
     widest = std::max(widest, text_width(entry.text, font));
     lane_width = std::max(lane_width, text_width(entry.lane, font, true));
   }
-  widest = std::min(widest, full_width / 2 - lane_width - 400);
+  widest = std::min(widest, full_width - lane_width - 420);
   const Length column = lane_width + widest + 420;
   const auto columns = static_cast<std::size_t>(std::max<Length>(1, full_width / column));
   const std::size_t rows = (entries.size() + columns - 1) / columns;
@@ -117,7 +110,7 @@ Length draw_statement_key(const Numbering& numbering, Length top, SvgWriter& out
   return top + static_cast<Length>(rows) * row_height + 40;
 }
 
-Length draw_sign_key(const std::vector<Layer>& layers, bool folded, Length top, SvgWriter& out) {
+Length draw_sign_key(const std::vector<Layer>& layers, Length top, SvgWriter& out) {
   struct Sign {
     std::function<void(Length, Length)> draw;  // at x, around y, 300 wide
     std::string text;
@@ -142,50 +135,48 @@ Length draw_sign_key(const std::vector<Layer>& layers, bool folded, Length top, 
   const auto spot = [&out](const char* style) {
     return [&out, style](Length x, Length y) { out.rect({x + 122, y - 28, x + 178, y + 28}, style); };
   };
-  bool waves = false;
-  bool highlighted = false;
-  bool limited = false;
-  bool fails = false;
-  for (const Layer& layer : layers) {
-    waves = waves || !layer.timeline->waveforms.empty();
-    highlighted = highlighted || layer.options->highlight.has_value();
-    limited = limited || !layer.options->deadlines.empty() ||
-              (layer.options->highlight && layer.options->highlight->limit_ns >= 0);
-    fails = fails || (layer.options->highlight && layer.options->highlight->fails);
-  }
+  const bool fails = std::any_of(layers.begin(), layers.end(), [](const Layer& layer) {
+    return layer.options->highlight && layer.options->highlight->fails;
+  });
   const bool overlay = layers.size() > 1;
   sign(overlay, "proved run", bar("bar computation backdrop"));
   sign(overlay, "measured run", [&out](Length x, Length y) {
     out.rect({x, y, x + 300, y + 50}, "bar computation");
   });
-  sign(any_bar(layers, BarKind::computation), "activity", bar("bar computation"));
-  sign(any_bar(layers, BarKind::message), "send, receive", bar("bar message"));
-  sign(any_bar(layers, BarKind::condition), "set, read or test of conditions", bar("bar conditional"));
-  sign(any_bar(layers, BarKind::serving), "device busy", bar("bar serving"));
-  sign(any_gap(layers, GapKind::waiting), "waits", stroke("wait"));
-  sign(any_gap(layers, GapKind::ready), "ready, but the processor is taken", bar("ready"));
-  sign(any_mark(layers, MarkKind::event), "device event", [&out](Length x, Length y) {
+  sign(out.has_drawn("bar computation"), "activity", bar("bar computation"));
+  sign(out.has_drawn("bar message"), "send, receive", bar("bar message"));
+  sign(out.has_drawn("bar conditional"), "set, read or test of conditions", bar("bar conditional"));
+  sign(out.has_drawn("bar serving"), "device busy", bar("bar serving"));
+  sign(out.has_drawn("wait"), "waits", stroke("wait"));
+  sign(out.has_drawn("ready"), "ready, but the processor is taken", bar("ready"));
+  sign(out.has_drawn("event"), "device event", [&out](Length x, Length y) {
     out.path(move_to({x + 105, y - 50}) + line_to({x + 195, y - 50}) + line_to({x + 150, y + 50}) + "Z",
              "event");
   });
-  sign(any_mark(layers, MarkKind::overrun), "event lost", crossed("overrun"));
-  sign(any_arrow(layers, Fate::taken), "message", stroke("arrow"));
-  sign(any_arrow(layers, Fate::dropped), "message withdrawn", stroke("arrow dropped"));
-  sign(any_mark(layers, MarkKind::gave_up), "gives up waiting", crossed("gave-up"));
-  sign(waves, "condition set", spot("set"));
-  sign(waves, "condition read", spot("read"));
-  sign(limited, "deadline", [&out](Length x, Length y) {
+  sign(out.has_drawn("overrun"), "event lost", crossed("overrun"));
+  sign(out.has_drawn("loss"), "lost: nobody took it", [&out](Length x, Length y) {
+    out.rect({x, y - 50, x + 300, y + 50}, "bar serving");
+    out.path(
+        move_to({x, y - 50}) + line_to({x + 300, y + 50}) + move_to({x, y + 50}) + line_to({x + 300, y - 50}),
+        "loss");
+  });
+  sign(out.has_drawn("arrow"), "message", stroke("arrow"));
+  sign(out.has_drawn("arrow dropped"), "message withdrawn", stroke("arrow dropped"));
+  sign(out.has_drawn("gave-up"), "gives up waiting", crossed("gave-up"));
+  sign(out.has_drawn("set"), "condition set", spot("set"));
+  sign(out.has_drawn("read"), "condition read", spot("read"));
+  sign(out.has_drawn("deadline"), "deadline", [&out](Length x, Length y) {
     out.line({x + 120, y - 60}, {x + 120, y + 60}, "deadline");
     out.path(move_to({x + 120, y - 60}) + line_to({x + 190, y - 30}) + line_to({x + 120, y}) + "Z",
              "deadline-flag");
   });
-  sign(highlighted, fails ? "interval that is too long" : "interval of the requirement",
+  sign(out.has_drawn("band"), fails ? "interval that is too long" : "interval of the requirement",
        [&out, fails](Length x, Length y) {
          const std::string verdict = fails ? "fails" : "holds";
          out.rect({x, y - 50, x + 300, y + 50}, "band " + verdict);
          out.line({x, y}, {x + 300, y}, "dimension measure " + verdict);
        });
-  sign(folded, "time left out", [&out](Length x, Length y) {
+  sign(out.has_drawn("tear"), "time left out", [&out](Length x, Length y) {
     out.path(move_to({x + 120, y - 60}) + line_to({x + 180, y - 20}) + line_to({x + 120, y + 20}) +
                  line_to({x + 180, y + 60}),
              "tear");

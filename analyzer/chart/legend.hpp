@@ -14,8 +14,8 @@ Length draw_caption(const std::vector<Layer>& layers, Length top, SvgWriter& out
 Length draw_panel_heading(const std::string& text, Length top, SvgWriter& out);
 Length draw_explanation(const Layer& layer, Length top, SvgWriter& out);
 Length draw_statement_key(const Numbering& numbering, Length top, SvgWriter& out);
-/// The signs that the layers use, and no others.
-Length draw_sign_key(const std::vector<Layer>& layers, bool folded, Length top, SvgWriter& out);
+/// The signs that were drawn before, and no others.
+Length draw_sign_key(const std::vector<Layer>& layers, Length top, SvgWriter& out);
 
 /// The caption as lines of text, for the caption itself and for the picture's title.
 std::vector<std::string> caption_lines(const std::vector<Layer>& layers);

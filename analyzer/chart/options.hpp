@@ -34,12 +34,23 @@ struct Segment {
   std::string text;
   std::string actor;
   std::string place;  // of the statement: "touch.pal:34"; empty: none
+  /// Of a part of the part before it that is one less deep: what happened during that. Parts of depth 0
+  /// follow each other without gaps, and have letters.
+  int depth = 0;
 };
 
 /// A further instant by which something has to have happened.
 struct Deadline {
   std::int64_t at_ns = 0;
   std::string label;
+};
+
+/// A frame, an answer or an event of a device that nobody took: crossed out.
+struct Loss {
+  std::string lane;  // the device
+  std::int64_t from_ns = 0;
+  std::int64_t to_ns = 0;  // from_ns: it takes no time
+  std::string text;        // "profile is lost: nobody had asked for it"
 };
 
 /// What stands above the chart, in words. Empty texts are left out.
@@ -57,6 +68,7 @@ struct ChartOptions {
   std::optional<Highlight> highlight;
   std::vector<Segment> explanation;
   std::vector<Deadline> deadlines;
+  std::vector<Loss> losses;
   /// The part of the run that is drawn; if not given, the highlighted interval with some of what is around
   /// it, or all.
   std::optional<Window> window;

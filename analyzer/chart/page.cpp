@@ -2,6 +2,7 @@
 
 #include "analyzer/chart/detail.hpp"
 #include "analyzer/chart/legend.hpp"
+#include "analyzer/chart/margin.hpp"
 #include "analyzer/chart/panel.hpp"
 #include "analyzer/chart/svg_style.hpp"
 #include "pal/support/xml.hpp"
@@ -27,37 +28,33 @@ std::string document(const std::string& body, Length height, const std::vector<s
   return text + body + "</svg>\n";
 }
 
-/// Whether the window leaves something of the run out.
-bool is_cut(const Layer& layer, const Window& window) {
-  return window.from_ns > layer.shift_ns || window.to_ns < layer.timeline->end_ns + layer.shift_ns;
-}
-
 }  // namespace
 
 std::string page(const std::vector<Layer>& layers) {
   SvgWriter out;
   const bool both = layers.size() > 1;
   const Window window = overview_window(layers);
-  const TimeScale overview({window}, panel_left, panel_right, fold_width);
+  const Margin margin = margin_for(layers);
+  const TimeScale overview({window}, margin.left, panel_right, fold_width);
   std::vector<Window> details;
   if (layers.front().options->detail) {
-    details = detail_windows(layers, window, panel_right - panel_left, fold_width);
+    details = detail_windows(layers, window, panel_right - margin.left, fold_width);
   }
   Length y = draw_caption(layers, 0, out);
   Numbering numbering;
   if (details.empty()) {
     numbering = Numbering(layers, overview);
-    y = Panel(layers, overview, {true, both}, numbering, 0, {}, y, out).draw();
+    y = Panel(layers, overview, {true, both, margin}, numbering, 0, {}, y, out).draw();
   } else {
-    const TimeScale detail(details, panel_left, panel_right, fold_width);
+    const TimeScale detail(details, margin.left, panel_right, fold_width);
     numbering = Numbering(layers, detail);
-    y = Panel(layers, overview, {false, both}, numbering, 0, details, y, out).draw();
+    y = Panel(layers, overview, {false, both, margin}, numbering, 0, details, y, out).draw();
     y = draw_panel_heading("Enlarged: where the axis above is thick", y, out);
-    y = Panel(layers, detail, {true, both}, numbering, 0, {}, y, out).draw();
+    y = Panel(layers, detail, {true, both, margin}, numbering, 0, {}, y, out).draw();
   }
   y = draw_explanation(layers.front(), y, out);
   y = draw_statement_key(numbering, y, out);
-  y = draw_sign_key(layers, !details.empty() || is_cut(layers.front(), window), y, out);
+  y = draw_sign_key(layers, y, out);
   return document(out.str(), (y + 9) / 10 * 10, caption_lines(layers));
 }
 

@@ -9,10 +9,10 @@ namespace pal::chart {
 
 namespace {
 
-constexpr Length name_x = 430;
-constexpr Length group_x = 40;
+constexpr Length group_x = Margin::group_x;
 constexpr Length deadline_row = 240;
 constexpr Length dimension_row = 190;
+constexpr Length fold_edge = 40;
 
 bool same_group(const Lane& a, const Lane& b) {
   return !a.device && !b.device && a.processor == b.processor;
@@ -77,8 +77,10 @@ Length Panel::draw() {
     draw_waves(layer);
   }
   for (const Layer& layer : layers_) draw_arrows(layer);
+  for (const Layer& layer : layers_) draw_losses(layer);
   draw_folds();
   draw_deadlines();
+  for (const Layer& layer : layers_) keep_off_edges(layer);
   for (const Layer& layer : layers_) keep_off_arrows(layer);
   for (const Layer& layer : layers_) draw_marks(layer);
   for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) label_bars(*layer);
@@ -89,7 +91,7 @@ Length Panel::draw() {
   draw_dimensions();
   draw_axis();
   out_.raw("</g>\n");
-  return bottom_ + (scale_.pieces().size() > 1 ? 330 : 220);
+  return bottom_ + 220;
 }
 
 void Panel::draw_names() {
@@ -101,7 +103,8 @@ void Panel::draw_names() {
     const std::string title = lane.device ? "device " + lane.name
                                           : "thread " + lane.name + " on processor " + lane.processor +
                                                 ", priority " + std::to_string(lane.priority);
-    const Length room = panel_left - (lane.device ? group_x : name_x) - 40;
+    const Length name_x = style_.margin.name_x;
+    const Length room = style_.margin.left - (lane.device ? group_x : name_x) - 40;
     const bool fits = text_width(lane.name, 110) <= room;
     out_.text({lane.device ? group_x : name_x, middle + 38}, Anchor::start,
               std::string("name") + (lane.device ? " device" : "") + (fits ? "" : " long"),
@@ -114,13 +117,18 @@ void Panel::draw_names() {
     out_.path(move_to({name_x - 50, top}) + line_to({name_x - 90, top}) + line_to({name_x - 90, bottom}) +
                   line_to({name_x - 50, bottom}),
               "bracket");
-    out_.text({name_x - 130, (top + bottom) / 2 + 38}, Anchor::end, "processor",
-              fitted(lane.processor, 110, name_x - 150), "processor " + lane.processor);
+    const Length processor_room = name_x - 130 - group_x;
+    const bool whole = text_width(lane.processor, 110, true) <= processor_room;
+    out_.text({name_x - 130, (top + bottom) / 2 + 38}, Anchor::end, whole ? "processor" : "processor long",
+              fitted(lane.processor, whole ? 110 : 90, processor_room), "processor " + lane.processor);
   }
   const std::vector<Waveform>& waves = layers_.front().timeline->waveforms;
   for (std::size_t i = 0; i < waves.size(); ++i) {
-    out_.text({group_x, waves_[i].bar_bottom + 25}, Anchor::start, "name condition",
-              fitted(waves[i].name, 110, panel_left - group_x - 380), "condition " + waves[i].name);
+    const Length room = style_.margin.left - group_x - 380;
+    const bool whole = text_width(waves[i].name, 110) <= room;
+    out_.text({group_x, (waves_[i].bar_top + waves_[i].bar_bottom) / 2 + 35}, Anchor::start,
+              whole ? "name condition" : "name condition long", fitted(waves[i].name, whole ? 110 : 78, room),
+              "condition " + waves[i].name);
   }
 }
 
@@ -142,15 +150,9 @@ void Panel::draw_axis() {
   }
   for (const std::int64_t at : marks.minor)
     out_.line({scale_.x(at), bottom_}, {scale_.x(at), bottom_ + 30}, "axis");
-  Length free_from = scale_.x0() - 300;
-  for (const Tick& tick : marks.major) {
-    const Length place = scale_.x(tick.at_ns);
-    out_.line({place, bottom_}, {place, bottom_ + 60}, "axis");
-    const Length half = text_width(tick.label, 100) / 2;
-    if (place - half < free_from) continue;
-    out_.text({place, bottom_ + 170}, Anchor::middle, "tick", tick.label);
-    free_from = place + half + 60;
-  }
+  for (const Tick& tick : marks.major)
+    out_.line({scale_.x(tick.at_ns), bottom_}, {scale_.x(tick.at_ns), bottom_ + 60}, "axis");
+  draw_tick_labels(marks);
   out_.text({group_x, bottom_ + 170}, Anchor::start, "tick", "time in " + marks.unit);
   for (const Window& window : enlarged_) {
     out_.rect({scale_.x(window.from_ns), bottom_ - 25,
@@ -159,42 +161,68 @@ void Panel::draw_axis() {
   }
 }
 
-void Panel::draw_folds() {
-  const auto tear = [&](Length place, const std::string& title) {
-    std::string data;
-    Length side = 30;
-    const Length step = 60;
-    data = move_to({place - side, lanes_top_ - 20});
-    for (Length y = lanes_top_ - 20 + step; y <= bottom_ + 40; y += step) {
-      data += line_to({place + side, y});
-      side = -side;
-    }
-    out_.path(data, "tear", title);
+// First one for each stretch, so that none is without, then all others that have room.
+void Panel::draw_tick_labels(const Ticks& marks) {
+  Labels taken;
+  const auto label = [&](const Tick& tick) {
+    const Length place = scale_.x(tick.at_ns);
+    const Length half = text_width(tick.label, 100) / 2;
+    if (taken.claim({place - half - 30, 0, place + half + 30, 1}))
+      out_.text({place, bottom_ + 170}, Anchor::middle, "tick", tick.label);
   };
+  const Tick* labelled = nullptr;
   for (const TimeScale::Piece& piece : scale_.pieces()) {
-    if (!piece.folded) continue;
-    const std::string left_out = duration_text(piece.time.to_ns - piece.time.from_ns);
-    const std::string title =
-        left_out + " left out, from " + at(piece.time.from_ns) + " to " + at(piece.time.to_ns);
-    out_.rect({piece.x0 + 50, lanes_top_ - 20, piece.x1 - 50, bottom_ + 40}, "fold", title);
-    tear(piece.x0 + 50, title);
-    tear(piece.x1 - 50, title);
-    // To a hundredth of a millisecond; the title is exact.
-    const std::int64_t length = piece.time.to_ns - piece.time.from_ns;
-    const std::string figure = duration_text(length < 10'000 ? length : (length + 5'000) / 10'000 * 10'000);
-    const Length half = text_width(figure, 85) / 2 + 15;
-    const Length middle = (piece.x0 + piece.x1) / 2;
-    if (labels_.claim({middle - half, bottom_ + 210, middle + half, bottom_ + 310})) {
-      out_.text({middle, bottom_ + 290}, Anchor::middle, "small", figure, title);
-    }
+    const auto inside = [&](const Tick& tick) {
+      return tick.at_ns >= piece.time.from_ns && tick.at_ns <= piece.time.to_ns;
+    };
+    const auto first = std::find_if(marks.major.begin(), marks.major.end(), inside);
+    if (piece.folded || first == marks.major.end() || &*first == labelled) continue;
+    labelled = &*first;
+    label(*first);
+  }
+  for (const Tick& tick : marks.major) label(tick);
+}
+
+void Panel::draw_tear(Length place, const std::string& title) {
+  const Length step = 60;
+  Length side = 30;
+  std::string data = move_to({place - side, lanes_top_ - 20});
+  for (Length y = lanes_top_ - 20 + step; y <= bottom_ + 40; y += step) {
+    data += line_to({place + side, y});
+    side = -side;
+  }
+  out_.path(data, "tear", title);
+}
+
+// How much is left out stands across the fold, where nobody takes it for a time of the axis.
+void Panel::draw_fold(const TimeScale::Piece& piece) {
+  const std::int64_t length = piece.time.to_ns - piece.time.from_ns;
+  const std::string title =
+      duration_text(length) + " left out, from " + at(piece.time.from_ns) + " to " + at(piece.time.to_ns);
+  out_.rect({piece.x0 + fold_edge, lanes_top_ - 20, piece.x1 - fold_edge, bottom_ + 40}, "fold", title);
+  draw_tear(piece.x0 + fold_edge, title);
+  draw_tear(piece.x1 - fold_edge, title);
+  // To a hundredth of a millisecond; the title is exact.
+  const std::string figure = duration_text(length < 10'000 ? length : (length + 5'000) / 10'000 * 10'000);
+  const Point middle{(piece.x0 + piece.x1) / 2 + 28, (lanes_top_ + lanes_bottom_) / 2};
+  for (const std::string& text : {figure + " left out", figure}) {
+    if (text_width(text, 80) + 40 > bottom_ - lanes_top_) continue;
+    out_.upright(middle, "cut", text, title);
+    break;
+  }
+}
+
+void Panel::draw_folds() {
+  for (const TimeScale::Piece& piece : scale_.pieces()) {
+    if (piece.folded) draw_fold(piece);
   }
   const Layer& first = layers_.front();
   const std::int64_t run_from = first.shift_ns;
   const std::int64_t run_to = first.timeline->end_ns + first.shift_ns;
   if (scale_.from_ns() > run_from)
-    tear(scale_.x0(), duration_text(scale_.from_ns() - run_from) + " before this are left out");
+    draw_tear(scale_.x0(), duration_text(scale_.from_ns() - run_from) + " before this are left out");
   if (scale_.to_ns() < run_to)
-    tear(scale_.x1(), duration_text(run_to - scale_.to_ns()) + " after this are left out");
+    draw_tear(scale_.x1(), duration_text(run_to - scale_.to_ns()) + " after this are left out");
 }
 
 }  // namespace pal::chart

@@ -6,22 +6,23 @@
 
 #include "analyzer/chart/labels.hpp"
 #include "analyzer/chart/layer.hpp"
+#include "analyzer/chart/margin.hpp"
 #include "analyzer/chart/numbering.hpp"
 #include "analyzer/chart/svg_writer.hpp"
 #include "analyzer/chart/time_scale.hpp"
 
 namespace pal::chart {
 
-/// Left edge of time; to the left of it stand the names.
-constexpr Length panel_left = 1250;
+/// Right edge of time; the left one is the margin's.
 constexpr Length panel_right = 9250;
-constexpr Length fold_width = 260;
+constexpr Length fold_width = 300;
 
 /// `labelled`: rows with room for labels above the bars; otherwise rows are low and only what fits into a bar
 /// is written.
 struct PanelStyle {
   bool labelled = true;
   bool overlay = false;  // two runs share a lane
+  Margin margin;
   Length lane_height() const { return bar_height() + (labelled ? 150 : 60); }
   Length bar_height() const { return labelled ? (overlay ? 220 : 150) : (overlay ? 140 : 110); }
   Length wave_height() const { return labelled ? 200 : 150; }
@@ -59,9 +60,11 @@ class Panel {
   void draw_grid();
   void draw_axis();
   void draw_folds();
+  void draw_fold(const TimeScale::Piece& piece);
+  void draw_tear(Length place, const std::string& title);
+  void draw_tick_labels(const Ticks& marks);
 
   // panel_lanes.cpp: what the lanes and the waveforms hold
-  void draw_gaps(const Layer& layer);
   void draw_bars(const Layer& layer);
   void draw_waves(const Layer& layer);
   void label_bars(const Layer& layer);
@@ -69,14 +72,24 @@ class Panel {
   bool label_narrow_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box, int number);
   void label_backdrop(int number, const Box& box);
   void label_cluster(const Cluster& cluster, const Row& row);
-  void label_gaps(const Layer& layer);
   Box bar_box(const Layer& layer, std::size_t lane, std::int64_t from_ns, std::int64_t to_ns) const;
   std::string bar_title(const Layer& layer, const Lane& lane, const Bar& bar) const;
+
+  // panel_gaps.cpp: when threads do not run
+  void draw_gaps(const Layer& layer);
+  void label_gaps(const Layer& layer);
+  void label_gap(const Layer& layer, const Gap& gap, const Row& row);
+  std::vector<Length> gap_label_places(const Layer& layer, Length left, Length right) const;
+  void keep_off_edges(const Layer& layer);
+
+  // panel_losses.cpp: what nobody took
+  void draw_losses(const Layer& layer);
 
   // panel_arrows.cpp: messages and marks
   void draw_arrows(const Layer& layer);
   void label_arrows(const Layer& layer);
   void draw_marks(const Layer& layer);
+  std::vector<Point> label_places(Point from, Point to) const;
   void label_mark(const std::string& text, Length place);
   void keep_off_arrows(const Layer& layer);
   bool arrow_ends(const Layer& layer, const Arrow& arrow, Point& from, Point& to) const;
@@ -89,6 +102,7 @@ class Panel {
   void draw_segments(const Layer& layer, Length y);
   void draw_deadlines();
   void draw_deadline(std::int64_t at_ns, const std::string& label);
+  void point_to_deadline(std::int64_t at_ns, const std::string& label);
 
   std::string at(std::int64_t ns) const;
   Length x(const Layer& layer, std::int64_t ns) const { return scale_.x(ns + layer.shift_ns); }

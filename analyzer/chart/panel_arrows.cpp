@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 
 #include "analyzer/chart/chart.hpp"
@@ -70,6 +69,27 @@ void Panel::keep_off_arrows(const Layer& layer) {
   }
 }
 
+// Points of an arrow beside which its label may stand, best first: where it passes between two lanes, as near
+// to its middle as can be, then anywhere.
+std::vector<Point> Panel::label_places(Point from, Point to) const {
+  std::vector<Point> places;
+  const auto at = [&](Length y) {
+    const Length x = to.y == from.y ? from.x : from.x + (to.x - from.x) * (y - from.y) / (to.y - from.y);
+    places.push_back({x, y});
+  };
+  const auto [top, bottom] = std::minmax(from.y, to.y);
+  for (std::size_t i = 0; i + 1 < rows_.size(); ++i) {
+    const Length y = rows_[i].bar_bottom + 60;
+    if (y - 50 >= top && y + 45 <= bottom && y + 45 <= rows_[i + 1].bar_top) at(y);
+  }
+  const Length middle = (top + bottom) / 2;
+  std::stable_sort(places.begin(), places.end(), [middle](const Point& a, const Point& b) {
+    return std::abs(a.y - middle) < std::abs(b.y - middle);
+  });
+  for (const int percent : {50, 35, 65, 20, 80}) at(from.y + (to.y - from.y) * percent / 100);
+  return places;
+}
+
 void Panel::label_arrows(const Layer& layer) {
   if (layer.role == Role::backdrop) return;
   for (const Arrow& arrow : layer.timeline->arrows) {
@@ -87,11 +107,9 @@ void Panel::label_arrows(const Layer& layer) {
     // Beside a slanted arrow a label needs more distance than beside an upright one.
     const Length slant = to.y == from.y ? 0 : 45 * std::abs(to.x - from.x) / std::abs(to.y - from.y);
     const Length aside = 30 + std::min<Length>(slant, 200);
-    constexpr std::array<int, 5> places = {50, 35, 65, 20, 80};
     bool placed = false;
     for (const bool right : {true, false}) {
-      for (const int percent : places) {
-        const Point on{from.x + (to.x - from.x) * percent / 100, from.y + (to.y - from.y) * percent / 100};
+      for (const Point& on : label_places(from, to)) {
         const Length left = right ? on.x + aside : on.x - aside - width;
         if (placed || left < scale_.x0() || left + width > scale_.x1()) continue;
         placed = labels_.claim({left - 5, on.y - 45, left + width + 5, on.y + 50});

@@ -45,6 +45,14 @@ std::string runs(const std::vector<int>& numbers) {
   return text;
 }
 
+// Then that is written into the bar.
+bool is_lost(const Layer& layer, const Lane& lane, const Bar& bar) {
+  const auto& losses = layer.options->losses;
+  return std::any_of(losses.begin(), losses.end(), [&](const Loss& loss) {
+    return loss.lane == lane.name && loss.from_ns == bar.from_ns && loss.to_ns == bar.to_ns;
+  });
+}
+
 }  // namespace
 
 Box Panel::bar_box(const Layer& layer, std::size_t lane, std::int64_t from_ns, std::int64_t to_ns) const {
@@ -62,33 +70,6 @@ std::string Panel::bar_title(const Layer& layer, const Lane& lane, const Bar& ba
   if (!bar.finished) title += ", not finished";
   if (bar.line > 0) title += "\n" + bar.file + ":" + std::to_string(bar.line);
   return title;
-}
-
-void Panel::draw_gaps(const Layer& layer) {
-  for (std::size_t i = 0; i < layer.timeline->lanes.size(); ++i) {
-    if (layer.rows[i] < 0) continue;
-    const Lane& lane = layer.timeline->lanes[i];
-    for (const Gap& gap : lane.gaps) {
-      if (!touches(layer, gap.from_ns, gap.to_ns)) continue;
-      const Box box = bar_box(layer, i, gap.from_ns, gap.to_ns);
-      const std::string span = "\n" + at(gap.from_ns + layer.shift_ns) + " to " +
-                               at(gap.to_ns + layer.shift_ns) + " (" +
-                               duration_text(gap.to_ns - gap.from_ns) + ")";
-      if (gap.kind == GapKind::ready) {
-        out_.rect(box, layer.role == Role::backdrop ? "ready backdrop" : "ready",
-                  lane.name + " is ready, but its processor is taken: " + gap.text + span);
-        continue;
-      }
-      const Length middle = layer.role == Role::backdrop ? box.y0 + 10 : (box.y0 + box.y1) / 2;
-      out_.line({box.x0, middle}, {box.x1, middle}, layer.role == Role::backdrop ? "wait backdrop" : "wait",
-                lane.name + " waits for " + gap.text + (gap.gave_up ? ", and gives up" : "") + span);
-      if (gap.gave_up && touches(layer, gap.to_ns, gap.to_ns)) {
-        out_.path(move_to({box.x1 - 35, middle - 35}) + line_to({box.x1 + 35, middle + 35}) +
-                      move_to({box.x1 - 35, middle + 35}) + line_to({box.x1 + 35, middle - 35}),
-                  "gave-up", lane.name + " gives up waiting for " + gap.text);
-      }
-    }
-  }
 }
 
 void Panel::draw_bars(const Layer& layer) {
@@ -178,41 +159,13 @@ bool Panel::label_narrow_bar(const Layer& layer, const Lane& lane, const Bar& ba
 void Panel::label_wide_bar(const Layer& layer, const Lane& lane, const Bar& bar, const Box& box) {
   const TimeScale::Stretch room = scale_.widest(box.x0, box.x1);
   const Length width = text_width(bar.text, bar_font);
-  if (width + 40 > room.x1 - room.x0) return;
+  if (width + 40 > room.x1 - room.x0 || is_lost(layer, lane, bar)) return;
   const Length middle = (room.x0 + room.x1) / 2;
   if (bar.kind == BarKind::serving) {
     out_.rect({middle - width / 2 - 20, box.y0 + 20, middle + width / 2 + 20, box.y1 - 20}, "paper");
   }
   const char* ink = bar.kind == BarKind::computation ? "on-dark" : "on-light";
   out_.text({middle, (box.y0 + box.y1) / 2 + 30}, Anchor::middle, ink, bar.text, bar_title(layer, lane, bar));
-}
-
-void Panel::label_gaps(const Layer& layer) {
-  if (layer.role == Role::backdrop) return;
-  for (std::size_t i = 0; i < layer.timeline->lanes.size(); ++i) {
-    if (layer.rows[i] < 0) continue;
-    const Row& row = rows_[static_cast<std::size_t>(layer.rows[i])];
-    for (const Gap& gap : layer.timeline->lanes[i].gaps) {
-      if (!touches(layer, gap.from_ns, gap.to_ns)) continue;
-      const std::string text = (gap.kind == GapKind::ready ? "ready: " : "waits for ") + gap.text;
-      const Length width = text_width(text, lane_font);
-      // In the first unfolded stretch that has room.
-      for (const TimeScale::Piece& piece : scale_.pieces()) {
-        if (piece.folded) continue;
-        const Length left = std::max(piece.x0, x(layer, gap.from_ns));
-        const Length right = std::min(piece.x1, x(layer, gap.to_ns));
-        if (right - left < width + 60) continue;
-        // Above a wait's line; into a ready bar, which is hatched, on paper.
-        const bool ready = gap.kind == GapKind::ready;
-        const Length base = row.bar_top + style_.bar_height() / 2 + (ready ? 30 : -20);
-        const Box box{left + 30, base - 75, left + 30 + width, base + 20};
-        if (!labels_.claim(box)) continue;
-        if (ready) out_.rect({box.x0 - 15, box.y0 - 10, box.x1 + 15, box.y1 + 10}, "paper");
-        out_.text({box.x0, base}, Anchor::start, "quiet", text);
-        break;
-      }
-    }
-  }
 }
 
 void Panel::draw_waves(const Layer& layer) {
@@ -238,7 +191,8 @@ void Panel::draw_waves(const Layer& layer) {
     data += line_to({std::min(scale_.x1(), x(layer, layer.timeline->end_ns)), level(value)});
     out_.path(data, "wave" + faded, "condition " + wave.name);
     if (layer.role != Role::backdrop) {
-      out_.text({scale_.x0() - 30, level(first) + 28}, Anchor::end, "small", first ? "TRUE" : "FALSE");
+      out_.text({scale_.x0() - 60, (row.bar_top + row.bar_bottom) / 2 + 30}, Anchor::end, "small",
+                first ? "TRUE" : "FALSE");
     }
     const auto who = [&](const Sample& sample) {
       return sample.lane < 0 ? std::string()

@@ -11,12 +11,12 @@ text { font-family: "DejaVu Sans", Verdana, sans-serif; font-size: 90px; fill: #
 .title { font-size: 165px; font-weight: bold } .title.fails { fill: #a63c00 }
 .subtitle { font-size: 115px } .strong { font-weight: bold }
 .heading { font-size: 110px; font-weight: bold }
-.name { font-size: 110px } .long { font-size: 78px } .device { font-style: italic } .processor { font-size: 110px; font-weight: bold }
+.name { font-size: 110px } .long { font-size: 78px } .device { font-style: italic } .processor { font-size: 110px; font-weight: bold } .processor.long { font-size: 90px }
 .tick { font-size: 100px } .small, .number { font-size: 85px } .key { font-size: 90px } .key.number { font-weight: bold }
 .on-dark { font-size: 85px; fill: #fff } .on-light { font-size: 85px }
 .number.on-dark, .number.on-light { font-size: 85px }
 .faded { fill: #666 }
-.quiet { font-size: 85px; fill: #444; font-style: italic }
+.quiet { font-size: 85px; fill: #444; font-style: italic } .cut { font-size: 80px; fill: #444; font-style: italic }
 .message-name, .halo { font-size: 85px; fill: #222; paint-order: stroke; stroke: #fff; stroke-width: 20px }
 .figure { font-size: 105px; font-weight: bold } .figure.fails { fill: #a63c00 } .figure.holds { fill: #00563f }
 .bar { stroke: #000; stroke-width: 5px }
@@ -33,6 +33,7 @@ text { font-family: "DejaVu Sans", Verdana, sans-serif; font-size: 90px; fill: #
 .set { fill: #000; stroke: #000; stroke-width: 8px } .read { fill: #fff; stroke: #000; stroke-width: 12px }
 .set.backdrop { fill: #aaa; stroke: #aaa } .read.backdrop { stroke: #aaa }
 .event { fill: #000 } .event.backdrop { fill: #fff; stroke: #888; stroke-width: 8px }
+.loss { stroke: #d55e00; stroke-width: 25px; fill: none }
 .overrun { stroke: #d55e00; stroke-width: 25px; fill: none } .cancelled { stroke: #000; stroke-width: 25px }
 .ending { stroke: #000; stroke-width: 12px } .ending.fault { stroke: #d55e00 }
 .guide { stroke: #e4e4e4; stroke-width: 5px } .grid { stroke: #d0d0d0; stroke-width: 5px; stroke-dasharray: 20 20 }
@@ -45,7 +46,7 @@ text { font-family: "DejaVu Sans", Verdana, sans-serif; font-size: 90px; fill: #
 .dimension.backdrop { stroke-dasharray: 40 25 }
 .compact .bar { stroke-width: 3px } .compact .arrow { stroke-width: 6px }
 .segment { stroke: #000; stroke-width: 8px; fill: none }
-.deadline { stroke: #000; stroke-width: 14px; stroke-dasharray: 50 25; fill: none } .deadline-flag { fill: #000 }
+.deadline { stroke: #000; stroke-width: 14px; stroke-dasharray: 50 25; fill: none } .deadline-flag { fill: #000 } .deadline-pointer { stroke: #000; stroke-width: 14px; fill: none }
 .enlarged { fill: #000 } .fold, .paper { fill: #fff } .tear { stroke: #000; stroke-width: 8px; fill: none }
 </style>
 <defs>

@@ -1,6 +1,8 @@
 // Writes SVG elements. Coordinates are whole numbers, so no locale and no rounding can change a byte.
 #pragma once
 
+#include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -33,14 +35,19 @@ class SvgWriter {
   void path(const std::string& data, std::string_view style, std::string_view title = {});
   void text(Point at, Anchor anchor, std::string_view style, std::string_view content,
             std::string_view title = {});
+  /// Text that reads upwards, with its middle at `at`.
+  void upright(Point at, std::string_view style, std::string_view content, std::string_view title = {});
   void raw(std::string_view text) { out_ += text; }
 
   const std::string& str() const { return out_; }
+  /// Whether a rectangle or a path of this style was drawn, or of one that begins with its names.
+  bool has_drawn(std::string_view style) const;
 
  private:
   void end(std::string_view element, std::string_view title);
 
   std::string out_;
+  std::set<std::string, std::less<>> styles_;
 };
 
 /// Part of a path: "M x y", "L x y".

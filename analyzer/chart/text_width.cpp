@@ -50,4 +50,19 @@ std::string fitted(std::string_view text, Length font_size, Length width) {
   return end < 3 ? std::string() : std::string(text.substr(0, end)) + ellipsis;
 }
 
+std::vector<std::string> wrapped(std::string_view text, Length font_size, Length width, bool bold) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string word(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!lines.empty() && text_width(lines.back() + " " + word, font_size, bold) <= width) {
+      lines.back() += " " + word;
+    } else {
+      lines.push_back(fitted(word, font_size, width));
+    }
+  }
+  return lines;
+}
+
 }  // namespace pal::chart

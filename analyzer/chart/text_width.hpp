@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pal::chart {
 
@@ -17,5 +18,8 @@ Length text_width(std::string_view text, Length font_size, bool bold = false);
 /// The text, or its beginning with an ellipsis, so that it is at most `width` wide; empty if not even that
 /// fits.
 std::string fitted(std::string_view text, Length font_size, Length width);
+
+/// The text in lines of at most that width, broken at spaces; a word that is wider stands alone, and is cut.
+std::vector<std::string> wrapped(std::string_view text, Length font_size, Length width, bool bold = false);
 
 }  // namespace pal::chart

@@ -59,6 +59,20 @@ std::string label(std::int64_t ns, std::int64_t step_ns, std::int64_t unit_ns) {
   return decimals.empty() ? text : text + "." + decimals;
 }
 
+/// In a stretch too short for the step: its roundest instant, with as many decimals as that needs.
+Tick roundest(const Window& time, std::int64_t step_ns, std::int64_t zero_ns, std::int64_t unit_ns) {
+  std::int64_t power = 1;
+  while (power < step_ns) power *= 10;
+  for (; power > 1; power /= 10) {
+    for (const std::int64_t part : {1, 2, 5}) {
+      const std::int64_t step = power / part;
+      const std::int64_t at = floor_div(time.to_ns - zero_ns, step) * step + zero_ns;
+      if (step * part == power && at >= time.from_ns) return {at, label(at - zero_ns, step, unit_ns)};
+    }
+  }
+  return {time.from_ns, label(time.from_ns - zero_ns, 1, unit_ns)};
+}
+
 }  // namespace
 
 TimeScale::TimeScale(const std::vector<Window>& windows, Length x0, Length x1, Length fold) {
@@ -123,9 +137,12 @@ Ticks ticks(const TimeScale& scale, std::int64_t zero_ns) {
     const auto first = [&](std::int64_t step_ns) {
       return -floor_div(-(piece.time.from_ns - zero_ns), step_ns) * step_ns + zero_ns;
     };
+    const std::size_t before = result.major.size();
     for (std::int64_t at = first(step.ns); at <= piece.time.to_ns; at += step.ns) {
       result.major.push_back({at, label(at - zero_ns, step.ns, unit.ns)});
     }
+    if (result.major.size() == before)
+      result.major.push_back(roundest(piece.time, step.ns, zero_ns, unit.ns));
     for (std::int64_t at = first(step.minor_ns); at <= piece.time.to_ns; at += step.minor_ns)
       result.minor.push_back(at);
   }

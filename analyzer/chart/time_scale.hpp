@@ -52,7 +52,8 @@ class TimeScale {
   Length total_width_ = 0;
 };
 
-/// Round instants for the axis, counted from `zero_ns`; the step is 1, 2 or 5 times a power of ten.
+/// Round instants for the axis, counted from `zero_ns`; the step is 1, 2 or 5 times a power of ten. A stretch
+/// that no step falls into has its roundest instant.
 struct Tick {
   std::int64_t at_ns = 0;
   std::string label;

@@ -41,7 +41,7 @@ class Writer {
 
   void say(Nanoseconds amount, const std::string& actor, std::string what, int statement = -1) {
     if (amount == 0) return;
-    Addend made{amount, actor, std::move(what), "", 0};
+    Addend made{amount, actor, std::move(what), "", 0, {}};
     if (statement >= 0) {
       const Statement& of = view_.problem.statements[static_cast<std::size_t>(statement)];
       made.file = of.file;

@@ -4,6 +4,7 @@
 
 #include "analyzer/problem/flow.hpp"
 #include "analyzer/verdict/origins.hpp"
+#include "analyzer/verdict/telling.hpp"
 #include "runtime/trace/slices.hpp"
 
 namespace pal::analyzer {
@@ -11,24 +12,6 @@ namespace {
 
 using trace::Kind;
 using trace::Slice;
-
-/// By processor: who ran on it, in order. Two do not at one time.
-std::vector<std::vector<Slice>> running_on(const Problem& problem, const std::vector<Slice>& slices) {
-  std::vector<std::vector<Slice>> by_processor(problem.processors.size());
-  for (const Slice& slice : slices) {
-    if (slice.state != trace::State::running || slice.to_ns == slice.from_ns) continue;
-    const int processor = problem.threads[static_cast<std::size_t>(slice.actor)].processor;
-    by_processor[static_cast<std::size_t>(processor)].push_back(slice);
-  }
-  return by_processor;
-}
-
-/// By thread and device: what it did, in order.
-std::vector<std::vector<Slice>> by_actor(const trace::Trace& trace, const std::vector<Slice>& slices) {
-  std::vector<std::vector<Slice>> by(trace.actors.size());
-  for (const Slice& slice : slices) by[static_cast<std::size_t>(slice.actor)].push_back(slice);
-  return by;
-}
 
 /// The thread whose step it is: a statement of an executed module is one step for each thread that executes
 /// it.
@@ -46,106 +29,7 @@ struct Story {
   const Requirement& requirement;
   const trace::Trace& trace;
   Origins origins{problem, requirement, trace};
-  std::vector<Slice> slices = trace::slices(trace);
-  std::vector<std::vector<Slice>> running = running_on(problem, slices);
-  std::vector<std::vector<Slice>> of_actor = by_actor(trace, slices);
-
-  const trace::Statement& statement(int index) const {
-    return trace.statements[static_cast<std::size_t>(index)];
-  }
-
-  Reason reason(Nanoseconds from, Nanoseconds to, int actor, std::string what, int of) const {
-    Reason made{
-        from, to, actor < 0 ? "" : trace.actors[static_cast<std::size_t>(actor)].name, std::move(what),
-        "",   0};
-    if (of >= 0) {
-      made.file = statement(of).file;
-      made.line = statement(of).line;
-    }
-    return made;
-  }
-
-  std::string doing(const Slice& slice) const {
-    const std::string text = slice.statement < 0 ? "" : statement(slice.statement).text;
-    switch (slice.state) {
-      case trace::State::running:
-        return slice.ending == trace::Ending::preempted ? "runs " + text + " until it is preempted"
-                                                        : "runs " + text;
-      case trace::State::ready:
-        return "is kept from its processor at " + text;
-      case trace::State::waiting:
-        return "waits at " + text;
-      case trace::State::serving:
-        return "serves";
-    }
-    return {};
-  }
-
-  /// Who kept a thread from its processor in [from, to], piece by piece.
-  void interference(const Slice& kept, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out) const {
-    const int processor = problem.threads[static_cast<std::size_t>(kept.actor)].processor;
-    const std::vector<Slice>& here = running[static_cast<std::size_t>(processor)];
-    auto at = std::partition_point(here.begin(), here.end(),
-                                   [from](const Slice& slice) { return slice.to_ns <= from; });
-    for (; at != here.end() && at->from_ns <= from && from < to; ++at) {
-      const Slice& slice = *at;
-      if (slice.actor == kept.actor) continue;
-      const Nanoseconds end = std::min<Nanoseconds>(slice.to_ns, to);
-      const std::string by = trace.actors[static_cast<std::size_t>(slice.actor)].name;
-      out.push_back(reason(from, end, kept.actor,
-                           "is kept from its processor by " + by + ", which " + doing(slice),
-                           slice.statement));
-      from = end;
-    }
-    if (from < to) out.push_back(reason(from, to, kept.actor, doing(kept), kept.statement));
-  }
-
-  /// What a thread did in [from, to], without gaps.
-  void tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out) const {
-    Nanoseconds at = from;
-    const std::vector<Slice>& own = of_actor[static_cast<std::size_t>(thread)];
-    auto next = std::partition_point(own.begin(), own.end(),
-                                     [from](const Slice& slice) { return slice.to_ns <= from; });
-    for (; next != own.end() && next->from_ns < to; ++next) {
-      const Slice& slice = *next;
-      if (slice.to_ns <= at) continue;
-      if (slice.from_ns > at) rest(thread, at, slice.from_ns, out);
-      const Nanoseconds end = std::min<Nanoseconds>(slice.to_ns, to);
-      const Nanoseconds begin = std::max<Nanoseconds>(slice.from_ns, at);
-      if (slice.state == trace::State::ready) {
-        interference(slice, begin, end, out);
-      } else {
-        out.push_back(reason(begin, end, thread, doing(slice), slice.statement));
-      }
-      at = end;
-    }
-    if (at < to) rest(thread, at, to, out);
-  }
-
-  /// What kept a thread in [from, to], of which it has no slices: its blocks, or it is itself a block that
-  /// has not begun, and then what whoever begins it did.
-  void rest(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out) const {
-    const int parent = problem.threads[static_cast<std::size_t>(thread)].parent;
-    if (blocks_at_work(thread, from, to)) {
-      out.push_back(reason(from, to, thread, "waits for its blocks", -1));
-    } else if (parent >= 0) {
-      tell(parent, from, to, out);
-    } else {
-      out.push_back(reason(from, to, thread, "has not begun", -1));
-    }
-  }
-
-  bool blocks_at_work(int thread, Nanoseconds from, Nanoseconds to) const {
-    for (std::size_t block = 0; block < problem.threads.size(); ++block) {
-      if (problem.threads[block].parent != thread) continue;
-      const std::vector<Slice>& own = of_actor[block];
-      const auto next = std::partition_point(own.begin(), own.end(),
-                                             [from](const Slice& slice) { return slice.to_ns <= from; });
-      const bool works = next != own.end() && next->from_ns < to;
-      if (works || blocks_at_work(static_cast<int>(block), from, to)) return true;
-    }
-    return false;
-  }
+  Telling telling{problem, trace};
 
   /// The event at which the measured statement had its effect; the number of events if there is none.
   std::size_t used_at(const Measurement& measured) const {
@@ -159,8 +43,6 @@ struct Story {
     }
     return trace.events.size();
   }
-
-  bool is_device(int actor) const { return trace.actors[static_cast<std::size_t>(actor)].device; }
 
   /// What a thread knew at an event of the run.
   struct Known {
@@ -180,7 +62,7 @@ struct Story {
       way.emplace_back();
       Nanoseconds from = trace.events[gained->event].time_ns;
       at = source(*gained, from, way.back());
-      if (from < to) tell(here, from, to, way.back());
+      if (from < to) telling.tell(here, from, to, way.back());
     }
     for (auto piece = way.rbegin(); piece != way.rend(); ++piece)
       out.insert(out.end(), piece->begin(), piece->end());
@@ -196,11 +78,11 @@ struct Story {
     if (!put) return std::nullopt;
     const trace::Event& putting = trace.events[*put];
     from = putting.time_ns;
-    if (!is_device(putting.actor)) return Known{putting.actor, *put};
+    if (!telling.is_device(putting.actor)) return Known{putting.actor, *put};
     if (gained.what.born < from) {
       const std::string message = trace.channels[static_cast<std::size_t>(putting.subject)].message;
       out.push_back(
-          reason(gained.what.born, from, putting.actor, "takes the sample and gives " + message, -1));
+          telling.reason(gained.what.born, from, putting.actor, "takes the sample and gives " + message, -1));
     }
     return std::nullopt;
   }
@@ -214,17 +96,34 @@ struct Story {
     if (!set) {
       if (from < reading.time_ns)
         out.push_back(
-            reason(from, reading.time_ns, -1, condition + " has had its value since the start", -1));
+            telling.reason(from, reading.time_ns, -1, condition + " has had its value since the start", -1));
       return std::nullopt;
     }
     const trace::Event& setting = trace.events[*set];
     if (from < reading.time_ns)
-      out.push_back(reason(from, reading.time_ns, setting.actor,
-                           statement(setting.statement).text + " gave " + condition +
-                               " its value; it ages until " + statement(reading.statement).text + " reads it",
-                           setting.statement));
+      out.push_back(telling.reason(from, reading.time_ns, setting.actor,
+                                   telling.statement(setting.statement).text + " gave " + condition +
+                                       " its value; it ages until " +
+                                       telling.statement(reading.statement).text + " reads it",
+                                   setting.statement));
+    if (from < reading.time_ns)
+      telling.tell(next_to_set(reading.subject, setting.actor, reading.time_ns), from, reading.time_ns,
+                   out.back().inside);
     if (requirement.samples.empty()) return std::nullopt;
     return Known{setting.actor, *set};
+  }
+
+  /// Who keeps a condition from being set anew: whoever set it, or a block of it that sets it from then on.
+  int next_to_set(int condition, int setter, Nanoseconds instant) const {
+    for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+      const Step& step = problem.steps[s];
+      if (step.kind != Step::Kind::set || step.condition != condition) continue;
+      const int thread = thread_of(problem, static_cast<int>(s));
+      if (thread >= 0 && problem.threads[static_cast<std::size_t>(thread)].parent == setter &&
+          telling.is_at_work(thread, instant))
+        return thread;
+    }
+    return setter;
   }
 
   /// From what just missed the change to what reflects it, then its way.
@@ -235,11 +134,11 @@ struct Story {
     if (reflected.born > measured.born) {
       const trace::Event& event = trace.events[reflected.event];
       if (event.kind == Kind::set) {
-        tell(event.actor, measured.born, reflected.born, out);
+        telling.tell(event.actor, measured.born, reflected.born, out);
       } else {
-        out.push_back(reason(measured.born, reflected.born, event.actor,
-                             "has just missed the change; the next sample that is reflected comes after this",
-                             -1));
+        out.push_back(telling.reason(
+            measured.born, reflected.born, event.actor,
+            "has just missed the change; the next sample that is reflected comes after this", -1));
       }
     }
     known_since(thread, use, out);
@@ -250,11 +149,11 @@ struct Story {
     for (const int processor : requirement.processors) {
       std::vector<Reason> pieces;
       Nanoseconds at = measured.born;
-      for (const Slice& slice : slices) {
+      for (const Slice& slice : telling.slices()) {
         const bool here = slice.state == trace::State::running &&
                           problem.threads[static_cast<std::size_t>(slice.actor)].processor == processor;
         if (!here || slice.from_ns != at || slice.to_ns == at || slice.to_ns > measured.at) continue;
-        pieces.push_back(reason(at, slice.to_ns, slice.actor, doing(slice), slice.statement));
+        pieces.push_back(telling.reason(at, slice.to_ns, slice.actor, telling.doing(slice), slice.statement));
         at = slice.to_ns;
       }
       if (at != measured.at) continue;
@@ -285,7 +184,7 @@ struct Story {
       if (from == trace.events.size()) continue;
       const trace::Event& putting = trace.events[from];
       if (requirement.is_event(putting.subject) && putting.time_ns == measured.born) {
-        tell(thread, measured.born, to, out);
+        telling.tell(thread, measured.born, to, out);
         return;
       }
       const bool by_thread =
@@ -296,11 +195,11 @@ struct Story {
       }
     }
     if (last == trace.events.size() || depth == 0) {
-      tell(thread, measured.born, to, out);
+      telling.tell(thread, measured.born, to, out);
       return;
     }
     response(trace.events[put].actor, put, measured, out, depth - 1);
-    tell(thread, trace.events[put].time_ns, to, out);
+    telling.tell(thread, trace.events[put].time_ns, to, out);
   }
 };
 
@@ -328,7 +227,7 @@ std::vector<Reason> reasons(const Problem& problem, const Requirement& requireme
       break;
     case Requirement::Measure::interval:
     case Requirement::Measure::duration:
-      story.tell(thread, measured.born, measured.at, out);
+      story.telling.tell(thread, measured.born, measured.at, out);
       break;
     case Requirement::Measure::loss:
     case Requirement::Measure::load:

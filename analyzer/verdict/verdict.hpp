@@ -28,6 +28,9 @@ struct Reason {
   std::string what;   // "waits at WTM( motion request from MC1 )"
   std::string file;
   int line = 0;  // 0: no place in a text
+  /// Of a wait: what those waited for did meanwhile, without gaps from its beginning to its end, each with
+  /// what is inside it. Empty: there is nothing to tell.
+  std::vector<Reason> inside;
 };
 
 /// A number of the addition that makes up a bound.
@@ -36,7 +39,8 @@ struct Addend {
   std::string actor;       // thread or device; "": nobody's
   std::string what;
   std::string file;
-  int line = 0;  // 0: no place in a text
+  int line = 0;                // 0: no place in a text
+  std::vector<Addend> inside;  // of a wait: what it was spent on; they add up to its amount
 };
 
 /// What it took to decide.

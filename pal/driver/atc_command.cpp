@@ -5,6 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "analyzer/chart/chart.hpp"
+#include "pal/driver/chart_book.hpp"
 #include "pal/driver/commands.hpp"
 #include "pal/driver/interruption.hpp"
 #include "pal/driver/proof_chart.hpp"
@@ -16,7 +18,13 @@ namespace {
 struct Chosen {
   const Proof* proof = nullptr;
   std::size_t index = 0;
+  ShownRun shown;
 };
+
+std::optional<Chosen> with_run(const Proof& proof, std::size_t index) {
+  auto shown = shown_run(proof, index);
+  return shown ? std::optional(Chosen{&proof, index, std::move(*shown)}) : std::nullopt;
+}
 
 bool ended(const std::vector<Proof>& proofs) {
   return std::any_of(proofs.begin(), proofs.end(), [](const Proof& proof) { return proof.ended; });
@@ -31,10 +39,10 @@ std::optional<Chosen> choose(const std::vector<Proof>& proofs, const std::string
       const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
       if (name.empty() || verdict.requirement != name) continue;
       named = true;
-      if (has_worst_run(verdict) && !best) best = Chosen{&proof, i};
+      if (!best) best = with_run(proof, i);
     }
     if (!name.empty() || best) continue;
-    if (const auto index = most_interesting(proof)) best = Chosen{&proof, *index};
+    if (const auto index = most_interesting(proof)) best = with_run(proof, *index);
   }
   if (best) return best;
   if (!name.empty() && !named) {
@@ -47,9 +55,8 @@ std::optional<Chosen> choose(const std::vector<Proof>& proofs, const std::string
     err << "pal: --timeout or Ctrl-C ended the search before there was a run to draw\n";
   } else if (named) {
     err << fmt::format(
-        "pal: '{}' has no worst run to draw: a load is not attained in one run, where nothing is lost no run "
-        "is "
-        "worse than another, and what is undecided or never happens has none\n",
+        "pal: '{}' has no run to draw: a load is not attained in one run, and what never happens, or is "
+        "undecided and not seen in a run with the worst times, has none\n",
         name);
   } else {
     err << "pal: no requirement has a worst run to draw\n";
@@ -74,6 +81,14 @@ std::optional<trace::Trace> read_trace(const std::string& path, const Console& c
     console.err << fmt::format("pal: '{}' is no trace: {}\n", path, error.what());
     return std::nullopt;
   }
+}
+
+bool is_of(const trace::Trace& measured, const Proof& proof, const AtcOptions& options,
+           const Console& console) {
+  if (measured.skill == proof.problem.skill) return true;
+  console.err << fmt::format("pal: '{}' is a run of '{}', not of '{}'\n", options.measured, measured.skill,
+                             proof.problem.skill);
+  return false;
 }
 
 }  // namespace
@@ -101,27 +116,25 @@ ExitStatus draw_atc(const AtcOptions& options, const Console& console) {
   }
   const auto what = choose(proofs, options.requirement, console.err);
   if (!what) return ended(proofs) ? ExitStatus::not_met : ExitStatus::usage;
-  const analyzer::Verdict& verdict = what->proof->analysis.verdicts[what->index];
-
-  std::string picture;
-  if (options.measured.empty()) {
-    picture = witness_chart(*what->proof, what->index);
-  } else {
-    const auto measured = read_trace(options.measured, console);
-    if (!measured) return ExitStatus::usage;
-    if (measured->skill != what->proof->problem.skill) {
-      console.err << fmt::format("pal: '{}' is a run of '{}', not of '{}'\n", options.measured,
-                                 measured->skill, what->proof->problem.skill);
-      return ExitStatus::usage;
-    }
-    picture = overlay_chart(*what->proof, what->index, *measured);
+  std::optional<trace::Trace> measured;
+  if (!options.measured.empty()) {
+    measured = read_trace(options.measured, console);
+    if (!measured || !is_of(*measured, *what->proof, options, console)) return ExitStatus::usage;
   }
-  const std::string path = options.output.empty()
-                               ? what->proof->problem.skill + "." + verdict.requirement + ".svg"
-                               : options.output;
+  const std::string& skill = what->proof->problem.skill;
+  const std::string& requirement = what->proof->problem.requirements[what->index].name;
+  std::string path = options.output;
+  std::string picture;
+  if (options.format == ChartFormat::html) {
+    if (path.empty()) path = skill + ".html";
+    picture = chart::html(book_of(proofs, *what->proof, what->index, measured));
+  } else {
+    if (path.empty()) path = skill + "." + requirement + ".svg";
+    picture = measured ? overlay_chart(*what->proof, what->index, *measured)
+                       : chart::svg(chart::timeline(what->shown.run), what->shown.options);
+  }
   std::vector<OutputFile> files{{path, std::move(picture)}};
-  if (!options.trace.empty())
-    files.push_back({options.trace, trace_text(verdict.witness->trace, options.chrome)});
+  if (!options.trace.empty()) files.push_back({options.trace, trace_text(what->shown.run, options.chrome)});
   return write_and_list(files, inputs, console);
 }
 

@@ -8,9 +8,10 @@ namespace {
 
 using Measure = analyzer::Requirement::Measure;
 
-/// As charts write times: "35 ms"; of a loss its number.
+/// As charts write times: "35 ms"; of a loss its number, of a load its share.
 std::string length_text(Measure measure, Duration value) {
-  return measure == Measure::loss ? figure_text(measure, value) : chart::duration_text(value.count());
+  const bool is_time = measure != Measure::loss && measure != Measure::load;
+  return is_time ? chart::duration_text(value.count()) : figure_text(measure, value);
 }
 
 /// "35 ms", "2 lost", "none lost".
@@ -36,8 +37,10 @@ std::string with_limit(const std::string& known, Measure measure, bool at_least,
 
 std::string bound_of(const analyzer::Verdict& verdict) {
   const std::string value = caption_value(verdict.measure, *verdict.bound);
-  if (verdict.exact && verdict.measure == Measure::loss)
+  if (verdict.exact && verdict.measure == Measure::loss && verdict.witness && verdict.bound->count() > 0)
     return "worst case " + value + " (exact: by " + chart::duration_text(verdict.witness->measured.at) + ")";
+  const bool shown = verdict.measure != Measure::load && verdict.measure != Measure::loss;
+  if (verdict.exact && !shown) return "worst case " + value + " (exact)";
   if (verdict.exact) return "worst case " + value + " (exact: the run below attains it)";
   return (verdict.at_least ? "at least " : "at most ") + value + " (a bound; no run is known to attain it)";
 }

@@ -213,13 +213,21 @@ void add_atc(CLI::App& app, AtcOptions& options) {
       app.add_subcommand("atc", "Draws the activity timing chart of a requirement's worst run");
   add_selection(*command, options.selection);
   add_limits(*command, options.limits);
+  add_choice<ChartFormat>(*command, "--format", options.format,
+                          {{"svg", ChartFormat::svg}, {"html", ChartFormat::html}},
+                          "svg, a picture; or html, a page to move in, with all requirements and runs")
+      ->type_name("FORMAT");
   command
       ->add_option("-r,--requirement", options.requirement,
                    "the requirement; without it the first that fails, else the tightest")
       ->type_name("NAME");
-  command->add_option("-o,--output", options.output, "the picture (SKILL.REQUIREMENT.svg)")
+  command
+      ->add_option("-o,--output", options.output,
+                   "the picture (SKILL.REQUIREMENT.svg), or the page (SKILL.html)")
       ->type_name("FILE");
-  command->add_option("--measured", options.measured, "lay the run of this trace over the proved one")
+  command
+      ->add_option("--measured", options.measured,
+                   "lay the run of this trace over the proved one; in a page it is one of the runs")
       ->type_name("FILE");
   command->add_option("--trace", options.trace, "also write the worst run as a trace")->type_name("FILE");
   command->add_flag("--chrome", options.chrome,

@@ -75,12 +75,15 @@ struct PanOptions {
 };
 ExitStatus draw_pan(const PanOptions& options, const Console& console);
 
+enum class ChartFormat { svg, html };
+
 struct AtcOptions {
   Selection selection;
   ProofLimits limits;
+  ChartFormat format = ChartFormat::svg;
   std::string requirement;  // empty: the most interesting
-  std::string output;       // empty: SKILL.REQUIREMENT.svg
-  std::string measured;     // a trace to lay over
+  std::string output;       // empty: SKILL.REQUIREMENT.svg, or SKILL.html
+  std::string measured;     // a trace to lay over, or to be one of the page's runs
   std::string trace;        // where to write the trace of the worst run
   bool chrome = false;      // … in the form of trace viewers
 };

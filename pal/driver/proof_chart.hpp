@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analyzer/chart/options.hpp"
 #include "pal/driver/proof.hpp"
 #include "runtime/trace/measure.hpp"
 #include "runtime/trace/trace.hpp"
@@ -13,7 +14,7 @@
 namespace pal::driver {
 
 /// Whether the witness of a verdict shows what it says, in a finite run that is worse than others: not that
-/// of a load, nor one of which nothing is lost.
+/// of a load, nor one in which nothing is lost.
 bool has_worst_run(const analyzer::Verdict& verdict);
 
 /// The requirement that a reader wants to see: the first that fails, else the one with the least of its limit
@@ -30,8 +31,23 @@ bool shows_in_runs(const analyzer::Requirement& requirement);
 /// if it has none.
 std::optional<trace::Occurrence> longest_in(const trace::Trace& run, const Proof& proof, std::size_t index);
 
-/// SVG of the witness of verdict `index`, which has one.
-std::string witness_chart(const Proof& proof, std::size_t index);
+/// A run that is shown for a requirement, and what its chart points out.
+struct ShownRun {
+  std::string name;  // "worst run"
+  trace::Trace run;
+  chart::ChartOptions options;
+  std::vector<analyzer::Reason> reasons;  // all that options.explanation is taken from
+};
+
+/// A part of a story as charts show it. `depth`: how deep it lies inside others.
+chart::Segment segment_of(const analyzer::Reason& reason, int depth);
+
+/// The run behind verdict `index`: its worst. Of losses with what comes after, or one in which nothing is
+/// lost. Of what has no worst run one with the worst times, if that shows a value; nothing, if there is none.
+std::optional<ShownRun> shown_run(const Proof& proof, std::size_t index);
+
+/// The run `measured` of the same skill as it is shown for requirement `index`.
+ShownRun measured_run(const Proof& proof, std::size_t index, const trace::Trace& measured);
 
 /// SVG of `measured` over the witness of verdict `index`, which has one; aligned at the beginnings of the
 /// longest intervals of the two.

@@ -106,34 +106,59 @@ void report_never(const Proof& proof, std::size_t index, Session& session) {
                                  : "name a statement, an event or a completion that comes about in some run");
 }
 
-// As many parts of the time as fit on a screen with what else is said.
-constexpr std::size_t most_parts = 5;
+// Lines of a story that fit on a screen with what else is said, and parts of one whole.
+constexpr std::size_t most_lines = 14;
+constexpr std::size_t most_parts = 4;
 
-/// All of them, in the order in which they happened.
-void add_story(const std::vector<analyzer::Reason>& reasons, const analyzer::Problem& problem,
+std::int64_t length(const analyzer::Reason& reason) {
+  return reason.to - reason.from;
+}
+
+std::string indent(int depth) {
+  return std::string(static_cast<std::size_t>(2 * depth), ' ');
+}
+
+Note note_of(const analyzer::Reason& reason, const analyzer::Problem& problem, int depth) {
+  const std::string who = reason.actor.empty() ? "" : reason.actor + " ";
+  return {place_of(problem, reason),
+          indent(depth) + to_text(Duration(length(reason))) + ": " + who + reason.what};
+}
+
+/// All of them, in the order in which they happened, each with what is inside it.
+void add_story(const std::vector<analyzer::Reason>& reasons, const analyzer::Problem& problem, int depth,
                Diagnostic& finding) {
-  for (const analyzer::Reason& reason : reasons) {
-    const std::string who = reason.actor.empty() ? "" : reason.actor + " ";
-    finding.notes.push_back(
-        {place_of(problem, reason), to_text(Duration(reason.to - reason.from)) + ": " + who + reason.what});
+  for (const analyzer::Reason& reason : analyzer::abridged(reasons)) {
+    finding.notes.push_back(note_of(reason, problem, depth));
+    add_story(reason.inside, problem, depth + 1, finding);
   }
 }
 
-/// The longest first; of the rest how much it is.
-void add_longest(std::vector<analyzer::Reason> reasons, const analyzer::Problem& problem,
+/// The longest first, with what is inside it; of the rest how much it is. Whether there is more to tell.
+bool add_longest(std::vector<analyzer::Reason> reasons, const analyzer::Problem& problem, int depth,
                  Diagnostic& finding) {
-  const auto length = [](const analyzer::Reason& reason) { return reason.to - reason.from; };
-  std::stable_sort(reasons.begin(), reasons.end(), [&](const analyzer::Reason& a, const analyzer::Reason& b) {
+  std::stable_sort(reasons.begin(), reasons.end(), [](const analyzer::Reason& a, const analyzer::Reason& b) {
     return length(a) > length(b);
   });
-  const std::vector<analyzer::Reason> rest(reasons.begin() + most_parts, reasons.end());
-  reasons.resize(most_parts);
-  add_story(reasons, problem, finding);
+  const std::size_t most = reasons.size() <= most_parts + 1 ? reasons.size() : most_parts;
   std::int64_t together = 0;
-  for (const analyzer::Reason& reason : rest) together += length(reason);
+  bool more = false;
+  for (std::size_t i = 0; i < reasons.size(); ++i) {
+    if (i >= most) {
+      together += length(reasons[i]);
+      continue;
+    }
+    finding.notes.push_back(note_of(reasons[i], problem, depth));
+    if (i > 0 || finding.notes.size() >= most_lines) {
+      more = more || !reasons[i].inside.empty();
+    } else {
+      more = add_longest(reasons[i].inside, problem, depth + 1, finding);
+    }
+  }
+  if (most == reasons.size()) return more;
   finding.notes.push_back({{},
-                           to_text(Duration(together)) + ": " + std::to_string(rest.size()) +
-                               " shorter parts; --explain shows all in the order in which they happen"});
+                           indent(depth) + to_text(Duration(together)) + ": " +
+                               std::to_string(reasons.size() - most) + " shorter parts"});
+  return true;
 }
 
 void report(const Proof& proof, std::size_t index, bool whole_story, Session& session) {
@@ -151,11 +176,11 @@ void report(const Proof& proof, std::size_t index, bool whole_story, Session& se
   if (!fails && shown && !verdict.reasons.empty())
     finding.notes.push_back(
         {verdict.where, "the worst run that was found has " + figure_text(verdict.measure, *shown)});
-  const std::vector<analyzer::Reason> reasons = analyzer::abridged(verdict.reasons);
-  if (whole_story || reasons.size() <= most_parts + 1) {
-    add_story(reasons, proof.problem, finding);
-  } else {
-    add_longest(reasons, proof.problem, finding);
+  if (verdict.reasons.empty()) return;
+  if (whole_story) {
+    add_story(verdict.reasons, proof.problem, 0, finding);
+  } else if (add_longest(verdict.reasons, proof.problem, 0, finding)) {
+    finding.notes.push_back({{}, "--explain shows all parts in the order in which they happen"});
   }
 }
 

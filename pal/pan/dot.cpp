@@ -7,12 +7,18 @@
 
 #include "pal/pan/dot_attributes.hpp"
 #include "pal/pan/dot_flow.hpp"
+#include "pal/pan/dot_folds.hpp"
 #include "pal/pan/dot_look.hpp"
 #include "pal/pan/dump.hpp"
 
 namespace pal::pan {
 
 namespace {
+
+// So many nodes one after the other fit on a page: with their texts from the top down, and with letters from
+// left to right.
+constexpr std::size_t most_texts = 48;
+constexpr std::size_t most_letters = 30;
 
 class DotWriter {
  public:
@@ -22,6 +28,7 @@ class DotWriter {
         body_(network.modules[module.index()].body),
         downwards_(options.direction == DotOptions::Direction::top_down),
         flow_(body_),
+        folds_(body_, flow_, options.letters ? most_letters : most_texts),
         look_(network, module, options) {}
 
   std::string write() {
@@ -55,7 +62,10 @@ class DotWriter {
                       guard_text(network_, guards[arm]));
   }
 
-  std::string column(std::size_t i) const { return "column" + std::to_string(flow_.column(i)); }
+  std::string column(std::size_t i) const {
+    const std::size_t fold = folds_.column(i);
+    return "column" + std::to_string(flow_.column(i)) + (fold == 0 ? "" : "." + std::to_string(fold));
+  }
 
   /// An arm's condition is in the column of the arm's first node, if it has one of its own.
   std::string arm_column(std::size_t node, std::size_t arm) const {
@@ -142,7 +152,11 @@ class DotWriter {
       attributes.emplace_back("pal_block_end", "true");
     }
     // Where branches come together is where their lengths may differ.
-    if (as<Merge>(next) == nullptr) attributes.emplace_back("weight", "8");
+    if (folds_.begins(next)) {
+      attributes.emplace_back("constraint", "false");
+    } else if (as<Merge>(next) == nullptr) {
+      attributes.emplace_back("weight", "8");
+    }
     edge(from, to, attributes);
   }
 
@@ -159,7 +173,9 @@ class DotWriter {
   /// Written from REPEAT to UNTIL, so that it is laid out beside the body; its arrow points back to REPEAT.
   void draw_loop_back(std::size_t until) {
     DotAttributes attributes = {{"pal_back", "true"}, {"dir", "back"}, {"style", "bold"}, {"weight", "0"}};
-    edge(name(body_.nodes[until].mate.index()), name(until), attributes);
+    const std::size_t repeat = body_.nodes[until].mate.index();
+    if (folds_.column(repeat) != folds_.column(until)) attributes.emplace_back("constraint", "false");
+    edge(name(repeat), name(until), attributes);
   }
 
   std::string place_at_join(const DotFlow::Block& block) const {
@@ -186,6 +202,7 @@ class DotWriter {
   const Graph& body_;
   bool downwards_;
   DotFlow flow_;
+  DotFolds folds_;
   DotLook look_;
   std::string out_;
 };

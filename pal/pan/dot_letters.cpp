@@ -69,7 +69,11 @@ std::string DotLetters::guard(const Guard& guard) const {
     const auto found = meaning(conditions_, network_.conditions[guard.condition.index()].name);
     return (guard.value ? "" : "not ") + found->first;
   }
-  if (guard.kind == Guard::Kind::negation) return "not (" + this->guard(guard.terms.front()) + ")";
+  if (guard.kind == Guard::Kind::negation) {
+    const Guard& term = guard.terms.front();
+    const bool bare = term.kind == Guard::Kind::equals && term.value;
+    return bare ? "not " + this->guard(term) : "not (" + this->guard(term) + ")";
+  }
   std::string text;
   for (const Guard& term : guard.terms) {
     if (!text.empty()) text += guard.kind == Guard::Kind::all_of ? " and " : " or ";
@@ -82,6 +86,8 @@ std::string DotLetters::guard(const Guard& guard) const {
 std::string DotLetters::key(const std::string& title, std::size_t columns) const {
   Pairs rows = statements_;
   rows.insert(rows.end(), conditions_.begin(), conditions_.end());
+  constexpr std::size_t most_rows = 20;
+  columns = std::max(columns, (rows.size() + most_rows - 1) / most_rows);
   const std::size_t height = (rows.size() + columns - 1) / columns;
   std::string table = "<<TABLE BORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"2\"><TR><TD COLSPAN=\"" +
                       std::to_string(2 * columns) + "\"><FONT POINT-SIZE=\"13\">" + xml_escaped(title) +

@@ -21,7 +21,7 @@ class DotLetters {
   std::string guard(const Guard& guard) const;
 
   /// Letters and conditions with what they stand for, below `title`: a table in Graphviz' HTML with so many
-  /// columns.
+  /// columns, or more if it would be long.
   std::string key(const std::string& title, std::size_t columns) const;
 
  private:

@@ -7,6 +7,11 @@ namespace pal::pan {
 
 namespace {
 
+/// One that its name alone stands for.
+bool is_bare(const Guard& guard) {
+  return guard.kind == Guard::Kind::equals && guard.value;
+}
+
 std::string joined(const Network& network, const Guard& guard, const char* word) {
   std::string result;
   for (const auto& term : guard.terms) {
@@ -83,7 +88,9 @@ std::string guard_text(const Network& network, const Guard& guard) {
     case Guard::Kind::any_of:
       return joined(network, guard, " OR ");
     case Guard::Kind::negation:
-      return "NOT ( " + guard_text(network, guard.terms.front()) + " )";
+      return is_bare(guard.terms.front())
+                 ? "NOT " + network.conditions[guard.terms.front().condition.index()].name
+                 : "NOT ( " + guard_text(network, guard.terms.front()) + " )";
   }
   return {};
 }

@@ -67,13 +67,26 @@ FindingCounts shown(const FindingCounts& found, std::size_t most) {
   return {errors, std::min(found.warnings, most - errors)};
 }
 
+/// Whether the notes tell what adds up to a figure: many, of which the first says most.
+bool is_story(const Diagnostic& finding) {
+  return finding.code == Code::PAL0890 || finding.code == Code::PAL0891;
+}
+
+/// `brief`: with its place in the same line.
+void write_note(const Note& note, bool brief, const SourceManager& sources, std::ostream& out) {
+  out << "note: " << printable(note.text);
+  if (note.where.valid() && brief)
+    out << " (" << sources.name(note.where.file) << ':'
+        << sources.line_column(note.where.file, note.where.begin).line << ')';
+  out << '\n';
+  if (note.where.valid() && !brief) write_place(note.where, sources, '-', out);
+}
+
 void write_finding(const Diagnostic& finding, const SourceManager& sources, std::ostream& out) {
   out << name(finding.severity) << '[' << name(finding.code) << "]: " << printable(finding.message) << '\n';
   if (finding.where.valid()) write_place(finding.where, sources, '^', out);
-  for (const auto& note : finding.notes) {
-    out << "note: " << printable(note.text) << '\n';
-    if (note.where.valid()) write_place(note.where, sources, '-', out);
-  }
+  for (const auto& note : finding.notes)
+    write_note(note, &note != &finding.notes.front() && is_story(finding), sources, out);
   if (!finding.hint.empty()) out << "hint: " << printable(finding.hint) << '\n';
   write_suggestion(finding.fix, sources, out);
   out << '\n';

@@ -43,16 +43,27 @@ inline std::string unconfirmed(const analyzer::Problem& problem, const analyzer:
   return {};
 }
 
+/// Why pieces do not follow each other from one instant to another without gaps, or why those inside one of
+/// them do not; empty: they do.
+inline std::string gap_in(const std::vector<analyzer::Reason>& reasons, analyzer::Nanoseconds from,
+                          analyzer::Nanoseconds to) {
+  analyzer::Nanoseconds at = from;
+  for (const analyzer::Reason& reason : reasons) {
+    if (reason.from != at || reason.to < reason.from) return "a gap at " + std::to_string(at) + " ns";
+    if (!reason.inside.empty()) {
+      const std::string why = gap_in(reason.inside, reason.from, reason.to);
+      if (!why.empty()) return why + ", inside " + reason.actor + " " + reason.what;
+    }
+    at = reason.to;
+  }
+  return at == to ? "" : "it ends at " + std::to_string(at) + " ns";
+}
+
 /// Why the pieces that explain a verdict do not make up the value of its witness; empty: they do, without
 /// gaps.
 inline std::string unexplained(const analyzer::Verdict& verdict) {
   if (verdict.reasons.empty() || !verdict.witness) return {};
-  analyzer::Nanoseconds at = verdict.witness->measured.born;
-  for (const analyzer::Reason& reason : verdict.reasons) {
-    if (reason.from != at || reason.to < reason.from) return "a gap at " + std::to_string(at) + " ns";
-    at = reason.to;
-  }
-  return at == verdict.witness->measured.at ? "" : "it ends at " + std::to_string(at) + " ns";
+  return gap_in(verdict.reasons, verdict.witness->measured.born, verdict.witness->measured.at);
 }
 
 }  // namespace pal::test

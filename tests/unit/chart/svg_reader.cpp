@@ -125,7 +125,13 @@ SvgContent read_svg(const std::string& svg) {
       const Length y = std::stoll(attribute(tag, "y"));
       if ((" " + style + " ").find(" mid ") != std::string::npos) x -= width / 2;
       if ((" " + style + " ").find(" end ") != std::string::npos) x -= width;
-      content.texts.push_back({text, {x, y - size * 3 / 4, x + width, y + size / 5}});
+      Box box{x, y - size * 3 / 4, x + width, y + size / 5};
+      // Upright: turned about the middle of its baseline.
+      if (!attribute(tag, "transform").empty()) {
+        const Length middle = x + width / 2;
+        box = {middle - size * 3 / 4, y - width / 2, middle + size / 5, y + width / 2};
+      }
+      content.texts.push_back({text, box});
     }
     content.elements.push_back({name, style, title});
     if (!empty) open.push_back(name);

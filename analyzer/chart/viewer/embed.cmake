@@ -1,0 +1,11 @@
+# cmake -DFOLDER=… -DOUTPUT=… -P embed.cmake: the files of the folder as texts of C++.
+set(text "#include \"analyzer/chart/viewer.hpp\"\n\nnamespace pal::chart::viewer {\n\n")
+foreach(pair page=page.html style=viewer.css script=viewer.js)
+  string(REPLACE "=" ";" pair "${pair}")
+  list(GET pair 0 name)
+  list(GET pair 1 file)
+  file(READ "${FOLDER}/${file}" content)
+  string(APPEND text "constexpr std::string_view ${name}_text = R\"viewer(${content})viewer\";\nconst std::string_view ${name} = ${name}_text;\n\n")
+endforeach()
+string(APPEND text "}  // namespace pal::chart::viewer\n")
+file(WRITE "${OUTPUT}" "${text}")

@@ -1,0 +1,160 @@
+#include "analyzer/verdict/telling.hpp"
+
+#include <algorithm>
+
+namespace pal::analyzer {
+
+using trace::Kind;
+using trace::Slice;
+
+namespace {
+
+/// By processor: who ran on it, in order. Two do not at one time.
+std::vector<std::vector<Slice>> running_on(const Problem& problem, const std::vector<Slice>& slices) {
+  std::vector<std::vector<Slice>> by_processor(problem.processors.size());
+  for (const Slice& slice : slices) {
+    if (slice.state != trace::State::running || slice.to_ns == slice.from_ns) continue;
+    const int processor = problem.threads[static_cast<std::size_t>(slice.actor)].processor;
+    by_processor[static_cast<std::size_t>(processor)].push_back(slice);
+  }
+  return by_processor;
+}
+
+/// By thread and device: what it did, in order.
+std::vector<std::vector<Slice>> by_actor(const trace::Trace& trace, const std::vector<Slice>& slices) {
+  std::vector<std::vector<Slice>> by(trace.actors.size());
+  for (const Slice& slice : slices) by[static_cast<std::size_t>(slice.actor)].push_back(slice);
+  return by;
+}
+
+}  // namespace
+
+Telling::Telling(const Problem& problem, const trace::Trace& run)
+    : problem_(problem),
+      run_(run),
+      slices_(trace::slices(run)),
+      running_(running_on(problem, slices_)),
+      of_actor_(by_actor(run, slices_)),
+      takes_(run.actors.size()),
+      puts_(run.actors.size()) {
+  std::map<std::pair<int, int>, std::size_t> under_way;  // by channel and serial number
+  for (std::size_t e = 0; e < run.events.size(); ++e) {
+    const trace::Event& event = run.events[e];
+    if (event.actor < 0) continue;
+    if (event.kind == Kind::put) {
+      under_way[{event.subject, event.value}] = e;
+      puts_[static_cast<std::size_t>(event.actor)].push_back(e);
+    } else if (event.kind == Kind::take) {
+      takes_[static_cast<std::size_t>(event.actor)].push_back(e);
+      const auto put = under_way.find({event.subject, event.value});
+      if (put != under_way.end()) put_of_[e] = put->second;
+    }
+  }
+}
+
+Reason Telling::reason(Nanoseconds from, Nanoseconds to, int actor, std::string what, int of) const {
+  Reason made{
+      from, to, actor < 0 ? "" : run_.actors[static_cast<std::size_t>(actor)].name, std::move(what), "",
+      0,    {}};
+  if (of >= 0) {
+    made.file = statement(of).file;
+    made.line = statement(of).line;
+  }
+  return made;
+}
+
+std::string Telling::doing(const Slice& slice) const {
+  const std::string text = slice.statement < 0 ? "" : statement(slice.statement).text;
+  switch (slice.state) {
+    case trace::State::running:
+      return slice.ending == trace::Ending::preempted ? "runs " + text + " until it is preempted"
+                                                      : "runs " + text;
+    case trace::State::ready:
+      return "is kept from its processor at " + text;
+    case trace::State::waiting:
+      return "waits at " + text;
+    case trace::State::serving:
+      return "serves";
+  }
+  return {};
+}
+
+bool Telling::is_at_work(int thread, Nanoseconds instant) const {
+  const std::vector<Slice>& own = of_actor_[static_cast<std::size_t>(thread)];
+  return std::any_of(own.begin(), own.end(), [instant](const Slice& slice) {
+    return slice.from_ns <= instant && slice.to_ns >= instant;
+  });
+}
+
+/// Who kept a thread from its processor in [from, to], piece by piece.
+void Telling::interference(const Slice& kept, Nanoseconds from, Nanoseconds to,
+                           std::vector<Reason>& out) const {
+  const int processor = problem_.threads[static_cast<std::size_t>(kept.actor)].processor;
+  const std::vector<Slice>& here = running_[static_cast<std::size_t>(processor)];
+  auto at = std::partition_point(here.begin(), here.end(),
+                                 [from](const Slice& slice) { return slice.to_ns <= from; });
+  for (; at != here.end() && at->from_ns <= from && from < to; ++at) {
+    const Slice& slice = *at;
+    if (slice.actor == kept.actor) continue;
+    const Nanoseconds end = std::min<Nanoseconds>(slice.to_ns, to);
+    const std::string by = run_.actors[static_cast<std::size_t>(slice.actor)].name;
+    out.push_back(reason(from, end, kept.actor,
+                         "is kept from its processor by " + by + ", which " + doing(slice), slice.statement));
+    from = end;
+  }
+  if (from < to) out.push_back(reason(from, to, kept.actor, doing(kept), kept.statement));
+}
+
+/// What a thread did in [from, to], without gaps. Into waits it is told what happened meanwhile, to that
+/// depth.
+void Telling::tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out, int depth) const {
+  Nanoseconds at = from;
+  const std::vector<Slice>& own = of_actor_[static_cast<std::size_t>(thread)];
+  auto next = std::partition_point(own.begin(), own.end(),
+                                   [from](const Slice& slice) { return slice.to_ns <= from; });
+  for (; next != own.end() && next->from_ns < to; ++next) {
+    const Slice& slice = *next;
+    if (slice.to_ns <= at) continue;
+    if (slice.from_ns > at) rest(thread, at, slice.from_ns, out, depth);
+    const Nanoseconds end = std::min<Nanoseconds>(slice.to_ns, to);
+    const Nanoseconds begin = std::max<Nanoseconds>(slice.from_ns, at);
+    if (slice.state == trace::State::ready) {
+      interference(slice, begin, end, out);
+    } else {
+      out.push_back(reason(begin, end, thread, doing(slice), slice.statement));
+      if (slice.state == trace::State::waiting && depth > 0)
+        out.back().inside = meanwhile(slice, begin, end, depth - 1);
+    }
+    at = end;
+  }
+  if (at < to) rest(thread, at, to, out, depth);
+}
+
+/// What kept a thread in [from, to], of which it has no slices: its blocks, or it is itself a block that
+/// has not begun, and then what whoever begins it did.
+void Telling::rest(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out, int depth) const {
+  const int parent = problem_.threads[static_cast<std::size_t>(thread)].parent;
+  if (blocks_at_work(thread, from, to)) {
+    out.push_back(reason(from, to, thread, "waits for its blocks", -1));
+    const int block = last_block(thread, from, to);
+    if (block >= 0 && depth > 0) tell(block, from, to, out.back().inside, depth - 1);
+  } else if (parent >= 0) {
+    tell(parent, from, to, out, depth);
+  } else {
+    out.push_back(reason(from, to, thread, "has not begun", -1));
+  }
+}
+
+bool Telling::blocks_at_work(int thread, Nanoseconds from, Nanoseconds to) const {
+  for (std::size_t block = 0; block < problem_.threads.size(); ++block) {
+    if (problem_.threads[block].parent != thread) continue;
+    const std::vector<Slice>& own = of_actor_[block];
+    const auto next = std::partition_point(own.begin(), own.end(),
+                                           [from](const Slice& slice) { return slice.to_ns <= from; });
+    const bool works = next != own.end() && next->from_ns < to;
+    if (works || blocks_at_work(static_cast<int>(block), from, to)) return true;
+  }
+  return false;
+}
+
+}  // namespace pal::analyzer

@@ -1,0 +1,31 @@
+// Runs that show what a device loses: the run behind a verdict, with what comes after the loss, or one in
+// which nothing is lost.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "analyzer/chart/options.hpp"
+#include "analyzer/verdict/verdict.hpp"
+#include "pal/driver/proof.hpp"
+#include "runtime/trace/trace.hpp"
+
+namespace pal::driver {
+
+struct LossRun {
+  trace::Trace run;
+  std::vector<chart::Loss> losses;  // of the requirement's device
+  std::optional<chart::Highlight> highlight;
+  std::optional<chart::Window> window;
+  std::vector<analyzer::Reason> reasons;  // what kept the device's message from being taken
+};
+
+/// What of a device nobody took in a run: frames that nobody had asked for, and messages that found the one
+/// before them still in their slot. Frames count from the first that is given on, and only whole ones.
+std::vector<chart::Loss> losses_in(const analyzer::Problem& problem, const trace::Trace& run, int device);
+
+/// The run for requirement `index`, which is one on losses; nothing, if it cannot be simulated.
+std::optional<LossRun> loss_run(const Proof& proof, std::size_t index);
+
+}  // namespace pal::driver
