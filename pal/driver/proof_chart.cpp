@@ -217,7 +217,7 @@ std::optional<ShownRun> usual_run(const Proof& proof, std::size_t index) {
 }  // namespace
 
 chart::Segment segment_of(const analyzer::Reason& reason, int depth) {
-  return {reason.from, reason.to, reason.what, reason.actor, place_text(reason), depth};
+  return {reason.from, reason.to, reason.what, reason.actor, arrival_text(reason), depth};
 }
 
 std::optional<ShownRun> shown_run(const Proof& proof, std::size_t index) {

@@ -14,7 +14,7 @@ struct Word {
   bool quoted = false;
 };
 
-std::string joined(const std::vector<std::string>& words) {
+std::string joined_words(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
   return text;
@@ -95,7 +95,7 @@ class SceneReader {
     std::vector<std::string> names{"about",    "tool",    "start",   "configuration",
                                    "location", "sensor",  "machine", "no table"};
     for (const ThingKind& known : kinds) names.emplace_back(known.name);
-    fail("'" + first + "' is not something that a scene has", "a line begins with " + joined(names));
+    fail("'" + first + "' is not something that a scene has", "a line begins with " + joined_words(names));
   }
 
   void read_about(const std::string& line) {
@@ -240,7 +240,7 @@ class SceneReader {
       std::vector<std::string> names;
       for (const Setting& known : kind.settings) names.emplace_back(known.name);
       fail("a " + thing.kind + " has no '" + name + "'",
-           "it can be told " + joined(names) + "; a name comes first, in quotation marks");
+           "it can be told " + joined_words(names) + "; a name comes first, in quotation marks");
     }
     if (thing.given(name)) fail("'" + name + "' is said twice", "take one of them out");
     std::vector<double> figures;
