@@ -16,7 +16,7 @@ using analyzer::Nanoseconds;
 using trace::Event;
 using trace::Kind;
 
-const analyzer::Watch nothing;
+const analyzer::Watch nothing_watched;
 
 std::int32_t actor_of(const analyzer::Problem& problem, int device) {
   return static_cast<std::int32_t>(problem.threads.size()) + device;
@@ -49,7 +49,7 @@ const Event* first_from(const std::vector<Event>& events, Nanoseconds instant) {
 trace::Trace made(const analyzer::Problem& problem, std::vector<analyzer::ScriptedFiring> beginning,
                   Nanoseconds until) {
   constexpr std::size_t most_events = 200'000;
-  const analyzer::Machine machine(problem, nothing);
+  const analyzer::Machine machine(problem, nothing_watched);
   analyzer::SimulationOptions options;
   options.until = until;
   options.max_events = most_events;
