@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analyzer/whatif/placement.hpp"
+#include "analyzer/whatif/remedy.hpp"
 #include "analyzer/whatif/slack.hpp"
+#include "pal/driver/program_changes.hpp"
 #include "pal/driver/proof.hpp"
 
 namespace pal::driver {
@@ -18,6 +21,8 @@ struct WhatIfAnswer {
   std::vector<std::string> requirements;
   std::vector<analyzer::Slack> slacks;
   bool slacks_shown = false;  // while they were found: text() leaves them out
+  std::optional<analyzer::Remedies> remedies;  // of what does not hold as things are
+  std::vector<ProgramChange> program_changes;  // by ProgramChangeId: those that remedies speak of
   std::vector<Proof> before_and_after;  // both, or neither
   std::vector<analyzer::Placements> placements;
   std::vector<std::string> witnesses;  // of refuted placements, if asked for: as they are filed
@@ -39,7 +44,9 @@ class SlackTable {
   std::size_t width_ = 12;
 };
 
-/// {"what_if": [{skill, environment, slack, changed, placements}]} (docs/reference/what-if.md).
+/// What mends the requirements that do not hold; empty: nothing was looked for.
+std::string remedies_text(const WhatIfAnswer& answer);
+/// {"what_if": [{skill, environment, slack, remedies, changed, placements}]} (docs/reference/what-if.md).
 std::string json(const std::vector<WhatIfAnswer>& answers);
 
 /// Whether all that was asked for is met: everything holds as it is, if slack was asked for; all

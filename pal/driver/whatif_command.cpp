@@ -45,7 +45,10 @@ class Question {
     if (!other) return false;
     if (!options_.changes.empty() && !compare(skill, *other, std::move(*problem), answer)) return true;
     if (options_.place) place(skill, *other, answer);
-    if (options_.changes.empty() && !options_.place) look_for_slack(skill, environment, answer);
+    if (options_.changes.empty() && !options_.place) {
+      look_for_slack(skill, environment, answer);
+      if (!good(answer)) look_for_remedies(skill, environment, answer);
+    }
     return true;
   }
 
@@ -58,6 +61,16 @@ class Question {
     SlackDisplay display(skill, environment, answer, console_.out);
     answer.slacks = analyzer::slacks(skill, environment, analysis_, display.observer());
     display.finish();
+  }
+
+  void look_for_remedies(const pan::Network& skill, const pan::Environment& environment,
+                         WhatIfAnswer& answer) {
+    ProgramChanges programs(options_.selection, skill, console_.files);
+    answer.remedies = analyzer::find_remedies(
+        skill, environment, programs.all().size(),
+        [&programs](const std::vector<analyzer::ProgramChangeId>& made) { return programs.network_with(made); },
+        analysis_);
+    answer.program_changes = programs.all();
   }
 
   bool compare(const pan::Network& skill, const pan::Environment& other, analyzer::Problem before,

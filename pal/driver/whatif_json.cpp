@@ -32,6 +32,36 @@ Json verdict_row(const analyzer::Verdict& verdict) {
           {"exact", verdict.exact}};
 }
 
+Json made_row(const WhatIfAnswer& answer, const analyzer::Candidate& candidate) {
+  if (!candidate.program.valid()) return {{"set", candidate.changes}};
+  const ProgramChange& change = answer.program_changes[candidate.program.index()];
+  return {{"edit", change.title},
+          {"module", change.module},
+          {"file", change.file},
+          {"line", change.line},
+          {"diff", change.difference}};
+}
+
+Json remedy_row(const WhatIfAnswer& answer, const analyzer::Remedy& remedy) {
+  Json row{{"changes", Json::array()}, {"verdicts", Json::array()}};
+  for (const analyzer::CandidateId id : remedy.made)
+    row["changes"].push_back(made_row(answer, answer.remedies->candidates[id.index()]));
+  for (std::size_t r = 0; r < remedy.after.size(); ++r)
+    row["verdicts"].push_back({{"requirement", remedy.after[r].requirement},
+                               {"limit_ns", remedy.after[r].limit.count()},
+                               {"before", verdict_row(answer.remedies->before[r])},
+                               {"after", verdict_row(remedy.after[r])}});
+  return row;
+}
+
+Json remedies_row(const WhatIfAnswer& answer) {
+  const analyzer::Remedies& remedies = *answer.remedies;
+  Json row{{"tried", remedies.tried}, {"complete", remedies.complete}, {"found", Json::array()}};
+  for (const analyzer::Remedy& remedy : remedies.found) row["found"].push_back(remedy_row(answer, remedy));
+  row["nearest"] = remedies.nearest ? remedy_row(answer, *remedies.nearest) : Json();
+  return row;
+}
+
 Json placed_row(const WhatIfAnswer& answer, const analyzer::Placed& placed) {
   Json row;
   row["threads"] = Json::array();
@@ -59,6 +89,7 @@ std::string json(const std::vector<WhatIfAnswer>& answers) {
   for (const WhatIfAnswer& answer : answers) {
     Json row{{"skill", answer.skill}, {"environment", answer.environment}};
     for (const auto& slack : answer.slacks) row["slack"].push_back(slack_row(answer, slack));
+    if (answer.remedies) row["remedies"] = remedies_row(answer);
     if (answer.before_and_after.size() == 2) {
       const auto& before = answer.before_and_after[0].analysis.verdicts;
       const auto& after = answer.before_and_after[1].analysis.verdicts;

@@ -147,7 +147,7 @@ std::string SlackTable::row(const WhatIfAnswer& answer, const Slack& slack) cons
 std::string text(const WhatIfAnswer& answer) {
   std::string out;
   if (!answer.slacks_shown) out = answer.skill + " in " + answer.environment + "\n" + slack_table(answer);
-  out += change_table(answer);
+  out += remedies_text(answer) + change_table(answer);
   for (const analyzer::Placements& on : answer.placements) out += placement_lines(answer, on);
   return out + conclusion(answer);
 }

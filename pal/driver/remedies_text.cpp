@@ -1,0 +1,92 @@
+// What mends a requirement, as text.
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "pal/driver/measure_text.hpp"
+#include "pal/driver/whatif_answer.hpp"
+
+namespace pal::driver {
+namespace {
+
+using State = analyzer::VerdictState;
+
+std::string plural(std::size_t number, const std::string& what) {
+  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+}
+
+/// The lines that go, come and stand around them, without the names of the files.
+std::string edit_lines(const ProgramChange& change) {
+  std::string out;
+  std::istringstream lines(change.difference);
+  for (std::string line; std::getline(lines, line);) {
+    const bool head = line.starts_with("---") || line.starts_with("+++") || line.starts_with("@@");
+    if (!head) out += "         " + line + "\n";
+  }
+  return out;
+}
+
+std::string change_lines(const WhatIfAnswer& answer, const analyzer::Candidate& candidate, bool first) {
+  std::string out = first ? "" : "       and ";
+  if (candidate.program.valid()) {
+    const ProgramChange& change = answer.program_changes[candidate.program.index()];
+    return out + fmt::format("in {}, {}:{}: {}\n", change.module, change.file, change.line, change.title) +
+           edit_lines(change);
+  }
+  for (const std::string& each : candidate.changes)
+    out += (&each == &candidate.changes.front() ? "" : " ") + ("--set '" + each + "'");
+  return out + "\n";
+}
+
+std::string state_text(const analyzer::Verdict& verdict) {
+  return std::string(analyzer::name(verdict.state)) + " " + bound_text(verdict);
+}
+
+/// What did not hold before, or does not now; of the rest how many.
+std::string verdict_lines(const analyzer::Remedies& remedies, const analyzer::Remedy& remedy) {
+  std::string out;
+  std::size_t others = 0;
+  for (std::size_t r = 0; r < remedy.after.size(); ++r) {
+    const analyzer::Verdict& before = remedies.before[r];
+    const analyzer::Verdict& after = remedy.after[r];
+    if (before.state == State::holds && after.state == State::holds) {
+      ++others;
+      continue;
+    }
+    out += fmt::format("       '{}', {} allowed: {}, was {}\n", after.requirement,
+                       whole_text(after.measure, after.limit), state_text(after), state_text(before));
+  }
+  if (others > 0) out += "       " + plural(others, "other requirement") + " as before: holds\n";
+  return out;
+}
+
+std::string remedy_lines(const WhatIfAnswer& answer, const analyzer::Remedy& remedy, const std::string& mark) {
+  std::string out = "  " + mark;
+  for (const analyzer::CandidateId id : remedy.made)
+    out += change_lines(answer, answer.remedies->candidates[id.index()], id == remedy.made.front());
+  return out + verdict_lines(*answer.remedies, remedy);
+}
+
+}  // namespace
+
+std::string remedies_text(const WhatIfAnswer& answer) {
+  if (!answer.remedies) return "";
+  const analyzer::Remedies& remedies = *answer.remedies;
+  if (remedies.tried == 0 && remedies.found.empty()) return "";
+  const std::string ended = remedies.complete ? "" : "; the time ended before all were";
+  if (remedies.found.empty()) {
+    std::string out = "  No change was found that makes all requirements hold (" +
+                      plural(remedies.tried, "change") + " tried" + ended + ").\n";
+    if (remedies.nearest) out += remedy_lines(answer, *remedies.nearest, "nearest: ");
+    return out;
+  }
+  const std::size_t size = remedies.found.front().made.size();
+  std::string out = "  With " + std::string(size == 1 ? "one change" : plural(size, "change") + " together") +
+                    " all requirements hold (" + plural(remedies.tried, "attempt") + ended + "):\n";
+  std::size_t number = 0;
+  for (const analyzer::Remedy& remedy : remedies.found)
+    out += remedy_lines(answer, remedy, fmt::format("{:>3}. ", ++number));
+  return out;
+}
+
+}  // namespace pal::driver

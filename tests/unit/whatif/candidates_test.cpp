@@ -1,0 +1,70 @@
+#include "analyzer/whatif/candidates.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+#include "analyzer/whatif/figures.hpp"
+#include "tests/support/skill.hpp"
+#include "tests/unit/whatif/two_chains.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+
+namespace {
+
+bool proposes(const std::vector<ChangeTexts>& all, const ChangeTexts& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+}  // namespace
+
+TEST_CASE("threads of one processor are reordered, moved to one more, and events slowed down") {
+  const auto skill = test::sound_skill(test::two_chains("6 ms"));
+  const auto all = candidates_for(*skill->problem, skill->specification.environments.front());
+  CHECK(proposes(all, {"SM1.priority = 3"}));
+  CHECK(proposes(all, {"LS1.priority = 0"}));
+  CHECK_FALSE(proposes(all, {"LS1.priority = 3"}));  // it goes first as things are
+  CHECK(proposes(all, {"PROCESSOR P1", "SM1.processor = P1"}));
+  CHECK(proposes(all, {"MC1.period = 15 ms"}));
+  CHECK(proposes(all, {"SD1.period = 40 ms"}));
+}
+
+TEST_CASE("a free processor is used before one is added, and who is alone does not move to one") {
+  const auto skill = test::sound_skill(test::two_chains("6 ms"));
+  pan::Environment wide = skill->specification.environments.front();
+  REQUIRE(change(wide, "PROCESSOR P7").empty());
+  REQUIRE(change(wide, "SM1.processor = P7").empty());
+  REQUIRE(change(wide, "PROCESSOR P8").empty());
+  Diagnostics diagnostics;
+  const auto problem = make_problem(skill->specification.skills.front(), wide, diagnostics);
+  REQUIRE(problem);
+  const auto all = candidates_for(*problem, wide);
+  CHECK(proposes(all, {"SM1.processor = P0"}));
+  CHECK_FALSE(proposes(all, {"SM1.processor = P8"}));
+}
+
+TEST_CASE("every change that is proposed can be made") {
+  const auto skill = test::sound_skill(test::two_chains("6 ms"));
+  for (const ChangeTexts& texts : candidates_for(*skill->problem, skill->specification.environments.front())) {
+    pan::Environment environment = skill->specification.environments.front();
+    for (const std::string& text : texts) {
+      INFO(text);
+      CHECK(change(environment, text).empty());
+    }
+    Diagnostics diagnostics;
+    CHECK(make_problem(skill->specification.skills.front(), environment, diagnostics));
+  }
+}
+
+TEST_CASE("a processor is added once, and a block that has no place gets one") {
+  const auto skill = test::sound_skill(test::two_chains("6 ms"));
+  pan::Environment environment = skill->specification.environments.front();
+  CHECK(change(environment, " PROCESSOR P1 ").empty());
+  CHECK(environment.processors.size() == 2);
+  CHECK(change(environment, "PROCESSOR P1") == "environment cell has a processor P1 already");
+  CHECK(change(environment, "SM1.2.processor = P1").empty());
+  CHECK(environment.placements.back().thread == "SM1.2");
+  CHECK(environment.placements.back().priority == 1);
+  CHECK_FALSE(change(environment, "XX.2.processor = P1").empty());
+}
