@@ -18,7 +18,7 @@ using namespace pal::analyzer;
 namespace {
 
 /// The text of a skill in tests/differential/bounds.
-std::string bounds_program(const std::string& name) {
+std::string program(const std::string& name) {
   return test::project_file("tests/differential/bounds/" + name + ".pal");
 }
 
@@ -352,7 +352,7 @@ TEST_CASE("what adds up to an age says whether the value waits for the first set
       all += std::to_string(each.amount / 1'000'000) + " " + each.actor + " " + each.what + "\n";
     return all;
   };
-  const std::string text = bounds_program("not_yet_set");
+  const std::string text = program("not_yet_set");
   CHECK(added_up(text) == "10 clock comes for the first time\n2 SD1 runs filter\n3 MC1 runs obey\n");
   CHECK(added_up(replaced(text, "1 TO 2 ms", "0 TO 2 ms")) ==
         "10 clock comes again\n2 SD1 runs filter\n3 MC1 runs obey\n");
