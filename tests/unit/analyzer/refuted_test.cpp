@@ -15,7 +15,7 @@ Verdict held(Nanoseconds bound, Nanoseconds seen) {
   verdict.state = VerdictState::holds;
   verdict.limit = Duration(100);
   verdict.bound = Duration(bound);
-  verdict.addends = {{bound, "", "", "", 0}};
+  verdict.addends = {{bound, "", "", "", 0, {}}};
   verdict.witness.emplace();
   verdict.witness->measured.value = seen;
   return verdict;

@@ -7,13 +7,8 @@
 using namespace pal::analyzer;
 using namespace pal::analyzer::compositional;
 using pal::test::chain;
+using pal::test::ms;
 using pal::test::Stages;
-
-namespace {
-
-constexpr Nanoseconds ms = 1'000'000;
-
-}  // namespace
 
 TEST_CASE("an event's source has the segments that its message leads to, one under the other") {
   const Stages stages(chain("    work\n    SPC( pc-high )"));

@@ -7,11 +7,10 @@
 using namespace pal::analyzer;
 using namespace pal::analyzer::compositional;
 using pal::test::chain;
+using pal::test::ms;
 using pal::test::Stages;
 
 namespace {
-
-constexpr Nanoseconds ms = 1'000'000;
 
 const Segment& segment_of_job(const Stages& stages, const std::string& thread) {
   return stages.context.segment(stages.job(thread));

@@ -7,13 +7,8 @@
 using namespace pal::analyzer;
 using namespace pal::analyzer::compositional;
 using pal::test::chain;
+using pal::test::ms;
 using pal::test::Stages;
-
-namespace {
-
-constexpr Nanoseconds ms = 1'000'000;
-
-}  // namespace
 
 TEST_CASE("jobs that are over within the period are done before the next") {
   const Stages stages(chain("    work\n    SPC( pc-high )"));

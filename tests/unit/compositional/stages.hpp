@@ -11,6 +11,8 @@
 
 namespace pal::test {
 
+constexpr analyzer::Nanoseconds ms = 1'000'000;
+
 inline bool goes_on() { return false; }
 
 /// All that the analysis knows of a skill before it asks for a measure. The skill must be sound.

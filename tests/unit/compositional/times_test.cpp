@@ -8,13 +8,8 @@
 using namespace pal::analyzer;
 using namespace pal::analyzer::compositional;
 using pal::test::chain;
+using pal::test::ms;
 using pal::test::Stages;
-
-namespace {
-
-constexpr Nanoseconds ms = 1'000'000;
-
-}  // namespace
 
 TEST_CASE("a segment is released when its cause has sent, and done after its own work") {
   const Stages stages(chain("    work\n    SPC( pc-high )"));
