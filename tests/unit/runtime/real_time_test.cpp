@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include <atomic>
+#include <functional>
 #include <thread>
 
 #include "pal/runtime/run_control.hpp"
@@ -83,6 +84,7 @@ std::string kinds(const runtime::Outcome& outcome) {
   std::string text;
   for (const trace::Event& event : outcome.trace.events) {
     if (event.actor < 0 || event.statement < 0) continue;
+    if (event.kind == trace::Kind::broken) continue;  // how long it takes is the machine's
     text += outcome.trace.actors[static_cast<std::size_t>(event.actor)].name + " " + trace::name(event.kind) +
             " " + outcome.trace.statements[static_cast<std::size_t>(event.statement)].text + "\n";
   }
@@ -157,9 +159,14 @@ TEST_CASE("real time: a more urgent thread interrupts an activity on a preemptiv
   const int end = skill.statement("end", 1ms);
   ScriptedDevice device("sensor", {{"x", false, {}}});
   std::atomic<bool> begun = false, freed = false;
-  device.on_open = [](runtime::DeviceHost& host) {
-    host.at(host.now() + 1ms, [&host] { host.deliver(0, {}); });
+  // Once LOW has begun, however late that is.
+  std::function<void(runtime::DeviceHost&)> ring = [&](runtime::DeviceHost& host) {
+    host.at(host.now() + 1ms, [&ring, &begun, &host] {
+      if (!begun) return ring(host);
+      host.deliver(0, {});
+    });
   };
+  device.on_open = ring;
   skill.thread("LOW", p, 1, [&](Thread& t) -> Task {
     // Comes to its end only if HIGH has the processor meanwhile.
     co_await t.perform(spin, [&] {
