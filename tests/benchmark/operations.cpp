@@ -123,10 +123,10 @@ std::string in_the_cell(std::size_t steps, bool telling) {
   const std::string log_text = text.str();
   if (telling)
     tell(fmt::format("{} skills in the workcell: {:.0f} s, {:.0f} s of the cell; memory grew by {} kB from the first "
-                     "tenth on, of which the log {} kB; {} lines; state {}",
+                     "tenth on, of which the log {} kB; {} lines; state {} {}",
                      steps, wall() - begin, std::chrono::duration<double>(runner.now()).count(),
                      resident_kilobytes() - before, (log_text.size() - log_text.size() / 10) / 1024,
-                     std::count(log_text.begin(), log_text.end(), '\n'), operations::name(executor.state())));
+                     std::count(log_text.begin(), log_text.end(), '\n'), operations::name(executor.state()), executor.reason()));
   return log_text;
 }
 
