@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <iostream>
 
+#include "analyzer/analysis.hpp"
 #include "analyzer/whatif/placement.hpp"
 #include "analyzer/whatif/slack.hpp"
 #include "tests/differential/by_hand.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/chain_system.hpp"
+#include "tests/support/confirm.hpp"
 #include "tests/support/random_cell.hpp"
 #include "tests/support/runs/all_runs.hpp"
 #include "tests/support/setting.hpp"
@@ -196,13 +198,28 @@ TEST_CASE("figures that are all nothing grow together, too, each as much as any 
   CHECK(together.fails == Duration(2'000'001));
 }
 
-TEST_CASE("no run refutes a skill that has more threads than can be followed") {
+TEST_CASE("a run refutes a skill of more threads than can be explored, and the referee confirms it") {
   Problem problem = test::problem_of(test::pairs_of_drivers(140));
   for (Requirement& each : problem.requirements) each.limit = 4'000'000;
   const pan::Network network;
   Judge judge(network, Options());
   // Every second one may be interrupted and takes 6 ms then.
   const Ruling ruling = judge.ask(problem, requirements_of(problem));
-  CHECK(ruling.state == Verdict::State::undecided);
+  CHECK(ruling.state == Verdict::State::fails);
   CHECK(ruling.requirement.index() % 2 == 0);
+  problem.requirements = {problem.requirements[ruling.requirement.index()]};
+  const Analysis analysis = analyze(problem, AnalysisChoice::automatic);
+  REQUIRE(analysis.verdicts.size() == 1);
+  CHECK(analysis.verdicts.front().state == Verdict::State::fails);
+  REQUIRE(analysis.verdicts.front().witness);
+  CHECK(test::unconfirmed(problem, analysis) == "");
+}
+
+TEST_CASE("no run refutes a skill that has more threads than can be followed") {
+  Problem problem = test::problem_of(test::pairs_of_drivers(2'002));
+  for (Requirement& each : problem.requirements) each.limit = 4'000'000;
+  problem.requirements = {problem.requirements.front()};
+  const pan::Network network;
+  Judge judge(network, Options());
+  CHECK(judge.ask(problem, requirements_of(problem)).state == Verdict::State::undecided);
 }
