@@ -75,6 +75,14 @@ double by_skill(bool fifo, runtime::RealTimeReport& report) {
   return static_cast<double>((ended - begun).count()) / round_trips;
 }
 
+void make_fifo_and_pin(runtime::OsThread& one, runtime::OsThread& other) {
+  const std::vector<int> cpus = runtime::permitted_cpus();
+  runtime::pin(one.handle(), cpus.back());
+  runtime::pin(other.handle(), cpus[cpus.size() > 1 ? cpus.size() - 2 : 0]);
+  runtime::make_fifo(one.handle(), 10);
+  runtime::make_fifo(other.handle(), 10);
+}
+
 double by_condition_variable(bool fifo) {
   std::mutex mutex;
   std::condition_variable changed;
@@ -100,13 +108,7 @@ double by_condition_variable(bool fifo) {
     }
     ended = runtime::monotonic_now();
   });
-  if (fifo) {
-    const std::vector<int> cpus = runtime::permitted_cpus();
-    runtime::pin(client.handle(), cpus.back());
-    runtime::pin(server.handle(), cpus[cpus.size() > 1 ? cpus.size() - 2 : 0]);
-    runtime::make_fifo(client.handle(), 10);
-    runtime::make_fifo(server.handle(), 10);
-  }
+  if (fifo) make_fifo_and_pin(client, server);
   {
     const std::lock_guard lock(mutex);
     go = true;
@@ -152,8 +154,17 @@ void print_distribution(const char* what, std::vector<Time> times) {
   std::printf("\n");
 }
 
-void loop(std::size_t cycles) {
-  constexpr Time period = 28ms, answer_within = 20ms;
+constexpr Time period = 28ms, answer_within = 20ms;
+
+/// How late the cycles of a loop were.
+struct Lateness {
+  std::vector<Time> ticks;    // tick later than due
+  std::vector<Time> answers;  // answered after the tick was due
+  std::size_t missed = 0;
+};
+
+/// A device ticks; a thread asks another one, on another CPU, and answers.
+void loop_by_skill(std::size_t cycles, Lateness& lateness, runtime::RealTimeReport& report) {
   test::WrittenSkill skill;
   const int p = skill.processor("P");
   const int q = skill.processor("Q");
@@ -168,10 +179,6 @@ void loop(std::size_t cycles) {
   const int send = skill.statement("send", 1s);
   const int receive = skill.statement("receive", 1s);
   test::ScriptedDevice port("port", {{"tick", false, {}}, {"correction", true, {}}});
-  std::vector<Time> late, answered;
-  late.reserve(cycles);
-  answered.reserve(cycles);
-  std::size_t missed = 0;
   Time due{};
   struct Ticks {
     runtime::DeviceHost* host;
@@ -181,14 +188,14 @@ void loop(std::size_t cycles) {
     ticks.host = &host;
     due = host.now() + period;
     ticks.next = [&] {
-      late.push_back(ticks.host->now() - due);
-      if (!ticks.host->deliver(0, {})) ++missed;
+      lateness.ticks.push_back(ticks.host->now() - due);
+      if (!ticks.host->deliver(0, {})) ++lateness.missed;
     };
     host.at(due, [&ticks] { ticks.next(); });
   };
   port.on_receive = [&](runtime::DeviceHost& host, std::size_t, std::span<const double>) {
-    answered.push_back(host.now() - due);
-    if (answered.back() > answer_within) ++missed;
+    lateness.answers.push_back(host.now() - due);
+    if (lateness.answers.back() > answer_within) ++lateness.missed;
     due += period;
     host.at(std::max(due, host.now()), [&ticks] { ticks.next(); });
   };
@@ -211,11 +218,67 @@ void loop(std::size_t cycles) {
   options.horizon = 2 * cycles * period;
   const runtime::Outcome outcome = test::run(skill, {&port}, options);
   if (outcome.code != 0) throw std::runtime_error(outcome.reason);
-  std::printf("%zu cycles of 28 ms, %zu missed\n%-34s %9s %9s %9s %9s %9s %9s\n", cycles, missed, "ms",
-              "least", "median", "90 %", "99 %", "99.9 %", "greatest");
-  print_distribution("tick later than due", late);
-  print_distribution("answered after it was due", answered);
-  say(*outcome.real_time);
+  report = *outcome.real_time;
+}
+
+/// The same without a skill: a thread sleeps until each tick, and asks another one by a condition variable.
+void loop_without_skill(std::size_t cycles, Lateness& lateness) {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool asked = false;
+  runtime::OsThread method([&] {
+    std::unique_lock lock(mutex);
+    for (std::size_t i = 0; i < cycles; ++i) {
+      changed.wait(lock, [&] { return asked; });
+      asked = false;
+      changed.notify_one();
+    }
+  });
+  runtime::OsThread control([&] {
+    runtime::Sleeper sleeper;
+    Time due = runtime::monotonic_now() + period;
+    for (std::size_t i = 0; i < cycles; ++i) {
+      sleeper.sleep_until(due);
+      lateness.ticks.push_back(runtime::monotonic_now() - due);
+      std::unique_lock lock(mutex);
+      asked = true;
+      changed.notify_one();
+      changed.wait(lock, [&] { return !asked; });
+      lateness.answers.push_back(runtime::monotonic_now() - due);
+      if (lateness.answers.back() > answer_within) ++lateness.missed;
+      due += period;
+    }
+  });
+  make_fifo_and_pin(control, method);
+  control.join();
+  method.join();
+}
+
+void print_lateness(const char* what, const Lateness& lateness) {
+  std::printf("%s: %zu cycles of 28 ms, %zu missed\n%-34s %9s %9s %9s %9s %9s %9s\n", what,
+              lateness.ticks.size(), lateness.missed, "ms", "least", "median", "90 %", "99 %", "99.9 %",
+              "greatest");
+  print_distribution("tick later than due", lateness.ticks);
+  print_distribution("answered after it was due", lateness.answers);
+}
+
+/// Both loops in turns of at most 1000 cycles, so that what disturbs the machine meets both.
+void loop(std::size_t cycles) {
+  Lateness with, without;
+  for (Lateness* each : {&with, &without}) {
+    each->ticks.reserve(cycles);
+    each->answers.reserve(cycles);
+  }
+  runtime::RealTimeReport report;
+  for (std::size_t left = cycles; left > 0;) {
+    const std::size_t now = std::min<std::size_t>(left, 1000);
+    loop_by_skill(now, with, report);
+    loop_without_skill(now, without);
+    left -= now;
+  }
+  print_lateness("a skill", with);
+  print_lateness("two threads with a mutex and a condition variable", without);
+  say(report);
 }
 
 int number(const char* text) {
