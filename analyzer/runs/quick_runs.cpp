@@ -15,9 +15,8 @@ constexpr std::uint64_t extreme_runs = 300;
 constexpr std::size_t few_events = 1'500;
 constexpr std::size_t many_events = 200'000;
 
-/// A run with times at their extremes is as long as pal simulate makes it, and all of them together so long.
+/// A run with times at their extremes is as long as pal simulate makes it.
 constexpr Nanoseconds usual_length = 10'000'000'000;
-constexpr std::size_t events_together = 1'500'000;
 
 using Times = SimulationOptions::Times;
 
@@ -106,11 +105,11 @@ Break simulated_break(const Problem& problem, const Requirement& requirement,
 }
 
 std::optional<Witness> simulated_witness(const Problem& problem, const Requirement& requirement,
-                                         const std::function<bool()>& stop) {
+                                         const std::function<bool()>& stop, std::size_t events) {
+  std::size_t left = events;
   for (const int processor : processors_of(problem, requirement)) {
     const Watch watch = watch_of(problem, requirement, processor);
     const Machine machine(problem, watch);
-    std::size_t left = events_together;
     for (std::uint64_t number = 1; number <= runs + extreme_runs && left > 0; ++number) {
       if (stop && stop()) return std::nullopt;
       Simulation run = number <= runs ? run_by_chance(machine, number, few_events, stop)

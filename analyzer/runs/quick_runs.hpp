@@ -17,8 +17,8 @@ Break simulated_break(const Problem& problem, const Requirement& requirement,
                       const std::function<bool()>& stop);
 
 /// The run for which simulated_break says so, or one of some hundreds with times at their extremes, up to
-/// where it breaks `requirement`. Nothing: none does, or only a run of very many events.
+/// where it breaks `requirement`. All runs together have at most `events` events. Nothing: none of them does.
 std::optional<Witness> simulated_witness(const Problem& problem, const Requirement& requirement,
-                                         const std::function<bool()>& stop);
+                                         const std::function<bool()>& stop, std::size_t events = 150'000);
 
 }  // namespace pal::analyzer
