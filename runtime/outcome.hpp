@@ -1,4 +1,4 @@
-// What is asked of a run, and what came of it.
+// The options of a run, and its outcome.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +25,7 @@ enum class TraceMode {
   none
 };
 
-/// What is done when somebody breaks what the environment promises, or a requirement fails. It is noted in
-/// any case.
+/// What to do when a promise of the environment is broken, or a requirement fails. Both are always noted.
 enum class OnBrokenPromise {
   report,       // the skill goes on
   contingency,  // the skill is told; it is stopped if nothing in it has an answer

@@ -10,8 +10,7 @@
 
 namespace pal::analyzer::rules {
 
-/// One event of the analysis's script: which timer fires when, and what is chosen of what the skill leaves
-/// open.
+/// One event of the analysis's script: which timer fires when, and how each open choice of the skill is made.
 struct Firing {
   std::int64_t at = 0;
   std::string timer;  // thread, message or device; empty: the start

@@ -19,8 +19,8 @@ struct Stuck {
   bool never_asked = false;  // waits for the answer to a request that it has not sent, or not any more
 };
 
-/// A shortest run (search.hpp says of what length) to where the skill can never complete because its method
-/// waits for ever.
+/// A shortest run (search.hpp defines its length) to a state in which the skill can never complete, because
+/// its method waits for ever.
 struct DeadEnd {
   bool total = false;   // nothing moves any more; otherwise other modules go on
   bool timely = false;  // only if some wait gives up, or a device loses an answer, at the right time
