@@ -42,7 +42,7 @@ struct RunOptions {
   RunControl* control = nullptr;           // outlives the run; null: nobody asks anything of it
   MessageObserver* observer = nullptr;     // outlives the run; null: nobody looks on
   WorkObserver* work = nullptr;            // likewise
-  std::optional<RealTime> real_time{};     // by the clock on the wall; nothing: in virtual time
+  std::optional<RealTime> real_time{};     // by the wall clock; nothing: in virtual time
   OnBrokenPromise on_broken_promise = OnBrokenPromise::report;
   std::vector<SlowStatement> slow{};  // of virtual time: to see what comes of it
 };

@@ -21,7 +21,7 @@ struct RealTime {
   bool lock_memory = true;
   /// Code that exceeds its declared worst time by this much of its processor is taken as never returning. The
   /// devices are closed, and the process ends, because C++ can end a thread in no other way.
-  Time patience = std::chrono::seconds(1);
+  Time hang_timeout = std::chrono::seconds(1);
   /// The exit status of the process in that case.
   int hang_status = 70;
 };

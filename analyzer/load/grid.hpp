@@ -70,7 +70,7 @@ class Grid {
   int place_of(State state, std::vector<int> timers, std::vector<bool> frozen);
   int node_of(int place, std::vector<Nanoseconds> left);
   void points(int place, const Dbm& zone, const std::vector<std::size_t>& variables,
-              std::vector<Nanoseconds>& left, int origin, std::size_t most, Patience& patience);
+              std::vector<Nanoseconds>& left, int origin, std::size_t most, StopToken& stop);
   const std::vector<Move>& moves(int place);
   void expand(int node);
   void wait(int node, const std::vector<int>& timers, const std::vector<bool>& frozen, Nanoseconds most);

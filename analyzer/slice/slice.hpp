@@ -7,7 +7,7 @@
 namespace pal::analyzer {
 
 /// Which details are given up to make the slice smaller to explore.
-struct Looseness {
+struct Relaxation {
   bool conditions = false;  // each read of a condition gives any value, but where its sets say which
   bool periods = false;     // an event that comes every T comes no sooner than T after the one before
 };
@@ -15,6 +15,6 @@ struct Looseness {
 /// Threads, steps, channels, devices and conditions keep their numbers; left-out parts stay in the lists and
 /// do nothing. A block that is left out begins, lasts and is stopped on a processor of its own, and each of
 /// these may take any time.
-Problem slice_of(const Problem& problem, const Cone& cone, Looseness looseness);
+Problem slice_of(const Problem& problem, const Cone& cone, Relaxation relaxation);
 
 }  // namespace pal::analyzer

@@ -6,7 +6,7 @@
 
 #include "analyzer/machine/machine.hpp"
 #include "analyzer/zones/dbm.hpp"
-#include "analyzer/zones/patience.hpp"
+#include "analyzer/zones/stop_token.hpp"
 
 namespace pal::analyzer {
 
@@ -59,11 +59,11 @@ struct Place {
 };
 
 /// All ways to begin. If they are too many the last one says so (Outcome::too_many). Some of them, if
-/// `patience` was over before all were known.
-std::vector<Move> first_moves(const Machine& machine, Patience& patience);
+/// `stop` was requested before all were known.
+std::vector<Move> first_moves(const Machine& machine, StopToken& stop);
 /// All firings that are possible at `place`, apart from times. If those of a timer are too many the last one
-/// says so. Some of them, if `patience` was over before all were known.
-std::vector<Move> moves_from(const Machine& machine, const Place& place, Patience& patience);
+/// says so. Some of them, if `stop` was requested before all were known.
+std::vector<Move> moves_from(const Machine& machine, const Place& place, StopToken& stop);
 
 /// The part of `zone` in which the timer of `variable` is the first to fire. False: there is none.
 bool fire_first(Dbm& zone, std::size_t variable, const std::vector<bool>& frozen);

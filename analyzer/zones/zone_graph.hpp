@@ -149,7 +149,7 @@ class ZoneGraph {
 
   void in_parts(const Limits& limits, std::size_t count, std::size_t grain,
                 const std::function<void(std::size_t)>& part) const;
-  bool try_all(const std::vector<int>& untried, const Limits& limits, Patience& patience);
+  bool try_all(const std::vector<int>& untried, const Limits& limits, StopToken& stop);
   void shorten_ways();
   int on_a_round(const std::vector<std::pair<int, int>>& edges) const;
   bool grow(const Limits& limits);

@@ -38,13 +38,13 @@ std::string pin(pthread_t thread, int cpu);
 std::vector<int> permitted_cpus();
 
 /// Gives the calling thread SCHED_FIFO for as long as it lives.
-class FifoForNow {
+class ScopedFifo {
  public:
   /// `priority` 0: it stays as it is.
-  explicit FifoForNow(int priority);
-  ~FifoForNow();
-  FifoForNow(const FifoForNow&) = delete;
-  FifoForNow& operator=(const FifoForNow&) = delete;
+  explicit ScopedFifo(int priority);
+  ~ScopedFifo();
+  ScopedFifo(const ScopedFifo&) = delete;
+  ScopedFifo& operator=(const ScopedFifo&) = delete;
 
  private:
   bool changed_ = false;

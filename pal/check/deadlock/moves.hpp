@@ -19,7 +19,7 @@ namespace pal::checker::deadlock {
 using State = std::u16string;
 
 /// What one move does.
-struct Deed {
+struct Action {
   enum class Kind {
     takes,
     sends,
@@ -43,14 +43,14 @@ struct Deed {
   std::size_t branch = 0;   // finds
   std::size_t outcome = 0;  // of several that are else alike: blocks that are cancelled stop or finish
 
-  friend bool operator==(const Deed&, const Deed&) = default;
+  friend bool operator==(const Action&, const Action&) = default;
 };
 
 /// A message is put or taken, or a wait gives up.
-bool is_talk(const Deed& deed);
+bool is_talk(const Action& action);
 
 struct Move {
-  Deed deed;
+  Action action;
   State state;
   bool ended = false;   // the skill has completed
   bool timely = false;  // only the right times bring this about: giving up, an answer that is lost

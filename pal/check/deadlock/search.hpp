@@ -20,7 +20,7 @@ struct Length {
   std::uint32_t steps = 0;
 
   Length after(const Move& move) const {
-    return {timely + (move.timely ? 1U : 0U), talk + (is_talk(move.deed) ? 1U : 0U), steps + 1};
+    return {timely + (move.timely ? 1U : 0U), talk + (is_talk(move.action) ? 1U : 0U), steps + 1};
   }
   friend auto operator<=>(const Length&, const Length&) = default;
 };
@@ -35,8 +35,8 @@ struct Goal {
 };
 
 struct Way {
-  std::vector<Deed> run;  // with the move that was looked for
-  State state;            // where it leads
+  std::vector<Action> run;  // with the move that was looked for
+  State state;              // where it leads
   Length length;
 };
 

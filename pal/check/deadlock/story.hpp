@@ -15,7 +15,7 @@ struct Line {
   std::string thread;  // "SM1.2"
   std::string text;    // "sends motion to MC1"
   SourceSpan where;
-  Deed::Kind kind = Deed::Kind::spins;
+  Action::Kind kind = Action::Kind::spins;
   std::size_t lane = 0;                   // thread's number in Automata
   std::optional<pan::ChannelId> channel;  // takes, sends, discards
 };

@@ -44,15 +44,15 @@ class WaysOn {
 
  private:
   struct Way {
-    std::vector<Deed> run;  // empty: none was found
+    std::vector<Action> run;  // empty: none was found
     Threads in_the_way;
     bool missing = false;  // there is none
   };
   using ByThread = std::map<std::size_t, std::shared_ptr<const Way>>;
 
   const Way& way(const State& state, std::size_t thread);
-  bool follows(const State& state, std::size_t thread, const std::vector<Deed>& run) const;
-  std::shared_ptr<const Way> described(const State& state, std::size_t thread, std::vector<Deed> run) const;
+  bool follows(const State& state, std::size_t thread, const std::vector<Action>& run) const;
+  std::shared_ptr<const Way> described(const State& state, std::size_t thread, std::vector<Action> run) const;
 
   const Automata& automata_;
   const Moves& moves_;

@@ -15,13 +15,13 @@
 
 namespace pal::analyzer {
 
-class Telling {
+class Narrator {
  public:
   /// How deep waits within waits are explained; deeper ones rarely interest a reader.
   static constexpr int most_depth = 8;
 
   /// Both must outlive this.
-  Telling(const Problem& problem, const trace::Trace& run);
+  Narrator(const Problem& problem, const trace::Trace& run);
 
   /// What a thread did in [from, to], without gaps, added to `out`. For waits it includes what happened
   /// meanwhile, to that depth.
@@ -43,7 +43,7 @@ class Telling {
   const std::vector<trace::Slice>& slices() const { return slices_; }
 
  private:
-  // telling.cpp
+  // narrator.cpp
   void interference(const trace::Slice& kept, Nanoseconds from, Nanoseconds to,
                     std::vector<Reason>& out) const;
   void rest(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out, int depth) const;
