@@ -371,7 +371,7 @@ void withhold(Analysis& analysis) {
     verdict.bound.reset();
     verdict.addends.clear();
     verdict.exact = false;
-    verdict.explanation = "a loop goes round for ever at one instant, so nothing is said of times";
+    verdict.explanation = "a loop goes round for ever at one instant, so nothing is claimed about times";
   }
 }
 

@@ -1,4 +1,4 @@
-// The two analyses as one: exact where that can be had, compositional where not.
+// Both analyses together: exact where possible, compositional elsewhere.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 namespace pal::analyzer {
 
 enum class AnalysisChoice {
-  /// What is cheap first, until each requirement is decided: bounds, a few thousand classes, single runs,
+  /// The cheapest first, until each requirement is decided: bounds, a few thousand classes, single runs,
   /// slices, all runs.
   automatic,
   thorough,      // the same, and on till each bound is known to be attained
@@ -16,7 +16,7 @@ enum class AnalysisChoice {
   compositional  // compositional alone
 };
 
-/// Each verdict says which analysis it is from. A run that the exact analysis found is kept, whatever the
+/// Each verdict says which analysis it comes from. A run that the exact analysis found is kept, whatever the
 /// bound.
 Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options = {});
 
@@ -26,7 +26,7 @@ struct Provers {
   std::function<Analysis(const Problem&, const Options&)> compositional;
 };
 
-/// The same with others in their places: for tests of what becomes of proofs that are wrong.
+/// The same with other analyses: for tests that give wrong proofs on purpose.
 Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisChoice choice,
                       const Options& options = {});
 

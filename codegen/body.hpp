@@ -18,7 +18,7 @@ struct Indices {
   std::vector<std::vector<std::vector<std::size_t>>> threads;
 };
 
-/// Fills body, methods, messages and blocks of one module of the plan, says of the threads of its blocks
+/// Fills body, methods, messages and blocks of one module of the plan. Says for the threads of its blocks
 /// whether they can end, and adds its rows to Plan::statements.
 void plan_body(const pan::Network& network, const pan::Flow& flow, pan::ModuleId module,
                const pan::Environment& environment, const SourceManager& sources, const Indices& indices,

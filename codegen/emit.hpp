@@ -1,4 +1,4 @@
-// One emitter a concept; each gives the text of the files that are its own.
+// One emitter for each concept; each gives the text of its own files.
 #pragma once
 
 #include "codegen/generate.hpp"
@@ -21,10 +21,10 @@ std::vector<GeneratedFile> emit_wiring(const Plan& plan);
 /// The skill that the dispatcher runs, its description and its factory.
 std::vector<GeneratedFile> emit_skill(const Plan& plan);
 
-/// What a run is measured against, for emit_wiring.
+/// For emit_wiring: the requirements and promises that a run is compared with.
 void write_promises(Writer& out, const Plan& plan);
 
-/// The store that the module keeps its messages in; null: in members of its own.
+/// The store in which the module keeps its messages; null: it keeps them in members of its own.
 const PlannedStore* store_of(const Plan& plan, const PlannedModule& module);
 
 /// The body of a module or of a block as C++ statements.

@@ -1,4 +1,4 @@
-// What a skill will be at run time, for who reads its C++ or its traces.
+// What a skill will be at run time, for readers of its C++ or its traces.
 #pragma once
 
 #include <iosfwd>
@@ -8,8 +8,8 @@
 namespace pal::codegen {
 
 /// Processors with their threads, servers, couriers, channels and devices, as text; the same for the same
-/// plan. A server answers requests. A courier is a request that is under way while its sender goes on with
-/// something else than to wait for the answer (thesis, section 5.3.2).
+/// plan. A server answers requests. A courier is a request that is under way while its sender does something
+/// else than wait for the answer (thesis, section 5.3.2).
 void explain(const Plan& plan, std::ostream& out);
 
 }  // namespace pal::codegen

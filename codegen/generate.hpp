@@ -15,7 +15,7 @@ struct GeneratedFile {
 };
 
 struct EmitOptions {
-  /// The code of a body is known to debuggers by the lines of PAL that it stands for (#line).
+  /// Debuggers show the lines of PAL for the code of a body (#line).
   bool debug_lines = false;
 };
 

@@ -1,4 +1,4 @@
-// A skill as C++ will have it: every name, index and table row decided, no text written yet.
+// A skill as C++ will have it: every name, index and table row is decided, and no text is written yet.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,7 @@ struct PlannedParameter {
   pan::Parameter pal;
 };
 
-/// A method that the system programmer writes: an activity, an SPC without a value, or the making of a
+/// A method that the system programmer writes. It is an activity, an SPC without a value, or the making of a
 /// message that nothing in the module writes or takes. Messages are indices into Plan::messages.
 struct PlannedMethod {
   enum class Kind { activity, decide, compose };
@@ -153,7 +153,7 @@ struct PlannedRow {
   pan::NodeId pan_node;
 };
 
-/// A requirement, and what its proof relies on: whoever can delay what it is about.
+/// A requirement, and the parties that its proof relies on: all that can delay what it is about.
 struct PlannedRequirement {
   enum class Measure { response, age, sample, interval, duration, other };
   std::string name;

@@ -1,4 +1,4 @@
-// What a run is measured against: the requirements, and on whom the proof of each relies.
+// The requirements that a run is compared with, and the parties that the proof of each relies on.
 #pragma once
 
 #include "codegen/plan.hpp"

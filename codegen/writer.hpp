@@ -14,9 +14,9 @@ class Writer {
  public:
   /// An empty `text` gives an empty line.
   Writer& line(std::string_view text = {});
-  /// Ends in "{"; what follows stands inside.
+  /// Ends in "{"; the lines that follow are indented.
   Writer& open(std::string_view text);
-  /// Back out, then the line.
+  /// Ends the indentation, then writes the line.
   Writer& close(std::string_view text = "}");
   /// `before`, the items with commas between, `after`: in one line if it fits, otherwise over several.
   Writer& list(const std::string& before, const std::vector<std::string>& items, const std::string& after);
@@ -25,9 +25,9 @@ class Writer {
   Writer& indent();
   Writer& outdent();
 
-  /// For debuggers, the lines of code from here on stand for line `line` of `file`, by a #line before each.
+  /// From here on, debuggers show line `line` of `file` for the lines of code, by a #line before each.
   Writer& stands_for(std::string_view file, int line);
-  /// They stand for themselves again, in a file called `own`.
+  /// From here on, debuggers show the lines of code themselves, in a file called `own`.
   Writer& stands_for_itself(std::string_view own);
 
   std::string take() { return std::move(text_); }

@@ -23,15 +23,15 @@ struct Sensor {
 /// The sensors that a cell has, by name.
 using Sensors = std::map<std::string, Sensor>;
 
-/// What can be said without skills: names, connections, reachability, sub-operations, loops.
+/// Checks without skills: names, connections, reachability, sub-operations, loops.
 void check_shape(const Program& program, Diagnostics& diagnostics);
 
-/// What the skills say: that they are there, parameters, codes that nobody handles, ways that are never
-/// taken. `locations`: those that are taught; nothing: not known. The program has no errors of shape.
+/// Checks with the skills: that they exist, parameters, codes that nobody handles, ways that are never taken.
+/// `locations`: those that are taught; nothing: unknown. The program has no errors of shape.
 void check_skills(const Program& program, const Skills& skills,
                   const std::optional<std::set<std::string>>& locations, Diagnostics& diagnostics);
 
-/// That the cell has the sensors which tests and waits read.
+/// Checks that the cell has the sensors which tests and waits read.
 void check_sensors(const Program& program, const Sensors& sensors, Diagnostics& diagnostics);
 
 /// The names of all skills that the operation and its sub-operations run.

@@ -115,8 +115,8 @@ void check_start_and_reach(const Operation& operation, Diagnostics& diagnostics)
   for (std::size_t i = 0; i < operation.icons.size(); ++i) {
     if (seen.contains(i) || operation.icons[i].kind == IconKind::start) continue;
     diagnostics.report(Code::PAL1005, operation.icons[i].where,
-                       fmt::format("the token never comes to '{}'", operation.icons[i].id),
-                       "connect an output to it, or take it out");
+                       fmt::format("no way leads to '{}'", operation.icons[i].id),
+                       "connect an output to it, or remove it");
   }
 }
 

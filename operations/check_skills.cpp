@@ -143,16 +143,15 @@ void check_codes(const Program& program, const Skills& skills, Diagnostics& diag
       if (icon.kind != IconKind::branch || here.empty()) continue;
       for (const int code : here)
         if (!way_of(icon, code))
-          diagnostics.report(
-              Code::PAL1006, icon.where,
-              fmt::format("CASE '{}' has no way for code {}, with which the token can come", icon.id, code),
-              "the operation ends there; add a way for it, or a default");
+          diagnostics.report(Code::PAL1006, icon.where,
+                             fmt::format("CASE '{}' has no way for code {}, which can come", icon.id, code),
+                             "the operation ends there; add a way for it, or a default");
       for (const Way& way : icon.ways)
         if (std::none_of(way.codes.begin(), way.codes.end(), [&](int code) { return here.contains(code); }))
-          diagnostics.report(Code::PAL1016, way.where,
-                             fmt::format("the token never comes to CASE '{}' with code {}", icon.id,
-                                         fmt::join(way.codes, " or ")),
-                             "take the way out, or correct the code");
+          diagnostics.report(
+              Code::PAL1016, way.where,
+              fmt::format("code {1} never comes to CASE '{0}'", icon.id, fmt::join(way.codes, " or ")),
+              "remove the way, or correct the code");
     }
   }
 }

@@ -10,13 +10,13 @@
 
 namespace pal::operations {
 
-/// Of a skill, a hierarchical icon, a wait or a test: it ends with a code.
+/// Whether the icon ends with a code: a skill, a hierarchical icon, a wait or a test.
 bool has_completions(IconKind kind);
 
 /// The output by which the token leaves a skill or a hierarchical icon that ended with `code`. `normal`: the
-/// skill's completion is a normal one; of a hierarchical icon, the code is 0. In this order: the way of a
-/// CASE behind `next` (behind MERGEs and delays, too) that names the code; `error`, unless the code is
-/// normal; the default of the CASE; `next`, if the code is normal; `error`. Nothing: nobody handles it.
+/// skill's completion is a normal one; for a hierarchical icon, the code is 0. The first that fits: the way
+/// of a CASE behind `next` (behind MERGEs and delays, too) that names the code; `error`, unless the code is
+/// normal; the default of the CASE; `next`, if the code is normal; `error`. Nothing: nobody handles the code.
 std::optional<Connection> route(const Operation& operation, const Icon& icon, int code, bool normal);
 
 /// The output of a CASE for a code; nothing if it has neither a way nor a default for it.
@@ -25,7 +25,7 @@ std::optional<Connection> way_of(const Icon& branch, int code);
 /// The CASE that the token comes to by this connection, passing MERGEs and delays only; nothing if none.
 std::optional<std::size_t> case_behind(const Operation& operation, const Connection& connection);
 
-/// Which codes can be the last ones where.
+/// The codes that can be the last ones at each icon.
 struct PossibleCodes {
   std::vector<std::vector<std::set<int>>> at;  // by operation and icon: on arrival
   std::vector<std::set<int>> exits;            // by operation: with what it ends

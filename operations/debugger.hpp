@@ -1,4 +1,4 @@
-// An operation run by hand, a line a command.
+// An operation run by hand, with one command in each line.
 #pragma once
 
 #include <iosfwd>
@@ -8,7 +8,7 @@
 namespace pal::operations {
 
 /// Obeys the lines of `in` until "quit" or its end, and answers on `out`: step, run, set, break, clear, from,
-/// where, list, help. A line that cannot be obeyed is answered with the reason and changes nothing.
+/// where, list, help. A line that cannot be obeyed is answered with the reason, and changes nothing.
 void debug(Executor& executor, std::istream& in, std::ostream& out);
 
 }  // namespace pal::operations

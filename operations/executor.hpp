@@ -15,7 +15,7 @@
 
 namespace pal::operations {
 
-/// What came of one skill.
+/// The result of one skill.
 struct SkillResult {
   enum class Kind { normal, contingency, error, stopped };
   Kind kind = Kind::normal;
@@ -23,14 +23,14 @@ struct SkillResult {
   std::string reason;
 };
 
-/// What a sensor shows, in its unit; or why it shows nothing; or stop() came first.
+/// The value of a sensor, in its unit; or why there is none; or stop() came first.
 struct Reading {
   std::optional<double> value;
   std::string problem;
   bool stopped = false;
 };
 
-/// Who can run skills: a workcell, a robot, a test.
+/// Runs skills: a workcell, a robot, a test.
 class SkillRunner {
  public:
   virtual ~SkillRunner() = default;
@@ -40,7 +40,7 @@ class SkillRunner {
   virtual SkillResult run(const std::string& skill, const std::vector<Parameter>& parameters) = 0;
   /// Lets time pass. False: stop() ended it.
   virtual bool delay(Duration time) = 0;
-  /// Reads a sensor, which takes some time. By itself a cell has none.
+  /// Reads a sensor, which takes some time. By default a cell has no sensors.
   virtual Reading sense(const std::string& sensor) {
     return {{}, "the cell has no sensor '" + sensor + "'", false};
   }
@@ -73,8 +73,8 @@ struct Step {
 class StepObserver {
  public:
   virtual ~StepObserver() = default;
-  /// The token has come to an icon, whose breakpoints are looked at next: one that is set or cleared here
-  /// counts.
+  /// The token has come to an icon. Its breakpoints are checked after this call, so one that is set or
+  /// cleared here counts.
   virtual void arrives(const std::string& /*icon*/) {}
   /// A step begins; result and end are not known yet.
   virtual void begins(const Step& /*step*/) {}
@@ -87,19 +87,19 @@ struct Breakpoint {
   std::optional<int> code;
 };
 
-/// What somebody asks for that cannot be done: an icon that is not there, a change while a skill runs.
+/// A request that cannot be met: an icon that does not exist, or a change while a skill runs.
 class ExecutionError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// ready: nothing has run. paused: between two skills. stopped: a skill was cut off; it runs again, from its
-/// beginning, when somebody resumes. ended: by an EXIT. failed: nobody handled a code, or the cell could not
-/// be readied. In each of them the robot is at rest.
+/// ready: nothing has run. paused: between two skills. stopped: a skill was cut off; if somebody resumes, it
+/// runs again from its beginning. ended: by an EXIT. failed: nobody handled a code, or the cell could not be
+/// readied. In each of these states the robot is at rest.
 enum class ExecutionState { ready, running, paused, stopped, ended, failed };
 const char* name(ExecutionState state);
 
-/// Deterministic: the same runner and the same calls give the same steps. One thread, but for pause() and
+/// Deterministic: the same runner and the same calls give the same steps. For one thread, except pause() and
 /// stop().
 class Executor {
  public:
@@ -108,9 +108,9 @@ class Executor {
   Executor(Program program, SkillRunner& runner, StepObserver* observer = nullptr,
            const Skills* skills = nullptr);
 
-  /// Until something halts the token. Resumes what is paused or stopped; does nothing after the end.
+  /// Runs until something halts the token. Resumes what is paused or stopped; does nothing after the end.
   ExecutionState run();
-  /// One skill, delay, wait or test, then halts before the next.
+  /// Runs one skill, delay, wait or test, then halts before the next.
   ExecutionState step();
   /// As run(), but at most so many steps.
   ExecutionState run(std::size_t steps);
@@ -120,12 +120,12 @@ class Executor {
   /// Ends the current skill and halts. From any thread, or a signal handler.
   void stop() noexcept;
 
-  /// Forgets every pause and stop that was asked for; what is stopped is paused then. run() does so by itself
-  /// for a stop. Whoever lets others stop it from another thread calls this first, so that it is known which
-  /// stops run() will obey: those asked for after this.
+  /// Forgets every pause and stop that was asked for; a stopped operation is then paused. run() does this by
+  /// itself for a stop. If another thread may stop the operation, call this first. Then run() obeys exactly
+  /// the stops that are asked for afterwards.
   void allow();
 
-  /// Puts the token before an icon, with last completion code 0: from here on, whatever had run. Throws
+  /// Puts the token before an icon, with last completion code 0, whatever had run before. Throws
   /// ExecutionError.
   void start_from(const std::string& icon);
   /// Changes a parameter from the icon's next run on. Throws ExecutionError: no such skill

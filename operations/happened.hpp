@@ -1,4 +1,4 @@
-// What happened in a run, scene by scene, in sentences.
+// The story of a run, scene by scene, in sentences.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@ namespace pal::operations {
 
 class Happened {
  public:
-  /// Steps of a run of the program (read_log), which both outlive this.
+  /// Steps of a run of the program (read_log). Both outlive this object.
   Happened(const Program& program, const std::vector<Step>& steps);
 
   /// How many steps, from when to when.
   std::string summary() const;
-  /// A sentence a step, of the first ones; then how many more there were.
+  /// A sentence for each of the first steps, then how many more there were.
   std::vector<std::string> course() const;
   /// Of one icon: how often, when, for how long, with which codes.
   std::string at(Place place) const;

@@ -178,8 +178,8 @@ std::optional<JsonValue> parse_json(const SourceManager& sources, FileId file, D
   if (nlohmann::json::sax_parse(Counting(begin, begin, &at), Counting(begin, begin + text.size(), nullptr),
                                 &builder))
     return builder.take();
-  diagnostics.report(Code::PAL1001, builder.error_place(), "this is no JSON: " + cause(builder.error()),
-                     "put right what stands here or just before");
+  diagnostics.report(Code::PAL1001, builder.error_place(), "this is not JSON: " + cause(builder.error()),
+                     "correct what stands here or just before");
   return std::nullopt;
 }
 

@@ -12,7 +12,7 @@
 
 namespace pal::operations {
 
-/// Where an output of an icon leads. An empty name: nowhere.
+/// The icon to which an output leads. An empty name: nowhere.
 struct Connection {
   std::string icon;
   SourceSpan where;
@@ -28,7 +28,8 @@ struct Parameter {
   Value value;
   SourceSpan where;  // of the value
   SourceSpan name_where;
-  /// Not empty: the value is how often this icon, of the same operation, has ended normally since START.
+  /// Not empty: the value is the number of times that this icon, of the same operation, has ended normally
+  /// since START.
   std::string count_of{};
 };
 
@@ -94,7 +95,7 @@ std::optional<std::size_t> find_icon(const Operation& operation, const std::stri
 std::optional<std::size_t> find_sub_operation(const Program& program, const Operation& from,
                                               const Icon& icon);
 
-/// Where an icon stands: indices of its operation, and of it therein.
+/// The place of an icon: the index of its operation, and its own index in it.
 struct Place {
   std::size_t operation = 0, icon = 0;
   friend auto operator<=>(const Place&, const Place&) = default;
@@ -106,9 +107,9 @@ std::vector<Place> find_path(const Program& program, const std::string& path);
 /// All outputs of an icon that are connected, in the order of the file.
 std::vector<Connection> outputs(const Icon& icon);
 
-/// A reading failed: the code of a test or a wait whose sensor gave no value.
+/// The code of a test or a wait whose sensor gave no value.
 inline constexpr int sensor_failed = -1;
-/// A wait was over before its sensor showed what it waited for.
+/// The code of a wait whose time was over before its sensor showed what it waited for.
 inline constexpr int waited_in_vain = 1;
 /// The code of a test: how many of its limits the reading has reached.
 int code_of(const Icon& test, double reading);
@@ -124,7 +125,7 @@ const std::vector<std::string>& icon_kind_names();
 
 /// "5", "true", "\"HOME\"".
 std::string to_text(const Value& value);
-/// The value that somebody typed: true, false, a number, or a text with or without quotation marks.
+/// A value as typed: true, false, a number, or a text with or without quotation marks.
 Value parse_value(const std::string& text);
 /// As to_text(); of a count "the count of put".
 std::string to_text(const Parameter& parameter);

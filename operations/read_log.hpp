@@ -1,4 +1,4 @@
-// The log of a run, read again.
+// Reads the log of a run.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace pal::operations {
 
-/// The steps of a log that StepLog wrote when `program` ran. Reports the first line that is no step, or whose
-/// icon the program does not have (PAL1018).
+/// The steps of a log that StepLog wrote when `program` ran. Reports the first line that is not a step, or
+/// whose icon the program does not have (PAL1018).
 std::vector<Step> read_log(const SourceManager& sources, FileId file, const Program& program,
                            Diagnostics& diagnostics);
 

@@ -10,17 +10,18 @@
 namespace pal::operations {
 
 /// {"step", "icon", "skill", "parameters", "kind", "code", "reason", "begin_s", "end_s"} on one line without
-/// its end. A wait and a test have "sensor" and "reading" in the place of skill and parameters. A delay has
-/// none of these, nor kind, code and reason, unless it was stopped. Times are those of the cell.
+/// its end. A wait and a test have "sensor" and "reading" instead of skill and parameters. A delay has none
+/// of these; it has kind, code and reason only if it was stopped. Times are those of the cell.
 std::string log_line(const Step& step);
 
-/// The step of a line that log_line() wrote; events of a server have the same fields. Nothing: it is none.
+/// The step of a line that log_line() wrote, or of an event of a server, which has the same fields. Nothing:
+/// it is not a step.
 std::optional<Step> parse_log_line(const std::string& line);
 
 /// For people: "   3  put: palletize ended with code 0 after 5.120 s: The part is at the next place."
 std::string told(const Step& step);
 
-/// Writes each step as it ends, so that a log that breaks off is whole up to there.
+/// Writes each step as it ends, so a log that breaks off is complete up to there.
 class StepLog final : public StepObserver {
  public:
   explicit StepLog(std::ostream& out) : out_(out) {}

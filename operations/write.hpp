@@ -7,7 +7,7 @@
 
 namespace pal::operations {
 
-/// The one form of a document: fields in a fixed order, an icon a line, icons in their order, so that two
+/// The canonical form of a document: fields in a fixed order, an icon a line, icons in their order. So two
 /// versions differ in the lines of the icons that differ. read() of it gives the same document.
 std::string write(const Document& document);
 

@@ -1,4 +1,4 @@
-// A promise of the environment, or a requirement, that a run has seen broken.
+// A promise of the environment, or a requirement, that was broken in a run.
 #pragma once
 
 #include <cstddef>

@@ -10,8 +10,8 @@ namespace pal::runtime {
 
 enum class CostPolicy { worst, best, random };
 
-/// A statement that takes longer than is declared: those of module `module` in line `line`, from instant
-/// `from` of the run on.
+/// Makes statements take longer than declared: those of module `module` in line `line`, from instant `from`
+/// of the run on.
 struct SlowStatement {
   std::string module;
   int line = 0;

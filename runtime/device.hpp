@@ -1,7 +1,7 @@
-// The world's side of a driver, as the runtime sees it: named ports through which typed messages go.
+// The outside of a driver, as the runtime sees it: named ports for typed messages.
 //
-// A device knows nothing of the skill; the skill's wiring and the device's ports are matched by name, field
-// by field, units included, before anything runs.
+// A device knows nothing of the skill. Before anything runs, the skill's wiring and the device's ports are
+// matched by name, and field by field, units included.
 #pragma once
 
 #include <chrono>
@@ -21,8 +21,8 @@ namespace pal::runtime {
 /// An instant or a length of time; instants count from the start of the run.
 using Time = std::chrono::nanoseconds;
 
-/// One field of a message: all payloads are flat lists of numbers (payload.hpp).
-/// {"x", "mm"}; {"x", "mm", FieldKind::number, 255}; {"location", "", FieldKind::text}.
+/// One field of a message; all payloads are flat lists of numbers (payload.hpp). {"x", "mm"}; {"x", "mm",
+/// FieldKind::number, 255}; {"location", "", FieldKind::text}.
 struct FieldSpec {
   std::string name;
   std::string unit;  // canonical spelling, as in PAL; empty: a plain number
@@ -41,16 +41,16 @@ struct PortSpec {
   friend bool operator==(const PortSpec&, const PortSpec&) = default;
 };
 
-/// What a device may ask of the runtime that it is attached to. Valid from attach() to the end of the run: a
-/// device that runs again is attached again.
+/// The functions of the runtime for an attached device. Valid from attach() to the end of the run; for
+/// another run the device is attached again.
 class DeviceHost {
  public:
   virtual ~DeviceHost() = default;
 
   virtual Time now() const = 0;
 
-  /// Names one action that was asked for. Never used again, so that cancelling twice, or too late, does no
-  /// harm.
+  /// Names one action that was asked for. Numbers are never used again, so cancelling twice, or too late,
+  /// does no harm.
   struct Appointment {
     std::uint32_t slot = 0;
     std::uint64_t order = 0;  // 0: no action
@@ -60,8 +60,8 @@ class DeviceHost {
   /// asked for.
   virtual Appointment at(Time when, std::function<void()> action) = 0;
 
-  /// The action will not be called, and the run does not wait for its instant. Nothing happens if it has been
-  /// called.
+  /// The action will not be called, and the run does not wait for its instant. If it has been called, nothing
+  /// happens.
   virtual void cancel(Appointment appointment) = 0;
 
   /// Puts a message from the device's port `port` (index into ports()) into the skill's channel. False: the
@@ -69,15 +69,15 @@ class DeviceHost {
   virtual bool deliver(std::size_t port, std::span<const double> fields) = 0;
 
   /// Marks the device busy or idle in the trace. Becoming busy takes the oldest request that the device has
-  /// received and not taken yet out of its slot; being marked busy once more the next one (a frame is for all
-  /// of them). A device that never marks itself busy takes a request when it answers it.
+  /// received and not yet taken out of its slot. Marking it busy once more takes the next one (a frame
+  /// answers all of them). A device that never marks itself busy takes a request when it answers it.
   virtual void mark_busy(bool busy) = 0;
 
   /// Ends the skill with its error completion; `reason` goes into the result and the trace.
   virtual void fault(std::string reason) = 0;
 
-  /// Calls `action` as soon as possible. The only function that a thread of the device's own may call, until
-  /// the device is closed; what it has to say to the run it says in there, by the others.
+  /// Calls `action` as soon as possible. This is the only function that a thread of the device's own may
+  /// call, until the device is closed; the action then uses the other functions.
   virtual void post(std::function<void()> action) { at(now(), std::move(action)); }
 };
 
@@ -91,22 +91,22 @@ class Device {
   /// Called once, before each run.
   virtual void attach(DeviceHost& host) = 0;
 
-  /// The skill waits for this device for the first time in this run, or sends to it, if it is no device that
-  /// sends what it was not asked for: events come from the first wait on.
+  /// The skill waits for this device, or sends to it, for the first time in this run. For a device that sends
+  /// events, only the first wait counts.
   virtual void open() = 0;
 
   /// A message for port `port`. Called at the instant at which it arrives.
   virtual void receive(std::size_t port, std::span<const double> fields) = 0;
 
   /// A request for port `port` that the device was given and has not taken yet (mark_busy) is withdrawn.
-  /// True: the device forgets it. False: it will be answered nevertheless, and the runtime discards the
+  /// True: the device forgets it. False: the device will answer it nevertheless, and the runtime discards the
   /// answer.
   virtual bool withdraw([[maybe_unused]] std::size_t port) { return false; }
 
-  /// The skill is over, in whatever way. The device leaves its machine standing still.
+  /// The skill is over, however it ended. The device leaves its machine standing still.
   virtual void close() = 0;
 
-  /// Whether a run has it; the dispatcher's business.
+  /// Whether a run uses it; for the dispatcher.
   InUse& in_use() { return in_use_; }
 
  private:
@@ -118,23 +118,23 @@ class World {
  public:
   virtual ~World() = default;
 
-  /// Brings the world to instant `when` (never back in time). Called before anything happens at `when`. What
-  /// the world does by itself up to then happens in here: it may deliver messages by the DeviceHosts, whose
-  /// clock is at `when` already.
+  /// Advances the world to instant `when` (never back in time). Called before anything happens at `when`.
+  /// Whatever the world does by itself up to then happens in this call: it may deliver messages by the
+  /// DeviceHosts, whose clock is at `when` already.
   virtual void advance_to(Time when) = 0;
 
-  /// When something happens in the world by itself: bytes arrive, a conversion ends. A run stops there on its
-  /// way.
+  /// The next instant at which something happens in the world by itself: bytes arrive, a conversion ends. A
+  /// run stops there on its way.
   virtual Time next_event() { return Time::max(); }
 
-  /// Waits as long as it takes to get to `when` in the world's own time; virtual time does not wait. Returns
-  /// an earlier instant if something came in from outside meanwhile: the run goes there first.
+  /// Waits until the world's own time has reached `when`; in virtual time it returns at once. If something
+  /// came in from outside meanwhile, it returns that earlier instant, and the run goes there first.
   virtual Time wait_until(Time when) { return when; }
 
-  /// In real time the world is advanced at least once in so long, whatever happens; max(): only for events.
+  /// In real time the world is advanced at least this often, whatever happens; max(): only for events.
   virtual Time beat() { return Time::max(); }
 
-  /// The run was held from outside and goes on: what passed meanwhile in the world's own time does not count.
+  /// The run was held from outside and goes on; what passed meanwhile in the world's own time does not count.
   virtual void resumed() {}
 };
 

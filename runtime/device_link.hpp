@@ -14,7 +14,7 @@
 
 namespace pal::runtime {
 
-/// What an attached device asks, the run does.
+/// Does for the run what an attached device asks for.
 class DeviceLink final : public DeviceHost {
  public:
   /// `channels`: for each port of the device the channel that it is one end of, or -1.

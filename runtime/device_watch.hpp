@@ -1,4 +1,4 @@
-// Whether a device keeps the times that the environment says of it (docs/reference/execution-model.md,
+// Whether a device keeps the times that the environment declares for it (docs/reference/execution-model.md,
 // Devices).
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace pal::runtime {
 
-/// What was seen of a promise. `measured` is what the promise is about.
+/// What was seen of a promise; `measured` is the time that the promise limits.
 struct Seen {
   enum class What { kept, sooner, later };
   What what = What::kept;
@@ -31,8 +31,7 @@ class DeviceWatch {
   /// It has answered the request that came at `asked`.
   Seen answered(Time now, Time asked);
 
-  /// From this instant on it is late with what it has to do; Time::max(): it has nothing to do, or that it is
-  /// late was seen.
+  /// From this instant on it is late. Time::max(): it has nothing to do, or it was already reported as late.
   Time due() const { return due_; }
   /// The instant has come.
   Seen overdue(Time now);

@@ -25,11 +25,11 @@ class Dispatcher {
   Dispatcher(std::span<Device* const> devices, World& world) : devices_(devices), world_(world) {}
 
   /// Runs the skill from time 0 to its end: in virtual time, or in real time if the options say so. Code that
-  /// does not return in real time ends the process (RealTime::patience). Parameters that are not given have their defaults. A
-  /// parameter that may not be, and a device that is missing or whose ports are not what the skill needs, end
-  /// the skill before it begins, with its error completion and the reason. So does a dispatcher, a skill or a
-  /// device that is running already, in this thread (a device begins a run in its receive) or in another one.
-  /// Never throws for what a skill, a device or the world does.
+  /// does not return in real time ends the process (RealTime::hang_timeout). Parameters that are not given
+  /// have their defaults. These end the skill before it begins, with its error completion and the reason: a
+  /// parameter that is not allowed; a device that is missing or has other ports than the skill needs; a
+  /// dispatcher, a skill or a device that is running already, in this thread (a device begins a run in its
+  /// receive) or in another one. Never throws because of a skill, a device or the world.
   Outcome run(Skill& skill, std::span<const ParameterValue> parameters = {}, const RunOptions& options = {});
 
   /// The same with parameters in braces: run(skill, {{"reach", 40}}).

@@ -1,4 +1,4 @@
-// What is going to happen, in order of time; things of one instant in the order in which they were asked for.
+// Future events in order of time; events of one instant in the order in which they were asked for.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct DeviceAction {
   std::function<void()> action;
 };
 
-/// The next event is held apart, since it is often asked for when nothing else is.
+/// The next event is kept apart, because it is often asked for when no other is.
 class EventQueue {
  public:
   explicit EventQueue(std::size_t capacity);
@@ -53,7 +53,7 @@ class EventQueue {
   }
   std::uint64_t push_action(Time time, int device, std::function<void()> action);
 
-  /// The event will not come. Nothing changes if it has.
+  /// Removes the event. If it has happened, nothing changes.
   void cancel(std::uint64_t order);
 
   /// The action of an event that was popped; forgotten by the queue.

@@ -24,8 +24,9 @@ class Flow {
     resuming_.push_back(&thread);
   }
 
-  /// Lets those that may go on do so, one after the other: `go_on` resumes or stops one. Reaching a statement
-  /// is one with what leads to it: whom a thread sets going goes on before others do.
+  /// Lets the coroutines that may go on do so, one after the other: `go_on` resumes or stops one. Reaching a
+  /// statement happens together with what leads to it, so a thread that is set going goes on before the
+  /// others do.
   template <class GoOn>
   void settle(GoOn go_on) {
     while (!resuming_.empty() && !journal_.over()) {

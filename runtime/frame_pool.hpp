@@ -7,7 +7,7 @@
 
 namespace pal::runtime {
 
-/// Keeps what it is given back. Takes from the heap only when no block that is free is large enough.
+/// Keeps the blocks that it is given back. Takes from the heap only when no free block is large enough.
 class FramePool {
  public:
   FramePool() { blocks_.reserve(64); }

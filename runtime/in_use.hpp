@@ -1,4 +1,4 @@
-// Marks what one run at a time may use.
+// Marks an object that only one run at a time may use.
 #pragma once
 
 #include <atomic>
@@ -12,7 +12,7 @@ class InUse {
   InUse(const InUse&) {}
   InUse& operator=(const InUse&) { return *this; }
 
-  /// False: it is in use already, by this thread or by another one.
+  /// False: it is in use already, by this thread or another one.
   bool take() { return !taken_.exchange(true); }
   void free() { taken_.store(false); }
 

@@ -1,4 +1,4 @@
-// What has happened in a run: its trace, and its end.
+// The trace of a run, and its end.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace pal::runtime {
 
-/// Is shown what happens in a run, as the trace has it.
+/// Is shown the events of a run, as the trace has them.
 class EventWatcher {
  public:
   virtual void see(const trace::Event& event) = 0;
@@ -26,7 +26,7 @@ class Journal {
   /// All outlive the journal.
   Journal(const Clock& clock, const Skill& skill, const RunOptions& options);
 
-  /// The skill has ended. From here on nothing happens, and nothing is written.
+  /// Whether the skill has ended. After that nothing happens, and nothing is written.
   bool over() const { return over_; }
 
   // The trace. A thread's event names the statement that it has come to.
@@ -58,7 +58,7 @@ class Journal {
   }
   int actor_of_device(int device) const { return static_cast<int>(skill_.wiring().threads.size()) + device; }
 
-  // Ends. The first one counts.
+  // The end of the run. The first reason counts.
   void complete(const Thread& thread, int code);
   void fail(const std::string& reason) { fail_at(-1, -1, reason); }
   void fail(const Thread& thread, const std::string& reason);

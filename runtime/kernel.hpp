@@ -1,4 +1,4 @@
-// What is common to all runs, whatever gives them time: operations, mail, conditions, blocks, devices.
+// The common part of all runs, whatever gives them time: operations, mail, conditions, blocks, devices.
 #pragma once
 
 #include <deque>
@@ -21,7 +21,7 @@
 
 namespace pal::runtime {
 
-/// One thing at a time: whoever calls, no two of its functions go on at once.
+/// Not thread-safe: no two of its functions may run at once, whoever calls them.
 class Kernel {
  public:
   /// All outlive the kernel. `connections`: one for each device of the skill's wiring, in its order.
@@ -33,11 +33,10 @@ class Kernel {
   // For executives.
   /// All threads come to their first statement, unless the run is over before.
   void start();
-  /// What was asked for by Executive::at() is due.
+  /// An event that was asked for by Executive::at() is due.
   void happen(Due due);
   void act(int device, const std::function<void()>& action) { devices.act(device, action); }
-  /// The thread's statement has had its processor: its effect. What the statement computes by itself is done
-  /// before, by compute().
+  /// The thread's statement has had its processor: its effect happens. compute() has run before.
   void finish(Thread& thread) {
     try {
       thread.control.operation->effect();
@@ -45,8 +44,8 @@ class Kernel {
       journal.fail_by_exception(thread);
     }
   }
-  /// What the thread's statement works out by code that was written by hand; changes nothing in the kernel.
-  /// False: it has thrown, and finish() is not called.
+  /// Runs the hand-written code of the thread's statement; changes nothing in the kernel. False: it has
+  /// thrown, and finish() is not called.
   bool compute(Thread& thread) {
     try {
       Operation& operation = *thread.control.operation;
@@ -63,7 +62,7 @@ class Kernel {
       return false;
     }
   }
-  /// Those whose statement had its effect go on to their next. After whatever happens.
+  /// Threads whose statement had its effect go on to their next one. To be called after every event.
   void settle() {
     flow.settle([this](Thread& thread) {
       if (thread.control.cancelled) {

@@ -56,7 +56,7 @@ class Mail {
 
   // Statements of threads.
   void reach(WaitOperation& wait);
-  /// False: the thread is cancelled and its statement comes to nothing; it is to be stopped.
+  /// False: the thread is cancelled and its statement has no effect; the thread must be stopped.
   bool finish(WaitOperation& wait);
   bool send(SendOperation& send);
 
@@ -65,10 +65,10 @@ class Mail {
   void request_arrives(int channel);
   void wait_expired(Thread& thread);
 
-  /// A block is stopped: it waits for nothing, what it has begun to receive is free again, and the requests
-  /// that it has open are withdrawn.
+  /// A block is stopped: it waits for nothing, the message that it has begun to receive is free again, and
+  /// its open requests are withdrawn.
   void abandon(Thread& thread);
-  /// What a block that has ended has open is its parent's.
+  /// The open requests of a block that has ended belong to its parent.
   void hand_over(const Thread& block, const Thread& parent);
 
   // Devices.

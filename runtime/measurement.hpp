@@ -1,4 +1,4 @@
-// How long what a skill runs on takes, as it was measured in runs: for `pal check --measured`.
+// Measures how long activities and devices take in runs, for `pal check --measured`.
 #pragma once
 
 #include <atomic>
@@ -13,7 +13,7 @@
 
 namespace pal::runtime {
 
-/// The least and the greatest of some times, and how many they were. add() from several threads at once.
+/// The least and the greatest of some times, and how many they are. Several threads may call add() at once.
 class Extremes {
  public:
   void add(Time time);
@@ -30,24 +30,24 @@ class Extremes {
 
 /// Give it to runs of one skill, one after the other, as both of their observers.
 ///
-/// Two things are measured, by two clocks. Code that was written by hand: time of a processor of this
-/// computer, whatever time the skill runs in. Devices: time of the run. A device's answer counts from when it
-/// was given the request, or from its last answer if that came later; of answers at one instant the first
-/// counts. What it sends without a request counts from the last such message.
+/// Two things are measured, by two clocks. For hand-written code: processor time of this computer, whatever
+/// time the skill runs in. For devices: time of the run. A device's answer counts from when the device was
+/// given the request, or from its last answer if that came later; of answers at one instant the first counts.
+/// A message without a request counts from the last such message.
 class Measurement final : public MessageObserver, public WorkObserver {
  public:
   /// Of a skill with this wiring, which outlives the measurement.
   explicit Measurement(const Wiring& wiring);
 
-  /// Another run begins: what the last one left open is forgotten.
+  /// Another run begins: forgets what the last one left open.
   void begin_run();
 
   void passed(Time when, const Device& device, std::size_t port, std::span<const double> fields) override;
   void forgotten(const Device& device, std::size_t port) override;
   void worked(int statement, Time time) override;
 
-  /// What was measured, as an ENVIRONMENT of PAL; comments say how often, and what was not reached. It says
-  /// nothing of places, and so cannot be taken for an environment to prove in.
+  /// The measured times as an ENVIRONMENT of PAL; comments say how often, and what was not reached. It has no
+  /// places, so it cannot be used for proofs by mistake.
   std::string environment() const;
 
  private:

@@ -1,4 +1,4 @@
-// Who looks on at a run: at the messages between a skill and its devices, and at the code written by hand.
+// Observers of a run: of the messages between a skill and its devices, and of hand-written code.
 #pragma once
 
 #include <span>
@@ -23,9 +23,9 @@ class WorkObserver {
  public:
   virtual ~WorkObserver() = default;
 
-  /// Code that was written by hand for statement `statement` of the wiring has taken `time` of a processor of
-  /// this computer. Called by the thread that ran it, in real time by several at once. Must not throw, and
-  /// changes nothing.
+  /// The hand-written code of statement `statement` of the wiring has taken `time` of a processor of this
+  /// computer. Called by the thread that ran it; in real time several threads call it at once. Must not
+  /// throw, and changes nothing.
   virtual void worked(int statement, Time time) = 0;
 };
 

@@ -28,7 +28,7 @@ class Operation {
   int statement() const { return statement_; }
 
   virtual void reach() = 0;
-  /// What was written by hand. In real time other threads of the skill go on meanwhile.
+  /// The hand-written code. In real time other threads of the skill go on meanwhile.
   virtual void compute() {}
   /// Whether compute() runs such code.
   virtual bool by_hand() const { return false; }
@@ -160,7 +160,7 @@ class NoArm final : public Operation {
   void effect() override {}
 };
 
-/// TXM. The payload is fixed when the processor time is over, whether or not the slot is free then.
+/// TXM. The payload is fixed when the processor time is over, even if the slot is not free then.
 class SendOperation : public Operation {
  public:
   SendOperation(Thread& thread, int statement, int channel)

@@ -1,4 +1,4 @@
-// What is asked of a run, and what came of it.
+// The options of a run, and its outcome.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +25,7 @@ enum class TraceMode {
   none
 };
 
-/// What is done when somebody breaks what the environment promises, or a requirement fails. It is noted in
-/// any case.
+/// What to do when a promise of the environment is broken, or a requirement fails. Both are always noted.
 enum class OnBrokenPromise {
   report,       // the skill goes on
   contingency,  // the skill is told; it is stopped if nothing in it has an answer
@@ -43,7 +42,7 @@ struct RunOptions {
   RunControl* control = nullptr;           // outlives the run; null: nobody asks anything of it
   MessageObserver* observer = nullptr;     // outlives the run; null: nobody looks on
   WorkObserver* work = nullptr;            // likewise
-  std::optional<RealTime> real_time{};     // by the clock on the wall; nothing: in virtual time
+  std::optional<RealTime> real_time{};     // by the wall clock; nothing: in virtual time
   OnBrokenPromise on_broken_promise = OnBrokenPromise::report;
   std::vector<SlowStatement> slow{};  // of virtual time: to see what comes of it
 };

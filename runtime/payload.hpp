@@ -1,4 +1,5 @@
-// What a message carries, as a flat list of numbers: the fields one after the other, an array value by value.
+// The content of a message, as a flat list of numbers: the fields one after the other, an array value by
+// value.
 #pragma once
 
 #include <array>
@@ -42,8 +43,8 @@ inline void get(std::int64_t& value, std::span<const double> numbers, std::size_
 inline void get(bool& value, std::span<const double> numbers, std::size_t at) {
   value = numbers[at] != 0;
 }
-/// Throws std::bad_optional_access if the numbers are no text. Those of a message are: what a device delivers
-/// is looked at on its way in.
+/// Throws std::bad_optional_access if the numbers are not a text. Numbers of messages are, because what a
+/// device delivers is checked on its way in.
 inline void get(Text& value, std::span<const double> numbers, std::size_t at) {
   value = Text::unpack(numbers.subspan(at).first<Text::slots>()).value();
 }

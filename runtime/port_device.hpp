@@ -11,7 +11,7 @@
 
 namespace pal::runtime {
 
-/// What is left to a device of one's own is what it does with messages. open() and close() do nothing unless
+/// A derived device only has to say what it does with messages. open() and close() do nothing unless
 /// overridden.
 class PortDevice : public Device {
  public:
@@ -20,7 +20,7 @@ class PortDevice : public Device {
 
   const std::string& name() const final { return name_; }
   const std::vector<PortSpec>& ports() const final { return ports_; }
-  /// Overridden, it calls this one first.
+  /// An override calls this one first.
   void attach(DeviceHost& host) override { host_ = &host; }
   void open() override {}
   void close() override {}
@@ -32,7 +32,7 @@ class PortDevice : public Device {
     return *host_;
   }
   Time now() const { return host().now(); }
-  /// Calls `action` when `delay` (not negative) is over, unless the skill is over before or it is cancelled.
+  /// Calls `action` after `delay` (not negative), unless the skill ends before or the call is cancelled.
   DeviceHost::Appointment after(Time delay, std::function<void()> action) {
     return host().at(now() + delay, std::move(action));
   }

@@ -1,4 +1,4 @@
-// What a skill wants to pass to and from a device, beside what the device's ports have.
+// Compares the ports that a skill needs with those of a device.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace pal::runtime {
 
-/// So many numbers has a payload of these fields; `Fields` holds Field or FieldSpec.
+/// The count of numbers in a payload of these fields; `Fields` holds Field or FieldSpec.
 template <class Fields>
 std::size_t payload_size(const Fields& fields) {
   std::size_t size = 0;
@@ -17,13 +17,14 @@ std::size_t payload_size(const Fields& fields) {
   return size;
 }
 
-/// True if `numbers` are as many as the fields have, and texts where those are.
+/// True if `numbers` has the right count for the fields, and texts in the right places.
 bool is_payload(std::span<const FieldSpec> fields, std::span<const double> numbers);
 
 /// "x[255] in mm, valid[255], location as a text"; "no fields".
 std::string in_words(std::span<const Field> fields);
 
-/// Where the fields of a port are not those of a channel: "its x has 128 values, not 255". Empty: they agree.
+/// How the fields of a port differ from those of a channel: "its x has 128 values, not 255". Empty: they
+/// agree.
 std::string difference(std::span<const Field> wanted, std::span<const FieldSpec> offered);
 
 }  // namespace pal::runtime

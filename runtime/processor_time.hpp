@@ -4,10 +4,10 @@
 
 namespace pal::runtime {
 
-/// What the calling thread has had of the processors of this computer so far.
+/// The processor time of this computer that the calling thread has had so far.
 Time processor_time();
 
-/// What two calls of processor_time() in a row differ by: the least of several pairs.
+/// The difference of two calls of processor_time() in a row: the least of several pairs.
 Time cost_of_processor_time();
 
 }  // namespace pal::runtime

@@ -1,5 +1,5 @@
-// What the environment promises and what is required, while a skill runs: what is broken is noted, and the
-// run's policy is applied.
+// Promises of the environment and requirements, while a skill runs: notes those that are broken, and applies
+// the run's policy.
 #pragma once
 
 #include <cstdint>
@@ -36,29 +36,29 @@ class Promises final : public EventWatcher {
   /// It has answered the request that came at `asked`.
   void answered(int device, int channel, Time asked);
 
-  /// The statement that the thread has come to has taken `used` of its processor.
+  /// The current statement of the thread has taken `used` of its processor.
   void took(const Thread& thread, Time used);
 
   /// An event of the run.
   void see(const trace::Event& event) override;
 
-  /// Not before this instant is anything late that was not seen to be. To be asked before each event.
+  /// A lower bound of due(). To be called before each event.
   Time next() const { return next_; }
-  /// Likewise, exactly.
+  /// The next instant at which something becomes late that was not reported yet.
   Time due();
-  /// Time has come to due(): what is late is noted. Nothing otherwise.
+  /// Time has reached due(): notes what is late. Returns nothing otherwise.
   void overdue();
 
   /// What was broken. Once.
   std::vector<BrokenPromise> take();
 
  private:
-  /// A promise: what was seen of it.
+  /// What was seen of one promise.
   struct Row {
     std::int32_t broken = -1;  // in broken_
     Time measured{};
   };
-  /// Who has broken it, where.
+  /// Who has broken it, and where.
   struct Breach {
     std::size_t row = 0;
     Time measured{};

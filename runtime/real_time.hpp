@@ -1,4 +1,4 @@
-// Real time: what is asked of a run by the clock on the wall, and what came of it.
+// Real time: the options of a run by the wall clock, and its report.
 #pragma once
 
 #include <chrono>
@@ -11,18 +11,18 @@
 
 namespace pal::runtime {
 
-/// How a run goes in real time (RunOptions::real_time). What the system does not permit is left out, and the
-/// report says so.
+/// How a run goes in real time (RunOptions::real_time). If the system does not permit something, it is left
+/// out, and the report says so.
 struct RealTime {
   /// Asks for SCHED_FIFO, and pins the threads of each processor to one CPU.
   bool fifo = true;
   /// Locks all memory of the process from the beginning of the run to its end. A process that has locked its
   /// memory itself says false: the end of the run would unlock it.
   bool lock_memory = true;
-  /// What has had its processor for so long beyond its declared worst time does not return any more: devices
-  /// are closed, and the process ends. C++ can end a thread in no other way.
-  Time patience = std::chrono::seconds(1);
-  /// The status that the process ends with then.
+  /// Code that exceeds its declared worst time by this much of its processor is taken as never returning. The
+  /// devices are closed, and the process ends, because C++ can end a thread in no other way.
+  Time hang_timeout = std::chrono::seconds(1);
+  /// The exit status of the process in that case.
   int hang_status = 70;
 };
 
@@ -35,9 +35,9 @@ struct StatementTimes {
 
 /// Of a run in real time.
 struct RealTimeReport {
-  /// Where the run was less than real time, each in words: "SCHED_FIFO is not permitted …". Empty: nowhere.
+  /// Where the run was not fully real time, each in words: "SCHED_FIFO is not permitted …". Empty: nowhere.
   std::vector<std::string> shortcomings;
-  /// The longest time for which one thread had the kernel to itself, and how often it was taken.
+  /// The longest time for which one thread held the kernel, and how often it was taken.
   Time longest_hold{};
   std::uint64_t holds = 0;
   /// One for each statement of the wiring.

@@ -20,8 +20,8 @@ class Recorder {
   /// run goes on.
   Recorder(const Wiring& wiring, TraceMode mode, std::size_t capacity);
 
-  /// Where the next event goes, until the call after this one. All of it is to be filled in, member by
-  /// member. To copy an event that was just made takes longer: the copy waits for its parts.
+  /// The place of the next event, valid until the next call. Fill in all its members, one by one. (Copying an
+  /// event that was just made takes longer, because the copy waits for its parts.)
   trace::Event& next() {
     if (mode_ == TraceMode::all) return trace_.events.emplace_back();
     return mode_ == TraceMode::none ? unkept_ : next_of_last();

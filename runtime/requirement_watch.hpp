@@ -28,12 +28,12 @@ class RequirementWatch {
 
   bool any() const { return !watched_.empty(); }
 
-  /// What the event shows to have failed, until the next call.
+  /// The requirements that the event shows to have failed, valid until the next call.
   const std::vector<Exceeded>& see(const trace::Event& event);
 
   /// The earliest instant at which something that still awaits its response is late; Time::max(): none.
   Time due() const;
-  /// What is late at `now` and was not seen to be so.
+  /// The requirements that are late at `now` and were not reported as late.
   const std::vector<Exceeded>& overdue(Time now);
 
  private:

@@ -9,8 +9,8 @@
 
 namespace pal::runtime {
 
-/// Runs the skill to its end, in the time that the options ask for; all devices are closed then, whatever the
-/// end was. `connections`: one for each device of the skill's wiring, in its order.
+/// Runs the skill to its end, in the kind of time that the options ask for. All devices are closed then,
+/// however it ended. `connections`: one for each device of the skill's wiring, in its order.
 Outcome run(Skill& skill, World& world, const std::vector<Connection>& connections,
             const RunOptions& options);
 

@@ -1,4 +1,4 @@
-// What somebody outside may ask of a run while it goes on.
+// Control of a run from outside while it goes on.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@
 
 namespace pal::runtime {
 
-/// Where a run is held.
+/// The place where a run is held.
 struct Halt {
   Time time{};                       // of the skill
   std::string reason;                // "paused", "stepped", "breakpoint at SM1:51"
@@ -24,23 +24,23 @@ struct Halt {
   std::vector<std::string> threads;  // each with the statement that it has come to
 };
 
-/// Asked from another thread, stop() from a signal handler as well; the run looks before each event. Virtual
-/// and paced runs alike. While a run is held its time stands still: nothing happens in the skill, its devices
-/// and the physics. A run in real time can be stopped and cannot be held: the robot waits for nobody.
+/// Called from another thread; stop() also from a signal handler. The run looks before each event. The same
+/// for virtual and paced runs. While a run is held its time stands still: nothing happens in the skill, its
+/// devices and the physics. A run in real time can be stopped but not held, because the robot cannot wait.
 class RunControl {
  public:
-  /// Ends the skill with its error completion; devices are closed. Stays so: a skill that begins afterwards
-  /// is refused.
+  /// Ends the skill with its error completion; devices are closed. This is permanent: a skill that begins
+  /// afterwards is refused.
   void stop() noexcept { asked_.fetch_or(stop_bit, std::memory_order_relaxed); }
   bool stopping() const noexcept { return (asked_.load(std::memory_order_relaxed) & stop_bit) != 0; }
-  /// Likewise at an instant of the skill's time, before anything else happens at it.
+  /// The same at an instant of the skill's time, before anything else happens at it.
   void stop_at(Time when);
 
   /// Holds the run before its next event.
   void pause();
-  /// A run that is held goes on.
+  /// Lets a held run go on.
   void resume();
-  /// It goes on until so many statements (at least one) have had their effects, and is held again.
+  /// Lets the run go on for so many effects of statements (at least one), then holds it again.
   void step(std::size_t statements = 1);
   /// Holds the run when a statement of `where`, a file or a module, in `line` is about to have its effect.
   void break_at(std::string where, int line);
@@ -54,14 +54,14 @@ class RunControl {
 
   // For the run.
   void refuse_to_hold(std::string why);
-  /// Whether anything but stop() is asked: then the run looks closer.
+  /// Whether something other than stop() was asked for; then the run checks in detail.
   bool watching() const noexcept { return (asked_.load(std::memory_order_relaxed) & watch_bit) != 0; }
   Time stop_instant() const;
   /// A statement has had its effect.
   void count_statement();
-  /// Why the run is to be held before `event`, which comes next; empty: it goes on. `module`, `file` and
-  /// `line` are those of the statement that has its effect then; line 0: none has. A breakpoint holds once
-  /// before an event.
+  /// Why the run must be held before `event`, which comes next; empty: it goes on. `module`, `file` and
+  /// `line` are those of the statement that then has its effect; line 0: there is none. A breakpoint holds
+  /// once before an event.
   std::string reason_to_hold(std::uint64_t event, std::string_view module, std::string_view file, int line);
   /// Returns when the run may go on, or is to stop.
   void hold(Halt halt);

@@ -1,4 +1,4 @@
-// A skill as the dispatcher, and the person who picks one, sees it.
+// A skill as the dispatcher sees it, and as a person sees it who chooses one.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace pal::runtime {
 
 enum class ParameterType { real, integer, boolean, text };
 
-/// A number or a text that whoever starts the skill may set; low <= default_value <= high, all in `unit`.
+/// A number or a text that the starter of the skill may set; low <= default_value <= high, all in `unit`.
 struct ParameterSpec {
   std::string_view name;
   ParameterType type = ParameterType::real;
@@ -43,14 +43,14 @@ struct SkillDescription {
   std::span<const CompletionSpec> completions;
 };
 
-/// A parameter that does not exist, is out of its range, or is not of its type. what() says which, and what
-/// may be.
+/// A parameter that does not exist, is out of its range, or is not of its type. what() says which, and which
+/// values are allowed.
 class ParameterError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Throws ParameterError unless `value` is one that `parameter` may have.
+/// Throws ParameterError unless `value` is allowed for `parameter`.
 void check_parameter(const ParameterSpec& parameter, double value);
 void check_parameter(const ParameterSpec& parameter, std::string_view text);
 
@@ -69,7 +69,8 @@ class Skill {
   virtual void reset_parameters() = 0;
   /// `value` in the parameter's unit; booleans 0 or 1. Throws ParameterError.
   virtual void set_parameter(std::string_view name, double value) = 0;
-  /// Of a parameter that is a TEXT. Throws ParameterError; this one always: it is for a skill without texts.
+  /// Of a parameter that is a TEXT. Throws ParameterError. This default always throws: it is for a skill
+  /// without texts.
   virtual void set_text_parameter(std::string_view name, std::string_view text);
 
   /// The run begins: the modules forget their last run and their activities get the parameters.
@@ -82,12 +83,12 @@ class Skill {
   /// together, so that the frames are there when they are needed.
   virtual void reserve_executed(Thread& thread) = 0;
 
-  /// Somebody has broken a promise, for the first time in this run, and the run's policy is `contingency`.
-  /// True: the skill has an answer, which its own statements give. Called at the instant at which it happens;
-  /// in real time also while activities are at work.
+  /// A promise was broken for the first time in this run, and the run's policy is `contingency`. True: the
+  /// skill has an answer, which its own statements give. Called at the instant of the breach; in real time
+  /// also while activities are at work.
   virtual bool promise_broken([[maybe_unused]] const BrokenPromise& broken) { return false; }
 
-  /// Whether it runs; the dispatcher's business.
+  /// Whether it runs; for the dispatcher.
   InUse& in_use() { return in_use_; }
 
  private:

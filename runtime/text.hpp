@@ -16,8 +16,8 @@ namespace pal::runtime {
 class Text {
  public:
   static constexpr std::size_t capacity = 24;
-  /// So many numbers of a payload hold a text: six characters each, the first in the lowest eight bits. That
-  /// is a whole number below 2^48, which a double holds exactly; behind the text are zeros.
+  /// The count of numbers of a payload that hold a text: six characters in each, the first in the lowest
+  /// eight bits. Each is a whole number below 2^48, which a double holds exactly. Behind the text are zeros.
   static constexpr std::size_t slots = 4;
 
   constexpr Text() = default;
@@ -38,10 +38,10 @@ class Text {
   }
 
   void pack(std::span<double, slots> numbers) const;
-  /// Nothing: these numbers are none that pack() gives.
+  /// Nothing: pack() never gives these numbers.
   static std::optional<Text> unpack(std::span<const double, slots> numbers);
 
-  /// By their characters, as std::string_view has it.
+  /// Compares the characters, as std::string_view does.
   friend constexpr bool operator==(const Text&, const Text&) = default;
   friend constexpr auto operator<=>(const Text&, const Text&) = default;
   friend constexpr bool operator==(const Text& text, std::string_view characters) {

@@ -1,4 +1,4 @@
-// A thread of a skill: what generated code talks to.
+// A thread of a skill, as generated code uses it.
 #pragma once
 
 #include <array>
@@ -53,8 +53,8 @@ struct ThreadControl {
 };
 
 /// Statements, channels, conditions and blocks are named by their index in the wiring. Each of these
-/// functions is one statement of PAL, to be awaited at once: `co_await thread.send(…)`. What they are given
-/// must outlive that.
+/// functions is one statement of PAL, to be awaited at once: `co_await thread.send(…)`. Their arguments must
+/// outlive the statement.
 class Thread {
  public:
   Thread(Kernel& kernel, int index, const ThreadSpec& spec, std::size_t conditions);
@@ -84,7 +84,7 @@ class Thread {
   auto test(int statement, Condition... conditions) {
     return Test<sizeof...(conditions)>(*this, statement, {conditions...});
   }
-  /// What this thread's last test saw of `condition`, one of those that it named.
+  /// The value of `condition` in this thread's last test, which must have named it.
   bool tested(int condition) const { return control.tested[static_cast<std::size_t>(condition)]; }
 
   auto no_arm_holds(int statement) { return NoArm(*this, statement); }

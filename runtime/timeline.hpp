@@ -1,5 +1,4 @@
-// The clock of a station, and what is going to happen by it: bytes that arrive, conversions that end,
-// time-outs.
+// The clock of a station, and its future events: bytes that arrive, conversions that end, time-outs.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +25,7 @@ class Timeline {
   /// Calls `action` at instant `when`. Throws std::logic_error if that is over.
   Token at(Time when, std::function<void()> action);
   Token after(Time delay, std::function<void()> action) { return at(now_ + delay, std::move(action)); }
-  /// The action will not be called. Nothing happens if it has been.
+  /// The action will not be called. If it has been, nothing happens.
   void cancel(Token token);
 
   /// When the next action is due; `never` if there is none.

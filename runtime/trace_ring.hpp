@@ -1,4 +1,4 @@
-// Events of a run on their way to somebody who looks on: a file's writer, a viewer.
+// Carries events of a run to an observer: a file's writer, a viewer.
 #pragma once
 
 #include <atomic>
@@ -12,8 +12,8 @@
 
 namespace pal::runtime {
 
-/// One run puts events in, one other thread takes them out; neither ever waits for the other. What finds the
-/// ring full is dropped and counted. All memory is taken at the beginning.
+/// One run puts events in, and one other thread takes them out; neither ever waits for the other. Events that
+/// find the ring full are dropped and counted. All memory is allocated at the beginning.
 class TraceRing {
  public:
   /// Room for `capacity` events, from 1 on, rounded up to a power of two.

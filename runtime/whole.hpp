@@ -1,4 +1,4 @@
-// INTEGER fields on their way: payloads are doubles, which hold whole numbers up to 2^53.
+// INTEGER fields in payloads: payloads are doubles, which hold whole numbers up to 2^53.
 #pragma once
 
 #include <cstdint>
@@ -6,10 +6,10 @@
 
 namespace pal::runtime {
 
-/// The greatest whole number, and with a minus the least, that a payload carries without loss.
+/// The greatest whole number that a payload carries without loss; its negative is the least.
 inline constexpr std::int64_t greatest_whole = std::int64_t{1} << 53;
 
-/// Throws std::out_of_range for what is no whole number of a payload: a fraction, NaN, more than 2^53.
+/// Throws std::out_of_range for a number that is not such: a fraction, NaN, more than 2^53.
 inline std::int64_t whole(double number) {
   if (!(number >= -static_cast<double>(greatest_whole) && number <= static_cast<double>(greatest_whole)))
     throw std::out_of_range("a message's INTEGER field is not a number from -2^53 to 2^53");

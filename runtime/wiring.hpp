@@ -1,4 +1,4 @@
-// What a generated skill tells the runtime about itself: plain tables, each row found by its index.
+// The description of a generated skill for the runtime: plain tables, each row found by its index.
 #pragma once
 
 #include <cstdint>
@@ -75,7 +75,7 @@ struct DeviceTimes {
   Interval answer{};
 };
 
-/// What is required of the skill, as far as a run can tell, and what its proof relies on.
+/// A requirement on the skill, as far as a run can show it, and what its proof relies on.
 struct RequirementSpec {
   enum class Measure : std::uint8_t {
     response,  // from a message that is put into one of `channels` to a statement of `at`

@@ -1,4 +1,4 @@
-// What happens at the cell, for everybody who looks on. None is ever left out.
+// Events of the cell, for all observers. None is ever left out.
 #pragma once
 
 #include <cstdint>

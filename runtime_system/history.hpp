@@ -1,4 +1,4 @@
-// The last events, for clients that come late.
+// The last events, for clients that connect late.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class History {
     events_.push_back(event);
     if (events_.size() > most_) events_.pop_front();
   }
-  /// The first event that is still there; 0: none.
+  /// The first event that is still kept; 0: none.
   std::uint64_t first() const { return events_.empty() ? 0 : events_.front().number; }
   /// Calls `use` for each event with a number above `number`.
   void since(std::uint64_t number, const std::function<void(const Event&)>& use) const {

@@ -1,4 +1,4 @@
-// Who may come in: what is compared before anything is obeyed.
+// Who may connect: the checks before any command is obeyed.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What the instruments of the cell show while it works.
+// The readings of the cell's instruments while it works.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct Telemetry {
 class TelemetrySink {
  public:
   virtual ~TelemetrySink() = default;
-  /// Somebody looks; else nothing need be read from the instruments.
+  /// Whether somebody observes; otherwise the instruments need not be read.
   virtual bool wanted() const noexcept = 0;
   virtual void show(const Telemetry& telemetry) = 0;
   virtual void show(Duration time, const Profile& profile) = 0;

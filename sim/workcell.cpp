@@ -8,8 +8,8 @@
 #include "sim/controller/gripper_servo.hpp"
 #include "sim/controller/motion_controller.hpp"
 #include "sim/model/private/contacts.hpp"
+#include "sim/model/private/mujoco_physics.hpp"
 #include "sim/model/private/names.hpp"
-#include "sim/model/private/physics.hpp"
 
 namespace pal::sim {
 namespace {

@@ -8,15 +8,15 @@
 
 namespace pal::chart {
 
-/// The window that the options of the first layer ask for; if none, the highlighted intervals of all layers
-/// with some context, or all of the runs. In shifted time.
+/// The window that the options of the first layer ask for. If they ask for none: the highlighted intervals of
+/// all layers with some context, or all of the runs. In shifted time.
 Window overview_window(const std::vector<Layer>& layers);
 
-/// Where something runs in and around the highlighted intervals, in one scale large enough for numbered bars
-/// on `width`. Empty if the whole window in that width already shows every action that large, or nothing is
-/// highlighted. Of long actions the ends only. If not everything can be shown: the end of the interval, its
-/// beginning, where the explanation passes from one part to the next, each in part if need be, then where
-/// most happens.
+/// The stretches in and around the highlighted intervals in which something runs, in one scale large enough
+/// for numbered bars on `width`. Empty if the whole window in that width already shows every action that
+/// large, or if nothing is highlighted. Of long actions only the ends. If not everything can be shown, the
+/// order of preference is: the end of the interval, its beginning, the places where the explanation passes
+/// from one part to the next (each in part if need be), then where most happens.
 std::vector<Window> detail_windows(const std::vector<Layer>& layers, const Window& window, Length width,
                                    Length fold);
 

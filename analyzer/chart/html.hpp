@@ -11,14 +11,14 @@
 
 namespace pal::chart {
 
-/// A part of why an interval is as long as it is, and what happened during it: those inside follow each other
-/// without gaps.
+/// A part of why an interval is as long as it is, with the parts inside it, which follow each other without
+/// gaps.
 struct Part {
   Segment segment;
   std::vector<Part> inside;
 };
 
-/// One run as it is shown for a requirement.
+/// One run, as it is shown for a requirement.
 struct View {
   std::string name;     // "worst run"
   std::size_t run = 0;  // in Book::runs

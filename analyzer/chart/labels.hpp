@@ -1,4 +1,4 @@
-// Keeps labels from colliding: whoever places one asks first.
+// Keeps labels from colliding: code that places a label asks here first.
 #pragma once
 
 #include <vector>

@@ -8,7 +8,7 @@
 
 namespace pal::chart {
 
-/// Where names begin and time does. Processors and devices begin at `group_x`.
+/// Where names and the time axis begin. Processors and devices begin at `group_x`.
 struct Margin {
   static constexpr Length group_x = 40;
   Length name_x = 430;  // of threads, right of the brackets

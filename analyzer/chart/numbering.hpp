@@ -25,8 +25,8 @@ class Numbering {
   };
 
   Numbering() = default;
-  /// Numbers, from 1, the statements of threads that the scale shows and that do not fit into one of their
-  /// bars: by lane from top to bottom, then as in the text.
+  /// Numbers the statements, from 1, that the scale shows and that do not fit into one of their bars: by lane
+  /// from top to bottom, then as in the text.
   Numbering(const std::vector<Layer>& layers, const TimeScale& scale);
 
   /// 0: the statement has no number.
@@ -35,7 +35,8 @@ class Numbering {
   const std::vector<Entry>& entries() const { return entries_; }
 
  private:
-  /// Lane, file, line, text. The file without its folder, which may differ between two runs of one program.
+  /// Lane, file, line, text. The file without its folder, because folders may differ between two runs of one
+  /// program.
   using Key = std::tuple<std::string, std::string, int, std::string>;
   static Key key(const Lane& lane, const Bar& bar);
   std::map<Key, int> numbers_;

@@ -1,4 +1,5 @@
-// What a chart is to point out. It comes from whoever made the trace: an analysis' verdict, or a measurement.
+// What a chart should point out. It comes from the maker of the trace: an analysis' verdict, or a
+// measurement.
 #pragma once
 
 #include <cstdint>
@@ -26,16 +27,16 @@ struct Highlight {
   std::int64_t limit_ns = -1;
 };
 
-/// One part of why the highlighted interval is as long as it is. `actor`: the thread or device that it passes
-/// in.
+/// One part of why the highlighted interval is as long as it is. `actor`: the thread or device that spends
+/// this time.
 struct Segment {
   std::int64_t from_ns = 0;
   std::int64_t to_ns = 0;
   std::string text;
   std::string actor;
   std::string place;  // of the statement: "touch.pal:34"; empty: none
-  /// Of a part of the part before it that is one less deep: what happened during that. Parts of depth 0
-  /// follow each other without gaps, and have letters.
+  /// How deep the part lies inside others: it belongs to the nearest part before it that is one less deep.
+  /// Parts of depth 0 follow each other without gaps, and have letters.
   int depth = 0;
 };
 

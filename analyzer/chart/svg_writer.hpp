@@ -40,7 +40,7 @@ class SvgWriter {
   void raw(std::string_view text) { out_ += text; }
 
   const std::string& str() const { return out_; }
-  /// Whether a rectangle or a path of this style was drawn, or of one that begins with its names.
+  /// Whether a rectangle or a path was drawn whose style begins with these names.
   bool has_drawn(std::string_view style) const;
 
  private:

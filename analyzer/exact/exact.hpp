@@ -13,14 +13,14 @@ namespace pal::analyzer {
 struct Options {
   /// Classes (age, response) or states (load) that one requirement may take; beyond that it is undecided.
   std::size_t max_states = 1'000'000;
-  /// At work on one requirement after the other; 0: as many as the machine has cores. Says nothing about the
-  /// result, which is the same for any number.
+  /// Threads that work on one requirement after the other; 0: one for each core. The result is the same for
+  /// any number.
   unsigned threads = 0;
   /// Whether to find what adds up to compositional bounds (Verdict::addends).
   bool addends = true;
-  /// Asked now and then, by one thread at a time; once it says true, what is not decided stays undecided.
+  /// Called now and then, by one thread at a time. Once it returns true, what is not decided stays undecided.
   std::function<bool()> stop;
-  /// Seconds from some beginning: for the statistics, which say 0 without it, and for the shares of what is
+  /// Seconds since some instant. For the statistics, which say 0 without it, and for sharing the time that is
   /// left until `deadline`.
   std::function<double()> clock;
   std::optional<double> deadline = {};  // by the clock: from then on `stop` says true
@@ -28,8 +28,8 @@ struct Options {
   std::function<std::size_t()> peak_memory;
 };
 
-/// Some run goes round these statements for ever at one instant (in Problem::statements, in the order of the
-/// text). Then nothing is said of times.
+/// A run that goes round these statements for ever at one instant (in Problem::statements, in the order of
+/// the text). Then nothing is claimed about times.
 struct ZenoRun {
   std::vector<int> statements;
 };
@@ -40,8 +40,8 @@ struct Analysis {
   std::optional<ZenoRun> zeno_run = {};
 };
 
-/// Whether every run ends: then a load, which is that of the long run, says nothing. False says nothing, as
-/// where `options` ended the exploration.
+/// Whether every run ends. Then a load, which is that of the long run, has no meaning. False also where
+/// `options` ended the exploration.
 bool every_run_ends(const Problem& problem, const Options& options);
 
 Analysis analyze_exactly(const Problem& problem, const Options& options = {});

@@ -1,4 +1,4 @@
-// Whether a value that grows beyond all that is followed ever counts.
+// Whether a value counts that grows beyond the cap.
 #pragma once
 
 #include <optional>
@@ -19,15 +19,15 @@ enum class Growth {
 
 struct GrowthSearch {
   Growth growth = Growth::open;
-  /// If it counts: a run in which the value is greater than the limit, measured in the end or on a way that
-  /// goes round for ever. None, if no replay confirmed it.
+  /// If it counts: a run in which the value is greater than the limit, and is measured in the end or grows on
+  /// a cycle for ever. None if no replay confirmed it.
   std::optional<Witness> witness;
   Statistics statistics;
 };
 
-/// Of what `watch` watches, beyond `cap`. Among classes that hold all that lies within them a way round need
-/// be none of runs. Among classes that are merged only with their equals it is: each point of such a class
-/// has one before it on the way, and there are finitely many whole points.
+/// For what `watch` watches, beyond `cap`. If classes are merged with larger ones, a cycle of classes need
+/// not be a cycle of runs. If they are merged only with their equals it is one: each point of such a class
+/// has a predecessor on the cycle, and whole points are finitely many.
 GrowthSearch growth(const Problem& problem, const Watch& watch, Nanoseconds cap, const Limits& limits);
 
 }  // namespace pal::analyzer

@@ -98,8 +98,8 @@ SliceBound slice_bound(const Problem& problem, const Requirement& requirement, c
   const Cone cone = cone_of(problem, requirement);
   const Nanoseconds cap = cap_of(problem, requirement.limit);
   Workers workers(options.threads);
-  for (const Looseness looseness : {Looseness{true, true}, Looseness{true, false}}) {
-    Problem slice = slice_of(problem, cone, looseness);
+  for (const Relaxation relaxation : {Relaxation{true, true}, Relaxation{true, false}}) {
+    Problem slice = slice_of(problem, cone, relaxation);
     limit_beginning(problem, slice, {std::min(classes, most_of_beginning), options.stop, {}, &workers},
                     best.statistics);
     for (const Attempt& attempt : attempts) {

@@ -1,4 +1,4 @@
-// What is proved of a requirement by exploring less than the whole problem.
+// What exploring less than the whole problem proves of a requirement.
 #pragma once
 
 #include <optional>

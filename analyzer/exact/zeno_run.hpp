@@ -11,11 +11,11 @@ namespace pal::analyzer {
 struct ZenoSearch {
   /// A reachable cycle on which no time can pass.
   std::optional<ZenoRun> found = {};
-  /// None was found because there is none; otherwise a search with wider limits may find one.
+  /// Whether none exists, if none was found; otherwise a search with wider limits may find one.
   bool excluded = false;
 };
 
-/// Costs next to nothing where each loop of each thread takes some time.
+/// Cheap if each loop of each thread takes some time.
 ZenoSearch find_zeno_run(const Problem& problem, const Limits& limits);
 
 }  // namespace pal::analyzer

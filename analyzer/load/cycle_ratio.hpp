@@ -22,9 +22,9 @@ struct CycleRatio {
   std::vector<int> edges;  // the cycle, as indices, in order
 };
 
-/// Whether the times of every cycle, and products of two such sums, can be added up: less than 2^61
-/// nanoseconds (73 years) where each edge takes as long as the longest. Else greatest_cycle_ratio() must not
-/// be asked.
+/// Whether the times of every cycle, and products of two such sums, can be added up. They must stay below
+/// 2^61 nanoseconds (73 years) even if each edge takes as long as the longest. Otherwise
+/// greatest_cycle_ratio() must not be called.
 bool can_add_up(int nodes, const std::vector<WeightedEdge>& edges);
 
 /// Greatest sum(work) / sum(time) over all cycles that take time; nothing if there is no such cycle. Exact:
@@ -40,8 +40,8 @@ class PositiveCycle {
   /// Ends of the edges: nodes from 0 to `nodes` - 1.
   PositiveCycle(int nodes, std::vector<std::pair<int, int>> edges);
 
-  /// A cycle whose gains, one an edge, add up to more than nothing, as indices in order; empty: there is
-  /// none.
+  /// A cycle whose gains add up to more than nothing, as indices of edges in order; `gains` has one for each
+  /// edge. Empty: there is none.
   std::vector<int> find(const std::vector<Gain>& gains);
 
  private:

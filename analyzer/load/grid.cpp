@@ -116,7 +116,7 @@ int Grid::node_of(int place, std::vector<Nanoseconds> left) {
 }
 
 bool Grid::start(const ZoneGraph& graph, const Recurrence& recurrence, const Limits& limits) {
-  Patience patience(limits.stop);
+  StopToken stop(limits.stop);
   for (int c : recurrence.entries) {
     const ZoneClass& entry = graph.classes()[static_cast<std::size_t>(c)];
     const Place& from = graph.places()[static_cast<std::size_t>(entry.state)];
@@ -131,15 +131,15 @@ bool Grid::start(const ZoneGraph& graph, const Recurrence& recurrence, const Lim
     std::vector<bool> frozen(timers.size());
     const int place = place_of(masked(from.state), std::move(timers), std::move(frozen));
     std::vector<Nanoseconds> left;
-    points(place, entry.zone, variables, left, c, limits.classes, patience);
-    if (nodes_.size() > limits.classes || patience.over()) return false;
+    points(place, entry.zone, variables, left, c, limits.classes, stop);
+    if (nodes_.size() > limits.classes || stop.stop_requested()) return false;
   }
   return !nodes_.empty();
 }
 
 /// All multiples of the unit in the zone, its bounds moved out to the next multiple.
 void Grid::points(int place, const Dbm& zone, const std::vector<std::size_t>& variables,
-                  std::vector<Nanoseconds>& left, int origin, std::size_t most, Patience& patience) {
+                  std::vector<Nanoseconds>& left, int origin, std::size_t most, StopToken& stop) {
   if (nodes_.size() > most) return;
   if (left.size() == variables.size()) {
     const int node = node_of(place, left);
@@ -163,9 +163,9 @@ void Grid::points(int place, const Dbm& zone, const std::vector<std::size_t>& va
   if (may_wait(timers[left.size()])) high = low;
   for (Nanoseconds value = low; value <= high && nodes_.size() <= most && !stopped_; value += unit_) {
     // Many of them may be known from other classes.
-    if (++tried_ % tries_between_stops == 0) stopped_ = patience.over();
+    if (++tried_ % tries_between_stops == 0) stopped_ = stop.stop_requested();
     left.push_back(value);
-    points(place, zone, variables, left, origin, most, patience);
+    points(place, zone, variables, left, origin, most, stop);
     left.pop_back();
   }
 }

@@ -35,11 +35,11 @@ struct GridPlace {
 
 class Grid {
  public:
-  /// Follows `slice` only; whatever else `machine` has stands still.
+  /// Follows `slice` only; everything else of `machine` stands still.
   Grid(const Machine& machine, const Slice& slice);
 
-  /// From every point of the classes at which the recurrence is entered. False: a limit was met, or there is
-  /// none from which what goes on can be followed.
+  /// From every point of the classes at which the recurrence is entered. False: a limit was met, or no start
+  /// was found from which the recurrence can be followed.
   bool start(const ZoneGraph& graph, const Recurrence& recurrence, const Limits& limits);
   /// False: a limit was met.
   bool explore(const Limits& limits);
@@ -47,13 +47,13 @@ class Grid {
   const std::vector<GridNode>& nodes() const { return nodes_; }
   const std::vector<GridPlace>& places() const { return places_; }
   const std::vector<GridEdge>& edges() const { return edges_; }
-  /// Where each start came from: its class. By node; -1: no start.
+  /// The class from which each start came. By node; -1: the node is not a start.
   const std::vector<int>& origins() const { return origins_; }
-  /// `state` as the grid sees it: what is left out is still.
+  /// `state` as the grid sees it: parts that are left out stand still.
   State masked(State state) const;
-  /// Preempted actions got back times that are not fixed: then multiples of the unit do not suffice.
+  /// Preempted actions got back times that are not fixed, so multiples of the unit do not suffice.
   bool relaxed() const { return relaxed_; }
-  /// Events of the slice may be as late as they like. What is found then is what may be, for a bound.
+  /// Events of the slice may come as late as they like. The result is then only a bound.
   bool sporadic() const { return sporadic_; }
 
  private:
@@ -70,7 +70,7 @@ class Grid {
   int place_of(State state, std::vector<int> timers, std::vector<bool> frozen);
   int node_of(int place, std::vector<Nanoseconds> left);
   void points(int place, const Dbm& zone, const std::vector<std::size_t>& variables,
-              std::vector<Nanoseconds>& left, int origin, std::size_t most, Patience& patience);
+              std::vector<Nanoseconds>& left, int origin, std::size_t most, StopToken& stop);
   const std::vector<Move>& moves(int place);
   void expand(int node);
   void wait(int node, const std::vector<int>& timers, const std::vector<bool>& frozen, Nanoseconds most);

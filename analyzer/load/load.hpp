@@ -15,7 +15,7 @@ namespace pal::analyzer {
 
 struct LoadBound {
   /// No unending run keeps the processor busier. If a run attains it, work and time are those of a turn of
-  /// that run; else it is a fraction, and no more.
+  /// that run; otherwise it is only a fraction.
   Fraction most{1, 1};
   bool proved = false;             // otherwise `most` is only what is always true
   Fraction shown{0, 1};            // a run keeps the processor so busy
@@ -24,8 +24,8 @@ struct LoadBound {
   std::size_t states = 0;
 };
 
-/// Whether every run ends: then there is no long run in which a processor has a load. False says nothing.
-/// `graph` as for load_bounds().
+/// Whether every run ends, so that there is no long run in which a processor has a load. False proves
+/// nothing. `graph` as for load_bounds().
 bool ends_always(const Problem& problem, const ZoneGraph& graph);
 
 /// One bound a processor. `graph`: all classes of `machine`, which watches nothing, with its edges, explored
@@ -33,8 +33,8 @@ bool ends_always(const Problem& problem, const ZoneGraph& graph);
 std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph,
                                    const std::vector<int>& processors, const Limits& limits);
 
-/// Whether each of `processors` keeps a limit: by shares of the time, runs, and a grid that is not much
-/// larger than `graph`; cheaper than bounds, and sometimes undecided where these would not be. `graph` as for
+/// Whether each of `processors` keeps a limit: by shares of the time, by runs, and by a grid that is not much
+/// larger than `graph`. Cheaper than bounds, and sometimes undecided where these would decide. `graph` as for
 /// load_bounds().
 struct LoadDecision {
   VerdictState state = VerdictState::undecided;

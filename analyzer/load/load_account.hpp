@@ -1,4 +1,4 @@
-// What a load is made of.
+// The parts of a load.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 namespace pal::analyzer {
 
 /// The statements that keep the processor busy in a turn of the unending run that attains `load`, in
-/// nanoseconds of work a second; they add up to per_second(load.most), whose rounding goes to the longest.
-/// Nothing, if no run is known to attain it.
+/// nanoseconds of work a second. They add up to per_second(load.most); the rounding goes to the longest.
+/// Nothing if no run is known to attain it.
 std::vector<Addend> load_account(const Problem& problem, int processor, const LoadBound& load);
 
 }  // namespace pal::analyzer

@@ -18,8 +18,8 @@ struct Recurrence {
 
 std::vector<Recurrence> recurrences(const ZoneGraph& graph);
 
-/// Threads, channels and devices that influence one another while a skill stays in a recurrence, apart from
-/// the values of conditions.
+/// Threads, channels and devices that influence one another while a skill stays in a recurrence. Influence
+/// through the values of conditions does not count.
 struct Slice {
   std::vector<bool> threads;
   std::vector<bool> channels;
@@ -27,7 +27,7 @@ struct Slice {
   std::vector<bool> timers;
   /// Threads outside that are active: they are left out.
   std::vector<bool> left_out;
-  /// Conditions that left-out threads set: their values are anything.
+  /// Conditions that left-out threads set: they may have any value.
   std::uint64_t free_conditions = 0;
   std::vector<bool> steps;  // of the slice's threads, while in the recurrence
   /// Where the slice's threads are while the skill stays in the recurrence.

@@ -9,7 +9,8 @@
 
 namespace pal::analyzer {
 
-/// The firings after the first `begin` of a run, up to `end`; after both the machine is in the same state.
+/// The firings of a run after the first `begin`, up to `end`. The machine is in the same state before and
+/// after them.
 struct Stretch {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -22,11 +23,11 @@ struct UnendingRun {
   Fraction load;
 };
 
-/// Looks for times with which `script` up to `stretch.end` is a run and everything after it can be repeated
-/// every `period`, for ever; actions of `processor` that begin in the stretch take their worst time. What is
-/// found has been replayed, and after the second turn everything is as it was after the first. Nothing, if
-/// there are no such times, or if actions in the stretch are interrupted and the script's own times do not
-/// come back by themselves.
+/// Looks for times with which `script` up to `stretch.end` is a run, and everything after it can be repeated
+/// every `period`, for ever. Actions of `processor` that begin in the stretch take their worst time. The
+/// result has been replayed, and after the second turn everything is as it was after the first. Nothing if
+/// there are no such times; nor if actions in the stretch are interrupted and the script's own times do not
+/// repeat by themselves.
 std::optional<UnendingRun> repeat(const Machine& machine, std::vector<ScriptedFiring> script, Stretch stretch,
                                   Nanoseconds period, int processor);
 

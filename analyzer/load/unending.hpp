@@ -9,9 +9,9 @@
 
 namespace pal::analyzer {
 
-/// Tries to find a run of the whole skill that goes round `cycle` (edges of `grid`) for ever: a real
-/// beginning, then the cycle, while whatever is left out of the slice goes on beside it, until everything is
-/// exactly as it was at an earlier turn. The witness is the beginning and the first turns.
+/// Tries to find a run of the whole skill that goes round `cycle` (edges of `grid`) for ever. It has a real
+/// beginning. Then it follows the cycle, while the parts that the slice leaves out go on beside it, until
+/// everything is exactly as it was at an earlier turn. The witness is the beginning and the first turns.
 std::optional<Witness> unending_run(const Machine& machine, const ZoneGraph& graph,
                                     const Recurrence& recurrence, const Slice& slice, const Grid& grid,
                                     const std::vector<int>& cycle);

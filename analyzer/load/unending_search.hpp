@@ -9,10 +9,10 @@
 
 namespace pal::analyzer {
 
-/// Runs that stay in `recurrence` by chance, the actions of `processor` as long as they may be, the rest as
-/// short or as long; stretches of them that begin and end in one state are repeated. Ends with the first
-/// whose load is `enough`, or when enough was tried: then the greatest load found, if any. What is not found
-/// says nothing.
+/// Random runs that stay in `recurrence`, with the actions of `processor` as long as they may be, and the
+/// others as short or as long. Stretches of them that begin and end in one state are repeated. The search
+/// ends with the first run whose load is `enough`, or after enough tries; then the result is the greatest
+/// load found, if any. If none is found, that proves nothing.
 std::optional<UnendingRun> search_unending(const Machine& machine, const ZoneGraph& graph,
                                            const Recurrence& recurrence, int processor,
                                            const std::function<bool(const Fraction&)>& enough,

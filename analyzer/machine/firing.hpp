@@ -21,7 +21,7 @@ class Firing {
  private:
   using Kind = trace::Kind;
 
-  /// What is still to happen at this instant, as a consequence of what has: in any order (firing_due.cpp).
+  /// Consequences that are still to happen at this instant, in any order (firing_due.cpp).
   struct Due {
     enum class What {
       go_on,   // a thread whose statement is over, to step `next`
@@ -82,7 +82,7 @@ class Firing {
   void complete(int thread, int code);
   void go_on_and_admit(int thread, int next, std::vector<int> channels);
 
-  /// Calls `each` for all of `of`; in every order.
+  /// Calls `each` for all of `of`, in every order.
   template <class Each>
   void in_any_order(std::vector<int> of, Each each) {
     while (!of.empty()) {

@@ -1,8 +1,8 @@
-// What a skill does, once and for all analyses: an untimed machine with timers.
+// The behaviour of a skill, once for all analyses: an untimed machine with timers.
 // docs/reference/execution-model.md in code.
 //
-// The machine says which timers start, stop, freeze and resume when one of them fires; when they may fire is
-// for the time domains to say: zones (zone_graph), single runs (run), grids of instants (load).
+// The machine says which timers start, stop, freeze and resume when one of them fires. The time domains say
+// when they may fire: zones (zone_graph), single runs (run), grids of instants (load).
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ class AllChoices final : public Choices {
   std::size_t at_ = 0;
 };
 
-/// Picks what a script says.
+/// Makes the choices of a script.
 class ScriptedChoices final : public Choices {
  public:
   explicit ScriptedChoices(const std::vector<std::uint8_t>& script) : script_(script) {}
@@ -101,8 +101,8 @@ class Machine {
 
   Outcome initial(Choices& choices, bool record) const;
 
-  /// What happens when `timer`, active in `state`, fires. False: it cannot be the first at this instant (a
-  /// frame does not start before the last one has ended).
+  /// What happens when `timer`, active in `state`, fires. False: it cannot be the first at this instant,
+  /// because a frame does not start before the last one has ended.
   bool fire(const State& state, int timer, Choices& choices, bool record, Outcome& outcome) const;
 
   /// Conditions whose reads give any value: used where their writer is left out of an analysis.
@@ -113,8 +113,7 @@ class Machine {
   const Watch& watch_;
 };
 
-/// The value of observer `number` no longer matters beyond being greater than the cap; those after it move
-/// up.
+/// Observer `number` only needs to be known as greater than the cap; the observers after it move up.
 void pass_cap(State& state, const Watch& watch, int number);
 
 /// Whether the value that is measured from observer `number` is still growing, and counts even if it is never

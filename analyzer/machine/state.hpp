@@ -1,4 +1,4 @@
-// Everything about a running skill that is not a length of time.
+// The state of a running skill, without times.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ namespace pal::analyzer {
 namespace tag {
 constexpr std::uint8_t none = 255;
 constexpr std::uint8_t over = 253;  // older than the cap
-/// Older than the cap and later than the reference, which is over: what reflects it is a reaction. All that
-/// else is over was so before the reference, or is the reference.
+/// Older than the cap and later than the reference, which is `over`: a statement that reflects it ends a
+/// reaction. Everything else that is `over` was so before the reference, or is the reference.
 constexpr std::uint8_t over_later = 254;
 constexpr std::uint8_t most = 200;  // instants that a state may carry
 
@@ -31,7 +31,7 @@ constexpr bool newer(std::uint8_t a, std::uint8_t b) {
 }
 }  // namespace tag
 
-/// A thread, or a number below zero that says why it is none.
+/// A thread, or a negative number that says why there is none.
 using ThreadNumber = std::int16_t;
 
 enum class Status : std::uint8_t { off, ready, running, waiting, sending, joining };
@@ -100,7 +100,7 @@ struct DeviceState {
   friend bool operator==(const DeviceState&, const DeviceState&) = default;
 };
 
-/// An event without a response, in the order of birth. Of one that is lost nobody knows any more.
+/// An event without a response, in the order of birth. An event that is lost is carried by nothing any more.
 enum class Pending : std::uint8_t { observed, lost, over };
 
 struct State {

@@ -28,13 +28,14 @@ struct Watch {
   Nanoseconds limit = 0;
   std::vector<bool> at;  // by step
 
-  /// While something is measured the value grows, and one that is never measured is without bound.
+  /// While something is measured the value grows; a value that is never measured is unbounded.
   bool grows() const {
     return kind == Kind::response || kind == Kind::busy || reaction || (kind == Kind::interval && !least);
   }
 
-  // By step: where what a thread has read can still count, where a read that can count lies ahead, and where
-  // a statement of `at` does. What does not count any more is forgotten, which keeps the exploration small.
+  // By step: where a value that the thread has read can still count; where a read that can count may follow;
+  // where a statement of `at` may follow. Values that cannot count any more are forgotten, which keeps the
+  // exploration small.
   std::vector<bool> counts;
   std::vector<bool> read_ahead;
   std::vector<bool> live;

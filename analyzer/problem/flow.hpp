@@ -9,11 +9,11 @@
 
 namespace pal::analyzer {
 
-/// What becomes of a way at a step: it goes on, ends there, or has found what was looked for.
+/// What becomes of a way at a step: it goes on, it ends there, or the search has succeeded.
 enum class Course { goes_on, ends, found };
 
-/// Follows all ways on from the steps `open`, these among them, through each step once; whether one finds
-/// something. `at` says of a step's index what becomes of the way.
+/// Follows all ways from the steps `open`, these included, through each step once; returns whether the search
+/// succeeded. `at` says what becomes of the way at the step with an index.
 template <class At>
 bool follow(const Problem& problem, std::vector<int> open, const At& at) {
   std::set<int> seen;
@@ -30,9 +30,9 @@ bool follow(const Problem& problem, std::vector<int> open, const At& at) {
   return false;
 }
 
-/// Visits each step that the flow comes to from `first`, as far as steps lead on (`leads_on`), those that
-/// follow a step before itself; in a circle one of them comes first. A module may have thousands of
-/// statements in a row, more than calls may stand within one another.
+/// Visits each step that the flow reaches from `first`, as far as steps lead on (`leads_on`), successors
+/// before their predecessors; in a circle one of them comes first. Not recursive, because a module may have
+/// thousands of statements in a row.
 template <class LeadsOn, class Visit>
 void backwards(const Problem& problem, int first, const LeadsOn& leads_on, const Visit& visit) {
   std::set<int> seen{first};

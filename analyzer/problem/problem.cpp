@@ -107,7 +107,7 @@ void ProblemBuilder::place(Thread& thread, int runner) {
   }
   if (placement == nullptr) {
     auto& finding = diagnostics_.report(Code::PAL0721, environment_.where,
-                                        "environment " + environment_.name + " places " + thread.name + " nowhere",
+                                        "environment " + environment_.name + " does not place " + thread.name,
                                         "add PLACE " + thread.name + " ON … to the environment");
     const auto is_other_module = [&](const Placement& placed) {
       return std::none_of(network_.modules.begin(), network_.modules.end(), [&](const Module& module) {

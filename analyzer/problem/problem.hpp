@@ -28,8 +28,8 @@ struct Range {
   friend bool operator==(const Range&, const Range&) = default;
 };
 
-/// One statement of a thread, or a place where the flow of threads splits or ends. REPEAT, END CASE and what
-/// else takes no time is gone: `next` leads past it. The body of an Execute stands in its place.
+/// One statement of a thread, or a place where the flow of threads splits or ends. REPEAT, END CASE and
+/// others that take no time are removed: `next` leads past them. The body of an Execute stands in its place.
 struct Step {
   enum class Kind { wait, send, set, read, test, activity, complete, fork, end };
   Kind kind = Kind::end;
@@ -41,7 +41,8 @@ struct Step {
   /// or at once, and goes on with any of `next`.
   std::vector<int> channels;
   std::optional<Nanoseconds> within;  // wait
-  /// Only in slices, of a wait for somebody who is left out: so long after it is reached a message comes.
+  /// Only in slices, for a wait for a party that is left out: the time after reaching it within which a
+  /// message comes.
   Range arrival{0, Range::unbounded};
   int condition = -1;              // set, read
   std::optional<bool> value;       // set
@@ -74,8 +75,7 @@ struct Channel {
   bool served = false;                   // a request that its device answers
   std::vector<int> receiver_processors;  // of the threads that wait for it
   std::string message;
-  /// Only in slices: who is at one of its ends is left out. Its messages are there at any time, and go when
-  /// they like.
+  /// Only in slices: the party at one of its ends is left out. Its messages may come and go at any time.
   bool loose = false;
   bool withdrawable = false;  // loose: what somebody is about to take may be withdrawn
 };
@@ -143,8 +143,8 @@ const std::string& sender_name(const Problem& problem, int channel);
 const std::string& receiver_name(const Problem& problem, int channel);
 
 /// Builds the model of `network` in `environment`. Reports everything in the environment that is missing,
-/// unknown or impossible (PAL072x) and requirements that cannot be meant (PAL081x); no model if there was
-/// such an error. `sources` gives statements their file and line; without it they have none.
+/// unknown or impossible (PAL072x), and requirements that make no sense (PAL081x). After such an error there
+/// is no model. `sources` gives statements their file and line; without it they have none.
 std::optional<Problem> make_problem(const pan::Network& network, const pan::Environment& environment,
                                     Diagnostics& diagnostics, const SourceManager* sources = nullptr);
 

@@ -104,7 +104,7 @@ void ProblemBuilder::overload() {
     const pan::Processor& processor = problem_.processors[p];
     diagnostics_.report(
         Code::PAL0820, processor.where,
-        "processor " + processor.name + " has more to do than time when events come as often as they may: " +
+        "processor " + processor.name + " has more work than time when events come as often as they may: " +
             percent(asked[p]) + " (" + by[p] + ")",
         "move one of them to another processor, shorten its work, or let its events come less often");
   }

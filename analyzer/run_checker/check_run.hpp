@@ -1,5 +1,5 @@
-// Confirms a run without the analysis that found it: a referee that follows the events of a trace and holds
-// each against docs/reference/execution-model.md. It takes nothing from the analysis but the problem's data.
+// Confirms a run without the analysis that found it. A referee follows the events of a trace and checks each
+// against docs/reference/execution-model.md. It uses nothing of the analysis but the problem's data.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace pal::analyzer::rules {
 
-/// Of a run that is reckoned with: what lies beyond is no time of a skill, and sums of it are no numbers.
+/// The last instant that a run may have; sums of later ones would overflow.
 constexpr Nanoseconds latest_instant = 4'000'000'000'000'000'000;
 
 /// A value of the requirement's measure in the run.
@@ -41,12 +41,11 @@ enum class BusyFrom {
   beginning,   // from its beginning only
 };
 
-/// Holds `run` against every rule. `requirement`, of `problem`, says what to measure; without it, or for a
-/// load, nothing is. The run may end at any instant; with `until` nothing may have to happen before that.
-/// What arrives or becomes ready at one instant without an event of its own in the trace may have come in any
-/// order.
-/// A busy period is measured once for each instant that `busy_from` names.
-/// `stop` is asked now and then.
+/// Checks `run` against every rule. `requirement`, of `problem`, says what to measure; without it, or for a
+/// load, nothing is measured. The run may end at any instant; with `until` nothing may have to happen before
+/// that. What arrives or becomes ready at one instant, without an event of its own in the trace, may have
+/// come in any order. A busy period is measured once for each instant that `busy_from` names. `stop` is
+/// called now and then.
 Ruling check_run(const Problem& problem, const Requirement* requirement, const trace::Trace& run,
                  std::optional<Nanoseconds> until = std::nullopt, BusyFrom busy_from = BusyFrom::each_pause,
                  const std::function<bool()>& stop = {});

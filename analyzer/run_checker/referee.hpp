@@ -1,4 +1,4 @@
-// The state of a run as far as its events tell, and the rules that each event must keep.
+// The state of a run, as far as its events determine it, and the rules that each event must keep.
 #pragma once
 
 #include <functional>
@@ -25,8 +25,8 @@ class Referee {
   Referee(const Problem& problem, const Requirement* requirement, const std::vector<trace::Event>& events,
           BusyFrom busy_from);
 
-  /// Everything up to the end, and on to `until` without a further event; throws Broken. False: `stop`, which
-  /// is asked now and then, ended it before.
+  /// Checks everything up to the end, and on to `until` without a further event; throws Broken. False:
+  /// `stop`, which is called now and then, ended it before.
   bool follow(std::optional<Nanoseconds> until, const std::function<bool()>& stop);
 
   Nanoseconds now() const { return now_; }
@@ -69,7 +69,7 @@ class Referee {
     std::map<int, bool> reads;  // at this instant, for a test
   };
 
-  /// When a message is there for one group of threads: some instant in [lo, hi].
+  /// When a message is available to one group of threads: at some instant in [lo, hi].
   struct Arrival {
     Nanoseconds lo = 0;
     Nanoseconds hi = 0;
@@ -213,7 +213,7 @@ class Referee {
   }
   int& holder(int thread) { return holders_[static_cast<std::size_t>(thread_of(thread).processor)]; }
   [[noreturn]] void broken(const std::string& what) const { throw Broken(what); }
-  /// The rule is put together of its parts only when it is broken.
+  /// The text of the rule is put together only when it is broken.
   template <class... Parts>
   void demand(bool kept, const Parts&... parts) const {
     if (!kept) broken((std::string() + ... + parts));

@@ -9,9 +9,8 @@
 
 namespace pal::analyzer::rules {
 
-/// Told of everything that may count, in the order of the run. What is measured is in
-/// docs/reference/execution-model.md. Births (of events, of samples, of values of a condition) are numbered as they
-/// come.
+/// Is told everything that may count, in the order of the run. docs/reference/execution-model.md says what is
+/// measured. Births (of events, of samples, of values of a condition) are numbered in their order.
 class RequirementMonitor {
  public:
   /// Without a requirement, or of a load, nothing is measured.
@@ -37,7 +36,7 @@ class RequirementMonitor {
 
   // Devices. `first`: of several requests that one frame serves.
   void serves(int request, bool first);
-  /// What it has served is to be answered now; it may begin to serve the next before.
+  /// What it has served must be answered now; it may begin to serve the next request before.
   void is_due(int request);
   void event(int device, int channel, bool lost);
   void answers(int channel, bool lost);

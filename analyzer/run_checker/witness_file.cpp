@@ -17,9 +17,9 @@ Json to_json(const FiledWitness& witness) {
   made["skill"] = witness.skill;
   made["environment"] = witness.environment;
   made["identity"] = witness.identity;
-  for (const FiledSeat& seat : witness.placement)
+  for (const FiledPlacement& each : witness.placement)
     made["placement"].push_back(
-        {{"thread", seat.thread}, {"processor", seat.processor}, {"priority", seat.priority}});
+        {{"thread", each.thread}, {"processor", each.processor}, {"priority", each.priority}});
   made["requirement"] = witness.requirement;
   made["measure"] = witness.measure;
   made["failed"] = witness.failed;
@@ -56,7 +56,7 @@ std::int64_t whole(const Json& value, const char* what,
   return value.get<std::int64_t>();
 }
 
-FiledSeat seat_of(const Json& json) {
+FiledPlacement placement_of(const Json& json) {
   constexpr int most = std::numeric_limits<int>::max();
   return {json.at("thread").get<std::string>(),
           static_cast<int>(whole(json.at("processor"), "processor", 0, most - 1)),
@@ -77,7 +77,7 @@ FiledWitness from_json(const Json& json) {
   made.environment = json.at("environment").get<std::string>();
   made.identity = json.at("identity").get<std::string>();
   if (json.contains("placement")) {
-    for (const Json& seat : json.at("placement")) made.placement.push_back(seat_of(seat));
+    for (const Json& each : json.at("placement")) made.placement.push_back(placement_of(each));
   }
   made.requirement = json.at("requirement").get<std::string>();
   made.measure = json.at("measure").get<std::string>();

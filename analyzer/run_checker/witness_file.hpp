@@ -10,8 +10,7 @@
 
 namespace pal::analyzer::rules {
 
-/// One event of the analysis's script: which timer fires when, and what is chosen of what the skill leaves
-/// open.
+/// One event of the analysis's script: which timer fires when, and how each open choice of the skill is made.
 struct Firing {
   std::int64_t at = 0;
   std::string timer;  // thread, message or device; empty: the start
@@ -19,7 +18,7 @@ struct Firing {
 };
 
 /// Where a thread runs, if not where the environment says.
-struct FiledSeat {
+struct FiledPlacement {
   std::string thread;
   int processor = 0;  // index
   int priority = 0;
@@ -29,8 +28,8 @@ struct FiledSeat {
 struct FiledWitness {
   std::string skill;
   std::string environment;
-  std::string identity;              // of the skill and the environment that it is a run of
-  std::vector<FiledSeat> placement;  // all threads; empty: as the environment says
+  std::string identity;                   // of the skill and the environment that it is a run of
+  std::vector<FiledPlacement> placement;  // all threads; empty: as the environment says
   std::string requirement;
   std::string measure;  // "age", "response", …
   bool failed = false;  // shows an event without a response, and no value

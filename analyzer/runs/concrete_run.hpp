@@ -24,8 +24,7 @@ struct ScriptedFiring {
 };
 
 /// One run with concrete times, instant by instant. Its driver (a script, a simulation) chooses which timer
-/// fires when. The run does not check that choice, but keeps exact count of the work that each timer has
-/// done.
+/// fires when. The run does not check that choice, but counts exactly the work that each timer has done.
 class ConcreteRun {
  public:
   struct Timer {
@@ -41,8 +40,8 @@ class ConcreteRun {
 
   /// Time 0. The timers that this starts are in started().
   void begin(Choices& choices);
-  /// Fires `timer` at `now`, not before the last instant. False: it cannot be the first at this instant, or
-  /// what it leads to has outgrown the machine.
+  /// Fires `timer` at `now`, not before the last instant. False: it cannot be the first at this instant, or a
+  /// count outgrew the machine.
   bool fire(int timer, Nanoseconds now, Choices& choices);
 
   const State& state() const { return state_; }
@@ -57,7 +56,7 @@ class ConcreteRun {
   /// When the observers of the state were born.
   const std::vector<Nanoseconds>& births() const { return births_; }
   const Outcome& outcome() const { return outcome_; }
-  /// More was to happen than the machine can count: the run is known no further.
+  /// A count outgrew the machine: the run is known no further.
   bool outgrown() const { return outgrown_; }
 
   /// The run so far, `origin` predicted.

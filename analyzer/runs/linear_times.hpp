@@ -1,4 +1,4 @@
-// Whole times that keep linear constraints, one of their differences being as great or as small as it can be.
+// Whole times that satisfy linear constraints, with one difference of them as great or as small as possible.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,7 @@
 
 namespace pal::analyzer {
 
-/// What an action that was interrupted has worked: the sum of t[end] - t[begin] over its pieces is in
-/// `range`.
+/// The work of an interrupted action: the sum of t[end] - t[begin] over its pieces is in `range`.
 struct Work {
   std::vector<std::pair<std::size_t, std::size_t>> pieces;
   Range range;
@@ -25,17 +24,17 @@ struct Difference {
   Nanoseconds bound = 0;
 };
 
-/// The difference t[to] - t[from] that is to be as great as it can be, if it is to be.
+/// The difference t[to] - t[from] to maximise, if there is one.
 struct Goal {
   std::size_t from = 0;
   std::size_t to = 0;
   Nanoseconds enough = Range::unbounded;  // it is never greater, or more is not asked for
 };
 
-/// Times t[0] = 0, t[1], … in whole nanoseconds; nothing if there are none, or if the goal has no end.
+/// Times t[0] = 0, t[1], … in whole nanoseconds; nothing if there are none, or if the goal is unbounded.
 /// Decided exactly, over the integers, by Z3 (L. de Moura, N. Bjorner, Z3: an efficient SMT solver, 2008).
-/// After two seconds, or once `stop`, if given, says true, the best times so far; nothing, if none are known
-/// by then, or there are too many (more than 2000 times, 1000 pieces).
+/// After two seconds, or once `stop`, if given, returns true: the best times so far, or nothing if none are
+/// known. Nothing also if there are too many (more than 2000 times, 1000 pieces).
 std::optional<std::vector<Nanoseconds>> linear_times(std::size_t count,
                                                      const std::vector<Difference>& differences,
                                                      const std::vector<Work>& works,

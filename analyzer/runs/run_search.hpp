@@ -1,5 +1,5 @@
-// Looks for a bad run where not all runs can be explored: what it finds is a fact, what it does not find says
-// nothing.
+// Looks for a bad run where not all runs can be explored. A run that it finds is a fact; if it finds none,
+// that proves nothing.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ struct RunSearchOptions {
   std::function<bool()> stop;        // asked between runs
 };
 
-/// Of the runs tried the one in which `requirement` (no load) comes nearest to failing, or fails first;
-/// nothing if none measures anything. First runs are drawn by seed. Then devices are moved one by one: to
+/// Of the runs tried, the one in which `requirement` (no load) comes nearest to failing, or fails first;
+/// nothing if none measures anything. First, random runs are made. Then devices are moved one by one to
 /// instants at which something happens while the greatest value grows, as long as that makes it greater. Of
-/// promising runs the order of events is kept, and their times are chosen anew so that the value is as great
-/// as it can be (witness_along). The same problem gives the same run.
+/// promising runs the order of events is kept, and their times are chosen anew to make the value as great as
+/// possible (witness_along). The same problem gives the same run.
 std::optional<Witness> search_runs(const Problem& problem, const Requirement& requirement,
                                    const RunSearchOptions& options);
 

@@ -1,4 +1,4 @@
-// One run of a skill, with times and outcomes drawn by seed.
+// One random run of a skill, with times and outcomes drawn by seed.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace pal::analyzer {
 
 struct SimulationOptions {
-  /// extremes: each time is its best or its worst, by chance. What the skill leaves open (outcomes of
+  /// extremes: each time is its best or its worst, at random. What the skill leaves open (outcomes of
   /// conditions, orders at one instant) is drawn by seed in any case.
   enum class Times { worst, best, random, extremes };
   Times times = Times::worst;
@@ -23,7 +23,8 @@ struct SimulationOptions {
   /// By device, where not empty: the instant of its first event or frame, counted from its opening; -1:
   /// drawn.
   std::vector<Nanoseconds> phases;
-  /// The run begins so; what follows is drawn. Scripted firings that cannot be end the beginning.
+  /// The beginning of the run; the rest is drawn. The beginning ends before a scripted firing that is not
+  /// possible.
   std::vector<ScriptedFiring> beginning;
 };
 

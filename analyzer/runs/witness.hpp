@@ -1,4 +1,4 @@
-// From a path through the zone graph to a run with whole times, replayed to be sure.
+// From a path through the zone graph to a run with whole times, which is replayed to confirm it.
 #pragma once
 
 #include <functional>
@@ -22,8 +22,8 @@ struct Witness {
   bool still = false;  // nothing happens after the end, ever
 };
 
-/// Runs `script` in the concrete domain. Nothing, if some timer would fire too early, too late or in the
-/// wrong state. `growing`: what is asked for is what has not been measured at the end.
+/// Runs `script` in the concrete domain. Nothing if some timer would fire too early, too late or in the wrong
+/// state. `growing`: the value asked for is one that has not been measured at the end.
 std::optional<Witness> replay(const Machine& machine, const std::vector<ScriptedFiring>& script,
                               bool growing = false);
 
@@ -33,12 +33,12 @@ std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, con
                                                      int target,
                                                      const std::vector<std::pair<int, Nanoseconds>>& left);
 
-/// A run to class `stuck` of `graph`, in which nothing happens any more while what is watched grows; it lasts
-/// until the value is `value`.
+/// A run to class `stuck` of `graph`, in which nothing happens any more while the watched value grows. It
+/// lasts until the value is `value`.
 std::optional<Witness> stuck_witness(const Machine& machine, const ZoneGraph& graph, int stuck,
                                      Nanoseconds value);
 
-/// A run to class `target` of `graph`, in which what is watched grows: at its end the oldest such value is
+/// A run to class `target` of `graph`, in which the watched value grows: at its end the oldest such value is
 /// greater than the limit.
 std::optional<Witness> grown_witness(const Machine& machine, const ZoneGraph& graph, int target,
                                      const std::function<bool()>& stop);
@@ -47,19 +47,19 @@ std::optional<Witness> grown_witness(const Machine& machine, const ZoneGraph& gr
 constexpr int no_growth = -1;
 constexpr int oldest_growth = -2;
 
-/// The run that fires as `path` does, at other times, in which what its end measures is greatest (or least,
-/// if that is watched); any times, if nothing is `measured`. `growing`: the observer whose value is asked for
-/// instead, or oldest_growth. Nothing, if there is none, or none was confirmed by replay. The path may come
-/// from another problem. `quick`: where actions whose time is not fixed preempt others, they take their worst
-/// time, and no other times are looked for; so it is once `stop`, if given, says true, and where `known`,
-/// which no run exceeds, is attained so.
+/// The run that fires as `path` does, at other times, in which the value measured at its end is greatest (or
+/// least, if that is watched). Any times, if nothing is `measured`. `growing`: the observer whose value is
+/// asked for instead, or oldest_growth. Nothing if there is none, or none was confirmed by replay. The path
+/// may come from another problem. `quick`: where actions without a fixed time preempt others, they take their
+/// worst time, and no other times are tried. The same holds once `stop`, if given, returns true, and where
+/// the value `known`, which no run exceeds, is attained in this way.
 std::optional<Witness> witness_along(const Machine& machine, std::vector<ScriptedFiring> path, bool measured,
                                      int growing = no_growth, bool quick = false,
                                      const std::function<bool()>& stop = {},
                                      std::optional<Nanoseconds> known = {});
 
 /// The run along the path to `peak` in which the measured value is greatest (or least, if that is watched).
-/// Nothing, if none was confirmed by replay.
+/// Nothing if none was confirmed by replay.
 std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak,
                                   bool quick = false, const std::function<bool()>& stop = {});
 

@@ -1,4 +1,4 @@
-// The threads and devices that a requirement cannot be measured without (docs/internals/slices.md).
+// The threads and devices that are needed to measure a requirement (docs/internals/slices.md).
 #pragma once
 
 #include <vector>
@@ -7,23 +7,24 @@
 
 namespace pal::analyzer {
 
-/// What is kept of a problem; the rest may do what it likes (slice.hpp).
+/// The parts of a problem that are kept; the rest may do anything (slice.hpp).
 struct Cone {
   std::vector<bool> threads;
   std::vector<bool> devices;
-  /// Devices that only say how often others may take time: how seldom does not matter.
+  /// Devices that matter only because their events make others take time: how seldom they come does not
+  /// matter.
   std::vector<bool> pacers;
 
   /// Whether nothing is left out.
   bool whole() const;
 };
 
-/// Whether a cone goes on to what its threads wait for again and again. Without that it is as sound, and says
-/// less.
+/// Whether a cone includes what its threads wait for again and again. Without that it is also sound, but
+/// proves less.
 enum class Reach { least, waits };
 
 /// Everything that carries what `requirement` measures, that can keep it from its processor, or that it waits
-/// for again and again. `processor`: of a busy period. A load is of the whole problem.
+/// for again and again. `processor`: of a busy period. For a load it is the whole problem.
 Cone cone_of(const Problem& problem, const Requirement& requirement, int processor = -1,
              Reach reach = Reach::waits);
 

@@ -13,15 +13,15 @@ std::size_t index_of(int index) {
 
 class Slicer {
  public:
-  Slicer(const Problem& problem, const Cone& cone, Looseness looseness)
-      : whole_(problem), cone_(cone), looseness_(looseness), talk_(talk_of(problem)), made_(problem) {}
+  Slicer(const Problem& problem, const Cone& cone, Relaxation relaxation)
+      : whole_(problem), cone_(cone), relaxation_(relaxation), talk_(talk_of(problem)), made_(problem) {}
 
   Problem make() {
     for (std::size_t c = 0; c < made_.channels.size(); ++c) loosen(static_cast<int>(c));
     for (std::size_t d = 0; d < made_.devices.size(); ++d) {
       if (!cone_.devices[d]) made_.devices[d].behaviour = std::monostate();
-      if (looseness_.periods) space_out(made_.devices[d]);
-      made_.devices[d].seldom = looseness_.periods && cone_.pacers[d];
+      if (relaxation_.periods) space_out(made_.devices[d]);
+      made_.devices[d].seldom = relaxation_.periods && cone_.pacers[d];
     }
     free_conditions();
     for (std::size_t t = 0; t < made_.threads.size(); ++t) {
@@ -93,7 +93,7 @@ class Slicer {
         if (step.value) told |= bit;
       }
     }
-    made_.free_conditions = left_out | (looseness_.conditions ? ~told : 0);
+    made_.free_conditions = left_out | (relaxation_.conditions ? ~told : 0);
   }
 
   /// A device that is left out answers no sooner than it can.
@@ -133,15 +133,15 @@ class Slicer {
 
   const Problem& whole_;
   const Cone& cone_;
-  Looseness looseness_;
+  Relaxation relaxation_;
   std::vector<ThreadTalk> talk_;
   Problem made_;
 };
 
 }  // namespace
 
-Problem slice_of(const Problem& problem, const Cone& cone, Looseness looseness) {
-  return Slicer(problem, cone, looseness).make();
+Problem slice_of(const Problem& problem, const Cone& cone, Relaxation relaxation) {
+  return Slicer(problem, cone, relaxation).make();
 }
 
 }  // namespace pal::analyzer

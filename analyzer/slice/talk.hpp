@@ -1,4 +1,4 @@
-// Which thread uses what: channels, conditions, blocks.
+// Which channels, conditions and blocks each thread uses.
 #pragma once
 
 #include <set>
@@ -17,7 +17,7 @@ struct ThreadTalk {
   std::set<int> blocks;        // threads
   std::set<int> sets;          // conditions
   std::set<int> reads;         // conditions, by READ or a test
-  // Of these what it may come to more than once.
+  // The subset that it may come to more than once.
   std::set<int> sends_again;
   std::set<int> waits_again;
   std::set<int> blocks_again;
@@ -26,8 +26,8 @@ struct ThreadTalk {
 /// By thread.
 std::vector<ThreadTalk> talk_of(const Problem& problem);
 
-/// A wait for what a device answers, in a thread that alone asks it, just before, and waits without limit:
-/// the least time that it waits. Else 0.
+/// For a wait for the answer of a device that this thread alone asks, just before, and without a limit: the
+/// least time that it waits. Otherwise 0.
 Nanoseconds least_wait(const Problem& problem, const std::vector<ThreadTalk>& talk, int thread, int step);
 
 }  // namespace pal::analyzer

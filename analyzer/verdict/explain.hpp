@@ -1,4 +1,4 @@
-// Why a bound is what it is, read off its witness.
+// The explanation of a bound, read off its witness.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace pal::analyzer {
 
-/// A verdict in words. `verdict.witness` and `verdict.reasons` stand already.
+/// A verdict in words. `verdict.witness` and `verdict.reasons` must be set.
 std::string explanation(const Problem& problem, const Requirement& requirement, const Verdict& verdict);
 
-/// Why nothing is measured in any run. `passed`: what is watched does happen.
+/// Why no run measures anything. `passed`: what is watched does happen.
 std::string nothing_measured(const Requirement& requirement, bool passed);
 
-/// A story that is short enough to be read: of a long one the first and the last pieces, and between them one
-/// that says how many there are more and takes as long as they do.
+/// A story that is short enough to be read. Of a long one, the first and the last pieces, and between them
+/// one piece that says how many there are more and takes as long as they do.
 std::vector<Reason> abridged(const std::vector<Reason>& reasons);
 
 /// "27.95 ms", exact.

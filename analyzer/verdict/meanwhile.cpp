@@ -1,4 +1,4 @@
-#include "analyzer/verdict/telling.hpp"
+#include "analyzer/verdict/narrator.hpp"
 
 #include <algorithm>
 
@@ -8,7 +8,8 @@ using trace::Slice;
 
 /// What whoever ended a wait, or is to end it, did in [from, to]. Nothing, if nobody did, or it was not at
 /// work.
-std::vector<Reason> Telling::meanwhile(const Slice& wait, Nanoseconds from, Nanoseconds to, int depth) const {
+std::vector<Reason> Narrator::meanwhile(const Slice& wait, Nanoseconds from, Nanoseconds to,
+                                        int depth) const {
   const bool goes_on = wait.to_ns > to || wait.ending == trace::Ending::open;
   if (from >= to || (!goes_on && wait.ending != trace::Ending::over)) return {};
   std::vector<Reason> pieces;
@@ -35,12 +36,12 @@ std::vector<Reason> Telling::meanwhile(const Slice& wait, Nanoseconds from, Nano
 }
 
 /// Whether it is a wait for room.
-bool Telling::is_send(const Slice& wait) const {
+bool Narrator::is_send(const Slice& wait) const {
   return wait.statement >= 0 && statement(wait.statement).text.rfind("TXM", 0) == 0;
 }
 
 /// Who is to send what a wait is for, if that is one thread or device.
-std::optional<int> Telling::to_send(const Slice& wait) const {
+std::optional<int> Narrator::to_send(const Slice& wait) const {
   if (wait.statement < 0 || is_send(wait)) return std::nullopt;
   const std::string& sender = run_.channels[static_cast<std::size_t>(wait.channel)].sender;
   const auto actor = std::find_if(run_.actors.begin(), run_.actors.end(),
@@ -50,7 +51,7 @@ std::optional<int> Telling::to_send(const Slice& wait) const {
 }
 
 /// Who ended a wait: whoever put the message at that instant, or made room for one.
-std::optional<int> Telling::waited_for(const Slice& wait) const {
+std::optional<int> Narrator::waited_for(const Slice& wait) const {
   if (!is_send(wait)) return sender_at(wait);
   for (std::size_t actor = 0; actor < takes_.size(); ++actor) {
     const auto first = first_at(takes_[actor], wait.to_ns);
@@ -63,13 +64,13 @@ std::optional<int> Telling::waited_for(const Slice& wait) const {
 }
 
 /// Who put what the wait was for.
-std::optional<int> Telling::sender_at(const Slice& wait) const {
+std::optional<int> Narrator::sender_at(const Slice& wait) const {
   const auto put = put_for(wait);
   return put ? std::optional(run_.events[*put].actor) : std::nullopt;
 }
 
 /// The put of what is taken after a wait for a message that came.
-std::optional<std::size_t> Telling::put_for(const Slice& wait) const {
+std::optional<std::size_t> Narrator::put_for(const Slice& wait) const {
   const std::vector<std::size_t>& own = takes_[static_cast<std::size_t>(wait.actor)];
   const auto take = first_at(own, wait.to_ns);
   const auto put = take == own.end() ? put_of_.end() : put_of_.find(*take);
@@ -77,14 +78,14 @@ std::optional<std::size_t> Telling::put_for(const Slice& wait) const {
 }
 
 /// The first of these events that is not before an instant.
-std::vector<std::size_t>::const_iterator Telling::first_at(const std::vector<std::size_t>& events,
-                                                           Nanoseconds instant) const {
+std::vector<std::size_t>::const_iterator Narrator::first_at(const std::vector<std::size_t>& events,
+                                                            Nanoseconds instant) const {
   return std::partition_point(events.begin(), events.end(),
                               [&](std::size_t e) { return run_.events[e].time_ns < instant; });
 }
 
 /// Of the blocks of a thread the one that works to the end of [from, to].
-int Telling::last_block(int thread, Nanoseconds from, Nanoseconds to) const {
+int Narrator::last_block(int thread, Nanoseconds from, Nanoseconds to) const {
   for (std::size_t block = 0; block < problem_.threads.size(); ++block) {
     if (problem_.threads[block].parent != thread) continue;
     const std::vector<Slice>& own = of_actor_[block];
@@ -98,7 +99,7 @@ int Telling::last_block(int thread, Nanoseconds from, Nanoseconds to) const {
 }
 
 /// What a device did in [from, to]: nothing to tell of one that does not work.
-void Telling::serves(int device, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out) const {
+void Narrator::serves(int device, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out) const {
   Nanoseconds at = from;
   for (const Slice& slice : of_actor_[static_cast<std::size_t>(device)]) {
     if (slice.to_ns <= at || slice.from_ns >= to) continue;
@@ -111,7 +112,7 @@ void Telling::serves(int device, Nanoseconds from, Nanoseconds to, std::vector<R
 }
 
 /// What comes of a device's work.
-std::string Telling::works_on(int device, const Slice& slice) const {
+std::string Narrator::works_on(int device, const Slice& slice) const {
   const std::vector<std::size_t>& puts = puts_[static_cast<std::size_t>(device)];
   const auto put = first_at(puts, slice.to_ns);
   if (put == puts.end() || run_.events[*put].time_ns != slice.to_ns) return "works";

@@ -1,4 +1,4 @@
-// Where what a thread knows came from: for ages, reactions and responses.
+// Where the knowledge of a thread came from: for ages, reactions and responses.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ struct Gained {
   Origin what;
 };
 
-/// Follows a run and keeps, of a requirement's event, sample or condition, who knew which one since when.
+/// Follows a run, and records which thread knew which event, sample or condition of a requirement since when.
 class Origins {
  public:
   Origins(const Problem& problem, const Requirement& requirement, const trace::Trace& run);
@@ -49,7 +49,8 @@ class Origins {
   void follow(std::size_t index);
   void gain(int thread, std::size_t event, const Origin& what);
   Origin birth(std::size_t event);
-  /// What the answer that its device gives now carries: the oldest that it has taken is answered.
+  /// What the answer carries that its device gives now: it belongs to the oldest request that the device has
+  /// taken.
   Origin answered(int request);
   bool is_source(int channel) const;
   const Origin& known(int thread) const;

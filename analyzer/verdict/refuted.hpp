@@ -1,4 +1,4 @@
-// Proofs that a run contradicts.
+// Proofs that are contradicted by a run.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,13 @@
 
 namespace pal::analyzer {
 
-/// Whether the run that the verdict knows goes beyond what it says of all runs. Then the proof is wrong, by a
-/// defect of the analysis.
+/// Whether the verdict's own run goes beyond what the verdict says of all runs. Then the proof is wrong,
+/// because of a defect of the analysis.
 bool is_refuted(const Verdict& verdict);
 
-/// Where a run refutes one of `proofs` nothing of the analysis that it is of is used in `verdicts`: what
-/// fails by a run fails, all else of it is undecided, without a bound, and the explanation says why. Both are
-/// of one skill.
+/// Where a run refutes one of `proofs`, nothing of the analysis that gave this proof is used in `verdicts`.
+/// What fails by a run fails; everything else of it is undecided, without a bound, and the explanation says
+/// why. Both are of one skill.
 void withdraw_refuted(const std::vector<Verdict>& proofs, std::vector<Verdict>& verdicts);
 
 /// The same, where the proofs are the verdicts.

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "analyzer/problem/flow.hpp"
+#include "analyzer/verdict/narrator.hpp"
 #include "analyzer/verdict/origins.hpp"
-#include "analyzer/verdict/telling.hpp"
 #include "runtime/trace/slices.hpp"
 
 namespace pal::analyzer {
@@ -29,7 +29,7 @@ struct Story {
   const Requirement& requirement;
   const trace::Trace& trace;
   Origins origins{problem, requirement, trace};
-  Telling telling{problem, trace};
+  Narrator narrator{problem, trace};
 
   /// The event at which the measured statement had its effect; the number of events if there is none.
   std::size_t used_at(const Measurement& measured) const {
@@ -62,7 +62,7 @@ struct Story {
       way.emplace_back();
       Nanoseconds from = trace.events[gained->event].time_ns;
       at = source(*gained, from, way.back());
-      if (from < to) telling.tell(here, from, to, way.back());
+      if (from < to) narrator.tell(here, from, to, way.back());
     }
     for (auto piece = way.rbegin(); piece != way.rend(); ++piece)
       out.insert(out.end(), piece->begin(), piece->end());
@@ -78,11 +78,11 @@ struct Story {
     if (!put) return std::nullopt;
     const trace::Event& putting = trace.events[*put];
     from = putting.time_ns;
-    if (!telling.is_device(putting.actor)) return Known{putting.actor, *put};
+    if (!narrator.is_device(putting.actor)) return Known{putting.actor, *put};
     if (gained.what.born < from) {
       const std::string message = trace.channels[static_cast<std::size_t>(putting.subject)].message;
-      out.push_back(
-          telling.reason(gained.what.born, from, putting.actor, "takes the sample and gives " + message, -1));
+      out.push_back(narrator.reason(gained.what.born, from, putting.actor,
+                                    "takes the sample and gives " + message, -1));
     }
     return std::nullopt;
   }
@@ -96,19 +96,19 @@ struct Story {
     if (!set) {
       if (from < reading.time_ns)
         out.push_back(
-            telling.reason(from, reading.time_ns, -1, condition + " has had its value since the start", -1));
+            narrator.reason(from, reading.time_ns, -1, condition + " has had its value since the start", -1));
       return std::nullopt;
     }
     const trace::Event& setting = trace.events[*set];
     if (from < reading.time_ns)
-      out.push_back(telling.reason(from, reading.time_ns, setting.actor,
-                                   telling.statement(setting.statement).text + " gave " + condition +
-                                       " its value; it ages until " +
-                                       telling.statement(reading.statement).text + " reads it",
-                                   setting.statement));
+      out.push_back(narrator.reason(from, reading.time_ns, setting.actor,
+                                    narrator.statement(setting.statement).text + " gave " + condition +
+                                        " its value; it ages until " +
+                                        narrator.statement(reading.statement).text + " reads it",
+                                    setting.statement));
     if (from < reading.time_ns)
-      telling.tell(next_to_set(reading.subject, setting.actor, reading.time_ns), from, reading.time_ns,
-                   out.back().inside);
+      narrator.tell(next_to_set(reading.subject, setting.actor, reading.time_ns), from, reading.time_ns,
+                    out.back().inside);
     if (requirement.samples.empty()) return std::nullopt;
     return Known{setting.actor, *set};
   }
@@ -120,7 +120,7 @@ struct Story {
       if (step.kind != Step::Kind::set || step.condition != condition) continue;
       const int thread = thread_of(problem, static_cast<int>(s));
       if (thread >= 0 && problem.threads[static_cast<std::size_t>(thread)].parent == setter &&
-          telling.is_at_work(thread, instant))
+          narrator.is_at_work(thread, instant))
         return thread;
     }
     return setter;
@@ -134,9 +134,9 @@ struct Story {
     if (reflected.born > measured.born) {
       const trace::Event& event = trace.events[reflected.event];
       if (event.kind == Kind::set) {
-        telling.tell(event.actor, measured.born, reflected.born, out);
+        narrator.tell(event.actor, measured.born, reflected.born, out);
       } else {
-        out.push_back(telling.reason(
+        out.push_back(narrator.reason(
             measured.born, reflected.born, event.actor,
             "has just missed the change; the next sample that is reflected comes after this", -1));
       }
@@ -149,11 +149,12 @@ struct Story {
     for (const int processor : requirement.processors) {
       std::vector<Reason> pieces;
       Nanoseconds at = measured.born;
-      for (const Slice& slice : telling.slices()) {
+      for (const Slice& slice : narrator.slices()) {
         const bool here = slice.state == trace::State::running &&
                           problem.threads[static_cast<std::size_t>(slice.actor)].processor == processor;
         if (!here || slice.from_ns != at || slice.to_ns == at || slice.to_ns > measured.at) continue;
-        pieces.push_back(telling.reason(at, slice.to_ns, slice.actor, telling.doing(slice), slice.statement));
+        pieces.push_back(
+            narrator.reason(at, slice.to_ns, slice.actor, narrator.doing(slice), slice.statement));
         at = slice.to_ns;
       }
       if (at != measured.at) continue;
@@ -184,7 +185,7 @@ struct Story {
       if (from == trace.events.size()) continue;
       const trace::Event& putting = trace.events[from];
       if (requirement.is_event(putting.subject) && putting.time_ns == measured.born) {
-        telling.tell(thread, measured.born, to, out);
+        narrator.tell(thread, measured.born, to, out);
         return;
       }
       const bool by_thread =
@@ -195,11 +196,11 @@ struct Story {
       }
     }
     if (last == trace.events.size() || depth == 0) {
-      telling.tell(thread, measured.born, to, out);
+      narrator.tell(thread, measured.born, to, out);
       return;
     }
     response(trace.events[put].actor, put, measured, out, depth - 1);
-    telling.tell(thread, trace.events[put].time_ns, to, out);
+    narrator.tell(thread, trace.events[put].time_ns, to, out);
   }
 };
 
@@ -227,7 +228,7 @@ std::vector<Reason> reasons(const Problem& problem, const Requirement& requireme
       break;
     case Requirement::Measure::interval:
     case Requirement::Measure::duration:
-      story.telling.tell(thread, measured.born, measured.at, out);
+      story.narrator.tell(thread, measured.born, measured.at, out);
       break;
     case Requirement::Measure::loss:
     case Requirement::Measure::load:

@@ -7,9 +7,9 @@
 
 namespace pal::analyzer {
 
-/// Pieces of time without gaps, from the birth of what the witness measures to its use: each with who spent
-/// it on what, and the line where that stands. They add up to the value. Nothing for a loss or a load, which
-/// are no times.
+/// Pieces of time without gaps, from the birth of what the witness measures to its use. Each has the actor,
+/// what it did, and the line where that stands. They add up to the value. Nothing for a loss or a load, which
+/// are not times.
 std::vector<Reason> reasons(const Problem& problem, const Requirement& requirement, const Witness& witness);
 
 }  // namespace pal::analyzer

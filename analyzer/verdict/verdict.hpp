@@ -1,4 +1,4 @@
-// What an analysis says of a requirement.
+// The result of an analysis for a requirement.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,10 @@
 
 namespace pal::analyzer {
 
-/// never: no run has anything to measure; what is required says nothing.
+/// never: no run has anything to measure, so the requirement says nothing.
 enum class VerdictState { holds, fails, undecided, never };
 
-/// Which analysis a verdict comes from: the exploration of all runs, or the sum of what parts can do to each
-/// other.
+/// The analysis that a verdict comes from: the exploration of all runs, or the bounds from the parts.
 enum class Method { exact, compositional };
 
 /// A piece of the time that a bound is made of.
@@ -28,7 +27,7 @@ struct Reason {
   std::string what;   // "waits at WTM( motion request from MC1 )"
   std::string file;
   int line = 0;  // 0: no place in a text
-  /// Of a wait: what those waited for did meanwhile, without gaps from its beginning to its end, each with
+  /// For a wait: what those waited for did meanwhile, without gaps from its beginning to its end, each with
   /// what is inside it. Empty: there is nothing to tell.
   std::vector<Reason> inside;
 };
@@ -43,7 +42,7 @@ struct Addend {
   std::vector<Addend> inside;  // of a wait: what it was spent on; they add up to its amount
 };
 
-/// What it took to decide.
+/// The cost of a decision.
 struct Statistics {
   std::size_t states = 0;       // of the skill, times aside
   std::size_t classes = 0;      // sets of times at a state (and for loads points of the grid)

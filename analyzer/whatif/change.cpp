@@ -138,7 +138,7 @@ std::string change(pan::Environment& environment, const std::string& text) {
     if (time) each.time = *time;
   }
   if (!known) return "environment " + environment.name + " gives no figure for '" + name + "'";
-  return time ? "" : "'" + value + "' is no time: write 5 ms, or 5 TO 7 ms with the shorter one first";
+  return time ? "" : "'" + value + "' is not a time: write 5 ms, or 5 TO 7 ms with the shorter one first";
 }
 
 }  // namespace pal::analyzer

@@ -17,12 +17,12 @@ void add_processor(pan::Environment& environment) {
   environment.processors.push_back(more);
 }
 
-void sit(pan::Environment& environment, const std::vector<Seat>& seats) {
+void place(pan::Environment& environment, const std::vector<ThreadPlacement>& threads) {
   environment.placements.clear();
-  for (const Seat& seat : seats) {
-    while (environment.processors.size() <= seat.processor.index()) add_processor(environment);
-    const auto& processor = environment.processors[seat.processor.index()];
-    environment.placements.push_back({seat.thread, processor.name, seat.priority, {}});
+  for (const ThreadPlacement& each : threads) {
+    while (environment.processors.size() <= each.processor.index()) add_processor(environment);
+    const auto& processor = environment.processors[each.processor.index()];
+    environment.placements.push_back({each.thread, processor.name, each.priority, {}});
   }
 }
 
@@ -63,10 +63,11 @@ class PlacementSearch {
   }
 
   Placements run(const Problem& as_it_is) {
-    for (const Thread& thread : as_it_is.threads) seats_.push_back({thread.name, ProcessorId(0), thread.priority});
+    for (const Thread& thread : as_it_is.threads)
+      threads_.push_back({thread.name, ProcessorId(0), thread.priority});
     found_.broken.assign(as_it_is.requirements.size(), 0);
     requirements_ = requirements_of(as_it_is);
-    if (static_cast<int>(seats_.size()) >= found_.processors) seat(0, found_.processors);
+    if (static_cast<int>(threads_.size()) >= found_.processors) place_from(0, found_.processors);
     return std::move(found_);
   }
 
@@ -86,16 +87,16 @@ class PlacementSearch {
     return false;
   }
 
-  /// Seats the threads from `next` on; `free` more processors have to get somebody.
-  void seat(std::size_t next, int free) {
-    if (next == seats_.size()) return options_.priorities ? order(0) : attempt();
-    const auto left = static_cast<int>(seats_.size() - next) - 1;
+  /// Places the threads from `next` on; `free` more processors have to get somebody.
+  void place_from(std::size_t next, int free) {
+    if (next == threads_.size()) return options_.priorities ? order(0) : attempt();
+    const auto left = static_cast<int>(threads_.size() - next) - 1;
     for (std::size_t processor = 0; processor < used_.size(); ++processor) {
       const int still = used_[processor] == 0 ? free - 1 : free;
       if (still < 0 || still > left || (used_[processor] == 0 && stands_for_another(processor))) continue;
-      seats_[next].processor = ProcessorId(processor);
+      threads_[next].processor = ProcessorId(processor);
       ++used_[processor];
-      seat(next + 1, still);
+      place_from(next + 1, still);
       --used_[processor];
       if (enough()) return;
     }
@@ -105,8 +106,8 @@ class PlacementSearch {
   void order(std::size_t processor) {
     if (processor == used_.size()) return attempt();
     std::vector<std::size_t> here;
-    for (std::size_t s = 0; s < seats_.size(); ++s) {
-      if (seats_[s].processor == ProcessorId(processor)) here.push_back(s);
+    for (std::size_t s = 0; s < threads_.size(); ++s) {
+      if (threads_[s].processor == ProcessorId(processor)) here.push_back(s);
     }
     if (here.empty()) return order(processor + 1);
     for (std::size_t ties = 0; ties < here.size(); ++ties) {
@@ -127,7 +128,7 @@ class PlacementSearch {
         const bool tie = place + 1 < sequence.size() && tied[place];
         once = once && (!tie || sequence[place] < sequence[place + 1]);
         if (place + 1 < sequence.size() && !tie) ++priority;
-        seats_[sequence[place]].priority = priority;
+        threads_[sequence[place]].priority = priority;
       }
       if (!once) continue;
       order(processor + 1);
@@ -138,14 +139,14 @@ class PlacementSearch {
 
   void attempt() {
     ++found_.tried;
-    sit(environment_, seats_);
+    place(environment_, threads_);
     const auto problem = judge_.problem(environment_);
     const Ruling ruling = problem ? judge_.ask(*problem, requirements_) : Ruling{};
     if (ruling.state == Is::fails) {
-      found_.refuted.push_back({seats_, ruling});
+      found_.refuted.push_back({threads_, ruling});
       ++found_.broken[ruling.requirement.index()];
     } else {
-      (ruling.state == Is::holds ? found_.meet : found_.undecided).push_back({seats_, ruling});
+      (ruling.state == Is::holds ? found_.meet : found_.undecided).push_back({threads_, ruling});
     }
   }
 
@@ -155,14 +156,14 @@ class PlacementSearch {
   std::vector<std::size_t> like_;  // by processor
   std::vector<int> used_;          // by processor: threads
   RequirementIds requirements_;
-  std::vector<Seat> seats_;
+  std::vector<ThreadPlacement> threads_;
   Placements found_;
 };
 
 }  // namespace
 
-pan::Environment placed(pan::Environment environment, const std::vector<Seat>& seats) {
-  sit(environment, seats);
+pan::Environment placed(pan::Environment environment, const std::vector<ThreadPlacement>& threads) {
+  place(environment, threads);
   return environment;
 }
 

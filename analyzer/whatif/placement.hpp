@@ -12,14 +12,14 @@
 namespace pal::analyzer {
 
 /// Where a thread runs.
-struct Seat {
+struct ThreadPlacement {
   std::string thread;
   ProcessorId processor;
   int priority = 0;
 };
 
 struct Placed {
-  std::vector<Seat> seats;
+  std::vector<ThreadPlacement> threads;
   Ruling ruling;
 };
 
@@ -28,7 +28,7 @@ struct Placed {
 /// requirement names.
 struct Placements {
   int processors = 0;
-  std::vector<std::string> names;  // by Seat::processor, those that were added included
+  std::vector<std::string> names;  // by ThreadPlacement::processor, those that were added included
   std::size_t tried = 0;
   std::vector<Placed> refuted;  // shown to break a requirement
   std::vector<Placed> meet;
@@ -43,8 +43,9 @@ struct PlacementOptions {
   std::size_t most = 20'000;     // to try, of one number of processors
 };
 
-/// `environment` with each thread where `seats` says; if it has too few processors, with more like its last.
-pan::Environment placed(pan::Environment environment, const std::vector<Seat>& seats);
+/// `environment` with each thread where `threads` says; if it has too few processors, with more like its
+/// last.
+pan::Environment placed(pan::Environment environment, const std::vector<ThreadPlacement>& threads);
 
 /// On exactly `processors` of those of the environment, whichever they are; where it has fewer, on these and
 /// more like its last.

@@ -1,4 +1,4 @@
-// What classes cost, about: of those with many timers fewer are expanded, and kept.
+// The approximate costs of classes: with many timers, fewer classes are expanded and kept.
 #pragma once
 
 #include <algorithm>
@@ -9,15 +9,17 @@
 
 namespace pal::analyzer {
 
-/// As much work as 2048 classes with some twenty timers. Each of their successors has a zone of its own.
+/// As much work as 2048 classes with about twenty timers. Each of their successors has a zone of its own.
 constexpr std::size_t batch_work = std::size_t{1} << 28U;
 
-/// To expand a class: for each timer that may fire first its zone is closed once for each of the others.
+/// The cost of expanding a class: for each timer that may fire first, its zone is closed once for each of the
+/// others.
 inline std::size_t work_of(const Dbm& zone, std::size_t timers) {
   return timers * timers * zone.size() * zone.size();
 }
 
-/// What so many classes may take of memory, with their places, in bytes: few may take as much as they need.
+/// The memory that so many classes may take, with their places, in bytes. A small number may take what it
+/// needs.
 constexpr std::size_t memory_for(std::size_t classes) {
   constexpr std::size_t least = std::size_t{1} << 27U;
   constexpr std::size_t a_class = 4096;

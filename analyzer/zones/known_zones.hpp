@@ -1,4 +1,4 @@
-// The zones seen at one place, so arranged that the question whether one of them holds another is cheap.
+// The zones seen at one place, arranged so that it is cheap to ask whether one of them contains another.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace pal::analyzer {
 
-/// What is looked at before two zones are compared. A zone can only include another if each of its bounds is
-/// at least the other's: then the sum of its bounds is, and its bounds against zero are, however they are
-/// rounded.
+/// A summary that is compared before two zones are. A zone can only include another if each of its bounds is
+/// at least the other's. Then the sum of its bounds is, too, and so are its bounds against zero, however they
+/// are rounded.
 struct Outline {
   std::int64_t sum = 0;
   std::vector<std::int32_t> bounds;
@@ -20,9 +20,9 @@ struct Outline {
   void of(const Dbm& zone);
 };
 
-/// Outlines side by side, each with the number of its zone. Most candidates go no further. Where there are
-/// very many, as of a thread that goes round for long while something is measured, whole blocks of neighbours
-/// are passed over: those that came one after the other are mostly alike.
+/// Outlines side by side, each with the number of its zone. They exclude most candidates. If there are very
+/// many, as for a thread that goes round for long while something is measured, whole blocks of neighbours are
+/// passed over: those that came one after the other are mostly alike.
 class KnownZones {
  public:
   /// The first zone for which `includes(id)` is true, of those that may include that of `outline`; -1: none.
@@ -43,7 +43,8 @@ class KnownZones {
     return -1;
   }
 
-  /// Forgets those for which `lies_within(id)` is true, of those that the zone of `outline` may include.
+  /// Removes those zones for which `lies_within(id)` is true, among those that the zone of `outline` may
+  /// include.
   template <class LiesWithin>
   void erase_within(const Outline& outline, const LiesWithin& lies_within) {
     const std::size_t width = outline.bounds.size();

@@ -12,8 +12,8 @@ constexpr std::size_t most_outcomes = 10'000;  // of one timer
 /// Orders that are tried between one question whether to stop and the next.
 constexpr std::size_t moves_at_a_time = 256;
 
-bool time_to_stop(std::size_t moves, Patience& patience) {
-  return moves % moves_at_a_time == 0 && patience.over();
+bool time_to_stop(std::size_t moves, StopToken& stop) {
+  return moves % moves_at_a_time == 0 && stop.stop_requested();
 }
 
 /// What those can have left that got back a time that is not fixed.
@@ -86,7 +86,7 @@ void follow_timers(const Machine& machine, const Place& from, Move& move) {
 
 }  // namespace
 
-std::vector<Move> first_moves(const Machine& machine, Patience& patience) {
+std::vector<Move> first_moves(const Machine& machine, StopToken& stop) {
   std::vector<Move> moves;
   AllChoices choices;
   do {
@@ -96,12 +96,12 @@ std::vector<Move> first_moves(const Machine& machine, Patience& patience) {
     follow_timers(machine, {}, made);
     moves.push_back(std::move(made));
     if (moves.size() == most_beginnings) moves.back().outcome.too_many = true;
-    if (time_to_stop(moves.size(), patience)) return moves;
+    if (time_to_stop(moves.size(), stop)) return moves;
   } while (moves.size() < most_beginnings && choices.next());
   return moves;
 }
 
-std::vector<Move> moves_from(const Machine& machine, const Place& place, Patience& patience) {
+std::vector<Move> moves_from(const Machine& machine, const Place& place, StopToken& stop) {
   std::vector<Move> moves;
   for (std::size_t k = 0; k < place.timers.size(); ++k) {
     if (place.frozen[k]) continue;
@@ -115,7 +115,7 @@ std::vector<Move> moves_from(const Machine& machine, const Place& place, Patienc
       follow_timers(machine, place, made);
       moves.push_back(std::move(made));
       if (moves.size() == most) moves.back().outcome.too_many = true;
-      if (time_to_stop(moves.size(), patience)) return moves;
+      if (time_to_stop(moves.size(), stop)) return moves;
     } while (moves.size() < most && choices.next());
   }
   return moves;

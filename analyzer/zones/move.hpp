@@ -1,4 +1,4 @@
-// What the firing of a timer does to the timers, worked out once for each state.
+// The effect of a firing on the timers, worked out once for each state.
 #pragma once
 
 #include <cstdint>
@@ -6,12 +6,12 @@
 
 #include "analyzer/machine/machine.hpp"
 #include "analyzer/zones/dbm.hpp"
-#include "analyzer/zones/patience.hpp"
+#include "analyzer/zones/stop_token.hpp"
 
 namespace pal::analyzer {
 
-/// Something known of a skill at one instant: its state, what the active timers and the observers can show,
-/// and how it came to be.
+/// A class: what is known of a skill at one instant. It has a state, the possible values of the active timers
+/// and the observers, and the way it was reached.
 struct ZoneClass {
   int state = -1;  // a place
   Dbm zone;        // variables: 0, the state's timers, its observers
@@ -31,7 +31,7 @@ struct Move {
     bool repaid = false;  // the action that ended gives its time back to it
     bool frozen = false;
   };
-  /// What a timer can have left, where the time that it got back is not fixed.
+  /// The time that a timer can have left, where the time that it got back is not fixed.
   struct Left {
     std::size_t variable;
     Range range;
@@ -59,11 +59,11 @@ struct Place {
 };
 
 /// All ways to begin. If they are too many the last one says so (Outcome::too_many). Some of them, if
-/// `patience` was over before all were known.
-std::vector<Move> first_moves(const Machine& machine, Patience& patience);
+/// `stop` was requested before all were known.
+std::vector<Move> first_moves(const Machine& machine, StopToken& stop);
 /// All firings that are possible at `place`, apart from times. If those of a timer are too many the last one
-/// says so. Some of them, if `patience` was over before all were known.
-std::vector<Move> moves_from(const Machine& machine, const Place& place, Patience& patience);
+/// says so. Some of them, if `stop` was requested before all were known.
+std::vector<Move> moves_from(const Machine& machine, const Place& place, StopToken& stop);
 
 /// The part of `zone` in which the timer of `variable` is the first to fire. False: there is none.
 bool fire_first(Dbm& zone, std::size_t variable, const std::vector<bool>& frozen);
@@ -77,7 +77,7 @@ struct Source {
 void derive(const Dbm& from, const std::vector<Source>& sources, Dbm& made);
 
 /// The class after `move` from `from` (of which `fired` is the part where the move's timer fires first),
-/// without place and ancestry. `made` and `sources` lend their memory. False: nothing is left of it.
+/// without place and ancestry. `made` and `sources` lend their memory. False: it is empty.
 bool follow(const ZoneClass& from, const Dbm& fired, const Move& move, std::size_t timers_before,
             std::vector<Source>& sources, ZoneClass& made);
 

@@ -12,22 +12,22 @@
 
 namespace pal::analyzer {
 
-/// What is worked on must be the same whoever works on which part of it, so that results do not depend on the
-/// number of threads.
+/// The work must not depend on which thread does which part, so that results do not depend on the number of
+/// threads.
 class Workers {
  public:
-  /// With the caller `threads` at work; 0: as many as the machine has cores. They begin when they are needed;
-  /// where the system has no more of them those that there are do the work.
+  /// `threads` work, the caller included; 0: one for each core. They start when they are needed. If the
+  /// system gives no more threads, the existing ones do the work.
   explicit Workers(unsigned threads);
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
   /// Calls part(0) … part(count - 1), in any order and at the same time, and returns when all have returned.
-  /// Throws what one of them threw. `grain`: so many neighbours are given out at once. Each thread begins
-  /// with a share of its own, the same in rounds of the same count, so that what it had in its cache it finds
-  /// there, and then helps with those of others. Whoever has no
-  /// processor is not waited for, unless it has begun some of them.
+  /// Throws what one of them threw. `grain`: how many neighbours are given out at once. Each thread begins
+  /// with its own share, which is the same in rounds of the same count, so that its data are still in its
+  /// cache. Then it helps with the shares of others. If a thread has no core, the others do its share; the
+  /// round waits for it only if it has begun some parts.
   void each(std::size_t count, std::size_t grain, const std::function<void(std::size_t)>& part);
 
  private:

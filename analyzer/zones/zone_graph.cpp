@@ -162,11 +162,11 @@ int ZoneGraph::on_a_round(const std::vector<std::pair<int, int>>& edges) const {
 }
 
 bool ZoneGraph::grow(const Limits& limits) {
-  Patience patience(limits.stop);
+  StopToken stop(limits.stop);
   expansions_.resize(batch_size);
-  if (patience.over()) return false;
-  first_moves_ = first_moves(machine_, patience);
-  if (patience.over()) return false;
+  if (stop.stop_requested()) return false;
+  first_moves_ = first_moves(machine_, stop);
+  if (stop.stop_requested()) return false;
   for (Move& move : first_moves_) {
     Expansion& expansion = expansions_.front();
     expansion.findings.outgrown |= move.outcome.too_many;
@@ -180,7 +180,7 @@ bool ZoneGraph::grow(const Limits& limits) {
   merge(1, limits);
   while (!open_.empty() && !findings_.failure && !findings_.outgrown) {
     if (classes_.size() > limits.classes || memory_ > memory_for(limits.classes)) return false;
-    if (patience.over()) return false;
+    if (stop.stop_requested()) return false;
     if (limits.enough && limits.enough(*this)) return false;
     std::vector<int> batch;
     std::vector<int> untried;
@@ -196,7 +196,7 @@ bool ZoneGraph::grow(const Limits& limits) {
       if (!place.moves_known) untried.push_back(of.state);
       place.moves_known = true;
     }
-    if (!try_all(untried, limits, patience)) return false;
+    if (!try_all(untried, limits, stop)) return false;
     for (int place : untried) memory_ += memory_of_moves(places_[static_cast<std::size_t>(place)]);
     in_parts(limits, batch.size(), 8, [&](std::size_t i) { expand(batch[i], expansions_[i]); });
     merge(batch.size(), limits);
@@ -205,13 +205,13 @@ bool ZoneGraph::grow(const Limits& limits) {
 }
 
 /// Finds where the places lead to. False: it was told to stop.
-bool ZoneGraph::try_all(const std::vector<int>& untried, const Limits& limits, Patience& patience) {
+bool ZoneGraph::try_all(const std::vector<int>& untried, const Limits& limits, StopToken& stop) {
   for (std::size_t from = 0; from < untried.size(); from += tried_at_a_time) {
     in_parts(limits, std::min(tried_at_a_time, untried.size() - from), 4, [&](std::size_t i) {
       Place& place = places_[static_cast<std::size_t>(untried[from + i])];
-      if (!place.state.ended) place.moves = moves_from(machine_, place, patience);
+      if (!place.state.ended) place.moves = moves_from(machine_, place, stop);
     });
-    if (patience.over()) return false;
+    if (stop.stop_requested()) return false;
   }
   return true;
 }

@@ -1,11 +1,11 @@
-// All runs of a skill, as a finite graph of classes: what state it is in, and all that its timers can show
-// there.
+// All runs of a skill as a finite graph of classes. A class is a state with all values that its timers can
+// have there.
 //
 // State classes of time Petri nets (B. Berthomieu, M. Diaz, Modeling and verification of time dependent
 // systems using time Petri nets, 1991), over the times that the active timers still have to go. Instants that
-// are being measured are variables too: how far they lie back. Actions of preempted threads run on below zero
-// and get back, when they are resumed, the processor time that others had meanwhile (exact where that time is
-// fixed; E. Fersman, P. Krcal, P. Pettersson, W. Yi, Task automata, 2007).
+// are being measured are variables too: how long ago they were. Actions of preempted threads run on below
+// zero. When they are resumed, they get back the processor time that others had meanwhile (exact where that
+// time is fixed; E. Fersman, P. Krcal, P. Pettersson, W. Yi, Task automata, 2007).
 #pragma once
 
 #include <cstdint>
@@ -26,12 +26,12 @@ class ZoneGraph;
 
 /// Bounds on an exploration, and who helps with it.
 struct Limits {
-  /// Of some ten timers; of classes with more than twenty fewer are explored, so that they take no more
+  /// For about ten timers. Of classes with more than twenty, fewer are explored, so that they take no more
   /// memory (memory_for).
   std::size_t classes = 2'000'000;
-  /// If given, asked now and then, by one thread at a time; ends the exploration when it says true.
+  /// If given, called now and then, by one thread at a time. The exploration ends when it returns true.
   std::function<bool()> stop;
-  /// If given, asked now and then whether what was found is enough.
+  /// If given, called now and then: returns whether what was found is enough.
   std::function<bool(const ZoneGraph&)> enough = {};
   Workers* workers = nullptr;  // none: the thread that explores works alone
 };
@@ -80,25 +80,25 @@ struct Findings {
   void measured(const Peak& value, bool least);
 };
 
-/// Classes are expanded in batches, in the order in which they were found; a batch is worked on by all
-/// threads, first class by class, then place by place. Neither depends on who does what, and the numbers of
-/// new classes follow the order of the old: so the graph is the same for any number of threads.
+/// Classes are expanded in batches, in the order in which they were found. All threads work on a batch, first
+/// class by class, then place by place. Neither depends on which thread does what, and new classes are
+/// numbered in the order of the old ones. So the graph is the same for any number of threads.
 class ZoneGraph {
  public:
-  /// Which class is not followed: one that lies within another, or only one that is equal to another. Hull:
-  /// where a place has many classes a new one is made larger, so that it holds another, too; what is found is
-  /// then a bound that no run need come near.
+  /// Which classes are not followed: those that lie within another, or only those that are equal to another.
+  /// Hull: where a place has many classes, a new one is enlarged to contain another. The result is then a
+  /// bound that no run need come near.
   enum class Merging { within, equal, hull };
 
-  /// Observed values up to `cap` are followed exactly; beyond, only that they are greater is known.
+  /// Observed values up to `cap` are followed exactly. Beyond the cap it is only known that they are greater.
   ZoneGraph(const Machine& machine, Nanoseconds cap, bool keep_edges, Merging merging = Merging::within);
 
-  /// Explores everything. False: a limit was met, or the machine outgrown.
+  /// Explores everything. False: a limit was met, or a count outgrew the machine.
   bool explore(const Limits& limits);
 
   const std::vector<ZoneClass>& classes() const { return classes_; }
   const std::vector<Place>& places() const { return places_; }
-  /// Only if they were to be kept. Their ends are classes that were not replaced.
+  /// Only if edges were to be kept. Their ends are classes that were not replaced.
   const std::vector<Edge>& edges() const { return edges_; }
   /// Which of the firings of its parent, or of the ways to begin, led to a class.
   const Move& move_to(const ZoneClass& made) const;
@@ -149,7 +149,7 @@ class ZoneGraph {
 
   void in_parts(const Limits& limits, std::size_t count, std::size_t grain,
                 const std::function<void(std::size_t)>& part) const;
-  bool try_all(const std::vector<int>& untried, const Limits& limits, Patience& patience);
+  bool try_all(const std::vector<int>& untried, const Limits& limits, StopToken& stop);
   void shorten_ways();
   int on_a_round(const std::vector<std::pair<int, int>>& edges) const;
   bool grow(const Limits& limits);

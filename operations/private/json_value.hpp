@@ -1,4 +1,4 @@
-// JSON whose every value knows where it stands, so that a finding can name a line.
+// JSON whose values know their places, so that a finding can name a line.
 #pragma once
 
 #include <optional>
@@ -31,7 +31,7 @@ struct JsonMember {
   JsonValue value;
 };
 
-/// Reads the text of `file`. What is no JSON is reported as PAL1001, and there is no value.
+/// Reads the text of `file`. If it is not JSON, reports PAL1001 and returns nothing.
 std::optional<JsonValue> parse_json(const SourceManager& sources, FileId file, Diagnostics& diagnostics);
 
 }  // namespace pal::operations

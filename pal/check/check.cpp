@@ -21,8 +21,7 @@ namespace {
 
 class Checker {
  public:
-  Checker(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics,
-          const std::function<bool()>& stop)
+  Checker(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics, const std::function<bool()>& stop)
       : trees_(trees), diagnostics_(diagnostics), stop_(stop) {}
 
   Specification check() {
@@ -121,7 +120,7 @@ class Checker {
       };
       if (std::any_of(skills.begin(), skills.end(), lists)) continue;
       diagnostics_.report(Code::PAL0209, module->name.where,
-                          "no skill uses this module: what it says is not checked",
+                          "no skill uses this module, so it is not checked",
                           "list it in the skill's template, or move it to a file of its own");
     }
   }
@@ -135,7 +134,7 @@ class Checker {
     const auto& first = *scope.modules.all().front();
     diagnostics_.report(
         Code::PAL0209, first.name.where,
-        "no skill uses this module: what it names elsewhere is taken on trust",
+        "no skill uses this module, so the names that it does not declare are trusted",
         "check a file with a SKILL that USES this one to have its talk and its ending checked");
     const auto errors_before = diagnostics_.errors();
     auto network = checker::build_sketch(scope, first.name.text, first.where, diagnostics_);

@@ -11,20 +11,20 @@
 
 namespace pal {
 
-/// What a set of files says. If there were errors, a network may lack what the errors are about, but its ids
-/// are good.
+/// What a set of files says. After errors a network may lack the parts that the errors are about, but its ids
+/// are valid.
 struct Specification {
   std::vector<pan::Network> skills;
   std::vector<pan::Environment> environments;
-  /// Modules of files that no skill uses, a network for each such file: names that are not declared are taken
-  /// on trust, those that are sent to or waited for as devices. To be drawn, not to be proved or run.
+  /// Modules of files that no skill uses, one network for each such file. Names that are not declared are
+  /// trusted; unknown senders and receivers become devices. For drawing, not for proofs or runs.
   std::vector<pan::Network> sketches;
 };
 
-/// Looks up every name (a file sees what it declares and what the files that it USES declare), builds the
-/// networks, and reports everything that can be said without times. Each skill is checked with what its own
-/// file sees. `stop` is asked again and again by what may take long, the search for deadlocks: true leaves it
-/// undecided. Empty: it takes as long as it takes.
+/// Looks up every name, builds the networks, and reports everything that can be found without times. A file
+/// sees its own declarations and those of the files that it USES; each skill is checked with what its own
+/// file sees. `stop` is called again and again by checks that may take long, such as the search for
+/// deadlocks. If it returns true, they end undecided. Empty: they take as long as they need.
 Specification check(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics,
                     const std::function<bool()>& stop = {});
 

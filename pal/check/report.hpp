@@ -15,12 +15,12 @@ namespace pal::checker {
 void report_twice(Diagnostics& diagnostics, const std::string& what, const syntax::Name& second,
                   const syntax::Name& first);
 
-/// Whether to look which of so many known names an unknown one may be meant to be: not where hundreds are
-/// unknown, of which none is a slip of the fingers, and comparing all with all takes long.
+/// Whether to look for a similar name among so many known ones. Not if hundreds are unknown: then none is a
+/// misspelling, and comparing all with all takes long.
 bool may_guess(const Diagnostics& diagnostics, std::size_t known);
 
-/// There is no `what` of that name; says which of `known` may be meant, and where that is `declared`, else
-/// `otherwise`.
+/// There is no `what` of that name. Suggests the nearest of `known` with the place where it is `declared`, or
+/// else gives the hint `otherwise`.
 using DeclaredAt = std::function<std::optional<SourceSpan>(const std::string& name)>;
 void report_unknown(Diagnostics& diagnostics, Code code, const std::string& what, const syntax::Name& name,
                     const std::vector<std::string>& known, const std::string& otherwise,

@@ -1,6 +1,6 @@
-// What a skill needs of a workcell, and whether the workcell has it: the thesis' operation environment
-// configuration (OEC, section 2.3.4) against the system environment configuration (SEC, section 2.3.3). Needs
-// no times.
+// What a skill needs of a workcell, and whether the workcell has it. This compares the thesis' operation
+// environment configuration (OEC, section 2.3.4) with the system environment configuration (SEC, section
+// 2.3.3). It needs no times.
 #pragma once
 
 #include <string>
@@ -18,8 +18,8 @@ struct Resource {
   /// The groups of section 2.3.3: SD, LS, RM, GS, which is the skill; the modules of the skill itself;
   /// activities, each with the module that does it.
   enum class Group { sensor_driver, logical_sensor, robotic_machine, generic_skill, skill_module, activity };
-  /// What an environment must say for it to be there. `listed`: if it lists what it has of the group, this,
-  /// too.
+  /// What an environment must say about it. `listed`: also needed, if the environment lists what it has of
+  /// the group.
   enum class Kind { processor, device, time, listed };
   Group group = Group::sensor_driver;
   Kind kind = Kind::processor;
@@ -28,16 +28,16 @@ struct Resource {
   SourceSpan where;
 };
 
-/// The configuration that the skill needs: every module with a body a processor, every device that a module
-/// waits for a behaviour, every activity that stands in a body a time; drivers, sensors and machines are to
-/// be listed, and so is the skill. By group, in the order of the text.
+/// The configuration that the skill needs, by group, in the order of the text. Every module with a body needs
+/// a processor, every device that a module waits for a behaviour, and every activity in a body a time.
+/// Drivers, sensors, machines and the skill itself must be listed.
 std::vector<Resource> needed_resources(const pan::Network& network);
 
 /// The configuration that an operation of all these skills needs (section 2.3.4): whatever one of them needs,
 /// once.
 std::vector<Resource> needed_resources(const std::vector<pan::Network>& skills);
 
-/// Those that the environment has not.
+/// Those that the environment does not have.
 std::vector<Resource> missing_resources(const std::vector<Resource>& needed,
                                         const pan::Environment& environment);
 
@@ -46,8 +46,8 @@ std::string group_text(Resource::Group group);
 /// "a processor (PLACE)", "a behaviour (DEVICE)", "a time (TIME)", "to be listed".
 std::string kind_text(Resource::Kind kind);
 
-/// Reports what the environment's lists lack, in one finding with a note a resource. (A missing processor,
-/// behaviour or time is found, one by one, where a model is made of the two.)
+/// Reports what the environment's lists lack, in one finding with a note for each resource. (A missing
+/// processor, behaviour or time is reported when the model of the skill in the environment is built.)
 void check_listed(const pan::Network& network, const pan::Environment& environment, Diagnostics& diagnostics);
 
 }  // namespace pal::checker

@@ -8,10 +8,10 @@
 
 namespace pal::checker {
 
-/// Reports each message that one block writes while another uses it: a wait and an activity that WRITES it
-/// write, a send, a decision FROM it and an activity that READS it read. Blocks on two processors meet, and
-/// blocks of two priorities on a preemptive one. Blocks of one priority on one processor take turns,
-/// statement by statement.
+/// Reports each message that one block writes while another uses it. A wait, and an activity that WRITES it,
+/// write it. A send, a decision FROM it and an activity that READS it read it. Blocks on two processors may
+/// meet, and so may blocks of two priorities on a preemptive one. Blocks of one priority on one processor
+/// take turns, statement by statement.
 void check_shared_messages(const pan::Network& network, const pan::Environment& environment,
                            Diagnostics& diagnostics);
 

@@ -10,7 +10,7 @@
 
 namespace pal::doc {
 
-/// A piece of text; `is_code`: it stands so in the program.
+/// A piece of text; `is_code`: it stands in the program in these words.
 struct Span {
   std::string text;
   bool is_code = false;
@@ -49,15 +49,15 @@ struct Document {
   std::vector<Part> parts;
 };
 
-/// The generic skill template in the order of the thesis, figure 2.3, then what the skill must keep and what
-/// its programmers need; the templates of its logical sensors (section 2.3.5); its Process Activity Networks.
+/// The generic skill template in the order of the thesis, figure 2.3. Then come the requirements and what the
+/// programmers need, the templates of the logical sensors (section 2.3.5), and the Process Activity Networks.
 /// Requirements stand as they are written in `sources`. The same network gives the same document.
 Document document(const pan::Network& network, const SourceManager& sources);
 
 /// Text for people to read or to publish. All that comes from the program is escaped.
 std::string markdown(const Document& document);
 
-/// A page that needs nothing else: styles and drawings are in it. Prints on A4.
+/// A page that needs no other file: styles and drawings are in it. It prints on A4.
 std::string html(const std::vector<Document>& documents);
 
 }  // namespace pal::doc

@@ -24,7 +24,7 @@ std::string content_of(const pan::Message& message);
 /// "real, in N"; "boolean".
 std::string type_text(pan::ScalarType type, const std::string& unit, int size = 0);
 
-/// The template of one logical sensor: what it tells, drivers that it needs, methods, what it returns.
+/// The template of one logical sensor: its description, the drivers that it needs, methods, what it returns.
 Part sensor_part(const pan::Network& network, pan::ModuleId sensor);
 
 }  // namespace pal::doc

@@ -8,8 +8,8 @@
 
 namespace pal::driver {
 
-/// A line for each number that makes up the verdict's bound, with who does what and where that stands;
-/// nothing if its addition is not known.
+/// A line for each number that adds up to the verdict's bound, with the actor, what it does, and where that
+/// stands. Nothing if the addition is not known.
 void write_arithmetic(const analyzer::Verdict& verdict, std::ostream& out);
 
 /// As JSON: [{"amount_ns", "actor", "what", "file", "line"}]; of a load, nanoseconds of work a second.

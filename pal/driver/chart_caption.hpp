@@ -1,4 +1,4 @@
-// What stands above the chart of a run, in words.
+// The caption of a chart of a run, in words.
 #pragma once
 
 #include "analyzer/chart/options.hpp"
@@ -9,7 +9,7 @@ namespace pal::driver {
 /// Of a verdict's run.
 chart::Caption proof_caption(const Proof& proof, std::size_t index);
 
-/// "35 ms in this run, limit 10 ms, 25 ms too much": of a run of which nothing is proved.
+/// "35 ms in this run, limit 10 ms, 25 ms too much": for a run of which nothing is proved.
 std::string shown_figures(const analyzer::Requirement& requirement, Duration value);
 
 }  // namespace pal::driver

@@ -24,7 +24,7 @@ const char* const statuses_of_results =
     "Exit status: 0 done; 1 the specification is wrong; 2 bad usage, or a file could not be read or written.";
 
 void add_max_errors(CLI::App& command, std::size_t& most) {
-  command.add_option("--max-errors", most, "show so many findings, errors before warnings; 0: all")
+  command.add_option("--max-errors", most, "how many findings to show, errors before warnings; 0: all")
       ->type_name("N")
       ->capture_default_str()
       ->check(whole_number());
@@ -49,7 +49,7 @@ void add_limits(CLI::App& command, ProofLimits& limits) {
       ->check(whole_number());
   add_timeout(command, limits.seconds,
               "give up after so long (undecided): 90 s, 2min, 500ms; a number alone is seconds, 0: never");
-  command.add_option("--threads", limits.threads, "threads at work; 0: one a core")
+  command.add_option("--threads", limits.threads, "number of threads; 0: one for each core")
       ->capture_default_str()
       ->check(whole_number())
       ->check(CLI::Range(0U, 1'000U));
@@ -74,8 +74,8 @@ void add_check(CLI::App& app, CheckOptions& options) {
        {"compositional", Choice::compositional},
        {"thorough", Choice::thorough},
        {"auto", Choice::automatic}},
-      "exact, compositional (bounds, however large the skill), auto: what decides soonest, or thorough: "
-      "the same, and on till bounds are exact")
+      "auto (what decides soonest), thorough (the same, and on until bounds are exact), exact, or "
+      "compositional (bounds, however large the skill)")
       ->type_name("ANALYSIS");
   add_choice<Format>(
       *command, "--format", options.format,
@@ -93,7 +93,7 @@ void add_check(CLI::App& app, CheckOptions& options) {
       ->type_name("FILE")
       ->take_all();
   auto* explain = command->add_flag("--explain", options.explain, "print what adds up to each bound");
-  command->add_flag("--quiet", options.quiet, "print findings only, and nothing of what holds")
+  command->add_flag("--quiet", options.quiet, "print only findings, and nothing if all holds")
       ->excludes(explain);
   command->add_flag("--statistics", options.statistics,
                     "print states, classes, seconds and peak memory of each requirement and of all");
@@ -113,7 +113,7 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
 
 void add_simulate(CLI::App& app, SimulateOptions& options) {
   CLI::App* command = app.add_subcommand(
-      "simulate", "Makes runs, by chance or by script, and says what they show of every requirement");
+      "simulate", "Makes random runs, or runs by script, and says what they show of every requirement");
   add_selection(*command, options.selection);
   add_format(*command, options.format);
   using Times = analyzer::SimulationOptions::Times;
@@ -126,14 +126,14 @@ void add_simulate(CLI::App& app, SimulateOptions& options) {
                      {"worst", Times::worst},
                      {"best", Times::best},
                      {"extremes", Times::extremes}},
-                    "how long everything takes: random, worst, best, or extremes (best or worst, by chance)")
+                    "how long everything takes: random, worst, best, or extremes (best or worst, at random)")
       ->type_name("TIMES")
       ->excludes(script);
-  command->add_option("--runs", options.runs, "so many runs")
+  command->add_option("--runs", options.runs, "number of runs")
       ->capture_default_str()
       ->check(CLI::Range(1, 1'000'000))
       ->excludes(script);
-  command->add_option("--seed", options.seed, "of the first run; each next one has the next")
+  command->add_option("--seed", options.seed, "seed of the first run; the others follow")
       ->capture_default_str()
       ->check(whole_number())
       ->excludes(script);
@@ -145,14 +145,14 @@ void add_simulate(CLI::App& app, SimulateOptions& options) {
             if (options.until.count() > analyzer::rules::latest_instant)
               throw CLI::ValidationError("--until", "a run is no longer than 4000000000 s");
           },
-          "a run's length in its own time, if the skill does not complete before (10 s)")
+          "length of a run in its own time, unless the skill completes before (10 s)")
       ->type_name("DURATION")
       ->excludes(script);
   add_timeout(*command, options.seconds,
               "make no more runs after so long: 90 s, 2min, 500ms; a number alone is seconds, 0: never");
   command
       ->add_option("-r,--requirement", options.requirement,
-                   "whose run to write; without it the first that is broken, else the tightest")
+                   "requirement whose run is written; without it the first that is broken, else the tightest")
       ->type_name("NAME");
   command->add_option("--trace", options.trace, "write the run that shows its value as a trace")
       ->type_name("FILE");
@@ -179,14 +179,14 @@ void add_what_if(CLI::App& app, WhatIfOptions& options) {
                    "'SM1.processor = P1', 'alter.period = 20 ms'; may be repeated")
       ->type_name("CHANGE")
       ->take_all();
-  auto* place = command
-                    ->add_option_function<int>(
-                        "--place", [&options](int processors) { options.place = processors; },
-                        "every placement on N processors that meets every requirement; 0: on as few as do")
-                    ->type_name("N")
-                    ->check(CLI::Range(0, 100));
-  command->add_flag("--priorities", options.priorities, "place in every order by priority, too")
-      ->needs(place);
+  auto* place =
+      command
+          ->add_option_function<int>(
+              "--place", [&options](int processors) { options.place = processors; },
+              "every placement on N processors that meets every requirement; 0: on the fewest that suffice")
+          ->type_name("N")
+          ->check(CLI::Range(0, 100));
+  command->add_flag("--priorities", options.priorities, "also try every order of priorities")->needs(place);
   command->add_option("--witness", options.witness, "write a run for each placement refuted, for pal replay")
       ->type_name("FILE")
       ->needs(place);
@@ -245,11 +245,10 @@ void add_generate(CLI::App& app, GenerateOptions& options) {
       ->type_name("FILE");
   command
       ->add_option("--depfile-target", options.depfile_target,
-                   "target of that rule, if not the files written")
+                   "target of that rule; without it, the files written")
       ->type_name("FILE");
   add_limits(*command, options.limits);
-  command->add_flag("--allow-failing", options.allow_failing,
-                    "prove nothing: generate whatever the verdicts would be");
+  command->add_flag("--allow-failing", options.allow_failing, "prove nothing, and always generate");
   command->add_flag("--debug-lines", options.debug_lines, "make debuggers show the lines of PAL (#line)");
   command->add_flag("--explain", options.explain,
                     "write nothing: list processors, threads, servers, couriers and channels");
@@ -301,12 +300,10 @@ void add_doc(CLI::App& app, DocOptions& options) {
       ->type_name("FILE");
   command->add_option("-s,--skill", options.selection.skill, "only the skill of this name")
       ->type_name("NAME");
-  command->add_option("--format", options.format, "md or html; without it, as the output is called, else md")
+  command->add_option("--format", options.format, "md or html; without it by the name of the output, else md")
       ->check(CLI::IsMember({"md", "html"}))
       ->type_name("FORMAT");
-  command
-      ->add_option("-o,--output", options.output,
-                   "the document; drawings that it names are written beside it")
+  command->add_option("-o,--output", options.output, "the document; its drawings are written beside it")
       ->type_name("FILE");
   command->footer(statuses_of_results);
 }
@@ -330,7 +327,7 @@ void add_operation_files(CLI::App& command, OperationOptions& options) {
 
 void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tell, OperationOptions& format) {
   CLI::App* operation =
-      app.add_subcommand("operation", "Checks, tells and formats operations: skills, connected");
+      app.add_subcommand("operation", "Checks, tells and formats operations: connected skills");
   operation->require_subcommand(1);
 
   CLI::App* command = operation->add_subcommand("check", "Finds what is wrong, and how long each way takes");
@@ -358,11 +355,12 @@ void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tel
   command
       ->add_option("-o,--output", tell.output, "the document, .html or .md; without it Markdown is printed")
       ->type_name("FILE");
-  command->add_option("--run", tell.run, "the log of a run, which is told, too (workcell operation run --log)")
+  command->add_option("--run", tell.run, "also tell the run of this log (workcell operation run --log)")
       ->type_name("LOG");
   command->footer(statuses_of_results);
 
-  command = operation->add_subcommand("format", "Gives operations their one form: an icon a line");
+  command =
+      operation->add_subcommand("format", "Gives operations their canonical form: one icon in each line");
   command->add_option("files", format.files, "operations, .op.json")->required()->type_name("FILE");
   command->add_flag("--check", format.check, "write nothing, list the files that would change");
   command->footer(

@@ -136,8 +136,7 @@ struct ResourcesOptions {
   Selection selection;
   Format format = Format::text;
 };
-/// Prints what each skill needs, and what the environments have not. wrong_specification: something is
-/// missing.
+/// Prints what each skill needs, and what the environments lack. wrong_specification: something is missing.
 ExitStatus show_resources(const ResourcesOptions& options, const Console& console);
 
 struct OperationOptions {
@@ -158,7 +157,7 @@ struct OperationOptions {
 ExitStatus check_operation(const OperationOptions& options, const Console& console);
 /// Tells an operation as a story.
 ExitStatus tell_operation(const OperationOptions& options, const Console& console);
-/// Gives operations their one form.
+/// Gives operations their canonical form.
 ExitStatus format_operation(const OperationOptions& options, const Console& console);
 
 }  // namespace pal::driver

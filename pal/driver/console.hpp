@@ -1,5 +1,4 @@
-// What a command may touch: streams and files are passed in, so that every command can be tested from
-// strings.
+// What a command may use: streams and files are passed in, so that every command can be tested from strings.
 #pragma once
 
 #include <iosfwd>
@@ -17,7 +16,7 @@ struct Console {
   bool terminal = false;  // somebody watches `out`, and may be shown how far a long search has come
 };
 
-/// The text of a file of the command line with runs; says on `console.err` why it cannot be had.
+/// The text of a file with runs that the command line names; says on `console.err` why it cannot be read.
 std::optional<std::string> read_runs(const std::string& path, const Console& console);
 
 }  // namespace pal::driver

@@ -1,10 +1,10 @@
-// Ctrl-C: the first time what is being proved ends as undecided, the second time the program does.
+// Ctrl-C: the first one ends what is being proved as undecided, the second one ends the program.
 #pragma once
 
 namespace pal::driver {
 
-/// While it lives, the first SIGINT or SIGTERM only sets a mark; the next one ends the program as if nobody
-/// had listened. Within the life of another one it changes nothing. By one thread only.
+/// While this object lives, the first SIGINT or SIGTERM only sets a flag. The next one ends the program as if
+/// there were no handler. Within the life of another Interruption it changes nothing. For one thread only.
 class Interruption {
  public:
   Interruption();
@@ -12,7 +12,7 @@ class Interruption {
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  /// May be asked by any thread.
+  /// May be called by any thread.
   static bool asked_for();
 };
 

@@ -1,5 +1,5 @@
-// Runs that show what a device loses: the run behind a verdict, with what comes after the loss, or one in
-// which nothing is lost.
+// Runs that show the losses of a device: the run behind a verdict, with what comes after the loss, or a run
+// in which nothing is lost.
 #pragma once
 
 #include <cstddef>
@@ -21,11 +21,12 @@ struct LossRun {
   std::vector<analyzer::Reason> reasons;  // what kept the device's message from being taken
 };
 
-/// What of a device nobody took in a run: frames that nobody had asked for, and messages that found the one
-/// before them still in their slot. Frames count from the first that is given on, and only whole ones.
+/// The messages of a device that nobody took in a run: frames that nobody had asked for, and messages that
+/// found the one before them still in their slot. Frames count from the first that is passed on, and only
+/// whole ones.
 std::vector<chart::Loss> losses_in(const analyzer::Problem& problem, const trace::Trace& run, int device);
 
-/// The run for requirement `index`, which is one on losses; nothing, if it cannot be simulated.
+/// The run for requirement `index`, which is one on losses. Nothing if it cannot be simulated.
 std::optional<LossRun> loss_run(const Proof& proof, std::size_t index);
 
 }  // namespace pal::driver

@@ -15,21 +15,21 @@ namespace pal::driver {
 /// )", …
 std::string measure_text(const analyzer::Problem& problem, std::size_t requirement);
 
-/// "age of pc-force", "interval", …: what a length of time in a chart is; empty for a loss and a load.
+/// "age of pc-force", "interval", …: the name of a length of time in a chart; empty for a loss and a load.
 std::string short_measure_text(const analyzer::Problem& problem, std::size_t requirement);
 
-/// A length of time, of a load its percentage, of a loss its number: "7.35 ms", "41.2 %", "none". A bound's
-/// percentage is rounded up.
+/// A length of time ("7.35 ms"), the percentage of a load ("41.2 %"), or the number of a loss ("none"). The
+/// percentage of a bound is rounded up.
 std::string figure_text(analyzer::Requirement::Measure measure, Duration value);
-/// The same to the last digit: of what is required, and of what adds up. "0.125 %".
+/// The same to the last digit, for limits and for the parts of a bound: "0.125 %".
 std::string whole_text(analyzer::Requirement::Measure measure, Duration value);
 
-/// The bound of a verdict, or what is known in place of one: "7.35 ms", "<= 9 ms" (a bound that no run is
-/// known to attain; of a least value ">="), ">= 5 ms" (no bound, and a run that attains this), "no bound",
+/// The bound of a verdict, or what is known instead of one. "7.35 ms"; "<= 9 ms": a bound that no run is
+/// known to attain (">=" for a least value); ">= 5 ms": no bound, and a run that attains this; "no bound",
 /// "unbounded", "never".
 std::string bound_text(const analyzer::Verdict& verdict);
 
-/// What a run attains where there is no bound; nothing of a run that attains nothing: any run does.
+/// What a run attains where there is no bound. Nothing if that is 0, which any run attains.
 std::optional<Duration> worth_telling(const analyzer::Verdict& verdict);
 
 }  // namespace pal::driver

@@ -1,12 +1,12 @@
-// How much memory the program takes.
+// How much memory the program uses.
 #pragma once
 
 #include <cstddef>
 
 namespace pal::driver {
 
-/// The most resident memory in bytes since the last call, or since the start; where the system does not let
-/// it be counted anew (/proc/self/clear_refs) always since the start; 0 where it cannot be told.
+/// The most resident memory in bytes since the last call, or since the start. If the system cannot restart
+/// the count (/proc/self/clear_refs), it is always since the start; 0 if it is not known.
 std::size_t peak_memory();
 
 }  // namespace pal::driver

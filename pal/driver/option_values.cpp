@@ -13,7 +13,7 @@ CLI::Validator whole_number() {
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (end == text.data() + text.size() && error == std::errc()) return std::string();
-    return "'" + text + "' is no whole number from 0 on" +
+    return "'" + text + "' is not a whole number from 0 on" +
            (error == std::errc::result_out_of_range ? ", of 64 bits" : "");
   };
   return CLI::Validator(complaint, "");

@@ -23,7 +23,7 @@ struct ProgramChange {
   std::string difference;  // unified, the names of the files included
 };
 
-/// Those that pal/rewrite proposes for one skill. Files are read again and nothing is written.
+/// The changes that pal/rewrite proposes for one skill. Files are read again and nothing is written.
 class ProgramChanges {
  public:
   /// `selection` was read without errors; `skill` is one of its skills.
@@ -32,8 +32,8 @@ class ProgramChanges {
   /// By ProgramChangeId.
   const std::vector<ProgramChange>& all() const { return changes_; }
 
-  /// The skill with these changes, if they do not overlap and no error is found in what comes out; else null.
-  /// Lives as long as this.
+  /// The skill with these changes, or null if they overlap or the changed text has an error. It lives as long
+  /// as this object.
   const pan::Network* network_with(const std::vector<analyzer::ProgramChangeId>& made);
 
  private:

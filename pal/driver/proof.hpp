@@ -33,24 +33,24 @@ struct ProofLimits {
   bool addends = false;                                                    // find what adds up to bounds
 };
 
-/// The model of `skill` in `environment`, which must have all that the skill needs; nothing, and findings in
-/// the session, if it has not.
+/// The model of `skill` in `environment`. If the environment lacks something that the skill needs: nothing,
+/// and findings in the session.
 std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
                                             Session& session);
 
-/// The limits as an analysis wants them: also Ctrl-C ends it, as long as an Interruption lives.
+/// The limits in the form that an analysis takes. Ctrl-C ends it, too, as long as an Interruption lives.
 analyzer::Options options_of(const ProofLimits& limits);
 
-/// Whether it is time to end: `seconds` (0: never) after `begin`, or after Ctrl-C, as long as an Interruption
-/// lives.
+/// Whether it is time to end: after Ctrl-C (as long as an Interruption lives), or `seconds` after `begin` (0:
+/// never).
 std::function<bool()> end_after(
     double seconds, std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now());
 
 /// Checks before the proofs end when half of the time is over, or after Ctrl-C.
 void limit_checks(const ProofLimits& limits, Session& session);
 
-/// Proves every skill of the session in every one of its environments. Ctrl-C leaves what is not decided by
-/// then undecided. What keeps a model from being built is added to the session's findings.
+/// Proves every skill of the session in each of its environments. After Ctrl-C the rest stays undecided.
+/// Reasons why a model cannot be built are added to the session's findings.
 std::vector<Proof> prove(Session& session, const ProofLimits& limits);
 
 /// Whether every verdict is `holds`.
@@ -59,11 +59,12 @@ bool all_hold(const std::vector<Proof>& proofs);
 /// Adds the finding that time stands still in some run (PAL0821).
 void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& zeno_run, Session& session);
 
-/// Looks for such a run in a few classes, adds the finding, and says whether there is one.
+/// Searches a few classes for such a run, adds the finding, and returns whether there is one.
 bool look_for_zeno_run(const analyzer::Problem& problem, Session& session);
 
-/// Adds a finding for every requirement that fails or is undecided: where it stands, which statement uses how
-/// old a value or answers how late, and what the time was spent on: the longest parts, or the `whole_story`.
+/// Adds a finding for every requirement that fails or is undecided. It says where the requirement stands,
+/// which statement uses a value of which age or answers how late, and what the time was spent on: the longest
+/// parts, or the `whole_story`.
 void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& session);
 
 }  // namespace pal::driver

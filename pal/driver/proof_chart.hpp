@@ -13,18 +13,18 @@
 
 namespace pal::driver {
 
-/// Whether the witness of a verdict shows what it says, in a finite run that is worse than others: not that
-/// of a load, nor one in which nothing is lost.
+/// Whether the witness of a verdict shows what the verdict says, in a finite run that is worse than others.
+/// False for a load, and for a run in which nothing is lost.
 bool has_worst_run(const analyzer::Verdict& verdict);
 
-/// The requirement that a reader wants to see: the first that fails, else the one with the least of its limit
-/// to spare. Only those that have a worst run; nothing if there is none.
+/// The requirement that is shown by default: the first that fails, else the one that comes nearest to its
+/// limit. Only requirements with a worst run count; nothing if there is none.
 std::optional<std::size_t> most_interesting(const Proof& proof);
 
 /// The statements that requirement `index` is about, by their names in traces.
 std::vector<trace::StatementName> statements_of(const Proof& proof, std::size_t index);
 
-/// Whether longest_in can measure it in a trace: an age of a condition, or a response.
+/// Whether longest_in can measure requirement `index` in a trace: an age of a condition, or a response.
 bool shows_in_runs(const analyzer::Requirement& requirement);
 
 /// The longest interval of requirement `index` (an age or a response) in a trace of the same skill; nothing
@@ -39,11 +39,12 @@ struct ShownRun {
   std::vector<analyzer::Reason> reasons;  // all that options.explanation is taken from
 };
 
-/// A part of a story as charts show it. `depth`: how deep it lies inside others.
+/// A part of a story, as charts show it. `depth`: how many other parts contain it.
 chart::Segment segment_of(const analyzer::Reason& reason, int depth);
 
-/// The run behind verdict `index`: its worst. Of losses with what comes after, or one in which nothing is
-/// lost. Of what has no worst run one with the worst times, if that shows a value; nothing, if there is none.
+/// The run behind verdict `index`: its worst. For losses, with what comes after the loss, or a run in which
+/// nothing is lost. Without a worst run: a run with the worst times, if that shows a value; nothing if there
+/// is none.
 std::optional<ShownRun> shown_run(const Proof& proof, std::size_t index);
 
 /// The run `measured` of the same skill as it is shown for requirement `index`.

@@ -9,8 +9,8 @@
 
 namespace pal::driver {
 
-/// A table: a line a requirement, with its verdict, bound, limit and margin; below it the addition that makes
-/// up the bound, if `explain`.
+/// A table with a line for each requirement: its verdict, bound, limit and margin. With `explain`, the parts
+/// of the bound stand below it.
 void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& out);
 
 /// {"diagnostics": [...], "not_kept", "requirements": [{name, skill, environment, measure, limit_ns,

@@ -1,4 +1,4 @@
-// Where the runs of `pal simulate` come from: chance, or the scripts of witnesses.
+// The sources of runs for `pal simulate`: random ones, or the scripts of witnesses.
 #pragma once
 
 #include <cstddef>
@@ -17,16 +17,16 @@ namespace pal::driver {
 /// Runs that can be made one by one, and again.
 struct Runs {
   std::vector<std::string> names;  // "seed 7", "the script of fresh-force"
-  /// Nothing: run `number` cannot be made as it was asked for.
+  /// Nothing: run `number` cannot be made as asked.
   std::function<std::optional<KnownRun>(std::size_t number)> make;
 };
 
-/// `count` runs, with the seeds from that of `options` on. `problem` must outlive them.
+/// `count` random runs, with consecutive seeds from that of `options`. `problem` must outlive them.
 Runs runs_by_chance(const analyzer::Problem& problem, const analyzer::SimulationOptions& options,
                     std::size_t count);
 
-/// A run for each witness, which all are of `problem`: made by the machine as the witness's script says,
-/// without looking at the witness's events. Both must outlive them.
+/// A run for each witness, made by the machine from the witness's script alone; the witness's events are not
+/// looked at. All witnesses are of `problem`. Both must outlive the runs.
 Runs scripted_runs(const analyzer::Problem& problem,
                    const std::vector<analyzer::rules::FiledWitness>& witnesses);
 

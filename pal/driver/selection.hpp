@@ -1,4 +1,4 @@
-// What the commands have in common: the files to read, and which skill and environment of them is meant.
+// What the commands have in common: the files to read, and the skill and environment that are meant.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace pal::driver {
 
-/// Nobody reads more findings than this at once.
+/// The usual number of findings that are shown.
 constexpr std::size_t default_max_errors = 100;
 
 /// As given on the command line. Empty names choose everything.
@@ -28,7 +28,7 @@ struct Selection {
   std::vector<std::string> measured{};          // .pal files with measured times, to be compared
 };
 
-/// A specification with its texts and what was found wrong with it so far.
+/// A specification with its texts and the findings about it so far.
 struct Session {
   SourceManager sources;
   Diagnostics diagnostics;
@@ -37,12 +37,12 @@ struct Session {
   std::function<bool()> stop;  // ends checks that take long, undecided; empty: nothing does
 };
 
-/// Reads and checks everything that `selection` names, and keeps of it what `selection` chooses. Findings are
-/// left in the session; a name that chooses nothing is reported to `console.err`, and the answer is false.
+/// Reads and checks everything that `selection` names, and keeps what it chooses. Findings are left in the
+/// session. A name that chooses nothing is reported to `console.err`, and the answer is false.
 bool read(const Selection& selection, const Console& console, Session& session);
 
-/// How a command ends that found errors: with `usage` if a file of the command line could not be read, else
-/// with `wrong_specification`. `all_hold` if there are no errors.
+/// The exit status of a command that found errors: `usage` if a file of the command line could not be read,
+/// else `wrong_specification`. `all_hold` if there are no errors.
 ExitStatus status_of_findings(const Session& session);
 
 /// Renders the findings as text to `console.err`.

@@ -15,7 +15,7 @@
 namespace pal::driver {
 namespace {
 
-using checker::deadlock::Deed;
+using checker::deadlock::Action;
 using checker::deadlock::Story;
 
 /// From the run of a story to its chart.
@@ -113,13 +113,13 @@ class Converter {
     const auto row = chart_.places.size();
     chart_.places.push_back(place(line.where));
     const auto self = lane(line.thread);
-    if (!line.channel || line.kind == Deed::Kind::discards) {
+    if (!line.channel || line.kind == Action::Kind::discards) {
       chart_.notes.push_back({self, row, line.text});
       return;
     }
     const auto& channel = network_.channels[line.channel->index()];
     const auto& label = network_.messages[channel.message.index()].name;
-    if (line.kind == Deed::Kind::sends) {
+    if (line.kind == Action::Kind::sends) {
       const auto to = lane(party_name(network_, channel.receiver));
       chart_.messages.push_back({self, row, to, std::nullopt, label});
       if (is_outside(channel.receiver)) {

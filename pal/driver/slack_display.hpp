@@ -1,4 +1,4 @@
-// Slacks on a terminal, each as it is found, with a bar that shows how many are.
+// Slacks on a terminal, each as soon as it is found, with a progress bar.
 #pragma once
 
 #include <cstddef>

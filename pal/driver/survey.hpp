@@ -1,4 +1,4 @@
-// What runs of a skill show of its requirements, however they were made: measured by the referee.
+// What runs of a skill show of its requirements, however they were made. The run checker measures them.
 #pragma once
 
 #include <cstddef>
@@ -22,31 +22,31 @@ struct KnownRun {
 /// What the runs show of one requirement.
 struct Seen {
   std::size_t values = 0;  // so many were measured
-  /// The greatest value, also of those that still grew at the end of a run (the least, of a requirement that
-  /// says at least). Of a load: the nanoseconds in a second that a processor was busy, of a whole run.
+  /// The greatest value, also of those that still grew at the end of a run; or the least, if the requirement
+  /// says at least. For a load: the nanoseconds in a second that a processor was busy, over a whole run.
   std::optional<analyzer::rules::Measured> extreme;
   bool grows = false;            // the extreme did
   bool extreme_is_open = false;  // … and need not count
   std::size_t run = 0;           // that shows it
   std::size_t breaking = 0;      // runs with a value beyond the limit, or with an event that has no response
   std::size_t unanswered = 0;    // runs with an event that has no response
-  /// Runs that break nothing, and end with a value beyond the limit that still grows. It need not count: the
-  /// skill may end before it is measured, or a message be withdrawn.
+  /// Runs that break nothing, and end with a value beyond the limit that still grows. It need not count,
+  /// because the skill may end before it is measured, or a message may be withdrawn.
   std::size_t open = 0;
 };
 
-/// Collects what run after run shows. A load is a fraction in the long run, so no run breaks it.
+/// Collects the results of run after run. A load is a fraction in the long run, so no single run breaks it.
 class Survey {
  public:
   explicit Survey(const analyzer::Problem& problem);
 
-  /// False: `stop`, which is asked now and then, said so, and nothing of the run counts.
+  /// False: `stop`, which is called now and then, returned true, and nothing of this run counts.
   bool add(const KnownRun& run, std::size_t number, const std::function<bool()>& stop = {});
 
   /// By requirement.
   const std::vector<Seen>& seen() const { return seen_; }
   std::size_t completed() const { return completed_; }
-  /// Runs that are none, with the rule that each breaks.
+  /// Runs that are not runs of the skill, each with the rule that it breaks.
   const std::vector<std::string>& refused() const { return refused_; }
 
  private:
@@ -60,8 +60,8 @@ class Survey {
   std::vector<std::string> refused_;
 };
 
-/// The requirement that a reader wants to see: the first that a run breaks, else the one of which a run comes
-/// nearest to the limit. Nothing, if nothing was measured.
+/// The requirement that is shown by default: the first that a run breaks, else the one that a run comes
+/// nearest to breaking. Nothing if nothing was measured.
 std::optional<std::size_t> most_interesting(const analyzer::Problem& problem, const std::vector<Seen>& seen);
 
 }  // namespace pal::driver

@@ -97,13 +97,14 @@ std::string hint_of(const Proof& proof, std::size_t index) {
 /// What is required says nothing about any run.
 void report_never(const Proof& proof, std::size_t index, Session& session) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-  session.diagnostics.report(Code::PAL0816, verdict.where,
-                             "'" + verdict.requirement + "' says nothing: " + verdict.explanation + " in " +
-                                 proof.problem.environment,
-                             verdict.measure == Measure::load
-                                 ? "limit how long the processor is busy at a stretch (BUSY PERIOD), or the skill's "
-                                   "DURATION"
-                                 : "name a statement, an event or a completion that comes about in some run");
+  session.diagnostics.report(
+      Code::PAL0816, verdict.where,
+      "'" + verdict.requirement + "' says nothing: " + verdict.explanation + " in " +
+          proof.problem.environment,
+      verdict.measure == Measure::load
+          ? "limit how long the processor is busy at a stretch (BUSY PERIOD), or the skill's "
+            "DURATION"
+          : "name a statement, an event or a completion that comes about in some run");
 }
 
 // Lines of a story that fit on a screen with what else is said, and parts of one whole.
@@ -193,7 +194,7 @@ void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& 
   };
   Diagnostic& finding = session.diagnostics.report(
       Code::PAL0821, statements.empty() ? SourceSpan{} : where(statements.front()),
-      "no time passes any more in some run in " + problem.environment +
+      "time stands still in some run in " + problem.environment +
           ": a loop goes round for ever at one instant",
       "give something in the loop a time, in the environment, or let it wait for something that takes time");
   for (std::size_t i = 1; i < statements.size(); ++i)

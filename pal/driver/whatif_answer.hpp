@@ -14,7 +14,7 @@
 
 namespace pal::driver {
 
-/// Of one skill in one environment; only what was asked for is there.
+/// The answer for one skill in one environment; only what was asked for is there.
 struct WhatIfAnswer {
   std::string skill;
   std::string environment;
@@ -32,10 +32,10 @@ struct WhatIfAnswer {
 
 std::string text(const WhatIfAnswer& answer);
 
-/// The table of slacks, line by line: for somebody who watches how they are found.
+/// The table of slacks, line by line, for the terminal while they are found.
 class SlackTable {
  public:
-  /// `figures`: their names, which say how wide the table is.
+  /// `figures`: their names, which determine the width of the table.
   explicit SlackTable(const std::vector<std::string>& figures);
   std::string heading() const;
   std::string row(const WhatIfAnswer& answer, const analyzer::Slack& slack) const;
@@ -44,13 +44,13 @@ class SlackTable {
   std::size_t width_ = 12;
 };
 
-/// What mends the requirements that do not hold; empty: nothing was looked for.
+/// The changes that mend the requirements that do not hold; empty: none were looked for.
 std::string remedies_text(const WhatIfAnswer& answer);
 /// {"what_if": [{skill, environment, slack, remedies, changed, placements}]} (docs/reference/what-if.md).
 std::string json(const std::vector<WhatIfAnswer>& answers);
 
-/// Whether all that was asked for is met: everything holds as it is, if slack was asked for; all
-/// hold after the change, a placement found.
+/// Whether all that was asked for is met. If slack was asked for: everything holds as it is. Otherwise: all
+/// hold after the change, and a placement is found.
 bool good(const WhatIfAnswer& answer);
 
 }  // namespace pal::driver

@@ -65,9 +65,9 @@ Json remedies_row(const WhatIfAnswer& answer) {
 Json placed_row(const WhatIfAnswer& answer, const analyzer::Placed& placed) {
   Json row;
   row["threads"] = Json::array();
-  for (const analyzer::Seat& seat : placed.seats)
+  for (const analyzer::ThreadPlacement& each : placed.threads)
     row["threads"].push_back(
-        {{"thread", seat.thread}, {"processor", seat.processor.value}, {"priority", seat.priority}});
+        {{"thread", each.thread}, {"processor", each.processor.value}, {"priority", each.priority}});
   if (placed.ruling.requirement.valid()) row["requirement"] = requirement(answer, placed.ruling.requirement);
   return row;
 }

@@ -84,8 +84,8 @@ std::string change_table(const WhatIfAnswer& answer) {
 
 std::string seats_text(const analyzer::Placements& on, const analyzer::Placed& placed) {
   std::map<analyzer::ProcessorId, std::string> by;
-  for (const analyzer::Seat& seat : placed.seats)
-    by[seat.processor] += " " + seat.thread + "(" + std::to_string(seat.priority) + ")";
+  for (const analyzer::ThreadPlacement& each : placed.threads)
+    by[each.processor] += " " + each.thread + "(" + std::to_string(each.priority) + ")";
   std::string out;
   for (const auto& [processor, threads] : by) {
     out += (out.empty() ? "" : "; ") + on.names[processor.index()] + ":" + threads;

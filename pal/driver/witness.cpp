@@ -55,15 +55,17 @@ constexpr std::size_t most_processors = 100;
 bool has_processors(const pan::Environment& environment, const FiledWitness& witness) {
   const std::size_t all = std::max(environment.processors.size(), most_processors);
   return std::all_of(witness.placement.begin(), witness.placement.end(),
-                     [all](const auto& seat) { return static_cast<std::size_t>(seat.processor) < all; });
+                     [all](const auto& each) { return static_cast<std::size_t>(each.processor) < all; });
 }
 
 /// The environment in which the witness has its threads.
 pan::Environment placed(const pan::Environment& environment, const FiledWitness& witness) {
   if (witness.placement.empty()) return environment;
-  std::vector<analyzer::Seat> seats;
-  for (const auto& seat : witness.placement) seats.push_back({seat.thread, analyzer::ProcessorId(static_cast<std::size_t>(seat.processor)), seat.priority});
-  return analyzer::placed(environment, seats);
+  std::vector<analyzer::ThreadPlacement> threads;
+  for (const auto& each : witness.placement)
+    threads.push_back(
+        {each.thread, analyzer::ProcessorId(static_cast<std::size_t>(each.processor)), each.priority});
+  return analyzer::placed(environment, threads);
 }
 
 /// Why the run does not show what the witness claims of `requirement`; empty: it does.
@@ -100,9 +102,9 @@ std::optional<analyzer::Witness> breaking(const analyzer::Problem& problem,
 
 std::string placement_text(const FiledWitness& witness) {
   std::string text;
-  for (const auto& seat : witness.placement)
-    text += fmt::format("{}{} on processor {} with priority {}", text.empty() ? ", " : "; ", seat.thread,
-                        seat.processor + 1, seat.priority);
+  for (const auto& each : witness.placement)
+    text += fmt::format("{}{} on processor {} with priority {}", text.empty() ? ", " : "; ", each.thread,
+                        each.processor + 1, each.priority);
   return text;
 }
 
@@ -139,7 +141,7 @@ std::vector<std::string> filed_witnesses_of(const std::vector<analyzer::Placemen
   for (const analyzer::Placements& on : placements) {
     for (const analyzer::Placed& refuted : on.refuted) {
       if (options.stop && options.stop()) return made;
-      const pan::Environment there = analyzer::placed(environment, refuted.seats);
+      const pan::Environment there = analyzer::placed(environment, refuted.threads);
       Diagnostics known;
       auto problem = analyzer::make_problem(network, there, known);
       if (!problem) continue;
@@ -149,8 +151,8 @@ std::vector<std::string> filed_witnesses_of(const std::vector<analyzer::Placemen
       const analyzer::Requirement& requirement = problem->requirements.front();
       FiledWitness found = filed(*problem, requirement.name, requirement.measure, *witness);
       found.identity = identity_of(network, there);
-      for (const analyzer::Seat& seat : refuted.seats)
-        found.placement.push_back({seat.thread, seat.processor.value, seat.priority});
+      for (const analyzer::ThreadPlacement& each : refuted.threads)
+        found.placement.push_back({each.thread, each.processor.value, each.priority});
       made.push_back(analyzer::rules::filed_text(found));
     }
   }

@@ -1,4 +1,4 @@
-// Witnesses on their way to a file, and back from it to be confirmed.
+// Writes witnesses to a file, and reads them back to confirm them.
 #pragma once
 
 #include <iosfwd>
@@ -17,24 +17,24 @@ namespace pal::driver {
 std::vector<analyzer::rules::FiledWitness> witnesses_of(const std::vector<Proof>& proofs,
                                                         const Session& session);
 
-/// A run that breaks a requirement, for each placement that was refuted and of which a simulation or the
-/// analysis finds one before `options.stop` says true. `network` and `environment` are those of the session
-/// that the placements are of. Each is made the text that it is filed as (rules::filed_text) at once: there
-/// may be thousands, and little is left to do once time is up.
+/// A run that breaks a requirement, for each refuted placement for which a simulation or the analysis finds
+/// one before `options.stop` returns true. `network` and `environment` are those of the session to which the
+/// placements belong. Each run is turned into its text for the file (rules::filed_text) at once, because
+/// there may be thousands, and little time may be left afterwards.
 std::vector<std::string> filed_witnesses_of(const std::vector<analyzer::Placements>& placements,
                                             const pan::Network& network, const pan::Environment& environment,
                                             const analyzer::Options& options);
 
-/// Those in the file; says on `console.err` why they cannot be had.
+/// The witnesses in the file; says on `console.err` why they cannot be read.
 std::optional<std::vector<analyzer::rules::FiledWitness>> read_witness_file(const std::string& path,
                                                                             const Console& console);
 
-/// Why the run of the witness does not show what it claims of a skill and an environment of `session`; empty:
-/// it is confirmed.
+/// Why the run of the witness does not show what it claims about a skill and an environment of `session`;
+/// empty: it is confirmed.
 std::string refusal(const analyzer::rules::FiledWitness& witness, Session& session);
 
-/// Confirms or refutes each witness against the skills and environments of `session`, a line each. False:
-/// some could not be confirmed.
+/// Confirms or refutes each witness against the skills and environments of `session`, with one line each.
+/// False: some could not be confirmed.
 bool confirm(const std::vector<analyzer::rules::FiledWitness>& witnesses, Session& session,
              std::ostream& out);
 

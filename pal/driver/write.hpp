@@ -1,4 +1,4 @@
-// How commands leave their files.
+// How commands write their files.
 #pragma once
 
 #include <string>
@@ -11,15 +11,16 @@
 
 namespace pal::driver {
 
-/// The texts that a command has read, by the paths under which it has.
+/// The texts that a command has read, by the paths under which it read them.
 std::vector<std::string> inputs_of(const Session& session);
 
-/// Whether `outputs` may be written by a command that has read `inputs`: none of them is one of these, under
-/// whatever name, and none is called as a PAL file is. Says on `console.err` which is. Empty paths are none.
+/// Whether a command that has read `inputs` may write `outputs`. None of these may be an input, under
+/// whatever name, and none may be named like a PAL file. Says on `console.err` which is wrong. Empty paths
+/// are ignored.
 bool may_write(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs,
                const Console& console);
 
-/// Writes all files or none, and lists those that stay on `console.out`; or says what was wrong on
+/// Writes all files or none, and lists on `console.out` those that stay; or says what was wrong on
 /// `console.err`. `inputs`: see may_write.
 ExitStatus write_and_list(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs,
                           const Console& console);

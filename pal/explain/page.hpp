@@ -24,7 +24,7 @@ struct SampleFile {
   std::string text;
 };
 
-/// Files, of which the first is checked with `options`. Without files: nothing that PAL text can show.
+/// Files, of which the first is checked with `options`. Without files: something that PAL text cannot show.
 struct Sample {
   std::vector<SampleFile> files;
   std::vector<std::string> options;
@@ -37,7 +37,7 @@ struct Page {
   Sample cure;                // does not, and has no errors
 };
 
-/// The page on `code`; empty if nobody wrote one (a test sees to it that there are all).
+/// The page on `code`; empty if there is none (a test checks that all exist).
 Page explain(Code code);
 
 /// The parts of a page's text.

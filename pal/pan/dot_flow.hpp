@@ -1,4 +1,4 @@
-// What of a module's body is drawn, and what follows what beyond the ways that the flow takes.
+// What of a module's body is drawn, and which nodes follow each other beyond the flow itself.
 #pragma once
 
 #include <cstddef>
@@ -20,13 +20,13 @@ class DotFlow {
   /// The body of a module; it must outlive this.
   explicit DotFlow(const Graph& body);
 
-  /// Has the node a place in the picture? Ends of blocks have none: the bar shows them. Where no flow comes
-  /// is drawn only if a statement stands there.
+  /// Does the node have a place in the picture? Ends of blocks do not, because the bar shows them. A node
+  /// that no flow reaches has one only if a statement stands there.
   bool drawn(std::size_t node) const { return (reached_[node] || whole_) && !ends_[node]; }
-  /// Does some flow come here?
+  /// Does some flow reach this node?
   bool reached(std::size_t node) const { return reached_[node]; }
   std::optional<Block> block_ended_by(std::size_t node) const { return ends_[node]; }
-  /// Behind an UNTIL( forever ): what stands there, if that is drawn.
+  /// The node behind an UNTIL( forever ), if it is drawn.
   std::optional<std::size_t> behind(std::size_t until) const;
   /// Nodes that follow each other without a branch between have one column: they are drawn on one straight
   /// line.

@@ -1,4 +1,4 @@
-// Where a drawing that would be too long goes on in another column (or line, from left to right).
+// Where a drawing that would be too long continues in another column (or line, from left to right).
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@ namespace pal::pan {
 
 class DotFolds {
  public:
-  /// `most`: so many nodes one after the other fit into one column. `body` and `flow` are of one module.
+  /// `most`: how many nodes in a row fit into one column. `body` and `flow` are of one module.
   DotFolds(const Graph& body, const DotFlow& flow, std::size_t most);
 
-  /// Does a column begin with this node? Then one way leads there, and it is the only one out of the columns
-  /// before, but for those back to the beginning of a loop.
+  /// Does a column begin with this node? Then only one way leads there, and it is the only way out of the
+  /// columns before, except for those back to the beginning of a loop.
   bool begins(std::size_t node) const { return begins_[node]; }
   /// The column of a node, from 0.
   std::size_t column(std::size_t node) const { return columns_[node]; }

@@ -1,4 +1,4 @@
-// How the nodes of a PAN look (thesis, figure 3.4): what is for the eye only.
+// The look of the nodes of a PAN (thesis, figure 3.4): attributes that only change the picture.
 #pragma once
 
 #include "pal/pan/dot.hpp"
@@ -13,7 +13,7 @@ class DotLook {
   DotLook(const Network& network, ModuleId module, const DotOptions& options)
       : network_(network), module_(module), options_(options), letters_(network, module) {}
 
-  /// Of a node; pale where no flow comes.
+  /// Of a node; pale if no flow reaches it.
   DotAttributes node(std::size_t node, bool reached) const;
   /// Of the condition that an arm of a CASE begins with.
   DotAttributes arm(const Guard& guard, bool reached) const;

@@ -19,8 +19,8 @@ struct Processor {
 };
 
 /// Sends `message` every `period`, each late by up to `jitter`; sporadic: `period` is the least separation.
-/// Opened by the skill's first wait for it: the first message comes within one period of that, at
-/// `phase` if given. `answer`, if named, is due `answer_within` after the event.
+/// The skill's first wait for it opens the device. The first message comes within one period of that wait, or
+/// at `phase` if given. `answer`, if named, is due `answer_within` after the event.
 struct EventDevice {
   std::string message;
   Duration period{};
@@ -52,8 +52,8 @@ struct DeviceTiming {
   SourceSpan where;
 };
 
-/// Where a thread runs. `thread` is a module ("SM1") or one of its blocks ("SM1.2"); a block that is not
-/// placed runs where its module does. The greater priority goes first; among equals first come, first served.
+/// Where a thread runs. `thread` is a module ("SM1") or one of its blocks ("SM1.2"). A block without a place
+/// runs where its module does. The greater priority goes first; among equals first come, first served.
 struct Placement {
   std::string thread;
   std::string processor;
@@ -80,7 +80,7 @@ struct Latency {
 };
 
 /// What the environment has for skills to use (thesis, section 2.3.3: SEC = {SD, LS, RM, GS}), by name. A
-/// list that is not given says nothing; one that is given is all there is.
+/// list that is given is complete; a list that is not given says nothing.
 struct Resources {
   using List = std::optional<std::vector<std::string>>;
   List sensor_drivers;

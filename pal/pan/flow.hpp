@@ -1,4 +1,5 @@
-// Where the flow of a module can go: the ground for all checks of bodies, and for code that ends with them.
+// Where the flow of a module can go: the basis of all checks of bodies, and of code that depends on their
+// ends.
 #pragma once
 
 #include <vector>
@@ -42,11 +43,11 @@ class Flow {
   std::vector<std::vector<bool>> reached_;
 };
 
-/// Each module after those that it executes; last those that execute one another in a circle, which no
-/// network without errors has.
+/// The modules, each after those that it executes. Modules that execute one another in a circle come last; no
+/// network without errors has such.
 std::vector<ModuleId> executed_first(const Network& network);
 
-/// A statement that a person wrote: no start, end, or place where branches come together.
+/// A statement that a person wrote: not a start, an end, or a place where branches join.
 bool is_statement(const Content& content);
 
 }  // namespace pal::pan

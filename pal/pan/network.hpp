@@ -19,8 +19,7 @@ enum class ModuleKind { sensor_driver, logical_sensor, machine_controller, skill
 /// A type of one field of a message, or of a parameter.
 enum class ScalarType { real, integer, boolean, text };
 
-/// The most values that an array may have, and the most characters of a text: what a message carries is
-/// bounded.
+/// The most values of an array, and the most characters of a text: the size of a message is bounded.
 constexpr int largest_array = 4096;
 constexpr std::size_t longest_text = 24;
 

@@ -25,8 +25,8 @@ struct Response {
   std::vector<ChannelId> of;
   std::vector<StatementRef> at;
 };
-/// What an age or a reaction is of: a condition, or what a device measures: the channels on which it
-/// sends that message.
+/// The subject of an age or a reaction: a condition, or what a device measures, given by the channels on
+/// which it sends that message.
 using Known = std::variant<ConditionId, std::vector<ChannelId>>;
 
 /// From the SPC, or the device's sample, whose value a statement was decided on to that statement's effect.
@@ -40,7 +40,7 @@ struct Reaction {
   Known of;
   std::vector<StatementRef> at;
 };
-/// Between successive effects of `at`. The requirement's own limit says nothing.
+/// Between successive effects of `at`. The limit field of the requirement is not used.
 struct Passes {
   std::vector<StatementRef> at;
   std::optional<Duration> least;

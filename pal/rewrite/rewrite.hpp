@@ -19,12 +19,13 @@ struct Rewriting {
   std::vector<Edit> edits;
 };
 
-/// Where a condition is read, or tested, just before a message is waited for: the wait comes first. If the
-/// wait stands at the beginning of arms of the CASE that tests it, it leaves them. `text`: of the tree's file.
+/// For places where a condition is read or tested just before a wait for a message: the wait moves in front.
+/// If the wait stands at the beginning of arms of the CASE that tests the condition, it moves out of them.
+/// `text`: of the tree's file.
 std::vector<Rewriting> read_after_wait(const syntax::Tree& tree, std::string_view text);
 
-/// Where a loop asks for something and then waits for it: the first request goes out before the loop, and each
-/// next one as soon as the answer to the last is there. What is asked works meanwhile: a courier.
+/// For loops that request something and then wait for it: the first request moves before the loop, and each
+/// next one behind the wait. The server then works meanwhile: a courier.
 std::vector<Rewriting> ask_ahead(const syntax::Tree& tree, std::string_view text);
 
 }  // namespace pal::rewrite

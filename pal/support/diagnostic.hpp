@@ -1,4 +1,4 @@
-// What is wrong with a specification: collected by the stages, rendered by the driver.
+// Findings about a specification: collected by the stages, rendered by the driver.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace pal {
 
-/// The rows of the table in diagnostic_code.hpp: who reports or tells codes apart includes that; who only
-/// carries findings does not.
+/// The rows of the table in diagnostic_code.hpp. Include that to report findings or to distinguish codes;
+/// code that only carries findings need not.
 enum class Code : std::uint16_t;
 
 enum class Severity { note, warning, error };
@@ -22,15 +22,15 @@ struct Note {
   std::string text;
 };
 
-/// A piece of text, maybe of no length, and what is to stand there instead.
+/// A piece of text, perhaps empty, and the text that should replace it.
 struct Edit {
   SourceSpan where;
   std::string text;
 };
 
-/// One finding. `message` is lower case without a full stop and says what is wrong at `where`, the narrowest
-/// place there is; `hint` says what to do about it, and following it makes the finding go away. Where a
-/// program can follow it, `fix` has the edits, all of them to be made; else it is empty.
+/// One finding. `message` is lower case without a full stop, and says what is wrong at `where`, the narrowest
+/// place possible. `hint` says what to do; following it makes the finding go away. If a program can follow
+/// it, `fix` has the edits, all of which must be made; else it is empty.
 struct Diagnostic {
   Code code;
   Severity severity;
@@ -50,16 +50,17 @@ struct FindingCounts {
   std::size_t& of(Severity severity) { return severity == Severity::error ? errors : warnings; }
 };
 
-/// Where stages leave their findings. Stages go on after an error as far as they can.
+/// Collects the findings of the stages. Stages go on after an error as far as they can.
 class Diagnostics {
  public:
-  /// Of each severity; what is beyond is counted only, so that no input can fill the memory with findings.
+  /// How many findings of each severity are kept. Others are only counted, so that no input can fill the
+  /// memory.
   static constexpr std::size_t most_kept = 10'000;
 
   /// Reports with the severity that the table gives the code.
   Diagnostic& report(Code code, SourceSpan where, std::string message, std::string hint = {});
 
-  /// What is found from now on to begin in `place` only follows from what was reported there, and is dropped.
+  /// Later findings that begin in `place` are consequences of a reported one, and are dropped.
   void distrust(SourceSpan place) { distrusted_.push_back(place); }
 
   std::size_t errors() const { return errors_; }

@@ -1,4 +1,4 @@
-// Findings' fixes, carried out.
+// Applies the fixes of findings.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace pal {
 
-/// `text`, the text of `file`, after those of `edits` that are in it. Of edits that overlap the first is
-/// made.
+/// `text`, the text of `file`, with those of `edits` that are in it applied. Of edits that overlap only the
+/// first is made.
 std::string apply(std::vector<Edit> edits, FileId file, std::string_view text);
 
 }  // namespace pal

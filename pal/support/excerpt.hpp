@@ -14,8 +14,8 @@ struct Excerpt {
   int caret_width = 1;
 };
 
-/// `line` with bytes [begin, end) in view: of a long line only the part around them, cut at code points, with
-/// "..." for what is left out.
+/// `line` with bytes [begin, end) in view. Of a long line only the part around them is shown, cut at code
+/// points, with "..." for what is left out.
 Excerpt excerpt(std::string_view line, std::size_t begin, std::size_t end);
 
 }  // namespace pal

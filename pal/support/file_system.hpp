@@ -16,10 +16,10 @@ struct FileError {
   std::string reason;
 };
 
-/// What every text must satisfy, wherever it comes from.
+/// The greatest size of a text.
 constexpr std::size_t largest_file = std::size_t{16} << 20;
 
-/// Runs are written by programs, thousands in one file perhaps.
+/// The greatest size of a file with runs: programs write these, and there may be thousands in one file.
 constexpr std::size_t largest_runs = std::size_t{1024} << 20;
 
 class FileSystem {

@@ -8,9 +8,9 @@
 
 namespace pal {
 
-/// The candidate that a slip of the fingers would turn into `name`: fewest single-letter insertions,
-/// deletions, replacements and swaps of neighbours, at most a third of the name's length; letter case counts
-/// half. The first of equals.
+/// The candidate of which `name` is most likely a misspelling: fewest single-letter insertions, deletions,
+/// replacements and swaps of neighbours, at most a third of the name's length. A difference in letter case
+/// counts half. Of equals, the first.
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace pal

@@ -12,10 +12,10 @@ struct OutputFile {
   std::string content;
 };
 
-/// Writes every file, making folders that are missing; each is written beside its place, under a name that
-/// nothing else has, and then renamed, and nothing is renamed before all are written. A file that is there
-/// keeps its permissions; of a link the file that it leads to is written. A pipe or a device (/dev/stdout) is
-/// written itself, and stays what it is. Returns what went wrong, with the path, or nothing.
+/// Writes every file, and makes missing folders. Each file is first written beside its place, under a name
+/// that nothing else has; when all are written, they are renamed. A file that exists keeps its permissions;
+/// for a link, the file that it leads to is written. A pipe or a device (/dev/stdout) is written directly.
+/// Returns what went wrong, with the path, or nothing.
 std::optional<std::string> write_files(const std::vector<OutputFile>& files);
 
 }  // namespace pal

@@ -15,7 +15,7 @@ bool report_unless_text(const SourceManager& sources, FileId file, Diagnostics& 
   if (const auto zero = text.find('\0'); zero != std::string_view::npos) {
     return report(zero, "a NUL byte cannot stand in a text");
   }
-  if (const auto wrong = utf8::first_invalid(text)) return report(*wrong, "this byte is no UTF-8");
+  if (const auto wrong = utf8::first_invalid(text)) return report(*wrong, "this byte is not UTF-8");
   return true;
 }
 

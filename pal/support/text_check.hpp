@@ -1,4 +1,4 @@
-// Whether what was read is text at all.
+// Whether a file is UTF-8 text.
 #pragma once
 
 #include "pal/support/diagnostic.hpp"
@@ -6,7 +6,7 @@
 
 namespace pal {
 
-/// True of UTF-8 without NUL bytes; of anything else the first byte that is wrong is reported.
+/// True for UTF-8 without NUL bytes. Otherwise the first wrong byte is reported.
 bool report_unless_text(const SourceManager& sources, FileId file, Diagnostics& diagnostics);
 
 }  // namespace pal

@@ -1,4 +1,4 @@
-// How wide text stands in a terminal, so that a caret stands below what it means.
+// The width of text in a terminal, so that a caret stands below the right character.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ int width(char32_t code_point);
 /// Columns that `text` takes when it begins at column 0; a tab goes to the next multiple of 4.
 int width(std::string_view text);
 
-/// `text` with tabs as spaces and with what a terminal would act on (controls, broken UTF-8) as U+FFFD.
-/// Has the width that width(text) says.
+/// `text` with spaces instead of tabs, and with U+FFFD for everything that a terminal would obey (control
+/// characters) and for broken UTF-8. Its width is width(text).
 std::string printable(std::string_view text);
 
 }  // namespace pal

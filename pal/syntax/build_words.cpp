@@ -112,7 +112,7 @@ std::optional<double> Builder::real(antlr4::tree::TerminalNode* number) {
   double value = 0;
   const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{}) {
-    diagnostics_.report(Code::PAL0107, span(number), "this number is out of the range of numbers",
+    diagnostics_.report(Code::PAL0107, span(number), "this number is too large or too small",
                         "write a number below 1e308");
     return 0;
   }
@@ -148,11 +148,11 @@ Duration Builder::duration(antlr4::tree::TerminalNode* number, antlr4::tree::Ter
   }
   switch (std::get<DurationError>(parsed)) {
     case DurationError::no_unit:
-      diagnostics_.report(Code::PAL0702, span(unit), "'" + unit->getText() + "' is no unit of time",
+      diagnostics_.report(Code::PAL0702, span(unit), "'" + unit->getText() + "' is not a unit of time",
                           "the units are ns, us, ms, s and min");
       break;
     case DurationError::not_whole:
-      diagnostics_.report(Code::PAL0703, span(number, unit), "this is no whole number of nanoseconds",
+      diagnostics_.report(Code::PAL0703, span(number, unit), "this is not a whole number of nanoseconds",
                           "round it: up if it is a worst time, down if it is a best one");
       break;
     default:
@@ -194,7 +194,7 @@ std::string Builder::unit(Parser::PhysicalUnitContext* context) {
   if (context == nullptr || context->exception != nullptr) return {};
   auto written = context->getText();  // without the spaces between
   if (!is_physical_unit(written)) {
-    diagnostics_.report(Code::PAL0601, span(context), "'" + written + "' is no unit",
+    diagnostics_.report(Code::PAL0601, span(context), "'" + written + "' is not a unit",
                         "units are products and quotients of " + physical_units());
   }
   return written;

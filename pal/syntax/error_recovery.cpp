@@ -116,7 +116,7 @@ const antlr4::ParserRuleContext* parent(const antlr4::ParserRuleContext* context
 
 void report_too_many(Diagnostics& diagnostics, SourceSpan where) {
   diagnostics.report(Code::PAL0104, where, "too many syntax errors; the rest of this file is not reported",
-                     "correct the first of them, and see that this file is PAL");
+                     "correct the first of them, and make sure that this file is PAL");
 }
 
 Diagnostic* ErrorRecovery::report(antlr4::Parser* parser, const antlr4::Token* at, std::string message,

@@ -14,7 +14,7 @@ namespace pal::syntax {
 // A file that is not PAL at all needs no more than this to see it.
 constexpr std::size_t most_reports = 20;
 
-/// Says that no more mistakes of this file are told.
+/// Reports that no more mistakes of this file are reported.
 void report_too_many(Diagnostics& diagnostics, SourceSpan where);
 
 /// Says each mistake once, and goes on at the next statement, slot or unit:
@@ -24,7 +24,7 @@ void report_too_many(Diagnostics& diagnostics, SourceSpan where);
 ///   belongs to a statement around this one is left to it: a forgotten END CASE costs that statement only.
 class ErrorRecovery : public antlr4::DefaultErrorStrategy {
  public:
-  /// `reported` mistakes of this file were told before; after `most_reports` of them no more are.
+  /// `reported`: how many mistakes of this file were reported before; after `most_reports` no more are.
   ErrorRecovery(const Tokens& tokens, Diagnostics& diagnostics, std::size_t reported = 0)
       : tokens_(tokens), diagnostics_(diagnostics), reported_(reported) {}
 
@@ -32,7 +32,7 @@ class ErrorRecovery : public antlr4::DefaultErrorStrategy {
   void sync(antlr4::Parser* parser) override;
 
  protected:
-  /// What was told last is a form of other languages (foreign_form).
+  /// The last report was about a form of other languages (foreign_form).
   bool foreign() const { return foreign_; }
   void reportNoViableAlternative(antlr4::Parser* parser, const antlr4::NoViableAltException& e) override;
   void reportInputMismatch(antlr4::Parser* parser, const antlr4::InputMismatchException& e) override;
@@ -41,12 +41,12 @@ class ErrorRecovery : public antlr4::DefaultErrorStrategy {
   antlr4::Token* singleTokenDeletion(antlr4::Parser* parser) override;
 
  private:
-  /// Nothing is returned, and nothing reported, of what was reported before.
+  /// Returns nothing, and reports nothing, for a mistake that was reported before.
   virtual Diagnostic* report(antlr4::Parser* parser, const antlr4::Token* at, std::string message,
                              std::string hint = {});
-  /// The next word is not what has to come: says so where it is missing.
+  /// Reports that the required word is missing, if the next word is another one.
   void report_unexpected(antlr4::Parser* parser, const antlr4::Token* at, const std::string& expected);
-  /// If a compound statement or a unit lacks its end here: says so and returns true.
+  /// If a compound statement or a unit lacks its end here: reports it and returns true.
   bool report_missing_end(antlr4::Parser* parser, const antlr4::Token* at);
   bool goes_on_at(antlr4::Parser* parser, const antlr4::misc::IntervalSet& follow);
   void skip_in_parentheses(antlr4::Parser* parser, bool with_the_last);

@@ -1,4 +1,4 @@
-// The one canonical layout of PAL: of what people write, and of what is printed from trees.
+// The canonical layout of PAL, for texts that people write and for texts printed from trees.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 namespace pal::syntax {
 
 /// The text in canonical layout (docs/reference/formatting.md): the same words in the same order, keywords in
-/// their canonical case, with every comment where it was among them. Formatting the result gives the result.
-/// Of a text with lexical or syntax errors, which are reported: nothing.
+/// their canonical case, every comment between the same words. Formatting the result changes nothing. Nothing
+/// for a text with lexical or syntax errors, which are reported.
 std::optional<std::string> format(const SourceManager& sources, FileId file, Diagnostics& diagnostics);
 
 }  // namespace pal::syntax

@@ -26,8 +26,8 @@ struct Mistake {
 /// Parses up to the first mistake; nothing if there is none.
 std::optional<Mistake> first_mistake(Tokens& tokens);
 
-/// How far a parser gets with these tokens: the number of the first that cannot stand where it does, or how
-/// many there are.
+/// How far a parser gets with these tokens: the number of the first token that cannot stand where it does, or
+/// the number of all tokens.
 std::size_t reach(std::vector<std::unique_ptr<antlr4::Token>> tokens, antlr4::TokenSource& text);
 
 }  // namespace pal::syntax

@@ -18,7 +18,7 @@ void check_format(const DotGraph& graph, Diagnostics& diagnostics) {
   const DotValue* format = graph.values.find("pal_format");
   if (format == nullptr || format->text == known_format) return;
   diagnostics.report(
-      Code::PAL0118, format->where, "this graph has a format that is not known here",
+      Code::PAL0118, format->where, "this graph has an unknown format",
       std::string("remove pal_format, or draw the graph as format ") + known_format + " has it");
   throw Reported{};
 }

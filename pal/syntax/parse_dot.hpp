@@ -7,10 +7,10 @@
 
 namespace pal::syntax {
 
-/// The files that `pal_uses` names and the module that the graph shows, every place being one of the DOT
-/// text. Reports what is no DOT (PAL0114), nodes that say nothing that makes sense (PAL0115), ways that make
-/// no program (PAL0116), attributes that mean nothing (PAL0117) and what a later pal wrote (PAL0118). Never
-/// throws; after an error the tree is not `complete`.
+/// The files that `pal_uses` names, and the module that the graph shows. All places are in the DOT text.
+/// Reports text that is not DOT (PAL0114), nodes that make no sense (PAL0115), edges that make no program
+/// (PAL0116), unknown attributes (PAL0117) and unknown formats (PAL0118). Never throws; after an error the
+/// tree is not `complete`.
 Tree parse_dot(const SourceManager& sources, FileId file, Diagnostics& diagnostics);
 
 }  // namespace pal::syntax

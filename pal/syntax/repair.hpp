@@ -9,9 +9,9 @@
 
 namespace pal::syntax {
 
-/// A change near `mistake` after which the parser gets well past it: a word or an end that is missing, one
-/// that is too many, a keyword that is misspelled; after Burke and Fisher, "A practical method for LR and LL
-/// syntactic error diagnosis and recovery", ACM TOPLAS 9(2), 1987. Nothing if none mends it.
+/// A change near `mistake` after which the parser gets well past it: a missing word or end, a superfluous
+/// one, or a misspelled keyword. After Burke and Fisher, "A practical method for LR and LL syntactic error
+/// diagnosis and recovery", ACM TOPLAS 9(2), 1987. Nothing if there is none.
 std::optional<Change> repair_of(const Mistake& mistake, Tokens& tokens);
 
 /// The mistake as `change` mends it: what is missing, too many or misspelled, with the fix if a program can

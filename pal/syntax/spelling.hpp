@@ -23,7 +23,7 @@ std::string spelling_of_type(std::size_t type);
 /// The same without quotes, as it is written: "UNTIL", "END", "(".
 std::string word_of_type(std::size_t type);
 
-/// Of the keywords among `types` the one that a slip of the fingers turns into `word`.
+/// The keyword among `types` of which `word` is most likely a misspelling.
 std::optional<std::size_t> keyword_like(const std::string& word, const std::set<std::size_t>& types);
 
 }  // namespace pal::syntax

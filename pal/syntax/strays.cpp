@@ -65,8 +65,7 @@ bool report_markup(std::string_view text, FileId file, Diagnostics& diagnostics)
   if (!starts_with_any(start, {"<html", "<HTML", "<!DOCTYPE", "<!doctype", "<?xml", "<body", "<pre"}))
     return false;
   diagnostics.report(Code::PAL0119, span_of(file, begin, end_of_line(text, begin)),
-                     "this file is a page of the web, not PAL",
-                     "copy the text that the page shows, not its source");
+                     "this file is a web page, not PAL", "copy the text that the page shows, not its source");
   return true;
 }
 

@@ -1,4 +1,4 @@
-// Characters that are no part of PAL, told by what they are. Private to pal/syntax: shows ANTLR.
+// Characters that do not belong to PAL, reported by what they are. Private to pal/syntax: shows ANTLR.
 #pragma once
 
 #include <antlr4-runtime.h>
@@ -28,9 +28,9 @@ struct Strays {
   std::vector<Rereading> rereadings;  // in the order of the text
 };
 
-/// Reports each character, or run of them, that means nothing in PAL: typographic quotes, letters that no
-/// name may have, comments of other languages, a text without a closing quote. Says how to read on, so that
-/// nothing else is reported for the same mistake.
+/// Reports each character, or run of characters, that has no meaning in PAL: typographic quotes, letters that
+/// names may not have, comments of other languages, a text without a closing quote. Returns how to read on,
+/// so that nothing else is reported for the same mistake.
 Strays read_strays(const Tokens& tokens, std::string_view text, Diagnostics& diagnostics);
 
 }  // namespace pal::syntax

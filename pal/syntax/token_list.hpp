@@ -11,7 +11,8 @@
 
 namespace pal::syntax {
 
-/// At token `at`: `removed` tokens go, and tokens of these types come. What comes has no text of its own.
+/// At token `at`, `removed` tokens are removed, and tokens of these types are inserted. An inserted token has
+/// no text of its own.
 struct Change {
   std::size_t at = 0;
   std::size_t removed = 0;
@@ -21,8 +22,8 @@ struct Change {
 /// A token that stands for no text: an added one, or one that the parser made up itself.
 bool is_made_up(const antlr4::Token* token);
 
-/// Gives END the type that the word after it makes of it, and HEADER to the first of two kind words that a
-/// colon follows after a name: what the lexer cannot see.
+/// Gives END the type that depends on the word after it, and HEADER to the first of two kind words that are
+/// followed by a name and a colon. The lexer cannot see these.
 void tell_words_apart(const std::vector<antlr4::Token*>& all);
 
 /// Copies of tokens [begin, end) of `all` after `change`, which may be nullptr; then the end of the file,

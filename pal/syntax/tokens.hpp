@@ -42,10 +42,10 @@ class BoundedLexer : public grammar::PalLexer {
 /// Owns the text as ANTLR wants it, the lexer and the tokens; maps tokens to bytes of the text.
 class Tokens {
  public:
-  /// Reads all tokens. Reports what is no token of PAL, and nesting deeper than `deepest_nesting`.
+  /// Reads all tokens. Reports text that is no token of PAL, and nesting deeper than `deepest_nesting`.
   Tokens(FileId file, std::string_view text, Diagnostics& diagnostics);
 
-  /// False if a parser must not be let loose on these.
+  /// False if these tokens must not be given to a parser.
   bool parseable() const { return parseable_; }
   bool has_errors() const { return has_errors_; }
 
@@ -53,7 +53,7 @@ class Tokens {
   /// In the order of the text; the last is the end of the file.
   const std::vector<antlr4::Token*>& all() const { return all_; }
   antlr4::TokenSource& text() { return lexer_; }
-  /// Makes a change, with a stream anew: what was had of the one before is gone.
+  /// Applies a change and makes a new stream; what came from the old stream becomes invalid.
   void apply(const Change& change);
   FileId file() const { return file_; }
 

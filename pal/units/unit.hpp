@@ -1,4 +1,4 @@
-// Physical units: what they measure, and by how much one is greater than another, exactly.
+// Physical units: what they measure, and their exact ratios.
 #pragma once
 
 #include <array>
@@ -18,11 +18,11 @@ struct Ratio {
   friend bool operator==(const Ratio&, const Ratio&) = default;
 };
 
-/// Powers of the base units: m, kg, s, A, K, rad, count. Angles are a dimension here: deg and rad must not
-/// pass for plain numbers.
+/// Powers of the base units: m, kg, s, A, K, rad, count. Angles are a dimension here, because deg and rad are
+/// not plain numbers.
 using Dimension = std::array<int, 7>;
 
-/// A unit as so many of the product of base units. deg is pi/180 rad, so a power of pi stands beside the
+/// A unit as a multiple of a product of base units. deg is pi/180 rad, so there is a power of pi beside the
 /// ratio.
 struct Unit {
   Dimension dimension{};
@@ -34,11 +34,11 @@ struct Unit {
 };
 
 /// A product or quotient of known units with small whole powers, spelt without spaces: "mm", "N*m", "deg/s",
-/// "m/s^2"; "%"; nothing for a spelling that is none, or whose scale is too great to be exact.
+/// "m/s^2"; "%". Nothing for any other spelling, or if the scale is too great to be exact.
 std::optional<Unit> parse_unit(std::string_view spelling);
 
-/// How many `to` one `from` is. Nothing: they differ in dimension, or the number is no fraction (deg in rad),
-/// or their zeros differ.
+/// How many `to` are one `from`. Nothing if they differ in dimension, if the number is not a fraction (deg in
+/// rad), or if their zeros differ.
 std::optional<Ratio> factor(const Unit& from, const Unit& to);
 
 /// The known units, for a message.

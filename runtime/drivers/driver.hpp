@@ -1,21 +1,21 @@
-// A device that is at the far end of a link: what a PAL device binds to when it speaks bytes.
+// A device at the far end of a link: a PAL device binds to it when it exchanges bytes.
 #pragma once
 
 #include "runtime/device.hpp"
 
 namespace pal::runtime {
 
-/// A driver belongs to a station and outlives the skills that use it. A skill is a session of it: attach(),
-/// open(), messages, close(). Between sessions a driver keeps its device content (an ALTER port is answered
-/// with no motion). It keeps time by the station's Timeline, which goes on between sessions; `DeviceHost` is
-/// there during one.
+/// A driver belongs to a station and outlives the skills that use it. Each skill is a session: attach(),
+/// open(), messages, close(). Between sessions a driver goes on serving its device (an ALTER port is answered
+/// with no motion). Its clock is the station's Timeline, which goes on between sessions. `DeviceHost` exists
+/// only during a session.
 class Driver : public Device {
  public:
-  /// A skill that uses this device is about to begin: brings the device to where a session may start (a
-  /// dialogue that opens it). Time goes on until ready(). What goes wrong is said by trouble().
+  /// A skill that uses this device is about to begin. Brings the device to where a session may start, for
+  /// example by a dialogue that opens it. Time goes on until ready(). trouble() says what went wrong.
   virtual void prepare() {}
   virtual bool ready() const { return true; }
-  /// A skill that does not use this device is about to begin: gives up what would be in its way. Time goes on
+  /// A skill that does not use this device is about to begin. Gives up what would be in its way. Time goes on
   /// until released().
   virtual void release() {}
   virtual bool released() const { return true; }

@@ -1,4 +1,4 @@
-// What all drivers of devices at the far end of a link share: the session, the time-out, the trouble.
+// The common part of all drivers of devices at the far end of a link: the session, the time-out, the trouble.
 #pragma once
 
 #include <string>
@@ -31,11 +31,11 @@ class LinkedDriver : public Driver, private LinkUser {
 
   /// Bytes have arrived.
   virtual void arrived(Bytes bytes) = 0;
-  /// Nothing is awaited any more: what was asked for has failed, and so will what waits.
+  /// Nothing is awaited any more: the request has failed, and so do those that wait.
   virtual void give_up() = 0;
   /// What is awaited and how much of it has come: "only 7 of the 13 bytes of a record came".
   virtual std::string missing() const = 0;
-  /// What was awaited has not come in time: trouble, if the driver knows nothing better.
+  /// The awaited bytes have not come in time. This is trouble, unless the driver overrides it.
   virtual void late();
 
   Timeline& timeline() { return timeline_; }

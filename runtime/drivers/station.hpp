@@ -1,4 +1,4 @@
-// Where skills run one after the other, with devices and physics that go on between them.
+// Runs skills one after the other, with devices and physics that go on between them.
 #pragma once
 
 #include <functional>
@@ -17,9 +17,8 @@ namespace pal::runtime {
 class Pace {
  public:
   virtual ~Pace() = default;
-  /// Returns when the outside world has come to `when` (station time), with `when`; or earlier, with the
-  /// instant at which something came in from outside: an action of the station's timeline by then, at that
-  /// instant.
+  /// Returns `when` once the outside world has come to `when` (station time). If something came in from
+  /// outside earlier, returns that instant; an action of the station's timeline is then due by that instant.
   virtual Time wait_until(Time when) = 0;
   /// Station time stood still at `now` and goes on from here.
   virtual void resumed([[maybe_unused]] Time now) {}
@@ -28,19 +27,19 @@ class Pace {
 struct StationOptions {
   /// Devices must be ready for a skill, or given up before one, within this time.
   Time ready_within = std::chrono::seconds(10);
-  /// Physics is never further ahead of the timeline than this.
+  /// The physics is never further ahead of the timeline than this.
   Time physics_grain = std::chrono::milliseconds(1);
 };
 
-/// How one skill is run.
+/// Options for one skill.
 struct SessionOptions {
   RunOptions run;
-  /// The station instant at which the skill begins, given the earliest possible one; not before it. Empty:
-  /// the earliest.
+  /// Chooses the station instant at which the skill begins, given the earliest possible one; not before it.
+  /// Empty: the earliest.
   std::function<Time(Time earliest)> begin;
 };
 
-/// Owns the timeline that its drivers and the physics go by. One thread only.
+/// Owns the clock of its drivers and the physics. For one thread only.
 class Station {
  public:
   /// The physics, and a pace, outlive the station.
@@ -54,16 +53,16 @@ class Station {
   /// Drivers are prepared before a skill that uses them, and released before one that does not. They outlive
   /// the station's last use.
   void add(Driver& driver);
-  /// A device that is no driver is there for the length of a skill only.
+  /// A device that is not a driver is there only as long as the skill.
   void add(Device& device);
 
-  /// Readies the devices, runs the skill from its time 0 to its end, closes the sessions. A device that is in
-  /// trouble refuses the skill before it begins, with the reason. Never throws for what skill, devices or
-  /// physics do. While a skill runs, from inside a device, another is refused.
+  /// Readies the devices, runs the skill from its time 0 to its end, closes the sessions. A device in trouble
+  /// refuses the skill before it begins, with the reason. Never throws because of skill, devices or physics.
+  /// While a skill runs, a call from inside a device is refused.
   Outcome run(Skill& skill, std::span<const ParameterValue> parameters = {},
               const SessionOptions& options = {});
 
-  /// Lets time pass: drivers keep their devices content. Throws what physics or a driver throws.
+  /// Lets time pass; drivers go on serving their devices. Throws what the physics or a driver throws.
   void idle(Time time);
 
   /// When the last skill began, in station time.

@@ -17,12 +17,12 @@ struct LineSpeed {
   double baud = 9600;
   double bits_per_byte = 10;
 
-  /// From the first byte's first bit to the last byte's last one.
+  /// The time from the first bit of the first byte to the last bit of the last byte.
   Time duration(std::size_t bytes) const;
 };
 
-/// What carries the bytes of a wire, beside the time that they take: nothing, or a pair of file descriptors.
-/// Gives back what came out at the other end, which is what went in unless something is broken.
+/// Carries the bytes of a wire, for example through a pair of file descriptors; it does not add to their
+/// time. Returns the bytes that came out at the other end: the same ones, unless something is broken.
 class Carrier {
  public:
   virtual ~Carrier() = default;
@@ -30,11 +30,11 @@ class Carrier {
   virtual std::vector<std::uint8_t> carry(Direction direction, Bytes bytes) = 0;
 };
 
-/// Two ends, a and b, and a line each way. Bytes that are written together arrive together, when the last one
-/// has passed: at max(now, the line is free) + duration. The other end is called by the timeline.
+/// Two ends, a and b, and a line in each direction. Bytes that are written together arrive together, when the
+/// last one has passed: at max(now, the line is free) + duration. The timeline then calls the other end.
 class Wire {
  public:
-  /// What happens to bytes on their way, for tests and for faults on demand: may change, drop or add some.
+  /// Changes bytes on their way, for tests and for faults on demand: may change, drop or add some.
   using Tamper = std::function<void(Carrier::Direction, std::vector<std::uint8_t>&)>;
 
   /// `carrier` null: the bytes stay in the process. Everything given outlives the wire.
@@ -48,7 +48,7 @@ class Wire {
   const LineSpeed& speed() const { return speed_; }
 
   void tamper(Tamper tamper) { tamper_ = std::move(tamper); }
-  /// What is written from now on in this direction arrives so much later; the order stays.
+  /// Everything written from now on in this direction arrives later by this time; the order stays.
   void delay(Carrier::Direction direction, Time by);
   /// Both ends learn it at this instant; what is on its way is lost.
   void cut(std::string_view reason);

@@ -14,7 +14,7 @@ inline Time time_of(clockid_t clock) {
   return std::chrono::seconds(now.tv_sec) + Time(now.tv_nsec);
 }
 
-/// The clock that all instants of a run in real time are of.
+/// The clock of all instants of a run in real time.
 inline Time monotonic_now() {
   return time_of(CLOCK_MONOTONIC);
 }
@@ -36,7 +36,7 @@ class Sleeper {
   void sleep() {
     while (::sem_wait(&semaphore_) != 0) continue;  // a signal came
   }
-  /// Until `when` of the monotonic clock at most, which no error adds up in. False: nobody has woken it.
+  /// Sleeps until `when` of the monotonic clock at most; errors do not add up. False: nobody has woken it.
   bool sleep_until(Time when);
 
  private:

@@ -10,8 +10,8 @@
 
 namespace pal::runtime {
 
-/// A mutex with priority inheritance: whoever has it is as urgent as the most urgent thread that waits for
-/// it. Knows how long it was held.
+/// A mutex with priority inheritance: its holder gets the priority of the most urgent thread that waits for
+/// it. It measures how long it was held.
 class KernelLock {
  public:
   /// Throws std::system_error if the system has no such mutex.
@@ -41,7 +41,7 @@ class KernelLock {
 
   /// Whether the calling thread has it.
   bool mine() const { return owner_.load(std::memory_order_relaxed) == ::pthread_self(); }
-  /// Since when it is held, as far as another thread can tell; 0: it is free.
+  /// Since when it has been held, as another thread sees it; 0: it is free.
   Time since() const { return Time(since_.load(std::memory_order_relaxed)); }
 
   // While it is held, or by the last thread.

@@ -1,4 +1,4 @@
-// Who runs where in real time: a thread of the operating system for each processor and priority.
+// Processors in real time: a thread of the operating system for each processor and priority.
 #pragma once
 
 #include <pthread.h>
@@ -26,8 +26,8 @@ struct Level {
 };
 
 /// Gives processors to threads by the rules of docs/reference/execution-model.md, as the Scheduler of virtual
-/// time does. It decides who begins a statement and who may have its effect; that whoever was interrupted
-/// does not run meanwhile is the operating system's part.
+/// time does. It decides who begins a statement and who may have its effect. The operating system makes sure
+/// that an interrupted thread does not run meanwhile.
 class Levels {
  public:
   /// All outlive the levels.
@@ -37,8 +37,8 @@ class Levels {
   void need_processor(Thread& thread);
   /// The thread blocks or ends: its processor is free for others.
   void leave(Thread& thread);
-  /// Gives the processors to those who should have them now. Levels that have something to do, and sleep,
-  /// are to be woken: they are added to `woken`.
+  /// Gives the processors to the threads that should have them now. Adds to `woken` the levels that have
+  /// something to do and sleep; they must be woken.
   void dispatch(std::vector<Sleeper*>& woken);
 
   /// Whether the level's statement has its processor at present.
@@ -47,7 +47,7 @@ class Levels {
   }
   /// The level's statement is about to have its effect.
   void finish(Level& level);
-  /// Nobody is at work.
+  /// No level is at work.
   bool idle() const;
 
   std::deque<Level>& all() { return levels_; }

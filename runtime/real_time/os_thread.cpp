@@ -75,7 +75,7 @@ std::vector<int> permitted_cpus() {
   return result;
 }
 
-FifoForNow::FifoForNow(int priority) {
+ScopedFifo::ScopedFifo(int priority) {
   if (priority == 0) return;
   sched_param before{};
   if (::pthread_getschedparam(::pthread_self(), &policy_, &before) != 0) return;
@@ -83,7 +83,7 @@ FifoForNow::FifoForNow(int priority) {
   changed_ = make_fifo(::pthread_self(), priority).empty();
 }
 
-FifoForNow::~FifoForNow() {
+ScopedFifo::~ScopedFifo() {
   if (!changed_) return;
   sched_param before{};
   before.sched_priority = priority_;

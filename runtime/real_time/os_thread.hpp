@@ -9,7 +9,7 @@
 
 namespace pal::runtime {
 
-/// A thread that is joined before it is destroyed. Its stack is there before it is used.
+/// A thread that is joined before it is destroyed. Its stack is allocated before it is used.
 class OsThread {
  public:
   /// `body` must not throw. Throws std::system_error when the system gives no more threads.
@@ -38,13 +38,13 @@ std::string pin(pthread_t thread, int cpu);
 std::vector<int> permitted_cpus();
 
 /// Gives the calling thread SCHED_FIFO for as long as it lives.
-class FifoForNow {
+class ScopedFifo {
  public:
   /// `priority` 0: it stays as it is.
-  explicit FifoForNow(int priority);
-  ~FifoForNow();
-  FifoForNow(const FifoForNow&) = delete;
-  FifoForNow& operator=(const FifoForNow&) = delete;
+  explicit ScopedFifo(int priority);
+  ~ScopedFifo();
+  ScopedFifo(const ScopedFifo&) = delete;
+  ScopedFifo& operator=(const ScopedFifo&) = delete;
 
  private:
   bool changed_ = false;
@@ -52,7 +52,7 @@ class FifoForNow {
   int priority_ = 0;
 };
 
-/// Locks what memory the process has and will have, for as long as it lives.
+/// Locks the present and future memory of the process, for as long as this object lives.
 class LockedMemory {
  public:
   explicit LockedMemory(bool wanted);
@@ -60,7 +60,7 @@ class LockedMemory {
   LockedMemory(const LockedMemory&) = delete;
   LockedMemory& operator=(const LockedMemory&) = delete;
 
-  /// Why it is not locked though it was wanted; empty: it is, or it was not wanted.
+  /// Why memory is not locked although it was wanted; empty: it is, or it was not wanted.
   const std::string& problem() const { return problem_; }
 
  private:

@@ -264,7 +264,7 @@ void RealExecutive::run(Kernel& kernel) {
   try {
     start_threads();
     const int top = schedule();
-    const FifoForNow urgent(fifo_ ? top + 2 : 0);
+    const ScopedFifo urgent(fifo_ ? top + 2 : 0);
     origin_ = monotonic_now();
     kernel.start();
     exit();

@@ -1,4 +1,4 @@
-// Real time: threads of the operating system, and the clock on the wall.
+// Real time: threads of the operating system, and the wall clock.
 #pragma once
 
 #include <atomic>
@@ -20,31 +20,31 @@
 namespace pal::runtime {
 
 /// Runs a skill with these threads of the operating system, the most urgent first: the watchdog; one that
-/// keeps time; the one that asked for the run, which moves the world; and one for each level. What was
-/// written by hand runs without the kernel's lock, all else with it.
+/// keeps time; the caller's own, which moves the world; and one for each level. Hand-written code runs
+/// without the kernel's lock, everything else with it.
 class RealExecutive final : public Executive {
  public:
   /// All outlive the executive. `options.real_time` is there.
   RealExecutive(Clock& clock, Journal& journal, World& world, const Wiring& wiring,
                 const RunOptions& options);
 
-  /// From the start of the skill to its end. Ends the process instead if something does not return.
+  /// Runs the skill from its start to its end. If some code does not return, ends the process instead.
   void run(Kernel& kernel);
   /// Of a run that is over.
   RealTimeReport take_report() { return std::move(report_); }
 
-  /// What the machine takes, and nothing more.
+  /// There is no latency but that of the machine.
   Time latency(const Interval&) override { return Time::zero(); }
   void need_processor(Thread& thread, const Interval&) override { levels_.need_processor(thread); }
   void leave(Thread& thread) override { levels_.leave(thread); }
   Ticket at(Time when, Due due) override;
   Ticket at(Time when, int device, std::function<void()> action) override;
   void cancel(Ticket ticket) override { queue_.cancel(ticket.number); }
-  /// From outside the run the action has been called when this returns.
+  /// Called from outside the run, it returns after the action was called.
   void post(int device, std::function<void()> action) override;
 
  private:
-  /// A thread that sleeps until an instant of the run; another one may need it sooner.
+  /// A thread sleeps until an instant of the run; another thread may need it sooner.
   struct Alarm {
     Sleeper sleeper;
     bool asleep = false;

@@ -34,10 +34,10 @@ void RealExecutive::start_watchdog(int priority) {
 }
 
 void RealExecutive::watch() {
-  const Time patience = options_.real_time->patience;
+  const Time hang_timeout = options_.real_time->hang_timeout;
   for (Time next = monotonic_now() + tick; !watchdog_.sleep_until(next); next += tick) {
     const Time since = lock_.since();
-    if (since != Time::zero() && monotonic_now() - since > patience)
+    if (since != Time::zero() && monotonic_now() - since > hang_timeout)
       end_process("a device or the world has not returned for " + in_seconds(monotonic_now() - since));
     if (!lock_.try_lock()) continue;
     set(std::max(now(), monotonic_now() - origin_));
@@ -59,7 +59,7 @@ void RealExecutive::look() {
     const auto statement = static_cast<std::size_t>(level.work->control.operation->statement());
     const Time had = ++level.ticks * tick;
     const Time worst = wiring_.statements[statement].cost.worst;
-    if (had <= options_.real_time->patience + worst) continue;
+    if (had <= options_.real_time->hang_timeout + worst) continue;
     const std::string why = journal_.place_of(*level.work) + " has not returned for " + in_seconds(had) +
                             "; its worst time is " + in_seconds(worst);
     make_ordinary(level.os_thread);  // others need its CPU

@@ -1,4 +1,4 @@
-// Which thread started which: the blocks of a CONCURRENT begin with what their parent had.
+// Which thread started which: the blocks of a CONCURRENT begin with the knowledge of their parent.
 #pragma once
 
 #include <cstdint>

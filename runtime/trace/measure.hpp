@@ -1,5 +1,5 @@
-// What a run attained of a measure, read off its trace alone: the same for a predicted and for a measured
-// run, and independent of whatever proved a bound (docs/reference/timing.md gives the measures).
+// The values of a measure in a run, read off its trace alone. The same for predicted and measured runs, and
+// independent of the proof of a bound (docs/reference/timing.md defines the measures).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace pal::trace {
 
-/// A statement by what it is called in every trace of the same program.
+/// A statement, by its name, which is the same in every trace of one program.
 struct StatementName {
   std::string module;
   std::string text;
@@ -30,8 +30,8 @@ struct Responses {
   int missed = 0;                    // events lost by overrun, or passed over: a later one was answered first
 };
 
-/// Responses to what `sender`, a device or a module, puts as `message`, at the effects of the statements of
-/// `at`. What is withdrawn before anybody took it awaits none.
+/// Responses to the message `message` that `sender`, a device or a module, puts, at the effects of the
+/// statements of `at`. A message that is withdrawn before anybody took it awaits no response.
 Responses responses(const Trace& trace, const std::string& sender, const std::string& message,
                     const std::vector<StatementName>& at);
 

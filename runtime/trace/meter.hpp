@@ -1,4 +1,4 @@
-// Measures of a run, taken event by event while it goes on or from its trace
+// Measures of a run, taken event by event, while it goes on or from its trace
 // (docs/reference/execution-model.md, "What is measured").
 //
 // Each meter is given every event of one run, in order. `parent` is the actor from which the event's actor

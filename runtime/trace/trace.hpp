@@ -1,6 +1,6 @@
 // A run of a skill as a list of events: the one vocabulary for predicted and for measured runs.
 //
-// The analyzer writes a trace of the run that it proved to be the worst; the runtime writes one of what
+// The analyzer writes a trace of the run that it proved to be the worst. The runtime writes a trace of what
 // happened. Charts are drawn from either, and one is laid over the other. docs/reference/trace.md describes
 // the file form.
 #pragma once

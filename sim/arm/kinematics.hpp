@@ -1,4 +1,4 @@
-// Where the PUMA 560's wrist and tool are, and which joint angles bring them there.
+// The poses of the PUMA 560's wrist and tool, and the joint angles for a pose.
 #pragma once
 
 #include <Eigen/Geometry>

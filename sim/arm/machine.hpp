@@ -1,11 +1,11 @@
-// What makes the arm a machine and not a formula: encoders that count, gears with play.
+// The imperfections of the real arm: encoders that count, gears with play.
 #pragma once
 
 #include <cstdint>
 
 namespace pal::sim {
 
-/// Which of the machine's imperfections are there. The defaults are the machine's.
+/// The imperfections that are switched on. The defaults are the machine's.
 struct MachineOptions {
   bool encoders = true;    // joint angles are whole counts of the encoders
   bool backlash = true;    // the gears have play

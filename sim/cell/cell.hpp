@@ -22,9 +22,9 @@ namespace pal::sim {
 struct CellOptions {
   /// How much higher than in the scene the tool starts, mm.
   double raise = 0;
-  /// Decides all that devices draw.
+  /// The seed of everything that devices draw.
   std::uint64_t seed = 1;
-  /// Another machine of the same kind than the scene's (MachineOptions::seed).
+  /// The seed of the machine, if it is not the scene's (MachineOptions::seed).
   std::optional<std::uint64_t> machine_seed;
   /// False: the workcell's log holds the last sample only.
   bool keep_log = true;
@@ -37,11 +37,11 @@ struct CellOptions {
   runtime::Pace* pace = nullptr;
   /// What carries the bytes of a device's line: empty, or gives null: they stay in the process.
   std::function<std::unique_ptr<runtime::Carrier>()> carrier;
-  /// The physics as it is looked at while it moves; empty: nobody looks.
+  /// Observes the physics while it moves; empty: nobody does.
   std::function<std::unique_ptr<runtime::World>(Workcell&)> watch;
-  /// Is told, shortly before a skill begins, when: in station time. Empty: nobody is.
+  /// Called shortly before a skill begins, with the station time of its beginning. Empty: nobody is called.
   std::function<void(runtime::Time)> at_begin;
-  /// What goes wrong with the lines of devices; it happens once, in the first skill.
+  /// Faults of devices' lines; they happen once, in the first skill.
   std::vector<PlannedFault> faults;
 };
 
@@ -62,7 +62,7 @@ class Cell {
   /// Until the arm has made all motions that it accepted, and for `time` more.
   void rest(runtime::Time time);
 
-  /// What sense() can read.
+  /// The sensors that sense() can read.
   std::vector<SensorSpec> sensors() const;
   /// Reads a sensor between skills, by its device's line or at a fixed sensor's next measurement; time
   /// passes. The force-torque sensor counts from the load under which it was started last, by a skill or by

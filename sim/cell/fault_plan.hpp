@@ -50,7 +50,7 @@ struct FaultTextError {
 ///   at 2 s SM1:55 takes 40 ms
 std::variant<std::vector<PlannedFault>, FaultTextError> read_faults(std::string_view text);
 
-/// Makes it happen to the device's line, now. Of a line, not of a statement.
+/// Makes the fault happen to the device's line, now. For faults of lines, not of statements.
 void bring_about(const PlannedFault& fault, runtime::Wire& wire);
 
 }  // namespace pal::sim

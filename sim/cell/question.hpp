@@ -10,7 +10,7 @@
 
 namespace pal::sim {
 
-/// What a device answered; or why it did not; or somebody stopped it.
+/// The answer of a device; or why there is none; or that somebody stopped it.
 struct Answer {
   std::optional<std::vector<double>> fields;
   std::string problem;

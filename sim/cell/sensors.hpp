@@ -1,4 +1,5 @@
-// What can be read of the cell between skills: quantities of its devices, and sensors that are fixed in it.
+// Quantities that can be read of the cell between skills: of its devices, and of sensors that are fixed in
+// it.
 #pragma once
 
 #include <optional>
@@ -30,8 +31,8 @@ std::optional<Source> source_of(const std::string& sensor);
 /// The quantity out of the fields of its source's message. Nothing: nearest, of a profile without a point.
 std::optional<double> quantity(const std::string& sensor, const std::vector<double>& fields);
 
-/// What a fixed sensor reads, mm: from where it stands straight down to what it meets first; the arm it does
-/// not see. With noise of 0.1 mm (deviation, ours). Nothing: there is no such sensor, or it meets nothing.
+/// The reading of a fixed sensor, mm: from its place straight down to what it meets first, the arm excepted.
+/// With noise of 0.1 mm (deviation, ours). Nothing: there is no such sensor, or it meets nothing.
 std::optional<double> read_fixed_sensor(const Workcell& workcell, const std::string& sensor, Random& noise);
 
 /// A fixed sensor measures this often.

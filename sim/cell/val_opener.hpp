@@ -1,4 +1,4 @@
-// ALTER is opened and closed by lines on the VAL terminal.
+// Opens and closes ALTER by lines on the VAL terminal.
 #pragma once
 
 #include "runtime/drivers/alter/opener.hpp"

@@ -1,4 +1,4 @@
-// The one owner of the set-point: planned motions (VAL) and corrections (ALTER) take turns.
+// The only owner of the set-point: planned motions (VAL) and corrections (ALTER) take turns.
 #pragma once
 
 #include <deque>
@@ -11,8 +11,8 @@
 
 namespace pal::sim {
 
-/// Planned motions follow one another, each from rest to rest. Corrections are taken while no planned motion
-/// is under way, and planned motions while no correction is: what comes at the wrong time is refused.
+/// Planned motions follow one another, each from rest to rest. Corrections are accepted while no planned
+/// motion is under way, and planned motions while no correction is; otherwise they are refused.
 class MotionController {
  public:
   /// The arm stands still at `start`. `period`: how long a correction takes. `tool`: from the flange to
@@ -21,7 +21,7 @@ class MotionController {
 
   /// The set-point at `when`; instants must not run backwards.
   SetPoint at(runtime::Time when);
-  /// No motion is left to make.
+  /// Whether no motion is left to make.
   bool idle(runtime::Time when) const;
   /// When the last planned motion that was accepted ends; `when` if none is under way.
   runtime::Time planned_end(runtime::Time when) const;
@@ -43,13 +43,13 @@ class MotionController {
   /// Corrections count from where the arm is told to be at `when`.
   void open_corrections(runtime::Time when);
 
-  /// Slows down on the planned path, and drops what comes after; corrections that were not moved are dropped
-  /// at once.
+  /// Slows down on the planned path, and drops the motions after it. Corrections that were not moved are
+  /// dropped at once.
   void stop(runtime::Time when);
-  /// Stops at once and stays at `q`: the arm has met something, or does not follow.
+  /// Stops at once and stays at `q`, because the arm has met something or does not follow.
   void hold(const Joints& q);
 
-  /// Where the joints will be when all that was accepted is moved.
+  /// The joint angles after all accepted motions.
   Joints goal(runtime::Time when);
 
   const Pose& tool() const { return tool_; }

@@ -1,4 +1,4 @@
-// From where the arm is to where it is told to go: what the joints do meanwhile, or why it cannot be done.
+// Plans motions: what the joints do on the way to a goal, or why it cannot be reached.
 #pragma once
 
 #include <optional>
@@ -62,8 +62,9 @@ using Plan = std::variant<PlannedMotion, Refusal>;
 Plan plan_joint_motion(const Joints& from, const Joints& to, const MotionSpeed& speed);
 
 /// The tip, which stands at `tool` in the flange's frame, goes in a straight line to `goal` in frame 0, while
-/// the tool turns evenly about one axis. The configuration stays. The whole way is looked at: a pose out of
-/// reach, a joint out of its range or faster than it can turn (near a singularity) refuses the motion.
+/// the tool turns evenly about one axis. The configuration stays. The whole way is checked: a pose out of
+/// reach, a joint out of its range, or one that would turn faster than it can (near a singularity) refuses
+/// the motion.
 Plan plan_straight_motion(const Joints& from, const Pose& goal, const Pose& tool, const MotionSpeed& speed);
 
 }  // namespace pal::sim

@@ -5,7 +5,7 @@
 
 namespace pal::sim {
 
-/// Where a joint servo wants the arm.
+/// The set-point of a joint servo.
 struct SetPoint {
   Joints position = Joints::Zero();
   Joints speed = Joints::Zero();

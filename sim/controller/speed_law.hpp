@@ -1,11 +1,11 @@
-// How a motion gathers speed and loses it again.
+// The speed of a motion over time.
 #pragma once
 
 namespace pal::sim {
 
-/// The way along a path as a function of time: acceleration that swells and fades as 1 - cos, a cruise at
-/// constant speed, the same backwards. Speed and acceleration have no steps, so that the servos have nothing
-/// to catch up with. Any unit of length.
+/// The distance along a path as a function of time: acceleration that rises and falls as 1 - cos, a cruise at
+/// constant speed, and the same backwards. Speed and acceleration have no steps, so the servos can follow.
+/// Any unit of length.
 class SpeedLaw {
  public:
   struct State {
@@ -14,8 +14,8 @@ class SpeedLaw {
     double acceleration = 0;
   };
 
-  /// Contract: length >= 0, speed > 0, acceleration > 0. `acceleration` is the greatest. A way too short for
-  /// the speed is made with less of it.
+  /// Contract: length >= 0, speed > 0, acceleration > 0. `acceleration` is the greatest. If the way is too
+  /// short for the speed, the speed is lower.
   SpeedLaw(double length, double speed, double acceleration);
 
   double duration() const { return 2 * ramp_ + cruise_; }  // s

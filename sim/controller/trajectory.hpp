@@ -38,7 +38,7 @@ class Trajectory {
   void open(const Joints& q, const Pose& tool);
 
   bool idle(runtime::Time when) const;
-  /// Nothing that is left to be moved moves anything: ALTER is answered with no motion.
+  /// Whether the remaining corrections are no motion: ALTER is answered with no motion.
   bool stands(runtime::Time when) const;
 
   /// Where all corrections so far lead.

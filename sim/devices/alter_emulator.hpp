@@ -15,11 +15,11 @@
 
 namespace pal::sim {
 
-/// What the port moves.
+/// The arm that the port moves.
 class AlterArm {
  public:
   virtual ~AlterArm() = default;
-  /// Corrections are about to begin, meant so. Empty: the arm takes them; otherwise why not.
+  /// Corrections of this kind are about to begin. Empty: the arm takes them; otherwise why not.
   virtual std::string open(const AlterMode& mode) = 0;
   /// A correction to be made evenly from `begin` on, over one cycle. Refused: why; the arm stops then.
   virtual std::optional<std::string> move(const Correction& correction, runtime::Time begin) = 0;
@@ -34,10 +34,10 @@ class AlterArm {
 /// Speaks the protocol of docs/workcell/alter.md. Closed until AlterControl opens it. The first cycle begins
 /// one period after that.
 ///
-/// A correction that answers the request of one cycle is moved evenly in the next: between its answer and the
-/// next request the controller computes the joint set-points. No answer in time, an answer that nobody asked
-/// for, a motion that the arm cannot make, and a fault of the arm end ALTER and stop the arm at once; the far
-/// end is told why. Bytes that are no answer are passed over.
+/// A correction that answers the request of one cycle is moved evenly in the next cycle: between its answer
+/// and the next request the controller computes the joint set-points. These end ALTER and stop the arm at
+/// once, and the far end is told why: no answer in time, an answer that was not asked for, a motion that the
+/// arm cannot make, and a fault of the arm. Bytes that are no answer are ignored.
 class AlterEmulator final : public AlterControl, private runtime::LinkUser {
  public:
   /// What is given outlives the emulator.

@@ -18,7 +18,7 @@ namespace pal::sim {
 
 struct ForceTorqueEmulatorOptions {
   std::uint64_t seed = 1;
-  /// One conversion of all gauges takes so long, drawn evenly; equal ends fix it.
+  /// The time of one conversion of all gauges, drawn evenly; equal ends fix it.
   runtime::Time shortest_conversion = std::chrono::microseconds(1800);
   runtime::Time longest_conversion = std::chrono::microseconds(2090);
   /// From control W, or from being switched on, to the prompt.
@@ -46,7 +46,7 @@ class ForceTorqueEmulator final : public runtime::LinkUser {
   void on_bytes(runtime::Bytes bytes) override;
   void on_break(std::string_view reason) override;
 
-  /// A fault on demand: each conversion takes so much longer from now on.
+  /// A fault on demand: from now on each conversion takes longer by this time.
   void slow_down(runtime::Time more) { slower_by_ = more; }
 
  private:

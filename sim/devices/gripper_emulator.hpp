@@ -1,4 +1,4 @@
-// The gripper's feedback at the far end of a serial line: says how its fingers stand.
+// The gripper's feedback at the far end of a serial line: reports the state of its fingers.
 #pragma once
 
 #include <functional>
@@ -40,7 +40,7 @@ class GripperEmulator final : public runtime::LinkUser {
   void on_bytes(runtime::Bytes bytes) override;
   void on_break(std::string_view) override { line_.clear(); }
 
-  /// A fault on demand: each answer takes so much longer from now on.
+  /// A fault on demand: from now on each answer takes longer by this time.
   void slow_down(runtime::Time more) { slower_by_ = more; }
 
  private:

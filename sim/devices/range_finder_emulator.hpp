@@ -34,8 +34,8 @@ struct RangeFinderEmulatorOptions {
   // Where z is valid, mm.
   double nearest = 100;
   double farthest = 1000;
-  /// A surface that is met more steeply sends nothing back (from its normal, in the plane of the fan; deg;
-  /// ours).
+  /// Surfaces that are met more steeply send nothing back (angle from the normal, in the plane of the fan;
+  /// deg; ours).
   double steepest = 75;
   /// The stated error is taken as twice the standard deviation, and as the limit. 0: no errors.
   double error_scale = 1;
@@ -46,7 +46,7 @@ struct RangeFinderEmulatorOptions {
 double range_error(double z);
 
 /// Speaks the protocol of docs/workcell/range-finder.md: INIT, PROFILE. Rays are cast as the scan goes on,
-/// three or four a millisecond from where the arm is then, and only if somebody asked for the profile.
+/// three or four a millisecond from the arm's current place, and only if somebody asked for the profile.
 class RangeFinderEmulator final : public runtime::LinkUser {
  public:
   /// All that is given outlives the emulator.

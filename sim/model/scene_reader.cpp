@@ -92,8 +92,8 @@ class SceneReader {
     const auto kind =
         std::find_if(kinds.begin(), kinds.end(), [&](const ThingKind& known) { return known.name == first; });
     if (kind != kinds.end()) return read_thing(*kind);
-    std::vector<std::string> names{"about",    "tool",    "start",   "configuration",
-                                   "location", "sensor",  "machine", "no table"};
+    std::vector<std::string> names{"about",    "tool",   "start",   "configuration",
+                                   "location", "sensor", "machine", "no table"};
     for (const ThingKind& known : kinds) names.emplace_back(known.name);
     fail("'" + first + "' is not something that a scene has", "a line begins with " + joined_words(names));
   }
@@ -101,7 +101,7 @@ class SceneReader {
   void read_about(const std::string& line) {
     only_once("about");
     const std::size_t begin = line.find_first_not_of(" \t", line.find("about") + 5);
-    if (begin == std::string::npos) fail("'about' says nothing", "write what the scene is in a few words");
+    if (begin == std::string::npos) fail("'about' needs a text", "write what the scene is in a few words");
     scene_.about = line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
   }
 
@@ -157,7 +157,8 @@ class SceneReader {
     const std::string usage = "write sensor NAME at X Y Z: a distance sensor that looks straight down";
     DescribedSensor sensor{at_ < words_.size() ? words_[at_++].text : "", {}};
     const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
-    if (sensor.name.empty() || sensor.name == "at" || !std::all_of(sensor.name.begin(), sensor.name.end(), fits))
+    if (sensor.name.empty() || sensor.name == "at" ||
+        !std::all_of(sensor.name.begin(), sensor.name.end(), fits))
       fail("'" + sensor.name + "' is not a name of a sensor",
            usage + "; a name has lower-case letters, digits and '-'");
     for (const char* taken : {"force-", "torque-", "gripper-", "range-"})
@@ -166,11 +167,13 @@ class SceneReader {
     const auto known = [&](const DescribedSensor& other) { return other.name == sensor.name; };
     if (std::any_of(scene_.sensors.begin(), scene_.sensors.end(), known))
       fail("sensor " + sensor.name + " is said twice", "take one of them out");
-    if (at_ >= words_.size() || words_[at_++].text != "at") fail("the sensor does not say where it stands", usage);
+    if (at_ >= words_.size() || words_[at_++].text != "at")
+      fail("the sensor does not say where it stands", usage);
     for (double& figure : sensor.at) {
       const auto value = at_ < words_.size() ? number_in(words_[at_].text) : std::nullopt;
       if (!value)
-        fail(at_ < words_.size() ? "'" + words_[at_].text + "' is not a number" : "the sensor has too few figures",
+        fail(at_ < words_.size() ? "'" + words_[at_].text + "' is not a number"
+                                 : "the sensor has too few figures",
              usage + ", in mm from the shoulder");
       figure = *value;
       ++at_;
@@ -249,8 +252,8 @@ class SceneReader {
       if (!value) break;
       if (*value < setting->low || *value > setting->high)
         fail("'" + name + "' is " + words_[at_].text + ", which is out of its range",
-             "write a value from " + shortest_text(setting->low) + " to " + shortest_text(setting->high) + " " +
-                 std::string(setting->unit));
+             "write a value from " + shortest_text(setting->low) + " to " + shortest_text(setting->high) +
+                 " " + std::string(setting->unit));
       figures.push_back(*value);
     }
     if (figures.size() < setting->least)
@@ -274,7 +277,7 @@ class SceneReader {
 
   void nothing_left() const {
     if (at_ < words_.size())
-      fail("'" + words_[at_].text + "' is one word too many", "take it out; # begins a remark");
+      fail("'" + words_[at_].text + "' is one word too many", "remove it; # begins a comment");
   }
 
   void only_once(const std::string& what) {

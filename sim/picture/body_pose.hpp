@@ -1,5 +1,4 @@
-// The workcell for a view that draws it itself: what there is, once, and where it is, a list of poses a
-// frame.
+// The workcell for a view that draws it itself: its shapes once, and a list of poses for each frame.
 #pragma once
 
 #include <array>

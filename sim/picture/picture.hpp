@@ -32,7 +32,7 @@ struct PictureOptions {
   int height = 900;
   Renderer renderer = Renderer::automatic;
   Quality quality = Quality::fine;
-  /// A camera of the scene. Where the scene has none of this name, the camera stands where arm, tool and
+  /// A camera of the scene. If the scene has none of this name, the camera is placed so that arm, tool and
   /// workpiece are in the picture and nothing hides the tool.
   std::string camera = "report";
   /// Above the figures, for instance "touch in scene touch".
@@ -41,7 +41,7 @@ struct PictureOptions {
   std::optional<double> threshold{};
 };
 
-/// Either an image or the reason why there is none: pictures are never worth a crash.
+/// An image, or the reason why there is none; a missing picture must not end a run.
 struct Picture {
   std::optional<Image> image;
   std::string problem;   // what was tried and why it failed; empty with an image

@@ -1,4 +1,4 @@
-// The workcell as what runs the skills of an operation.
+// Runs the skills of an operation in the workcell.
 #pragma once
 
 #include <atomic>
@@ -18,7 +18,7 @@
 
 namespace pal::workcell {
 
-/// What the skills of the program say of themselves.
+/// The descriptions of the program's skills.
 operations::Skills templates_of(const std::vector<KnownSkill>& skills);
 
 /// The sensors that tests and waits can read, and the locations that are taught.
@@ -31,7 +31,7 @@ enum class OnInterrupt { stop, leave };
 /// Arm, parts and devices go on from skill to skill.
 class CellRunner final : public operations::SkillRunner {
  public:
-  /// All outlive the runner. `messages`: looks on at the messages of each skill.
+  /// All outlive the runner. `messages`: observes the messages of each skill.
   CellRunner(sim::Cell& cell, const std::vector<KnownSkill>& skills, runtime::CostPolicy times,
              std::uint64_t seed, OnInterrupt on_interrupt = OnInterrupt::stop,
              runtime::MessageObserver* messages = nullptr);

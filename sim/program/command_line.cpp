@@ -55,22 +55,21 @@ CLI::Validator number_within(double low, double high) {
 }
 
 void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& folders) {
-  app.add_option("skill", command.skill, "the skill to run; 'workcell list' shows those that there are")
-      ->required();
+  app.add_option("skill", command.skill, "the skill to run; 'workcell list' shows them")->required();
   app.add_option("--scene", command.scene, "a scene's name, or the path of a scene file")
       ->capture_default_str();
-  app.add_option("--scenes", folders, "a further folder of scenes, looked into first");
+  app.add_option("--scenes", folders, "a further folder of scenes, searched first");
   app.add_option("--set", command.settings,
                  "a parameter of the skill, as name=value in the parameter's unit");
   app.add_option("--seed", command.seed,
-                 "decides all that is drawn: times, phases, noise, the machine's play and counts")
+                 "seed of everything random: times, phases, noise, the machine's play and counts")
       ->each([&command](const std::string&) { command.seed_given = true; })
       ->check(whole_number())
       ->capture_default_str();
   auto* phase = app.add_option("--phase", command.phase,
-                               "from ALTER's opening to its first request, ms; drawn if not given")
+                               "time from ALTER's opening to its first request, ms; random if not given")
                     ->check(number_within(0, 28));
-  app.add_option("--time", command.times, "which times of their intervals things take")
+  app.add_option("--time", command.times, "times within their intervals")
       ->check(CLI::IsMember({"worst", "best", "random"}))
       ->capture_default_str();
   auto* output =
@@ -81,16 +80,16 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
   auto* video =
       app.add_flag("--video", command.video, "with --output: films the run, as run.mp4 (needs ffmpeg)")
           ->needs(output);
-  auto* live = app.add_flag("--live", command.live, "shows how far the run is while it goes on");
-  app.add_flag("!--no-proof", command.proof, "do not hold the run against what was proved of the skill");
+  auto* live = app.add_flag("--live", command.live, "shows the progress of the run");
+  app.add_flag("!--no-proof", command.proof, "do not compare the run with what was proved of the skill");
   auto* sweep = app.add_option("--sweep", command.sweep,
-                               "runs so often, over the phases of the two clocks, and prints how "
+                               "runs this often, over the phases of the two clocks, and prints how "
                                "far the tool pressed past the threshold")
                     ->check(CLI::Range(1, 100000));
   // A sweep goes over the phases itself, and its runs are too many to look at.
   for (CLI::Option* single : {phase, video, live}) sweep->excludes(single);
   app.add_option("--after", command.after,
-                 "run this skill before, with its defaults: a part is picked that is placed")
+                 "run this skill before, with its defaults; for example, pick a part before placing it")
       ->type_name("SKILL");
   auto* against = app.add_option("--against", command.against,
                                  "with --sweep: a second skill, over the same phases, for comparison")
@@ -99,28 +98,27 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
                "writes how long activities and devices took, for pal check --measured; --measure=FILE: there")
       ->excludes(against);
   app.add_option("--paced", command.paced,
-                 "as fast as the clock on the wall, or so many times as fast; Ctrl-C stops the skill")
+                 "in step with the wall clock, or so many times as fast; Ctrl-C stops the skill")
       ->expected(0, 1)
       ->default_str("1")
       ->check(CLI::Range(0.001, 1000.0))
       ->excludes(sweep);
-  auto* real_time = app.add_flag("--real-time", command.real_time,
-                                 "by the clock on the wall, each module in threads of the operating system")
-                        ->excludes(sweep)
-                        ->excludes(app.get_option("--paced"))
-                        ->excludes(app.get_option("--time"));
+  auto* real_time =
+      app.add_flag("--real-time", command.real_time, "by the wall clock, in threads of the operating system")
+          ->excludes(sweep)
+          ->excludes(app.get_option("--paced"))
+          ->excludes(app.get_option("--time"));
   // Who looks on would hold up the arm, which waits for nobody.
   for (CLI::Option* looks : {video, live}) real_time->excludes(looks);
   app.add_flag("--control", command.control,
                "reads commands from the standard input: step, go, pause, break MODULE:LINE, where, stop")
       ->excludes(sweep)
       ->excludes(real_time);
-  app.add_option("--fault", command.faults, "a file that says what is to go wrong with devices, and when")
+  app.add_option("--fault", command.faults, "a file that says what goes wrong with devices, and when")
       ->excludes(sweep);
-  app.add_option(
-         "--on-broken-promise", command.on_broken_promise,
-         "what is done when a device or a statement does not keep to what the environment says of it, or a "
-         "requirement fails: note it and go on, tell the skill, or stop it")
+  app.add_option("--on-broken-promise", command.on_broken_promise,
+                 "what to do when a device or a statement breaks a promise of the environment, or a "
+                 "requirement fails: note it and go on, tell the skill, or stop it")
       ->check(CLI::IsMember({"report", "contingency", "stop"}))
       ->capture_default_str()
       ->excludes(sweep);
@@ -128,7 +126,7 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
                  "a file, or a named pipe, that gets the events of the run while it goes on, a line each")
       ->excludes(sweep);
   app.add_option("--links", command.links,
-                 "what the bytes of devices' lines go through; the run is the same with each")
+                 "what carries the bytes of devices' lines; the run is the same with each")
       ->check(CLI::IsMember({"process", "pty", "tcp"}))
       ->capture_default_str()
       ->excludes(sweep)
@@ -141,15 +139,15 @@ void describe_serve_port(CLI::App& app, ServePortCommand& command, std::vector<s
   app.add_option("device", command.device, "the device to serve:" + names)->required();
   app.add_option("--scene", command.scene, "a scene's name, or the path of a scene file")
       ->capture_default_str();
-  app.add_option("--scenes", folders, "a further folder of scenes, looked into first");
-  app.add_option("--seed", command.seed, "decides all that the device draws")
+  app.add_option("--scenes", folders, "a further folder of scenes, searched first");
+  app.add_option("--seed", command.seed, "seed of everything random in the device")
       ->check(whole_number())
       ->capture_default_str();
   auto* where = app.add_option_group("where");
   where->require_option(0, 1);
   where->add_flag("--pty", command.pty,
                   "at a pseudo-terminal of its own, whose path is printed (the default)");
-  where->add_option("--tcp", command.tcp, "at this TCP port of this machine only; 0: any that is free")
+  where->add_option("--tcp", command.tcp, "at this TCP port of this machine only; 0: any free one")
       ->check(CLI::Range(0, 65535));
   where->add_option("--serial", command.serial, "at a serial port, /dev/ttyUSB0 for example");
   app.add_option("--link", command.link,
@@ -159,39 +157,41 @@ void describe_serve_port(CLI::App& app, ServePortCommand& command, std::vector<s
 void describe_serve(CLI::App& app, ServeCommand& command, std::vector<std::string>& folders) {
   app.add_option("--scene", command.scene, "a scene's name, or the path of a scene file")
       ->capture_default_str();
-  app.add_option("--scenes", folders, "a further folder of scenes, looked into first");
-  app.add_option("--seed", command.seed, "decides all that is drawn: times, phases, noise")
+  app.add_option("--scenes", folders, "a further folder of scenes, searched first");
+  app.add_option("--seed", command.seed, "seed of everything random: times, phases, noise")
       ->check(whole_number())
       ->capture_default_str();
-  app.add_option("--time", command.times, "which times of their intervals things take")
+  app.add_option("--time", command.times, "times within their intervals")
       ->check(CLI::IsMember({"worst", "best", "random"}))
       ->capture_default_str();
   app.add_option(
          "--listen", command.address,
-         "the address at which clients come; others than this machine's are open to all who can reach it")
+         "the address for clients; an address other than this machine's is open to all who can reach it")
       ->capture_default_str();
-  app.add_option("--port", command.port, "of JSON-RPC over WebSocket; 0: any that is free")
+  app.add_option("--port", command.port, "port of JSON-RPC over WebSocket; 0: any free one")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
-  app.add_option("--line-port", command.line_port, "lines over TCP at this port; 0: any that is free")
+  app.add_option("--line-port", command.line_port, "lines over TCP at this port; 0: any free one")
       ->check(CLI::Range(0, 65535));
   app.add_flag("--line-pty", command.line_terminal, "lines over a pseudo-terminal, whose path is printed");
   app.add_option("--line-serial", command.line_serial, "lines over a serial port, /dev/ttyUSB0 for example");
-  app.add_option("--baud", command.baud, "of the serial port")->capture_default_str();
+  app.add_option("--baud", command.baud, "speed of the serial port")->capture_default_str();
   app.add_option("--allow-host", command.hosts, "a further name by which clients may call this machine")
       ->take_all();
-  app.add_option("--allow-origin", command.origins, "pages of which site may come, as http://localhost:8000")
+  app.add_option("--allow-origin", command.origins,
+                 "a site whose pages may connect, such as http://localhost:8000")
       ->take_all();
-  app.add_option("--announce", command.announcement, "the file with address and token, for the user alone");
+  app.add_option("--announce", command.announcement,
+                 "the file for address and token, readable by this user only");
   app.add_flag("--go-on", command.goes_on,
-               "an operation goes on when the client goes that has the controls; without this it pauses");
-  auto* paced = app.add_option("--paced", command.paced, "so many times as fast as the clock on the wall")
+               "if the client with the controls goes, its operation goes on; without this it pauses");
+  auto* paced = app.add_option("--paced", command.paced, "so many times as fast as the wall clock")
                     ->check(CLI::Range(0.001, 1000.0))
                     ->capture_default_str();
   app.add_flag("--fast", command.fast,
-               "in virtual time, as fast as can be; the cell's clock stands between skills")
+               "in virtual time, as fast as possible; the cell's clock stands between skills")
       ->excludes(paced);
-  app.add_option("--log", command.log, "a file that gets a line of JSON a step");
+  app.add_option("--log", command.log, "a file that gets a line of JSON for each step");
 }
 
 struct Verb {
@@ -201,7 +201,7 @@ struct Verb {
   const char* usage = "";
 };
 constexpr Verb remote_verbs[] = {
-    {"load", "at a server: FILE takes the place of what is loaded"},
+    {"load", "at a server: loads FILE in place of the present operation"},
     {"step", "at a server: one skill, delay, wait or test; with FILE it is loaded first"},
     {"from", "at a server: puts the token before an icon", 1, "ICON"},
     {"set", "at a server: a parameter of a skill icon, from its next run on", 3, "ICON PARAMETER VALUE"},
@@ -230,22 +230,22 @@ void describe_remote(CLI::App& operation, RemoteCommand& command) {
 }
 
 CLI::App* describe_operation(CLI::App& app, OperationCommand& command, std::vector<std::string>& folders) {
-  CLI::App* operation = app.add_subcommand("operation", "runs operations: skills, connected");
+  CLI::App* operation = app.add_subcommand("operation", "runs operations: connected skills");
   operation->require_subcommand(1);
   CLI::App* run = operation->add_subcommand("run", "runs an operation; Ctrl-C stops the skill");
-  run->add_option("file", command.file, "the operation, .op.json; with --server what is loaded, if not given");
+  run->add_option("file", command.file, "the operation, .op.json; with --server, without it the loaded one");
   run->add_option("--scene", command.scene, "a scene's name, or the path of a scene file")
       ->capture_default_str();
-  run->add_option("--scenes", folders, "a further folder of scenes, looked into first");
-  run->add_option("--seed", command.seed, "decides all that is drawn: times, phases, noise")
+  run->add_option("--scenes", folders, "a further folder of scenes, searched first");
+  run->add_option("--seed", command.seed, "seed of everything random: times, phases, noise")
       ->check(whole_number())
       ->capture_default_str();
-  run->add_option("--time", command.times, "which times of their intervals things take")
+  run->add_option("--time", command.times, "times within their intervals")
       ->check(CLI::IsMember({"worst", "best", "random"}))
       ->capture_default_str();
   run->add_option("--steps", command.steps, "pause after so many skills, delays, waits and tests")
       ->check(CLI::Range(1, 1'000'000'000));
-  run->add_option("--log", command.log, "a file that gets a line of JSON a step");
+  run->add_option("--log", command.log, "a file that gets a line of JSON for each step");
   run->add_option("--from", command.from, "start before this icon instead of START");
   run->add_option("--break", command.breakpoints, "pause before ICON, or ICON=CODE: if that code came last")
       ->take_all();

@@ -1,4 +1,4 @@
-// What the program workcell is asked to do.
+// The command line of the program workcell.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ struct RunCommand {
   std::string against;                       // second skill of a sweep
   std::string after;                         // a skill that is run before; empty: none
   double paced = 0;                          // station seconds a second of real time; 0: as fast as can be
-  bool real_time = false;                    // the skill runs by the clock on the wall
+  bool real_time = false;                    // the skill runs by the wall clock
   bool control = false;                      // paused, stepped and stopped by commands on the standard input
   std::string faults;                        // a file of faults on demand; empty: nothing goes wrong
   std::string on_broken_promise = "report";  // or contingency, stop
@@ -130,8 +130,8 @@ ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills,
 /// Failure.
 ExitStatus serve_port(const ServePortCommand& command, const runtime::RunControl& control, std::ostream& out);
 
-/// The whole program: reads the command line, runs the command, prints what failed. `terminal`: `out` is one,
-/// so that a line on it can be rewritten. `in`: for commands that are given while an operation runs.
+/// The whole program: reads the command line, runs the command, prints what failed. `terminal`: `out` is a
+/// terminal, so a line on it can be rewritten. `in`: for commands that are given while an operation runs.
 ExitStatus main_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
                         std::ostream& out, std::ostream& error, bool terminal = false,
                         std::istream* in = nullptr);

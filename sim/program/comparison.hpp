@@ -1,4 +1,4 @@
-// Does the arm do what the proof says? Two orders of one skill, swept over the same phases.
+// Compares the arm with the proof: two orders of one skill, swept over the same phases.
 #pragma once
 
 #include <optional>

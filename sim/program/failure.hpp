@@ -1,4 +1,4 @@
-// What a person did wrong, and how the program ends.
+// Errors of the user, and how the program ends.
 #pragma once
 
 #include <iosfwd>

@@ -1,4 +1,4 @@
-// What of a skill's parameters belongs into the plot of its force.
+// Which of a skill's parameters belong in the plot of its force.
 #pragma once
 
 #include <string>

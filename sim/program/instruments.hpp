@@ -1,4 +1,4 @@
-// The cell's instruments, for those who look on from outside.
+// The cell's instruments, for observers outside.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace pal::workcell {
 /// What the instruments show now.
 runtime_system::Telemetry telemetry_of(const sim::Workcell& workcell);
 
-/// Shows the sink, if somebody looks, the instruments every 20 ms of station time.
+/// If the sink has observers, shows it the instruments every 20 ms of station time.
 Watcher instrument_watcher(const sim::Workcell& workcell, runtime_system::TelemetrySink& sink);
 
 /// Shows the sink each profile that the range finder gives to a skill.

@@ -1,4 +1,4 @@
-// What a person sees of a run while it goes on.
+// Shows the progress of a run on the terminal.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// What was proved of a skill, beside what one run of it did.
+// The proved bounds of a skill, beside the values of one run.
 #pragma once
 
 #include <optional>

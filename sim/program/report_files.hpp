@@ -1,4 +1,4 @@
-// What a run leaves behind: the only place where its files are composed.
+// The files of a run. They are composed only here.
 #pragma once
 
 #include <string>

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sim/cell/cell.hpp"
-#include "sim/program/onlookers.hpp"
+#include "sim/program/run_observers.hpp"
 
 namespace pal::workcell {
 namespace {
@@ -26,20 +26,20 @@ void run_before(sim::Cell& cell, const Session& session) {
 }
 
 /// The workcell, and what looks at it, which goes before it.
-struct OnlookedWorld final : runtime::World {
-  OnlookedWorld(sim::Workcell& cell, const runtime::Skill& skill, const Session& session)
-      : workcell(cell), onlookers(cell, skill, session), watched(cell, onlookers.watchers()) {}
+struct ObservedWorld final : runtime::World {
+  ObservedWorld(sim::Workcell& cell, const runtime::Skill& skill, const Session& session)
+      : workcell(cell), observers(cell, skill, session), watched(cell, observers.watchers()) {}
   void advance_to(runtime::Time when) override { watched.advance_to(when); }
 
   sim::Workcell& workcell;
-  Onlookers onlookers;
+  RunObservers observers;
   WatchedWorld watched;
 };
 
-/// Those who look on at messages: the log, and who measures, if anybody does.
-class MessageOnlookers final : public runtime::MessageObserver {
+/// The observers of messages: the log, and the measurement, if there is one.
+class MessageObservers final : public runtime::MessageObserver {
  public:
-  MessageOnlookers(sim::MessageLog& log, runtime::Measurement* measurement)
+  MessageObservers(sim::MessageLog& log, runtime::Measurement* measurement)
       : log_(log), measurement_(measurement) {}
   void passed(runtime::Time when, const runtime::Device& device, std::size_t port,
               std::span<const double> fields) override {
@@ -63,7 +63,7 @@ std::string title(const runtime::Skill& skill, const Session& session) {
 
 SessionResult run_session(runtime::Skill& skill, const Session& session) {
   SessionResult result;
-  OnlookedWorld* world = nullptr;
+  ObservedWorld* world = nullptr;
   sim::CellOptions cell_options;
   cell_options.raise = session.raise;
   cell_options.seed = session.seed;
@@ -74,7 +74,7 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   cell_options.carrier = session.carrier;
   cell_options.faults = session.faults;
   cell_options.watch = [&](sim::Workcell& workcell) {
-    auto made = std::make_unique<OnlookedWorld>(workcell, skill, session);
+    auto made = std::make_unique<ObservedWorld>(workcell, skill, session);
     world = made.get();
     return made;
   };
@@ -92,8 +92,8 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   options.costs = session.times;
   options.seed = session.seed;
   options.control = session.control;
-  MessageOnlookers onlookers(result.messages, session.measurement);
-  options.observer = &onlookers;
+  MessageObservers observers(result.messages, session.measurement);
+  options.observer = &observers;
   options.work = session.measurement;
   if (session.measurement != nullptr) session.measurement->begin_run();
   options.on_broken_promise = session.on_broken_promise;
@@ -106,7 +106,7 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
 
   cell.rest(rest);
   // Before the picture: OpenGL is drawn with by one thread at a time.
-  result.video_problem = world->onlookers.end();
+  result.video_problem = world->observers.end();
   result.log = cell.workcell().log();
   for (const sim::Sample& sample : result.log)
     result.peak_force = std::max(result.peak_force, sample.contact_force);

@@ -1,4 +1,4 @@
-// Distributions as a reader wants them.
+// Summaries of distributions.
 #pragma once
 
 #include <string>

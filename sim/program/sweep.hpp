@@ -24,11 +24,11 @@ struct SweepRun {
   std::optional<runtime::Time> greatest_age;
 };
 
-/// Runs the skill `count` times. Where ALTER's clock stands is spread evenly over its 28 ms. Where in that
-/// cycle the tool meets the surface does not depend on that clock, since the tool moves by it; it is spread
-/// evenly, and independently, by starting up to one cycle's travel higher. Where the sensor's clock stands
-/// follows from a seed of its own for each run. Two skills swept with the same session meet the same phases,
-/// heights and seeds.
+/// Runs the skill `count` times. The phase of ALTER's clock is spread evenly over its 28 ms. Where in that
+/// cycle the tool meets the surface does not depend on the phase, since the tool moves by that clock. So it
+/// is spread evenly, and independently, by starting up to one cycle's travel higher. The phase of the
+/// sensor's clock follows from a seed of its own for each run. Two skills swept with the same session meet
+/// the same phases, heights and seeds.
 std::vector<SweepRun> sweep(runtime::Skill& skill, const Session& session, int count);
 
 }  // namespace pal::workcell

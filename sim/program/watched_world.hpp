@@ -1,4 +1,4 @@
-// A world that somebody looks at while it moves.
+// A world that is observed while it moves.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace pal::workcell {
 
-/// Looks without touching: a run is the same with and without.
+/// Observes without changing anything: a run is the same with and without it.
 struct Watcher {
   runtime::Time period{};      // between two looks; the first is at the beginning
   std::function<void()> look;  // must not throw
@@ -19,7 +19,7 @@ class WatchedWorld final : public runtime::World {
  public:
   WatchedWorld(sim::Workcell& workcell, std::vector<Watcher> watchers);
 
-  /// From this instant on, which is still to come, the watchers look; before, nobody does.
+  /// The watchers observe from this future instant on, and not before.
   void begin(runtime::Time when);
   void advance_to(runtime::Time when) override;
 

@@ -1,4 +1,4 @@
-// What went through the ports of the devices: commands to them, readings from them.
+// The messages through the ports of the devices: commands to them, readings from them.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct LoggedMessage {
   std::vector<double> fields;
 };
 
-/// Writes down what passes. Give it to a run as its observer.
+/// Records the messages of a run. Give it to the run as its observer.
 class MessageLog final : public runtime::MessageObserver {
  public:
   void passed(runtime::Time when, const runtime::Device& device, std::size_t port,

@@ -37,7 +37,8 @@ struct ForcePlotOptions {
 };
 
 /// The contact force over time, and the readings of every device that gives a force fz: what the skill saw of
-/// it. A level that is far above all that was met is left out, but for the lowest: it would flatten the rest.
+/// it. Levels far above all forces of the run are left out, except the lowest, because they would flatten the
+/// rest.
 Plot force_plot(const std::vector<Sample>& log, const MessageLog& messages, const ForcePlotOptions& options);
 
 /// There is something to plot: a level, a reading, or a force that was met.

@@ -23,7 +23,7 @@ constexpr double contact_at_rest = 1.0;   // N
 constexpr double contact_a_speed = 0.03;  // N s/mm
 constexpr double greatest_step = 0.8;     // mm in a cycle, while the force is regulated
 // s in which it must come into its band and stay there, beyond the time asked for
-constexpr double patience = 10;
+constexpr double settling_limit = 10;
 
 class Method final : public SM1Activities {
  public:
@@ -53,7 +53,7 @@ class Method final : public SM1Activities {
     const bool within = std::abs(force.value - parameters_.force) <= parameters_.band;
     settled_ = within && (settled_ || regulator_.holds());
     in_band_ = settled_ ? in_band_ + 1 : 0;
-    if (cycles_ * alter_period > patience + parameters_.time)
+    if (cycles_ * alter_period > settling_limit + parameters_.time)
       throw std::runtime_error(
           "the force does not stay in its band: the band may be too narrow for this surface");
     Motion motion;
@@ -80,7 +80,8 @@ class Method final : public SM1Activities {
   double contact_ = 0;  // N
   bool touched_ = false;
   bool stopped_ = false;
-  bool settled_ = false;  // in the band since the regulator left the force alone: the time asked for has begun
+  // In the band since the regulator left the force alone: the time asked for has begun.
+  bool settled_ = false;
   int cycles_ = 0;   // since the tool touched
   int in_band_ = 0;  // cycles since then
 };

@@ -1,7 +1,7 @@
 // What slices leave out, and what that saves.
 //
 // usage: benchmark_slices FILE...     the first skill of the files in their first environment; two lines a
-// requirement: what is kept, and for each looseness the classes, the seconds and the greatest value found
+// requirement: what is kept, and for each relaxation the classes, the seconds and the greatest value found
 #include <chrono>
 #include <cstdlib>
 #include <iomanip>

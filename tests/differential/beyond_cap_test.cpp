@@ -88,12 +88,12 @@ TEST_CASE("values beyond the cap are found beyond it, and no others") {
   std::cout << compared << " compared\n";
 }
 
-TEST_CASE("what is reflected late is told from what was reflected before") {
+TEST_CASE("a late reflection is distinguished from an earlier one") {
   // First 2 ms; then a set, 31 rounds of 10 ms, and 1 ms, counted from the set before.
   CHECK(test::bound(test::program("beyond_cap/late_reaction")) == 312);
 }
 
-TEST_CASE("of values that grow one is shown that counts") {
+TEST_CASE("of growing values one that counts is shown") {
   const auto skill = test::any_skill(test::program("beyond_cap/growth_that_counts"));
   REQUIRE(skill->problem);
   const Verdict verdict = analyze_exactly(*skill->problem).verdicts.front();
@@ -110,7 +110,7 @@ TEST_CASE("of values that grow one is shown that counts") {
   CHECK_FALSE(simulate(machine, how).ended);
 }
 
-TEST_CASE("classes explored for what grows are counted") {
+TEST_CASE("classes explored for growing values are counted") {
   const auto skill = test::any_skill(test::program("beyond_cap/growth_that_counts"));
   REQUIRE(skill->problem);
   const Watch watch = watch_of(*skill->problem, skill->problem->requirements.front());
@@ -126,7 +126,7 @@ TEST_CASE("classes explored for what grows are counted") {
   CHECK(analyze_exactly(*skill->problem).statistics.classes == classes);
 }
 
-TEST_CASE("what has grown when time stands still breaks nothing") {
+TEST_CASE("a value that has grown when time stands still breaks nothing") {
   const auto skill = test::any_skill(test::program("beyond_cap/grown_in_zeno_run"));
   REQUIRE(skill->problem);
   for (const auto choice : {AnalysisChoice::exact, AnalysisChoice::automatic}) {

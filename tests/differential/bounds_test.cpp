@@ -159,7 +159,7 @@ TEST_CASE("a condition is as it was left by a block that was cancelled in the CO
   if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
 }
 
-TEST_CASE("each branch on the way to a thread that is busy elsewhere has a slot that fills") {
+TEST_CASE("each branch on the way to a busy thread has a slot that fills") {
   // While SM1 waits for LS1 a message of each branch of MC1 comes to it, and MC1 waits with one more and a
   // tick. Then SM1 works for all of them, before SD1 looks.
   const Shown shown = show(program("branches_pile_up"));
@@ -168,14 +168,14 @@ TEST_CASE("each branch on the way to a thread that is busy elsewhere has a slot 
   if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
 }
 
-TEST_CASE("of rounds that begin in several ways a later one may be the sooner") {
+TEST_CASE("if jobs begin in several ways, a later job may overtake") {
   // What SD1 sends by LS2 is there at once, and what it sends by LS1 10 ms later: at the same instant as what
   // it sends by LS2 a period later, which SM1 may take first.
   CHECK(test::exact_and_not_below(program("rounds_overtake")) > 20'000'000);
   CHECK(test::exact_and_not_below(program("reads_overtake")) > 20'000'000);
 }
 
-TEST_CASE("the load of an activity of many seconds is that of one of as many milliseconds") {
+TEST_CASE("the load does not depend on the unit: seconds or milliseconds") {
   // 20 s in every 100 s. In nanoseconds of work for each second that is a product beyond 64 bits.
   for (const std::string unit : {"ms", "s", "min"}) {
     INFO(unit);
@@ -187,7 +187,7 @@ TEST_CASE("the load of an activity of many seconds is that of one of as many mil
   }
 }
 
-TEST_CASE("a processor that can do nothing but work has no longest busy period") {
+TEST_CASE("a processor that always works has no longest busy period") {
   // Events every microsecond, 100 s of work for each: in 100 s that adds up to more than 64 bits hold.
   std::string text = replaced(program("slow"), "LOAD OF P0 AT MOST 10 %", "BUSY PERIOD OF P0 AT MOST 300 s");
   text = replaced(replaced(text, "100 ms", "1 us"), "20 ms", "100 s");
@@ -196,7 +196,7 @@ TEST_CASE("a processor that can do nothing but work has no longest busy period")
   CHECK(bound.state != Verdict::State::holds);
 }
 
-TEST_CASE("a round of more than seventy years is a round") {
+TEST_CASE("a turn of more than seventy years is a turn") {
   std::string works;
   for (int n = 0; n < 2400; ++n) works += "    work\n";
   const auto skill = test::meaningful_skill(replaced(program("long"), "    work\n", works));
@@ -206,7 +206,7 @@ TEST_CASE("a round of more than seventy years is a round") {
   CHECK(load.state == Verdict::State::undecided);
 }
 
-TEST_CASE("a load whose round has a thousand actions and more ends in time") {
+TEST_CASE("a load whose turn has a thousand actions is found in time") {
   // Its linear program has a round of more terms than Z3 minds its limit on time for: it went on for more
   // than ten minutes.
   std::string works;
@@ -238,7 +238,7 @@ TEST_CASE("the compositional analysis asks whether to end at each segment") {
   CHECK_FALSE(load.bound);
 }
 
-TEST_CASE("a window among many tasks is given up when nobody waits for it any more") {
+TEST_CASE("a busy window among many tasks is given up on request") {
   // Two thousand ways through branches, with three sources on one processor, took half a minute each.
   bool over = false;
   compositional::BusyWindows windows({true}, [&over] { return over; });
@@ -294,7 +294,7 @@ TEST_CASE("a request that a block takes may be answered at once when the block h
   if (bound.bound) CHECK(bound.bound->count() >= 166'666'666);
 }
 
-TEST_CASE("what comes after an answer comes also if a block took its request") {
+TEST_CASE("what follows an answer also follows if a block took its request") {
   // MC1 answers the second request after its blocks; the first is the last that its own thread has taken.
   const Shown shown = show(program("answered_after_block"));
   CHECK(shown.greatest > 50'000'000);
@@ -315,7 +315,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("why there is no bound: a thread that may pass its statement by is said to") {
+TEST_CASE("why there is no bound: the thread that may skip its statement is named") {
   const auto skill = test::meaningful_skill(replaced(program("polled"), "    SPC( contact )\n  UNTIL",
                                                      "    CASE\n      ( contact ): Do Nothing\n      ( NOT "
                                                      "contact ): SPC( contact )\n    END CASE\n  UNTIL"));
@@ -358,7 +358,7 @@ TEST_CASE("what adds up to an age says whether the value waits for the first set
         "10 clock comes again\n2 SD1 runs filter\n3 MC1 runs obey\n");
 }
 
-TEST_CASE("a round may ask on and on, of somebody who answers once") {
+TEST_CASE("a job may ask again and again a server that answers once") {
   // MC1 comes back to its wait within one round, and what it asks first it is answered: that is no circle of
   // causes. The second request finds the skill at its end, 1 ms after the tick.
   const Shown shown = show(program("asks_on"));

@@ -16,7 +16,7 @@ using namespace pal;
 using namespace pal::analyzer;
 using pal::test::setting;
 
-TEST_CASE("no run of a skill with tangled causes exceeds what either analysis proved") {
+TEST_CASE("no run of a skill with tangled causes exceeds a bound of either analysis") {
   const std::filesystem::path root = PAL_SOURCE_DIR;
   const std::uint64_t first = setting("PAL_SEED", 1);
   const test::Effort effort{setting("PAL_CLASSES", 500), setting("PAL_WALKS", 6), 600, true};
@@ -37,7 +37,7 @@ TEST_CASE("no run of a skill with tangled causes exceeds what either analysis pr
   CHECK(all.measured > 0);
 }
 
-TEST_CASE("a round that begins with blocks is not said to take no time") {
+TEST_CASE("a job that begins with blocks is not taken as one without time") {
   const auto skill =
       test::meaningful_skill(test::project_file("tests/differential/causes/begins_with_blocks.pal"));
   CHECK(compositional::forest_of(*skill->problem, {}).refusal ==

@@ -144,8 +144,8 @@ class Comparison {
   }
 
   Seen run(AllRuns& runs, std::uint64_t walk) const {
-    Gambler gambler(seed_ * 1000 + walk);
-    return runs.walk(gambler, effort_.things);
+    BiasedDecisions decisions(seed_ * 1000 + walk);
+    return runs.walk(decisions, effort_.things);
   }
 
   std::string story(AllRuns& runs, std::uint64_t walk) const {

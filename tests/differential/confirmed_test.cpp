@@ -82,7 +82,7 @@ void say(const Tally& tally) {
 
 }  // namespace
 
-TEST_CASE("the referee confirms what is shown of skills of every kind, and it adds up") {
+TEST_CASE("the referee confirms every run shown for skills of every kind, and explanations add up") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   Tally tally;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 20); ++seed) {
@@ -93,7 +93,7 @@ TEST_CASE("the referee confirms what is shown of skills of every kind, and it ad
   say(tally);
 }
 
-TEST_CASE("the referee confirms what is shown of the skills that the tests keep, and it adds up") {
+TEST_CASE("the referee confirms every run shown for kept skills, and explanations add up") {
   const std::vector<std::string> all = test::kept_skills();
   const std::uint64_t first = setting("PAL_SEED", 0);
   Tally tally;

@@ -37,7 +37,7 @@ TEST_CASE("a condition that nobody has set yet keeps its value until the skill e
   CHECK(bound_of("unset_by_other") == 90 * ms);
 }
 
-TEST_CASE("what others come to while the last round goes on counts") {
+TEST_CASE("what other threads reach while the last job goes on counts") {
   // SM1 does not come to the statement any more, but MC1 does when the skill ends.
   CHECK(bound_of("others_pass") == 600 * ms);
   CHECK(bound_of("others_react") == 180 * ms);
@@ -45,14 +45,14 @@ TEST_CASE("what others come to while the last round goes on counts") {
   CHECK(bound_of("newer_at_end") == 187 * ms + ms / 2);
 }
 
-TEST_CASE("the next effect may come in a round that never comes home") {
+TEST_CASE("the next effect may come in a job that never ends") {
   // SM1 asks once more, uses what it knows then, and leaves, or completes; or it does so before its rounds.
   CHECK(bound_of("leaver_reacts") == 22 * ms);
   CHECK(bound_of("reacts_last") == 22 * ms);
   CHECK(bound_of("reacts_at_start") == 132 * ms);
 }
 
-TEST_CASE("what devices send while the last round goes on is lost") {
+TEST_CASE("what devices send while the last job goes on is lost") {
   // MC1 waits 200 ms for one more answer, which does not come, while five ticks find another in the slot.
   CHECK(bound_of("answers") == 5);
   // SM1 works for 90 ms and does not come home at all: of four ticks two find another in the slot.

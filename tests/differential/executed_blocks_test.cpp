@@ -4,13 +4,13 @@
 using pal::test::bound;
 using pal::test::program;
 
-TEST_CASE("two blocks that execute a module at a time have its blocks for themselves") {
+TEST_CASE("two blocks that execute one module at the same time have their own blocks of it") {
   // The first has short until 1 ms, then the second its rest until 2; its work is done elsewhere than the
   // first's, which lasts until 3.
   CHECK(bound(program("executed_blocks/at_a_time")) == 5);
 }
 
-TEST_CASE("what the blocks of an executed module have open is taken back with the block that executes it") {
+TEST_CASE("open requests of an executed module's blocks are withdrawn with the block that executes it") {
   // MC2.1 asks at 0 and ends at 1, the block that executes MC2 is stopped at 2: the answer of 5 ms is
   // discarded, and the next request answered at 10.
   CHECK(bound(program("executed_blocks/left_open")) == 10);

@@ -9,7 +9,7 @@
 using namespace pal;
 using namespace pal::analyzer;
 
-TEST_CASE("classes that grow with every turn of a loop are soon put in order") {
+TEST_CASE("classes that grow with every turn of a loop are compared quickly") {
   const auto skill = test::any_skill(test::project_file("tests/differential/told/growing.pal"));
   INFO(test::messages(skill->diagnostics));
   REQUIRE(skill->problem);

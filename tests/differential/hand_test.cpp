@@ -40,7 +40,7 @@ TEST_CASE("a module that begins with blocks comes to their queues in any order w
   CHECK(bound(program("hand/begins_with_blocks")) == 4);
 }
 
-TEST_CASE("what goes to and fro for long with a value that was read is followed all the way") {
+TEST_CASE("a value that goes to and fro for long is followed all the way") {
   // SM1 and MC1 play for 100 ms, a hit a millisecond, after MC1 has read c at 0.
   CHECK(bound(program("hand/long_way")) == 100);
 }
@@ -65,12 +65,12 @@ TEST_CASE("an interrupted thread that interrupts another still owes it its time"
   CHECK(bound(program("hand/interrupted_twice")) == 9);
 }
 
-TEST_CASE("a block that is cancelled takes back what it has asked for, and not what its parent has") {
+TEST_CASE("a cancelled block withdraws its own requests, and not its parent's") {
   // The block asks at 1 ms, and is cancelled at 3; the answer to its parent comes at 5.
   CHECK(bound(program("hand/takes_back_its_own")) == 5);
 }
 
-TEST_CASE("what a block has open when it ends is taken back with its parent") {
+TEST_CASE("requests that are open when a block ends are withdrawn with its parent") {
   // The inner block has asked at 0, its parent is stopped at 1: the answer of 5 ms is discarded, and the next
   // request answered at 10.
   CHECK(bound(program("hand/taken_back_with_parent")) == 10);
@@ -102,7 +102,7 @@ TEST_CASE("a thread that waits for its processor for ever does not take it in an
   CHECK(verdict.bound == Duration(1'000'000'000));
 }
 
-TEST_CASE("nothing holds of a skill in which time may stand still, however soon the proof is ended") {
+TEST_CASE("nothing holds in a skill in which time may stand still, however early the proof is stopped") {
   // MC1 and SM1 hand the one message on at one instant, for as long as c stays FALSE.
   const auto skill = meaningful_skill(program("hand/stands_still"));
   int asked = 0;
@@ -126,14 +126,14 @@ TEST_CASE("what is not answered when the skill ends is not counted, however long
   CHECK(verdict.state == Verdict::State::never);
 }
 
-TEST_CASE("what waits for an event that need not come grows for ever") {
+TEST_CASE("a wait for an event that need not come grows for ever") {
   // After motion SM1 waits for a tick, then ends the skill without an answer. The tick may never come.
   const Verdict verdict = first_verdict("hand/need_not_come");
   INFO(verdict.explanation);
   CHECK(verdict.state == Verdict::State::fails);
 }
 
-TEST_CASE("what has grown beyond all that is followed when a skill stands still grows for ever") {
+TEST_CASE("a value beyond the cap grows for ever when the skill stands still") {
   // SM1 goes round eight times, and then waits for an answer that the device has lost.
   const Verdict verdict = first_verdict("hand/grown_beyond");
   INFO(verdict.explanation);
@@ -153,7 +153,7 @@ TEST_CASE("an inner block may begin its next activity at the instant at which al
   CHECK(bound(program("hand/inner_begins_last")) == 11);
 }
 
-TEST_CASE("what a thread has chosen is its own whatever else is withdrawn before it begins to take it") {
+TEST_CASE("a chosen message stays the thread's, whatever else is withdrawn before it is taken") {
   // At 2 ms the server answers the second block, which interrupts it till 6 ms; it has chosen the first
   // request. The third is withdrawn at 6 ms, then the first is taken, served and answered.
   CHECK(bound(program("hand/withdrawn_beside")) == 9);

@@ -53,7 +53,7 @@ Analysis analysis_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("messages within the 201st processor take as long as within the first") {
+TEST_CASE("latencies within the 201st processor are those within the first") {
   const std::string text =
       std::string(
           "MESSAGE go : SIGNAL\nMachine Controller: MC1\nBEGIN\n  WTM( go from SM1 )\n  TXM( go to SM1 )\n"
@@ -65,7 +65,7 @@ TEST_CASE("messages within the 201st processor take as long as within the first"
   CHECK(bound(text) == 6);
 }
 
-TEST_CASE("a device that answers 33 messages answers what it was asked") {
+TEST_CASE("a device with 33 kinds of request gives each the right answer") {
   // Nobody has asked for a0: MC1 waits 15 ms for it, and is slow.
   const std::string text =
       messages_of_a_device(33) +
@@ -81,7 +81,7 @@ TEST_CASE("a device that answers 33 messages answers what it was asked") {
   CHECK(bound(text) == 115);
 }
 
-TEST_CASE("the order of answers that nobody waits for is not asked about") {
+TEST_CASE("the order of answers that nobody waits for is not explored") {
   // 20 answers come at once, and could do so in 20! orders.
   const std::string text =
       messages_of_a_device(20) + "Machine Controller: MC1\nBEGIN\n  WTM( go from SM1 )\n" +
@@ -94,7 +94,7 @@ TEST_CASE("the order of answers that nobody waits for is not asked about") {
   CHECK(analysis.verdicts.front().bound == Duration(14'002'000));
 }
 
-TEST_CASE("the order of answers is not asked about if those who wait do not meet") {
+TEST_CASE("the order of answers is not explored if the waiting threads do not interact") {
   // Ten modules on processors of their own: in 10! orders.
   const auto module = [](const std::string& i) {
     return "Machine Controller: M" + i + "\nBEGIN\n  TXM( request a" + i + " from d )\n  WTM( a" + i +

@@ -181,7 +181,7 @@ std::string text_of(std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("what allows more runs measures no less, and what is told in another way the same") {
+TEST_CASE("a program with more runs measures no less, and one written otherwise the same") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   MonotoneTally tally;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 24); ++seed) {

@@ -52,10 +52,10 @@ std::string contradiction(test::AllRuns& runs, const test::Wanted& wanted, const
   }
   if (seen.complete || wanted.kind == test::Wanted::Kind::load) return {};
   for (std::uint64_t walk = 0; walk < setting("PAL_WALKS", 20); ++walk) {
-    test::Gambler lottery(seed * 1000 + walk);
-    wrong = test::contradiction(wanted, runs.walk(lottery, 1000), verdict, unit, cap);
+    test::BiasedDecisions decisions(seed * 1000 + walk);
+    wrong = test::contradiction(wanted, runs.walk(decisions, 1000), verdict, unit, cap);
     if (wrong.empty()) continue;
-    test::Gambler again(seed * 1000 + walk);
+    test::BiasedDecisions again(seed * 1000 + walk);
     runs.tell = true;
     runs.walk(again, 1000);
     return wrong;
@@ -98,7 +98,7 @@ void expect_sound(std::uint64_t seed, NoTimeTally& tally) {
 
 }  // namespace
 
-TEST_CASE("no run in which much takes no time exceeds what was proved") {
+TEST_CASE("no run with many actions in no time exceeds a bound") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   NoTimeTally tally;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 12); ++seed)

@@ -17,7 +17,7 @@ TEST_CASE("a wait that gives up goes on between two senders that it has freed") 
   CHECK(bound(program("one_instant/gives_up_between")) == 65);
 }
 
-TEST_CASE("behind a CONCURRENT the parent goes on before whoever was freed by any of its cancelled blocks") {
+TEST_CASE("behind a CONCURRENT the parent may go on before threads that its cancelled blocks have freed") {
   // At 15 ms both other blocks are cancelled. The first has asked MC1 for X, and frees it by that; SM1 may
   // come to the queue before MC1 all the same, and test before MC1 sets.
   CHECK(bound(program("one_instant/parent_before_freed")) == 65);
@@ -33,7 +33,7 @@ TEST_CASE("a skill that ends during a pause of no length ends like any other") {
   CHECK(bound(program("one_instant/ends_in_pause")) == 2);
 }
 
-TEST_CASE("a thread that is to stop does so before or after whoever is freed at that instant") {
+TEST_CASE("a cancelled thread stops before or after a thread that is freed at that instant") {
   // At 15 ms SM1.2 gives up. That lets SM1.1 put its second request and end, which cancels SM1.2; and it
   // frees MC2, which is blocked in a second answer. SM1 may go on before MC2 comes to the queue and sets its
   // condition.
@@ -52,7 +52,7 @@ TEST_CASE("of two stopped blocks one has asked for the message that the other wa
   CHECK(bound(program("one_instant/asked_by_another")) == 56);
 }
 
-TEST_CASE("of two threads that do one statement at an instant each has its own past") {
+TEST_CASE("of two threads at one statement and instant each has its own past") {
   // At 15 ms MC1 takes the first X. That lets SM1.1 send, whose X is discarded, with the value of c from the
   // start; and SM1.2 with that of 11 ms.
   CHECK(bound(program("one_instant/same_statement")) == 15);

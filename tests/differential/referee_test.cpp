@@ -216,7 +216,7 @@ TEST_CASE("a block that is cancelled before it has had the processor does not be
   CHECK(begins.broken() == "at 1000000 ns: MC1.2 is cancelled and goes on");
 }
 
-TEST_CASE("that a thread waits for its blocks is said once, where they begin") {
+TEST_CASE("a thread's wait for its blocks is told once, where they begin") {
   Told twice(skill("idle_device"));
   twice.say(Kind::block, "MC1", "CONCURRENT").say(Kind::block, "MC1", "CONCURRENT");
   CHECK(twice.broken() == "at 0 ns: MC1 waits for its blocks already");
@@ -237,7 +237,7 @@ TEST_CASE("frames that nobody asks for end in the order of time, whichever devic
   expect_simulated("two_frames");
 }
 
-TEST_CASE("who waits for a message stops waiting when it is put, also if it is withdrawn at once") {
+TEST_CASE("a wait ends when its message is put, also if it is withdrawn at once") {
   // SM1.2 sends its request when SM1.1 has ended, and is stopped.
   const auto until_stopped = [] {
     Told run(skill("put_and_stopped"));

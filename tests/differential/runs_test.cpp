@@ -58,12 +58,12 @@ std::string contradiction(test::AllRuns& runs, const test::Wanted& wanted, const
   }
   const std::uint64_t walks = seen.complete || load ? 0 : setting("PAL_WALKS", 40);
   for (std::uint64_t walk = 0; walk < walks; ++walk) {
-    test::Lottery lottery(seed * 1000 + walk);
-    test::Seen one = runs.walk(lottery, 1500);
+    test::RandomDecisions decisions(seed * 1000 + walk);
+    test::Seen one = runs.walk(decisions, 1500);
     one.complete = false;
     wrong = test::contradiction(wanted, one, verdict, millisecond, most_states);
     if (wrong.empty()) continue;
-    test::Lottery again(seed * 1000 + walk);
+    test::RandomDecisions again(seed * 1000 + walk);
     runs.tell = true;
     runs.walk(again, 1500);
     return wrong;
@@ -127,12 +127,12 @@ std::string cell(std::uint64_t seed, int longest) {
 
 }  // namespace
 
-TEST_CASE("no run that follows the execution model exceeds what was proved") {
+TEST_CASE("no run that follows the execution model exceeds a bound") {
   const int longest = static_cast<int>(setting("PAL_LONGEST", 4));
   expect_all_sound(60, [longest](std::uint64_t seed) { return cell(seed, longest); });
 }
 
-TEST_CASE("no run of a skill with mistakes in it exceeds what was proved") {
+TEST_CASE("no run of a skill with mistakes exceeds a bound") {
   expect_all_sound(40, [](std::uint64_t seed) {
     const auto accepts = [](const std::string& text) { return test::any_skill(text)->problem.has_value(); };
     const std::string right = seed % 2 == 0 ? test::TimedSkill(seed).text() : cell(seed, 4);
@@ -140,14 +140,14 @@ TEST_CASE("no run of a skill with mistakes in it exceeds what was proved") {
   });
 }
 
-TEST_CASE("no run in which devices do not answer exceeds what was proved") {
+TEST_CASE("no run in which devices do not answer exceeds a bound") {
   expect_all_sound(40, [](std::uint64_t seed) { return test::with_silent_devices(cell(seed, 4)); });
 }
 
-TEST_CASE("no run in which blocks are stopped exceeds what was proved") {
+TEST_CASE("no run in which blocks are stopped exceeds a bound") {
   expect_all_sound(150, [](std::uint64_t seed) { return test::StoppedBlocks(seed).text(); });
 }
 
-TEST_CASE("no run in which many have to do with one message exceeds what was proved") {
+TEST_CASE("no run in which many threads share one message exceeds a bound") {
   expect_all_sound(30, [](std::uint64_t seed) { return test::ManyParties(seed).text(); });
 }

@@ -87,7 +87,7 @@ std::pair<std::int64_t, bool> measured(const trace::Trace& run, const Problem& p
 
 }  // namespace
 
-TEST_CASE("the runtime keeps the rules, and measures no more than was proved") {
+TEST_CASE("runs of the runtime keep the rules, and exceed no bound") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   const std::uint64_t rounds = setting("PAL_ROUNDS", 60);
   const std::uint64_t runs = setting("PAL_RUNS", 9);
@@ -153,7 +153,7 @@ TEST_CASE("the runtime keeps the rules, and measures no more than was proved") {
   CHECK(traces > 0);
 }
 
-TEST_CASE("blocks of a CONCURRENT in a loop that goes on for ever are known for what they can do") {
+TEST_CASE("blocks of a CONCURRENT in an endless loop can end or not, as their flow says") {
   const auto skill = test::any_skill(R"(MESSAGE tick : SIGNAL
 DEVICE robot
 SKILL s

@@ -146,21 +146,21 @@ void expect_all_sound(std::uint64_t rounds, const std::function<std::string(std:
 
 }  // namespace
 
-TEST_CASE("no run of a cell that the referee lets pass shows more than was proved") {
+TEST_CASE("no run of a cell that the referee accepts exceeds a bound") {
   expect_all_sound(12, [](std::uint64_t seed) {
     return test::RandomCell(seed, 4, static_cast<int>(seed % 3), test::RandomCell::Asks::all).text();
   });
 }
 
-TEST_CASE("no run with stopped blocks that the referee lets pass shows more than was proved") {
+TEST_CASE("no run with stopped blocks that the referee accepts exceeds a bound") {
   expect_all_sound(12, [](std::uint64_t seed) { return test::StoppedBlocks(seed).text(); });
 }
 
-TEST_CASE("no run of a timed skill that the referee lets pass shows more than was proved") {
+TEST_CASE("no run of a timed skill that the referee accepts exceeds a bound") {
   expect_all_sound(12, [](std::uint64_t seed) { return test::TimedSkill(seed).text(); });
 }
 
-TEST_CASE("the referee lets every simulated run of odd skills pass") {
+TEST_CASE("the referee accepts every simulated run of odd skills") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   std::size_t events = 0;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 30); ++seed) {
@@ -172,7 +172,7 @@ TEST_CASE("the referee lets every simulated run of odd skills pass") {
   CHECK(events > 0);
 }
 
-TEST_CASE("who gets a message and has the greater priority goes first") {
+TEST_CASE("a thread with a message and the greater priority goes first") {
   // Else SM1 would read what MC1 sets after it has sent, and work for 50 ms.
   const auto begun = [] {
     Told run(project("overtaken"));
@@ -201,7 +201,7 @@ TEST_CASE("who gets a message and has the greater priority goes first") {
   CHECK(overtaken.broken() == "at 0 ns: SM1 waits for a message that is there");
 }
 
-TEST_CASE("a sender whose slot is free goes on when it has sent") {
+TEST_CASE("a sender goes on when its slot becomes free") {
   const std::string send_m = "TXM( m to SM1 )";
   const std::string wait = "WTM( m from MC1 )";
   const std::string tick = "WTM( tick from d )";

@@ -151,7 +151,7 @@ TEST_CASE("with a slack no run breaks anything, and with a nanosecond more some 
   CHECK(failed > 0);
 }
 
-TEST_CASE("what meets everything in some places no run breaks there, and what is refuted some run breaks") {
+TEST_CASE("no run breaks a placement that meets everything, and some run breaks each refuted one") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   const std::uint64_t rounds = setting("PAL_ROUNDS", 100);
   std::size_t meet = 0;
@@ -168,13 +168,13 @@ TEST_CASE("what meets everything in some places no run breaks there, and what is
     CHECK(on.tried == on.meet.size() + on.refuted.size() + on.undecided.size());
     INFO("seed " << seed << "\n" << skill.text);
     for (const Placed& each : on.meet) {
-      CHECK(broken(skill, placed(skill.environment, each.seats)) == "");
+      CHECK(broken(skill, placed(skill.environment, each.threads)) == "");
       ++meet;
     }
     for (const Placed& each : on.refuted) {
       const Requirement& named = problem->requirements[each.ruling.requirement.index()];
       INFO(named.name);
-      const pan::Environment there = placed(skill.environment, each.seats);
+      const pan::Environment there = placed(skill.environment, each.threads);
       const Kept seen = kept(skill, there, named);
       CHECK(seen != Kept::yes);
       refuted += seen == Kept::no ? 1 : 0;
@@ -186,7 +186,7 @@ TEST_CASE("what meets everything in some places no run breaks there, and what is
   if (rounds >= 100) CHECK(refuted > 0);  // one skill in ten or so has one
 }
 
-TEST_CASE("figures that are all nothing grow together, too, each as much as any other") {
+TEST_CASE("figures that are all 0 grow together by the same amount") {
   // MC1 interrupts SM1, receives, obeys and sends: three times 2 ms.
   const auto skill = test::meaningful_skill(test::program("hand/all_zero"));
   const Slack together =

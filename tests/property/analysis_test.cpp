@@ -207,7 +207,7 @@ TEST_CASE("no simulated run keeps a processor busier for long than what was prov
   CHECK(exact > 0);
 }
 
-TEST_CASE("no unending run exceeds what shares of the time prove, whatever the times have in common") {
+TEST_CASE("no unending run exceeds a bound by shares, whatever the common divisor of the times") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   const std::uint64_t rounds = setting("PAL_ROUNDS", 20);
   std::size_t proved = 0;

@@ -15,11 +15,11 @@ using pal::test::talking_skill;
 
 namespace {
 
-test::TalkOracle::Length length(const std::vector<deadlock::Deed>& run, std::size_t deeds) {
+test::TalkOracle::Length length(const std::vector<deadlock::Action>& run, std::size_t actions) {
   test::TalkOracle::Length result{0, 0};
-  for (std::size_t i = 0; i < deeds; ++i) {
+  for (std::size_t i = 0; i < actions; ++i) {
     const bool timely =
-        run[i].kind == deadlock::Deed::Kind::gives_up || run[i].kind == deadlock::Deed::Kind::loses;
+        run[i].kind == deadlock::Action::Kind::gives_up || run[i].kind == deadlock::Action::Kind::loses;
     result.first += timely ? 1 : 0;
     result.second += is_talk(run[i]) ? 1 : 0;
   }
@@ -207,7 +207,7 @@ TEST_CASE("blocks within blocks that are cancelled change nothing that is found"
   report(seen);
 }
 
-TEST_CASE("a search that has used up what all share is not complete") {
+TEST_CASE("a search that has used up the common limit is not complete") {
   Seen seen;
   int undecided = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -223,7 +223,7 @@ TEST_CASE("a search that has used up what all share is not complete") {
   CHECK(seen.undelivered > 50);
 }
 
-TEST_CASE("a search that is told to end says nothing of what it has not seen") {
+TEST_CASE("a search that is stopped claims nothing about unseen states") {
   Seen seen;
   int stopped = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -249,7 +249,7 @@ TEST_CASE("a request is taken and answered in two orders") {
 
 // LS1 answers every first of two requests. The blocks may ask and be answered while the other one works; then
 // the next request is not answered.
-TEST_CASE("what a block works before it cancels others gives them time") {
+TEST_CASE("work of a block before it cancels others gives them time") {
   for (const std::string work : {"look", "SPC( unread )"}) {
     const auto skill = talking_skill(R"(CONDITION unread
 MESSAGE value : SIGNAL

@@ -62,7 +62,7 @@ class Walk {
       if (moves.empty()) return;
       auto& move = moves[below(moves.size())];
       if (move.ended || moves_.blurred(move.state)) return;
-      others.push_back(move.deed.thread);
+      others.push_back(move.action.thread);
       timely += move.timely ? 1 : 0;
       state = std::move(move.state);
       std::vector<Move> after;
@@ -86,7 +86,7 @@ class Walk {
     const auto reached = in_any_order(next({{0, before}}, thread), in_order);
     for (const auto& move : after) {
       if (moves_.blurred(move.state) || moves_.overflowed()) return;
-      CAPTURE(thread, others, static_cast<int>(move.deed.kind));
+      CAPTURE(thread, others, static_cast<int>(move.action.kind));
       REQUIRE(reached.contains({timely + (move.timely ? 1 : 0), move.state}));
       ++compared_;
     }
@@ -147,7 +147,7 @@ std::size_t walk(const std::string& text, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("what a set of threads does after others it can do before them") {
+TEST_CASE("a move of a stubborn set after moves of others is also possible before them") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   std::size_t compared = 0;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 100); ++seed) {

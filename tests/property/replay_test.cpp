@@ -119,7 +119,7 @@ TEST_CASE("runs in which devices do not answer keep the rules, and show the same
   expect_rules_kept(30, [](std::uint64_t seed) { return test::with_silent_devices(program(seed)); });
 }
 
-TEST_CASE("no run shows the referee more than was proved") {
+TEST_CASE("no run that the referee measures exceeds a bound") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   const std::uint64_t rounds = setting("PAL_ROUNDS", 20);
   std::size_t compared = 0;

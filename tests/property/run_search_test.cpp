@@ -56,7 +56,7 @@ void expect_all(const Problem& problem, Tally& tally) {
 
 }  // namespace
 
-TEST_CASE("runs that are looked for are runs, and within what is proved") {
+TEST_CASE("runs found by the search are runs of the skill, within the bounds") {
   Tally tally;
   const std::uint64_t first = setting("PAL_SEED", 1);
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 60); ++seed) {

@@ -14,7 +14,7 @@
 using namespace pal;
 using namespace pal::analyzer;
 
-TEST_CASE("what once broke the order") {
+TEST_CASE("cases in which the order was once broken") {
   test::Tally tally;
   // A wait at the start that gives up opens a device before the wait that is its taker's home. A request that
   // is withdrawn before its server takes it brings no round about. While a CONCURRENT waits for one of its
@@ -36,7 +36,7 @@ TEST_CASE("a loop in no time is looked for in a part of the classes") {
         skill->problem->requirements.size());
 }
 
-TEST_CASE("an answer that is sent twice is there before it is asked for") {
+TEST_CASE("an answer that is sent twice is there before the next request") {
   // LS1's second answer is SD1's spare one: it does not take the sensor's 2 ms. So nothing is said of such
   // skills.
   const auto skill = test::sound_skill(test::project_file("tests/property/sandwich/sent_twice.pal"));

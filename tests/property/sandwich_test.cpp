@@ -79,13 +79,13 @@ std::unique_ptr<test::Skill> any(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("simulated, exact and compositional come in this order for skills by chance") {
+TEST_CASE("simulated <= exact <= compositional for random skills") {
   compare_by_chance(
       100, 1'000, [](std::uint64_t seed) { return test::RandomSkill(seed, seed % 2 == 0 ? 9 : 40).text(); },
       test::skill_from_text);
 }
 
-TEST_CASE("simulated, exact and compositional come in this order for skills that keep pace") {
+TEST_CASE("simulated <= exact <= compositional for periodic skills") {
   const Tally tally = compare_by_chance(
       800, 300, [](std::uint64_t seed) { return test::TimedSkill(seed).text(); }, test::sound_skill);
   if (!usual(800)) return;
@@ -115,15 +115,15 @@ void expect_sandwich_of_chains(const std::function<test::ChainSystem(std::uint64
 
 }  // namespace
 
-TEST_CASE("simulated, exact and compositional come in this order for chains by chance") {
+TEST_CASE("simulated <= exact <= compositional for random chains") {
   expect_sandwich_of_chains(test::small_chains, 1'000);
 }
 
-TEST_CASE("simulated, exact and compositional come in this order for chains whose events take their time") {
+TEST_CASE("simulated <= exact <= compositional for chains with sparse events") {
   expect_sandwich_of_chains(test::drifting_chains, 500);
 }
 
-TEST_CASE("simulated, exact and compositional come in this order for chains by conditions") {
+TEST_CASE("simulated <= exact <= compositional for chains by conditions") {
   const Tally tally = compare_by_chance(
       400, 300, [](std::uint64_t seed) { return test::ConditionChain(seed).text(); }, test::sound_skill);
   if (!usual(400)) return;
@@ -133,7 +133,7 @@ TEST_CASE("simulated, exact and compositional come in this order for chains by c
   }
 }
 
-TEST_CASE("simulated, exact and compositional come in this order where sends wait for their slots") {
+TEST_CASE("simulated <= exact <= compositional where sends wait for their slots") {
   const Tally tally = compare_by_chance(
       400, 1'000, [](std::uint64_t seed) { return test::HeldSkill(seed).text(); }, test::sound_skill);
   if (!usual(400)) return;
@@ -143,7 +143,7 @@ TEST_CASE("simulated, exact and compositional come in this order where sends wai
   }
 }
 
-TEST_CASE("simulated, exact and compositional come in this order for commands to a thread at work") {
+TEST_CASE("simulated <= exact <= compositional for commands to a busy thread") {
   compare_by_chance(
       200, 2'000, [](std::uint64_t seed) { return test::CommandSkill(seed).text(); }, test::skill_from_text);
 }
@@ -163,7 +163,7 @@ TEST_CASE(
   for (const auto& [why, times] : refused) std::cout << times << " refused: " << why << "\n";
 }
 
-TEST_CASE("simulated, exact and compositional come in this order for blocks within blocks") {
+TEST_CASE("simulated <= exact <= compositional for blocks within blocks") {
   Tally tally;
   std::map<std::string, int> refused;
   const std::uint64_t first = setting("PAL_SEED", 1);
@@ -178,7 +178,7 @@ TEST_CASE("simulated, exact and compositional come in this order for blocks with
   say(tally);
 }
 
-TEST_CASE("simulated, exact and compositional come in this order for skills with mistakes in them") {
+TEST_CASE("simulated <= exact <= compositional for skills with mistakes") {
   compare_by_chance(
       200, 300,
       [](std::uint64_t seed) {

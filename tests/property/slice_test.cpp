@@ -30,16 +30,16 @@ bool is_timed(const Requirement& requirement) {
 
 /// `known`: exactly, with a run that shows it.
 void expect_sound_slice(const Problem& problem, const Requirement& requirement, const Verdict& known,
-                        Reach reach, Looseness looseness, ZoneGraph::Merging merging, SliceTally& tally) {
+                        Reach reach, Relaxation relaxation, ZoneGraph::Merging merging, SliceTally& tally) {
   const Cone cone = cone_of(problem, requirement, -1, reach);
   Limits limits;
   limits.classes = 3'000;
-  const SliceBound found = bound_in(slice_of(problem, cone, looseness), requirement,
+  const SliceBound found = bound_in(slice_of(problem, cone, relaxation), requirement,
                                     cap_of(problem, requirement.limit), limits, merging);
   if (!found.bound) return;
-  INFO(requirement.name << (reach == Reach::least ? ", least" : "") << (looseness.conditions ? ", free" : "")
-                        << (looseness.periods ? ", sporadic" : "") << ": slice " << *found.bound << ", shown "
-                        << known.witness->measured.value << " " << known.witness->failed);
+  INFO(requirement.name << (reach == Reach::least ? ", least" : "") << (relaxation.conditions ? ", free" : "")
+                        << (relaxation.periods ? ", sporadic" : "") << ": slice " << *found.bound
+                        << ", shown " << known.witness->measured.value << " " << known.witness->failed);
   REQUIRE_FALSE(known.witness->failed);
   if (requirement.at_least) {
     REQUIRE(*found.bound <= known.witness->measured.value);
@@ -110,7 +110,8 @@ TEST_CASE("no run goes beyond what is proved of a slice: small skills") {
 TEST_CASE("no run goes beyond what is proved of a slice: devices that may not answer") {
   SliceTally tally;
   expect_sound_slice_seeds(
-      [](std::uint64_t seed) { return test::with_silent_devices(test::RandomSkill(seed, 9).text()); }, 10, tally);
+      [](std::uint64_t seed) { return test::with_silent_devices(test::RandomSkill(seed, 9).text()); }, 10,
+      tally);
   CHECK(tally.bounds > 0);
 }
 

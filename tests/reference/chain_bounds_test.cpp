@@ -96,13 +96,13 @@ TEST_CASE("blocks in each round of a module") {
   expect_bounds(chain("blocks_in_a_round"), {{2, 1}, {6, 6}, {6, 6}, {25, 25}, {0, 0}});
 }
 
-TEST_CASE("a response does not count what its event comes late") {
+TEST_CASE("a response does not count the jitter of its event") {
   // Two clocks with jitter, each for a chain of two modules on two processors, the one always before the
   // other.
   expect_bounds(chain("late_events"), {{3, 3}, {6, 6}, {8, 8}, {15, 15}});
 }
 
-TEST_CASE("a reader that gives way to the setter reads nothing old while the setter is at work") {
+TEST_CASE("a reader of lower priority reads no old value while the setter works") {
   // Below the setter the reader does not get between its release and its set: 10 from one release to the
   // next, or to the first. With its priority, or where nobody is preempted, it may have been at work before.
   // Elsewhere it reads until the value is set again.

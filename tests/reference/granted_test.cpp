@@ -45,7 +45,7 @@ TEST_CASE("a send that waits for its slot makes what was read before it older") 
   expect_bounds(granted("held"), {{15, 15}});
 }
 
-TEST_CASE("a thread that finds each answer there keeps a processor that is not preemptive") {
+TEST_CASE("a thread that never blocks keeps a nonpreemptive processor") {
   // The answer comes after 1 ms of the 5 that LS1 thinks.
   expect_bounds(granted("hogging"), {{-1, -1}});
 }
@@ -120,7 +120,7 @@ TEST_CASE("what comes more than a period after its event is kept by a later even
   expect_bounds(granted("drifting_itself"), {{22, 22}});
 }
 
-TEST_CASE("a round is as short as its block asks") {
+TEST_CASE("a job is as short as its block needs") {
   // If c holds SD1 asks at once, in a block, and has the next value after 1 ms; else after more than 50.
   expect_bounds(granted("asked_in_a_block"), {{-1, 21}});
 }

@@ -59,8 +59,8 @@ std::vector<Placements> fewest(const test::Skill& skill, bool priorities) {
 }
 
 int processor_of(const Placed& placed, const std::string& thread) {
-  for (const Seat& seat : placed.seats) {
-    if (seat.thread == thread) return seat.processor.value;
+  for (const ThreadPlacement& each : placed.threads) {
+    if (each.thread == thread) return each.processor.value;
   }
   return -1;
 }
@@ -118,6 +118,6 @@ TEST_CASE("where no order of two threads does, equals may") {
   CHECK(all.front().tried == 3);
   CHECK(all.front().refuted.size() == 2);
   REQUIRE(all.front().meet.size() == 1);
-  const std::vector<Seat>& seats = all.front().meet.front().seats;
-  CHECK(seats[0].priority == seats[1].priority);
+  const std::vector<ThreadPlacement>& threads = all.front().meet.front().threads;
+  CHECK(threads[0].priority == threads[1].priority);
 }

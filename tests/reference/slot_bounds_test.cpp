@@ -24,7 +24,7 @@ TEST_CASE("a wait for a slot holds up the round that follows") {
   expect_bounds(slots("held_in_its_last_send"), {{15, 15}, {30, 20}, {35, 25}, {36, 26}});
 }
 
-TEST_CASE("who waits for a slot does not keep its taker waiting") {
+TEST_CASE("a sender that waits for a slot does not delay its receiver") {
   // A clock of 10 ms with jitter, a courier without work, and a module that is kept from its processor for 14
   // ms every 50: the courier's next send finds the slot full.
   // An event comes 2 late and its message is taken 14 later. The next event is punctual, and its message held

@@ -66,7 +66,7 @@ TEST_CASE("a limit counts anew after what comes once") {
   expect_bounds(pal::test::project_file("tests/reference/granted/commanded.pal"), {{65, 61}});
 }
 
-TEST_CASE("nobody knows which of two blocks takes a message that both wait for") {
+TEST_CASE("which of two waiting blocks takes a message is open") {
   expect_refuted("taken_by_two");
 }
 

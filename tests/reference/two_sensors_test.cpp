@@ -33,7 +33,7 @@ std::vector<std::string> left_out(const Problem& problem) {
 
 }  // namespace
 
-TEST_CASE("a chain of sensors on a processor of its own has no say") {
+TEST_CASE("a chain of sensors on its own processor has no influence") {
   const auto skill = seam_on("three");
   CHECK(left_out(*skill->problem) == std::vector<std::string>{"LS1", "SD1", "SM1.1", "camera"});
   const Verdict verdict = analyze(*skill->problem, AnalysisChoice::automatic).verdicts.front();
@@ -43,7 +43,7 @@ TEST_CASE("a chain of sensors on a processor of its own has no say") {
 }
 
 // Its driver goes before what is measured, as often as the camera lets it; the rest of the chain goes after.
-TEST_CASE("of a chain on the same processor only what goes before is kept") {
+TEST_CASE("of a chain on the same processor only higher priorities are kept") {
   const auto skill = seam_on("one");
   CHECK(left_out(*skill->problem) == std::vector<std::string>{"LS1", "SM1.1", "camera"});
   const Verdict verdict = analyze(*skill->problem, AnalysisChoice::automatic).verdicts.front();

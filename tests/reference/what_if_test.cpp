@@ -211,7 +211,7 @@ TEST_CASE("figures that grow together are rounded up, each for itself") {
   CHECK(together.requirement == RequirementId(1));
 }
 
-TEST_CASE("what could not be decided is neither what holds nor what fails") {
+TEST_CASE("an undecided question counts neither as holds nor as fails") {
   const auto skill = test::sound_skill(two_intervals);
   for (const std::size_t states : {1, 5, 10, 20, 40, 80}) {
     INFO(states << " states");

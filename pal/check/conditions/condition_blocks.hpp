@@ -23,8 +23,8 @@ struct Ending {
   std::optional<LastSet> last;  // of several the last one
 };
 
-/// All blocks of thread `parent` that can end have ended. Of the others, each has stopped or finishes the SPC
-/// that it is at.
+/// All blocks of thread `parent` that can end have ended. Each of the others has stopped, or finishes its
+/// current SPC.
 std::vector<Ending> endings(const pan::Network& network, const Concern& concern, const State& state,
                             std::int32_t parent);
 

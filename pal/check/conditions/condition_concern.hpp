@@ -1,4 +1,4 @@
-// Which statements of a module, and of those that it executes, have to do with conditions.
+// Which statements of a module, and of those that it executes, set, read or test conditions.
 #pragma once
 
 #include <set>
@@ -10,7 +10,7 @@ namespace pal::checker::conditions {
 
 class Concern {
  public:
-  /// `root` is not executed by another module. What no guard reads is of no concern.
+  /// `root` is not executed by another module. Conditions that no guard reads are ignored.
   Concern(const pan::Network& network, pan::ModuleId root);
 
   /// Conditions that a guard reads and that these modules set.
@@ -19,8 +19,7 @@ class Concern {
   /// Some guard reads it.
   bool is_tested(pan::ConditionId condition) const { return tested_.contains(condition); }
 
-  /// The next place from here that concerns conditions; this one if the thread goes round for ever without
-  /// one.
+  /// The next place from here with such a statement; this one if the thread goes round for ever without one.
   Place settled(const Place& from) const;
 
  private:

@@ -1,4 +1,4 @@
-// All runs of one module with its blocks and the modules it executes, as far as conditions go.
+// All runs of one module, with its blocks and the modules it executes, as far as conditions are concerned.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace pal::checker {
 
-/// One step of a run that has to do with conditions.
+/// One step of a run that sets, reads or tests a condition.
 struct RunStep {
   std::string thread;  // "SM1.2"
   pan::ModuleId module;
@@ -33,12 +33,12 @@ struct ConditionRuns {
       loops;  // UNTILs that were reached: some run ends there
 };
 
-/// Explores every interleaving. Waits may always go on: talk with others is left out, so that there are more
-/// runs than there can be, and not fewer. SPC without a value takes both; a condition that other threads set
-/// may have any value at each read. RPC latches for the next test of its thread; a test reads what is not
-/// latched, at one instant. When CONCURRENT ends, a block that cannot end has stopped, or finishes the
-/// statement it is at (docs/reference/execution-model.md). `root` has a body and is not executed by another
-/// module.
+/// Explores every interleaving. Waits may always go on, because communication with other modules is left out.
+/// So there are more runs than can happen, and never fewer. An SPC without a value takes both values; a
+/// condition that other threads set may have any value at each read. RPC latches for the next test of its
+/// thread. A test reads at one instant what is not latched. When a CONCURRENT ends, a block that cannot end
+/// has stopped, or finishes its current statement (docs/reference/execution-model.md). `root` has a body and
+/// is not executed by another module.
 ConditionRuns explore_conditions(const pan::Network& network, const pan::Flow& flow, pan::ModuleId root);
 
 }  // namespace pal::checker

@@ -1,4 +1,4 @@
-// Where the threads of one module are, as far as conditions go.
+// The places of a module's threads, as far as conditions are concerned.
 #pragma once
 
 #include <compare>

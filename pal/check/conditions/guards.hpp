@@ -9,7 +9,7 @@
 
 namespace pal::checker {
 
-/// Of more conditions in one test not every way to read them is tried: of 10 there are 2^10.
+/// A test with more conditions than this is not tried with all values: 10 conditions have 2^10.
 constexpr std::size_t most_read_at_once = 10;
 
 /// `read` gives the value of a condition.

@@ -1,7 +1,7 @@
-// The modules of a skill as automata that talk: what is left of their bodies when only messages and
-// conditions count. Activities, Do Nothing and everything that only joins flow are passed over, unless a
-// block then ends and may cancel others, which go on for so long; a module that is executed stands once for
-// each place that executes it, its blocks once for each thread that does.
+// The modules of a skill as communicating automata: their bodies reduced to messages and conditions.
+// Activities, Do Nothing and everything that only joins flow are left out. The exception is work before the
+// end of a block that may cancel others, because these go on for that long. An executed module occurs once
+// for each place that executes it, and its blocks once for each thread that does.
 #pragma once
 
 #include <cstddef>
@@ -66,24 +66,24 @@ struct Automata {
   std::vector<std::optional<pan::ChannelId>> answer_of;
   std::vector<bool> from_device;
   std::vector<bool> to_device;
-  /// What the skill method sends another module on its own account: no request.
+  /// Messages that the skill method sends to another module as commands: they are not requests.
   std::vector<bool> command;
-  /// Conditions that some test reads and some module sets; the others are FALSE for ever, or of no account.
+  /// Conditions that some test reads and some module sets. The others are always FALSE, or have no influence.
   std::vector<std::optional<std::size_t>> bit;  // by condition
   std::size_t bits = 0;
   /// Conditions whose values are not followed: a test may find either. They have no bit.
   std::vector<bool> unknown;  // by condition
 };
 
-/// Whether others may be cancelled at the instant at which the thread, a block, ends: its siblings, or those
-/// of a block that ends with it.
+/// Whether other threads may be cancelled at the instant at which this thread, a block, ends: its siblings,
+/// or those of a block that ends with it.
 bool end_may_cancel(const Automata& automata, std::size_t thread);
 
-/// Automata with more steps are too large to explore, and not whole.
+/// Automata with more steps are too large to explore, and are incomplete.
 constexpr std::size_t most_steps = 0x7ff0;
 
-/// Every module with a body that is not executed by another one is a thread. Tests whose outcome makes no
-/// difference to what follows are left out, with the conditions that only they read.
+/// Every module with a body that no other module executes is a thread. Tests whose outcome makes no
+/// difference are left out, with the conditions that only they read.
 Automata automata(const pan::Network& network, const pan::Flow& flow);
 
 /// The same with every condition that some module sets unknown. All runs of `automata` are runs of these,

@@ -1,4 +1,4 @@
-// What it means that a thread never comes to its end.
+// When a thread can never come to its end.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,8 @@
 
 namespace pal::checker::deadlock {
 
-/// The thread waits for ever, or blocks of its CONCURRENT do on whose end its own depends. `never_moves` is
-/// asked of threads that wait or send.
+/// The thread waits for ever, or its end depends on blocks of its CONCURRENT that do. `never_moves` is called
+/// for threads that wait or send.
 bool dead(const Automata& automata, const Moves& moves, const State& state, std::size_t thread,
           const std::function<bool(std::size_t)>& never_moves);
 

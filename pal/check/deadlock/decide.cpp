@@ -137,9 +137,9 @@ class Decider {
 
   void add_successor(std::uint32_t from, const Move& move) {
     note(*nodes_[from].state, move);
-    nodes_[from].followed.set(move.deed.thread);
+    nodes_[from].followed.set(move.action.thread);
     if (move.guessed) {
-      result_.blurred = result_.blurred || move.deed.kind == Deed::Kind::discards;
+      result_.blurred = result_.blurred || move.action.kind == Action::Kind::discards;
       if (!move.ended) guessed_.push_back(node_of(move.state));
       return;
     }
@@ -148,7 +148,7 @@ class Decider {
       nodes_[from].moved.set();
       return;
     }
-    const auto& chain = chain_from(move.state, move.deed.thread);
+    const auto& chain = chain_from(move.state, move.action.thread);
     nodes_[from].followed |= chain.followed;
     if (chain.ended) {
       nodes_[from].leaves = true;
@@ -186,17 +186,17 @@ class Decider {
   }
 
   void add_moved(const State& before, const Move& move, Threads& moved) const {
-    moved.set(move.deed.thread);
+    moved.set(move.action.thread);
     for (std::size_t t = 0; t < automata_.threads.size(); ++t) {
       if (before[t] != move.state[t]) moved.set(t);
     }
   }
 
   void note(const State& state, const Move& move) {
-    const auto channel = move.deed.channel;
-    if (move.deed.kind == Deed::Kind::sends) result_.put[channel.index()] = true;
-    if (move.deed.kind == Deed::Kind::takes) result_.taken[channel.index()] = true;
-    if (move.deed.kind != Deed::Kind::completes) return;
+    const auto channel = move.action.channel;
+    if (move.action.kind == Action::Kind::sends) result_.put[channel.index()] = true;
+    if (move.action.kind == Action::Kind::takes) result_.taken[channel.index()] = true;
+    if (move.action.kind != Action::Kind::completes) return;
     for (std::size_t c = 0; c < automata_.command.size(); ++c) {
       if (automata_.command[c] && moves_.full(state, pan::ChannelId(c))) result_.undelivered[c] = true;
     }

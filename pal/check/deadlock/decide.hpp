@@ -1,5 +1,5 @@
-// Whether a skill can come to where it never ends, and what becomes of its messages: all that it can do, as
-// few orders of it as will do.
+// Whether a skill can reach a state after which it never ends, and what becomes of its messages. Explores all
+// its behaviour in as few orders as possible.
 #pragma once
 
 #include <cstddef>

@@ -38,7 +38,7 @@ class Walks {
       if (moves.empty()) return;
       auto& move = moves[below(moves.size())];
       if (move.guessed) return;
-      if (move.deed.kind == Deed::Kind::takes) wanted_[move.deed.channel.index()] = false;
+      if (move.action.kind == Action::Kind::takes) wanted_[move.action.channel.index()] = false;
       if (move.ended) return;
       state = std::move(move.state);
     }

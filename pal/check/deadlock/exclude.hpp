@@ -1,5 +1,5 @@
-// Whether a skill is without dead ends whatever values its conditions have: many orders in which these are
-// set and tested are then one.
+// Whether a skill has no dead ends whatever the values of its conditions. Then many orders of setting and
+// testing them count as one.
 #pragma once
 
 #include <functional>
@@ -9,10 +9,10 @@
 
 namespace pal::checker::deadlock {
 
-/// What is decided of the skill with its conditions unknown, if that has no dead end and takes every message
-/// that is put, and some runs of the skill itself are seen to take each of them, too: then this is so of the
-/// skill itself. Of the commands that are undelivered it may have fewer.
-/// `withdrawn`: requests that are counted. `most_states` and `stop`: as for decide.
+/// Decides the skill with its conditions unknown. The result holds for the skill itself if it has no dead end
+/// and takes every message that is put, and if some runs of the skill itself are seen to take each of them.
+/// It may have more undelivered commands than the skill itself. `withdrawn`: requests that are counted.
+/// `most_states` and `stop`: as for decide.
 std::optional<Decision> exclude(const Automata& automata, int withdrawn, std::size_t most_states,
                                 const std::function<bool()>& stop);
 

@@ -141,7 +141,7 @@ class DeadlockExplorer {
     const Independence independence(automata_, moves_, observed, false);
     Goal goal;
     goal.move = [&](const State& before, const Move& move) {
-      return move.deed.kind == Deed::Kind::completes && moves_.full(before, channel);
+      return move.action.kind == Action::Kind::completes && moves_.full(before, channel);
     };
     Threads method;
     for (std::size_t t = 0; t < automata_.threads.size(); ++t) {
@@ -180,9 +180,9 @@ class DeadlockExplorer {
 
   /// The nearest state from here in which as many threads as ever wait for ever, and the way there, without a
   /// lucky time.
-  std::pair<std::vector<Deed>, State> farthest(const State& from, WaysOn& ways) {
+  std::pair<std::vector<Action>, State> farthest(const State& from, WaysOn& ways) {
     constexpr std::size_t most_looked_at = 2000;
-    std::unordered_map<State, std::pair<State, Deed>> by{{from, {}}};
+    std::unordered_map<State, std::pair<State, Action>> by{{from, {}}};
     std::deque<State> open{from};
     State best = from;
     auto most = stuck(from, ways).size();
@@ -196,10 +196,10 @@ class DeadlockExplorer {
       const Enabled enabled(moves_, at, automata_.threads.size());
       for (const auto* move : choose_moves(at, enabled, {})) {
         if (move->timely || move->ended || moves_.blurred(move->state)) continue;
-        if (by.emplace(move->state, std::pair(at, move->deed)).second) open.push_back(move->state);
+        if (by.emplace(move->state, std::pair(at, move->action)).second) open.push_back(move->state);
       }
     }
-    std::pair<std::vector<Deed>, State> result{{}, best};
+    std::pair<std::vector<Action>, State> result{{}, best};
     for (auto at = best; at != from; at = by.at(at).first) result.first.push_back(by.at(at).second);
     std::reverse(result.first.begin(), result.first.end());
     return result;

@@ -19,13 +19,14 @@ struct Stuck {
   bool never_asked = false;  // waits for the answer to a request that it has not sent, or not any more
 };
 
-/// A shortest run (search.hpp says of what length) to where the skill can never complete because its method
-/// waits for ever.
+/// A shortest run (search.hpp defines its length) to a state in which the skill can never complete, because
+/// its method waits for ever.
 struct DeadEnd {
   bool total = false;   // nothing moves any more; otherwise other modules go on
   bool timely = false;  // only if some wait gives up, or a device loses an answer, at the right time
-  std::vector<Deed> run;
-  std::size_t decided = 0;  // after so many deeds it can never end; what follows only brings others to a stop
+  std::vector<Action> run;
+  std::size_t decided =
+      0;  // after so many actions it can never end; what follows only brings others to a stop
   std::vector<Stuck> stuck;
   std::size_t culprit = 0;  // index in `stuck`: of the skill method
 };
@@ -34,7 +35,7 @@ struct DeadEnd {
 struct Undelivered {
   pan::ChannelId channel;
   bool timely = false;
-  std::vector<Deed> run;  // the last one completes the skill
+  std::vector<Action> run;  // the last one completes the skill
 };
 
 struct Limits {

@@ -134,16 +134,16 @@ bool Independence::undone_by_cancelling(const State& state, std::size_t thread,
       if (other != thread && state[other] != move.state[other]) return false;
     }
     if (move.state[thread] == Moves::nowhere) return false;
-    const auto channel = move.deed.channel;
-    if (move.deed.kind == Deed::Kind::sends) {
+    const auto channel = move.action.channel;
+    if (move.action.kind == Action::Kind::sends) {
       const bool asks = automata_.answer_of[channel.index()] && !automata_.to_device[channel.index()];
       if (!asks) return false;
-    } else if (move.deed.kind == Deed::Kind::takes) {
+    } else if (move.action.kind == Action::Kind::takes) {
       const auto& request = automata_.request_of[channel.index()];
       if (!request || automata_.from_device[channel.index()] || !moves_.answers(state, channel, thread))
         return false;
-    } else if (move.deed.kind != Deed::Kind::latches && move.deed.kind != Deed::Kind::finds &&
-               move.deed.kind != Deed::Kind::works) {
+    } else if (move.action.kind != Action::Kind::latches && move.action.kind != Action::Kind::finds &&
+               move.action.kind != Action::Kind::works) {
       return false;
     }
   }
@@ -244,9 +244,9 @@ std::optional<std::size_t> Independence::helper(const State& state, std::size_t 
 std::optional<Threads> Independence::disturbing_service(const State& state, std::size_t thread,
                                                         const std::vector<Move>& moves) const {
   constexpr std::size_t most_moves = 64;
-  if (moves.size() != 1 || moves.front().deed.kind != Deed::Kind::takes) return std::nullopt;
+  if (moves.size() != 1 || moves.front().action.kind != Action::Kind::takes) return std::nullopt;
   if (moves_.finishing(state, thread)) return std::nullopt;
-  const auto request = moves.front().deed.channel;
+  const auto request = moves.front().action.channel;
   if (!automata_.answer_of[request.index()] || observed_[request.index()]) return std::nullopt;
   const auto back = moves_.without_request(state, request);
   auto at = moves_.without_request(moves.front().state, request);

@@ -1,9 +1,9 @@
-// Which threads get into each other's way, and so which moves of a state are enough: of moves that do not,
-// one order stands for all.
+// Which threads interfere, and so which moves of a state suffice: moves that do not interfere need only one
+// order.
 //
-// Stubborn sets (Valmari, Stop it, and be stubborn!, 2017; Godefroid, Partial-Order Methods, 1996), a set of
-// threads for each state: whatever the others do, for as long as they like, leaves the next moves of the set
-// as they are and brings none about.
+// Stubborn sets (Valmari, Stop it, and be stubborn!, 2017; Godefroid, Partial-Order Methods, 1996), as a set
+// of threads for each state. Whatever the other threads do, for as long as they like, neither changes the
+// next moves of the set nor enables new ones.
 #pragma once
 
 #include <cstddef>
@@ -17,21 +17,21 @@ namespace pal::checker::deadlock {
 
 class Independence {
  public:
-  /// `observed`, by channel: that a message is still there when the skill completes is told apart from that
-  /// it was taken. `absorb`: a block's move that its cancellation would undo needs not wait for that
-  /// cancellation to be tried first. This keeps what can be reached, but not the length of the way there.
+  /// `observed`, by channel: the result must tell whether a message is still there when the skill completes,
+  /// or was taken. `absorb`: a move that the cancellation of its block would undo is explored before that
+  /// cancellation only. This keeps what can be reached, but not the lengths of runs.
   Independence(const Automata& automata, const Moves& moves, std::vector<bool> observed, bool absorb);
 
-  /// The least set with `seeds` that the others leave alone. Nothing: only all moves are such a set.
+  /// The least set with `seeds` that the other threads do not influence. Nothing: only the set of all moves.
   std::optional<Threads> closure(const State& state, const Enabled& enabled, const Threads& seeds) const;
 
   bool from_device(pan::ChannelId channel) const { return automata_.from_device[channel.index()]; }
 
-  /// Those that may, now or later, do what the thread's next move depends on.
+  /// Those that may, now or later, do something on which the thread's next move depends.
   Threads disturbing(const State& state, std::size_t thread, const std::vector<Move>& moves) const;
 
  private:
-  /// What a thread may do to something that others share.
+  /// What a thread may do to something that it shares with others.
   enum class Use { put, take, withdraw, device, read, write, complete };
   std::size_t resource(Use use, std::size_t index) const;
   void enter_uses(std::size_t index);

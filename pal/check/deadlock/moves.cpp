@@ -5,13 +5,13 @@
 
 namespace pal::checker::deadlock {
 
-bool is_talk(const Deed& deed) {
-  switch (deed.kind) {
-    case Deed::Kind::takes:
-    case Deed::Kind::sends:
-    case Deed::Kind::discards:
-    case Deed::Kind::gives_up:
-    case Deed::Kind::loses:
+bool is_talk(const Action& action) {
+  switch (action.kind) {
+    case Action::Kind::takes:
+    case Action::Kind::sends:
+    case Action::Kind::discards:
+    case Action::Kind::gives_up:
+    case Action::Kind::loses:
       return true;
     default:
       return false;
@@ -100,9 +100,9 @@ void Moves::of(const State& state, std::size_t thread, std::vector<Move>& result
   for (auto i = before; i < result.size(); ++i) {
     forget(result[i].state);
     if (i == before) continue;
-    auto alike = result[i].deed;
-    alike.outcome = result[i - 1].deed.outcome;
-    if (alike == result[i - 1].deed) result[i].deed.outcome = alike.outcome + 1;
+    auto alike = result[i].action;
+    alike.outcome = result[i - 1].action.outcome;
+    if (alike == result[i - 1].action) result[i].action.outcome = alike.outcome + 1;
   }
 }
 
@@ -138,7 +138,7 @@ void Moves::steps_of(const State& state, std::size_t thread, std::vector<Move>& 
     case Step::Kind::test:
       return test(state, thread, step, result);
     case Step::Kind::complete: {
-      Move move{{Deed::Kind::completes, thread, static_cast<std::size_t>(&step - automata_.steps.data())},
+      Move move{{Action::Kind::completes, thread, static_cast<std::size_t>(&step - automata_.steps.data())},
                 state,
                 true,
                 false};
@@ -146,7 +146,7 @@ void Moves::steps_of(const State& state, std::size_t thread, std::vector<Move>& 
       return;
     }
     case Step::Kind::work:
-      return go({{Deed::Kind::works, thread, static_cast<std::size_t>(&step - automata_.steps.data())},
+      return go({{Action::Kind::works, thread, static_cast<std::size_t>(&step - automata_.steps.data())},
                  state,
                  false,
                  false},
@@ -154,10 +154,11 @@ void Moves::steps_of(const State& state, std::size_t thread, std::vector<Move>& 
     case Step::Kind::spin:
     case Step::Kind::enter:
     case Step::Kind::fork:
-      result.push_back({{Deed::Kind::spins, thread, static_cast<std::size_t>(&step - automata_.steps.data())},
-                        state,
-                        false,
-                        false});
+      result.push_back(
+          {{Action::Kind::spins, thread, static_cast<std::size_t>(&step - automata_.steps.data())},
+           state,
+           false,
+           false});
       return;
     case Step::Kind::join:
     case Step::Kind::end:

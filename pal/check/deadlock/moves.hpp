@@ -1,5 +1,5 @@
-// What can happen next in a skill, without times (docs/reference/execution-model.md): every wait that can
-// give up may do so at any moment, a device sends its events whenever somebody waits for them and answers
+// What can happen next in a skill, without times (docs/reference/execution-model.md). Every wait that can
+// give up may do so at any moment. A device sends its events whenever somebody waits for them, and answers
 // every request at some time.
 #pragma once
 
@@ -14,12 +14,12 @@
 
 namespace pal::checker::deadlock {
 
-/// A state of all threads, slots and conditions, as words; Moves knows which is which. What no step to come
-/// reads is forgotten: conditions and latches that only the past has read are FALSE.
+/// A state of all threads, slots and conditions, as words; Moves knows which word is which. What no later
+/// step reads is forgotten: conditions and latches that only earlier steps read are FALSE.
 using State = std::u16string;
 
 /// What one move does.
-struct Deed {
+struct Action {
   enum class Kind {
     takes,
     sends,
@@ -43,19 +43,19 @@ struct Deed {
   std::size_t branch = 0;   // finds
   std::size_t outcome = 0;  // of several that are else alike: blocks that are cancelled stop or finish
 
-  friend bool operator==(const Deed&, const Deed&) = default;
+  friend bool operator==(const Action&, const Action&) = default;
 };
 
-/// Something is said, heard or given up.
-bool is_talk(const Deed& deed);
+/// A message is put or taken, or a wait gives up.
+bool is_talk(const Action& action);
 
 struct Move {
-  Deed deed;
+  Action action;
   State state;
   bool ended = false;   // the skill has completed
   bool timely = false;  // only the right times bring this about: giving up, an answer that is lost
-  /// One of several moves of a thread of which one is real; the state before says not which: its count is
-  /// blurred, or a condition is unknown.
+  /// One of several moves of a thread, of which only one is real. The state before does not say which: its
+  /// count is blurred, or a condition is unknown.
   bool guessed = false;
   bool cancels = false;   // blocks are stopped, or are to finish what they have begun
   std::size_t forks = 0;  // gone through at this instant
@@ -65,11 +65,11 @@ class Moves {
  public:
   static constexpr char16_t nowhere = 0xffff;  // of a thread that is not there
 
-  /// Withdrawn requests yet to be answered are counted up to this; what is more is one state, which is
-  /// blurred.
+  /// Withdrawn requests that are yet to be answered are counted up to this number. Any greater number is one
+  /// state, which is blurred.
   static constexpr int most_withdrawn = 6;
 
-  /// `withdrawn`: from 0 to most_withdrawn, counted instead of the latter.
+  /// `withdrawn`: the number up to which they are counted, from 0 to most_withdrawn.
   explicit Moves(const Automata& automata, int withdrawn = most_withdrawn);
 
   State first() const;
@@ -83,10 +83,10 @@ class Moves {
   bool finishing(const State& state, std::size_t thread) const;
   bool full(const State& state, pan::ChannelId channel) const;
   int open(const State& state, pan::ChannelId request) const;
-  /// It stands for states with more withdrawn requests than are counted: moves from it exist, of two that are
-  /// guessed one, and it may be none that a run gets to.
+  /// The state stands for states with more withdrawn requests than are counted. Moves from it exist in all of
+  /// them; of two guessed moves one is real, and the state may be one that no run reaches.
   bool blurred(const State& state) const;
-  /// … by what is counted of the requests that this answers.
+  /// The same, for the requests that this channel answers.
   bool blurred(const State& state, pan::ChannelId answer) const;
   /// Requests of the channel that are open, all or those that belong to the thread.
   int open(const State& state, pan::ChannelId request, std::size_t thread) const;
@@ -94,10 +94,10 @@ class Moves {
   bool answers(const State& state, pan::ChannelId answer, std::size_t thread) const;
   /// The threads to which open requests belong.
   Threads owners(const State& state, pan::ChannelId request) const;
-  /// What is left when all that is open of the request is withdrawn.
+  /// The state after all open requests of the channel were withdrawn.
   State without_request(const State& state, pan::ChannelId request) const;
   std::size_t words() const { return words_; }
-  /// Something was counted that is too large for a state; what was found may not be all.
+  /// A count was too large for a state, so results may be incomplete.
   bool overflowed() const { return overflowed_; }
 
  private:

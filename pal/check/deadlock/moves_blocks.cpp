@@ -8,7 +8,7 @@ namespace pal::checker::deadlock {
 
 /// The thread is done with its statement: it goes on, or stops if it was cancelled.
 void Moves::go(Move move, std::size_t next, std::vector<Move>& result) const {
-  const auto thread = move.deed.thread;
+  const auto thread = move.action.thread;
   if (finishing(move.state, thread)) return stop(std::move(move), thread, result);
   arrive(std::move(move), thread, next, result);
 }

@@ -13,13 +13,13 @@ void Moves::wait(const State& state, std::size_t thread, const Step& step, std::
   for (std::size_t i = 0; i < step.channels.size(); ++i) {
     const auto channel = step.channels[i];
     if (!can_take(state, channel)) continue;
-    Move move{{Deed::Kind::takes, thread, index, channel}, state, false, false};
+    Move move{{Action::Kind::takes, thread, index, channel}, state, false, false};
     take(move.state, channel);
     go(std::move(move), step.next[i], result);
     took = true;
     const auto& request = automata_.request_of[channel.index()];
     if (!last && request && automata_.from_device[channel.index()] && slot(state, *request).asked > 1) {
-      Move lost{{Deed::Kind::loses, thread, index, channel}, state, false, true};
+      Move lost{{Action::Kind::loses, thread, index, channel}, state, false, true};
       auto asked = slot(state, *request);
       asked.erase(1);  // the answer that came while the first one was there
       put_slot(lost.state, *request, asked);
@@ -27,10 +27,10 @@ void Moves::wait(const State& state, std::size_t thread, const Step& step, std::
     }
   }
   if (last && !took) {
-    return stop({{Deed::Kind::stops, thread, index}, state, false, false}, thread, result);
+    return stop({{Action::Kind::stops, thread, index}, state, false, false}, thread, result);
   }
   if (!step.gives_up || last) return;
-  Move move{{Deed::Kind::gives_up, thread, index, step.channels.front()}, state, false, true};
+  Move move{{Action::Kind::gives_up, thread, index, step.channels.front()}, state, false, true};
   for (const auto channel : step.channels) {
     if (const auto& request = automata_.request_of[channel.index()])
       withdraw(move.state, *request, std::nullopt);
@@ -43,13 +43,13 @@ void Moves::send(const State& state, std::size_t thread, const Step& step, std::
   const auto channel = step.channels.front();
   auto of = slot(state, channel);
   const bool asks = automata_.answer_of[channel.index()].has_value();
-  Move move{{Deed::Kind::sends, thread, index, channel}, state, false, false};
+  Move move{{Action::Kind::sends, thread, index, channel}, state, false, false};
   if (automata_.to_device[channel.index()]) {
     if (asks) {
       // One in the slot, one being served, one answer not taken: with one more an answer is lost.
       constexpr int most = 3;
       if (of.asked == most) {
-        move.deed.kind = Deed::Kind::loses;
+        move.action.kind = Action::Kind::loses;
         move.timely = true;
         of.erase(1);
       }
@@ -62,7 +62,7 @@ void Moves::send(const State& state, std::size_t thread, const Step& step, std::
   const auto& request = automata_.request_of[channel.index()];
   if (answered >= 0 && slot(state, *request).by[static_cast<std::size_t>(answered)] == nobody) {
     auto asked = slot(state, *request);
-    move.deed.kind = Deed::Kind::discards;
+    move.action.kind = Action::Kind::discards;
     move.guessed = asked.withdrawn() > withdrawn_;
     if (move.guessed) go(move, step.next.front(), result);  // there are as many as before, or more
     asked.erase(answered);
@@ -71,7 +71,7 @@ void Moves::send(const State& state, std::size_t thread, const Step& step, std::
   }
   if (of.full) {
     if (!finishing(state, thread)) return;
-    move.deed.kind = Deed::Kind::stops;
+    move.action.kind = Action::Kind::stops;
     return stop(std::move(move), thread, result);
   }
   of.full = true;
@@ -86,19 +86,20 @@ void Moves::set(const State& state, std::size_t thread, const Step& step, std::v
   const auto index = static_cast<std::size_t>(&step - automata_.steps.data());
   const auto& known = automata_.bit[step.condition.index()];
   if (step.kind == Step::Kind::latch) {
-    Move move{{Deed::Kind::latches, thread, index}, state, false, false};
+    Move move{{Action::Kind::latches, thread, index}, state, false, false};
     if (known) {
       const bool value = bit(state, values_, *known);
-      move.deed.value = value;
+      move.action.value = value;
       set_bit(move.state, latched(thread), *known, true);
       set_bit(move.state, latched(thread) + bit_words_, *known, value);
     }
     return go(std::move(move), step.next.front(), result);
   }
-  if (!known) return go({{Deed::Kind::sets, thread, index}, state, false, false}, step.next.front(), result);
+  if (!known)
+    return go({{Action::Kind::sets, thread, index}, state, false, false}, step.next.front(), result);
   for (const bool value : {true, false}) {
     if (step.value && *step.value != value) continue;
-    Move move{{Deed::Kind::sets, thread, index, {}, value}, state, false, false};
+    Move move{{Action::Kind::sets, thread, index, {}, value}, state, false, false};
     set_bit(move.state, values_, *known, value);
     go(std::move(move), step.next.front(), result);
   }
@@ -138,11 +139,11 @@ void Moves::test(const State& state, std::size_t thread, const Step& step, std::
   const auto index = static_cast<std::size_t>(&step - automata_.steps.data());
   const auto found = branches(state, thread, index);
   for (const auto branch : found) {
-    Move move{{Deed::Kind::finds, thread, index}, state, false, false, found.size() > 1};
-    move.deed.branch = branch;
+    Move move{{Action::Kind::finds, thread, index}, state, false, false, found.size() > 1};
+    move.action.branch = branch;
     for (std::size_t w = 0; w < 2 * bit_words_; ++w) move.state[latched(thread) + w] = 0;
     if (branch == step.guards.size() && !step.otherwise) {
-      move.deed.kind = Deed::Kind::faults;
+      move.action.kind = Action::Kind::faults;
       move.ended = true;
       result.push_back(std::move(move));
     } else {

@@ -1,5 +1,4 @@
-// What the steps that can still come make of a thread's past: which conditions will be read, and what will be
-// used.
+// Which conditions the later steps of a thread will read, and what they will use.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +24,7 @@ class StepSets {
   /// Sixteen numbers at a time.
   char16_t word(std::size_t step, std::size_t word) const { return bits_[step * words_ + word]; }
   std::size_t words() const { return words_; }
-  /// Adds to `step` what `from` has and `without` has not. True: there was something to add.
+  /// Adds to `step` what `from` has and `without` has not. Returns whether anything was added.
   bool join(std::size_t step, std::size_t from, const StepSets* without = nullptr);
 
  private:
@@ -39,8 +38,8 @@ StepSets conditions_to_be_read(const Automata& automata);
 /// By step: the conditions (by bit) that the next test from there on reads without reading them anew.
 StepSets latches_to_be_read(const Automata& automata);
 
-/// Adds to every step what the steps that can follow it have: those of blocks that it begins, and after a
-/// CONCURRENT what follows that.
+/// Adds to every step what the steps that can follow it have. For a CONCURRENT these are the steps of the
+/// blocks that it begins, and what follows it.
 void close_over_future(const Automata& automata, StepSets& sets);
 
 }  // namespace pal::checker::deadlock

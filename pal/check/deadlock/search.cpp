@@ -19,7 +19,7 @@ struct SearchNode {
   const State* state = nullptr;  // none: the goal
   std::uint32_t from = no_node;
   Length length;
-  Deed deed;
+  Action action;
   bool done = false;
 };
 
@@ -59,25 +59,25 @@ class Searcher {
 
   bool stopped() const { return stop_ && nodes_.size() > at_least && stop_(); }
 
-  void reach(const State& state, std::uint32_t from, const Length& length, const Deed& deed) {
+  void reach(const State& state, std::uint32_t from, const Length& length, const Action& action) {
     const auto [entry, fresh] = seen_.emplace(state, static_cast<std::uint32_t>(nodes_.size()));
     if (fresh) {
-      nodes_.push_back({&entry->first, from, length, deed, false});
+      nodes_.push_back({&entry->first, from, length, action, false});
     } else {
       auto& node = nodes_[entry->second];
       if (node.done || node.length <= length) return;
       node.from = from;
       node.length = length;
-      node.deed = deed;
+      node.action = action;
     }
     open_.emplace(length, entry->second);
   }
 
-  void reach_goal(const State& state, std::uint32_t from, const Length& length, const Deed& deed) {
+  void reach_goal(const State& state, std::uint32_t from, const Length& length, const Action& action) {
     if (goal_node_ != no_node && nodes_[goal_node_].length <= length) return;
     goal_node_ = static_cast<std::uint32_t>(nodes_.size());
     goal_state_ = state;
-    nodes_.push_back({nullptr, from, length, deed, false});
+    nodes_.push_back({nullptr, from, length, action, false});
     open_.emplace(length, goal_node_);
   }
 
@@ -91,11 +91,11 @@ class Searcher {
       for (const auto& move : enabled[t]) {
         const auto length = nodes_[at].length.after(move);
         if (goal_.move && goal_.move(state, move)) {
-          reach_goal(move.state, at, length, move.deed);
+          reach_goal(move.state, at, length, move.action);
         } else if (moves_.blurred(move.state)) {
           complete_ = false;
         } else if (!move.ended) {
-          reach(move.state, at, length, move.deed);
+          reach(move.state, at, length, move.action);
         }
       }
     }
@@ -103,7 +103,7 @@ class Searcher {
 
   Way way_to(std::uint32_t at, const State& state) const {
     Way way{{}, state, nodes_[at].length};
-    for (; nodes_[at].from != no_node; at = nodes_[at].from) way.run.push_back(nodes_[at].deed);
+    for (; nodes_[at].from != no_node; at = nodes_[at].from) way.run.push_back(nodes_[at].action);
     std::reverse(way.run.begin(), way.run.end());
     return way;
   }
@@ -140,8 +140,8 @@ Threads choose(const Independence& independence, const State& state, const Enabl
   }
   // Those that wait for an event of a device come last: there is always a next one.
   const auto is_driven = [&](std::size_t t) {
-    const auto& deed = enabled[t].front().deed;
-    return deed.kind == Deed::Kind::takes && independence.from_device(deed.channel);
+    const auto& action = enabled[t].front().action;
+    return action.kind == Action::Kind::takes && independence.from_device(action.channel);
   };
   std::optional<Threads> best;
   for (const bool driven : {false, true}) {

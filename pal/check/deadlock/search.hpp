@@ -1,4 +1,4 @@
-// The shortest run to something that is looked for.
+// The shortest run to a goal.
 #pragma once
 
 #include <compare>
@@ -12,31 +12,31 @@
 
 namespace pal::checker::deadlock {
 
-/// Of two runs the one that needs fewer lucky or unlucky times is the shorter, then the one with less talk,
-/// then the one with fewer steps.
+/// Of two runs, the one with fewer unlucky moments is shorter. Then the one with fewer messages is, then the
+/// one with fewer steps.
 struct Length {
   std::uint32_t timely = 0;
   std::uint32_t talk = 0;
   std::uint32_t steps = 0;
 
   Length after(const Move& move) const {
-    return {timely + (move.timely ? 1U : 0U), talk + (is_talk(move.deed) ? 1U : 0U), steps + 1};
+    return {timely + (move.timely ? 1U : 0U), talk + (is_talk(move.action) ? 1U : 0U), steps + 1};
   }
   friend auto operator<=>(const Length&, const Length&) = default;
 };
 
-/// What is looked for: a state, or a move.
+/// The goal: a state, or a move.
 struct Goal {
   std::function<bool(const State&, const Enabled&)> state;  // empty: none
   std::function<bool(const State&, const Move&)> move;      // empty: none
-  /// Threads such that every run from this state to the goal has a move of one of them. Empty: any will do,
-  /// for states in which nothing moves.
+  /// Threads such that every run from this state to the goal has a move of one of them. Empty: any threads
+  /// will do, for goals in which nothing moves.
   std::function<Threads(const State&, const Enabled&)> needed;
 };
 
 struct Way {
-  std::vector<Deed> run;  // with the move that was looked for
-  State state;            // where it leads
+  std::vector<Action> run;  // with the move that was looked for
+  State state;              // where it leads
   Length length;
 };
 
@@ -46,13 +46,13 @@ struct Found {
   std::size_t states = 0;  // looked at
 };
 
-/// Looks in the order of length; `independence` must not absorb. `stop`: as for decide(), but a search of few
-/// states is never ended by it.
+/// Searches in the order of length; `independence` must not absorb. `stop`: as for decide(), but it never
+/// ends a search of few states.
 Found search(const Moves& moves, const Independence& independence, std::size_t threads, const State& from,
              const Goal& goal, std::size_t most_states, const std::function<bool()>& stop);
 
-/// The fewest threads that will do: with all of `needed` if there are any, else with one that can move, the
-/// first of those that need no other if there is one; `first` is tried first.
+/// The fewest threads that suffice. They contain all of `needed` if there are any; else one thread that can
+/// move: the first that needs no other, if there is one. `first` is tried first.
 Threads choose(const Independence& independence, const State& state, const Enabled& enabled,
                const Threads& needed, std::size_t first = 0);
 

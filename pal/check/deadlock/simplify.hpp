@@ -1,13 +1,12 @@
-// Leaves out of automata what cannot make a difference to their talk.
+// Removes from automata what makes no difference to their communication.
 #pragma once
 
 #include "pal/check/deadlock/automata.hpp"
 
 namespace pal::checker::deadlock {
 
-/// A test after which the same comes whatever it finds is passed over, then sets and latches of conditions
-/// that no test is left to read, and so on until nothing changes. Numbers the conditions that remain
-/// (Automata::bit).
+/// Removes a test if the same follows whatever it finds. Then removes sets and latches of conditions that no
+/// remaining test reads, and so on until nothing changes. Numbers the remaining conditions (Automata::bit).
 void simplify(Automata& automata);
 
 }  // namespace pal::checker::deadlock

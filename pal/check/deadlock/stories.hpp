@@ -1,4 +1,4 @@
-// What the search for deadlocks finds of a skill, told.
+// The results of the search for deadlocks, as stories.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace pal::checker::deadlock {
 
-/// The runs to where the skill stands still, or never ends, or completes with a command undelivered; none of
-/// that: empty. For a network without other errors.
+/// The runs after which the skill stands still, or never ends, or completes with a command undelivered.
+/// Empty: there are none. For a network without other errors.
 std::vector<Story> stories(const pan::Network& network);
 
 }  // namespace pal::checker::deadlock

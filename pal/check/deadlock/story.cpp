@@ -32,35 +32,35 @@ class Teller {
     return "finds that no arm holds";
   }
 
-  std::string text(const Deed& deed) const {
-    const auto& step = automata_.steps[deed.step];
-    const auto truth = [&] { return std::string(deed.value ? "TRUE" : "FALSE"); };
-    switch (deed.kind) {
-      case Deed::Kind::takes:
-        return "takes '" + message(deed.channel) + "' from " + sender(deed.channel);
-      case Deed::Kind::sends:
-        return "sends '" + message(deed.channel) + "' to " + receiver(deed.channel);
-      case Deed::Kind::discards:
-        return "sends '" + message(deed.channel) + "', which " + receiver(deed.channel) + " has given up";
-      case Deed::Kind::gives_up:
-        return "gives up waiting for '" + message(deed.channel) + "'";
-      case Deed::Kind::loses:
+  std::string text(const Action& action) const {
+    const auto& step = automata_.steps[action.step];
+    const auto truth = [&] { return std::string(action.value ? "TRUE" : "FALSE"); };
+    switch (action.kind) {
+      case Action::Kind::takes:
+        return "takes '" + message(action.channel) + "' from " + sender(action.channel);
+      case Action::Kind::sends:
+        return "sends '" + message(action.channel) + "' to " + receiver(action.channel);
+      case Action::Kind::discards:
+        return "sends '" + message(action.channel) + "', which " + receiver(action.channel) + " has given up";
+      case Action::Kind::gives_up:
+        return "gives up waiting for '" + message(action.channel) + "'";
+      case Action::Kind::loses:
         return "loses an answer: the one before it is still in its slot";
-      case Deed::Kind::sets:
+      case Action::Kind::sets:
         return "sets " + condition(step) + " to " + truth();
-      case Deed::Kind::latches:
+      case Action::Kind::latches:
         return "reads " + condition(step) + " as " + truth();
-      case Deed::Kind::finds:
-        return found(step, deed.branch);
-      case Deed::Kind::faults:
+      case Action::Kind::finds:
+        return found(step, action.branch);
+      case Action::Kind::faults:
         return "finds that no arm holds";
-      case Deed::Kind::completes:
+      case Action::Kind::completes:
         return "completes the skill";
-      case Deed::Kind::stops:
+      case Action::Kind::stops:
         return "stops: it is cancelled";
-      case Deed::Kind::works:
+      case Action::Kind::works:
         return "goes on";
-      case Deed::Kind::spins:
+      case Action::Kind::spins:
         return "goes round";
     }
     return {};
@@ -99,25 +99,25 @@ class Teller {
   const Automata& automata_;
 };
 
-bool has_channel(Deed::Kind kind) {
-  return kind == Deed::Kind::takes || kind == Deed::Kind::sends || kind == Deed::Kind::discards;
+bool has_channel(Action::Kind kind) {
+  return kind == Action::Kind::takes || kind == Action::Kind::sends || kind == Action::Kind::discards;
 }
 
-Story story_of(const std::vector<Deed>& run, const Teller& teller, const Automata& automata) {
+Story story_of(const std::vector<Action>& run, const Teller& teller, const Automata& automata) {
   Story story;
   for (const auto& thread : automata.threads) {
     story.lanes.push_back(thread.name);
     story.modules.push_back(thread.module);
   }
-  for (const auto& deed : run) {
-    if (deed.kind == Deed::Kind::spins || deed.kind == Deed::Kind::works) continue;
-    Line line{automata.threads[deed.thread].name,
-              teller.text(deed),
-              teller.where(automata.steps[deed.step]),
-              deed.kind,
-              deed.thread,
+  for (const auto& action : run) {
+    if (action.kind == Action::Kind::spins || action.kind == Action::Kind::works) continue;
+    Line line{automata.threads[action.thread].name,
+              teller.text(action),
+              teller.where(automata.steps[action.step]),
+              action.kind,
+              action.thread,
               std::nullopt};
-    if (has_channel(deed.kind)) line.channel = deed.channel;
+    if (has_channel(action.kind)) line.channel = action.channel;
     story.run.push_back(std::move(line));
   }
   return story;

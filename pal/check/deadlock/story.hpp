@@ -1,4 +1,4 @@
-// A run into a dead end in words: who does what, and where everybody is stuck.
+// A run into a dead end, in words: what each thread does, and where each waits in the end.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct Line {
   std::string thread;  // "SM1.2"
   std::string text;    // "sends motion to MC1"
   SourceSpan where;
-  Deed::Kind kind = Deed::Kind::spins;
+  Action::Kind kind = Action::Kind::spins;
   std::size_t lane = 0;                   // thread's number in Automata
   std::optional<pan::ChannelId> channel;  // takes, sends, discards
 };
@@ -28,7 +28,7 @@ struct StuckLine {
   bool culprit = false;
 };
 
-/// A dead end, told.
+/// A dead end, in words.
 struct Story {
   bool total = false;
   bool timely = false;
@@ -42,7 +42,7 @@ struct Story {
 
 Story tell(const pan::Network& network, const Automata& automata, const DeadEnd& end);
 
-/// A run that ends with the completion; nobody is stuck.
+/// A run that ends with the completion; no thread is stuck.
 Story tell(const pan::Network& network, const Automata& automata, const Undelivered& undelivered);
 
 }  // namespace pal::checker::deadlock

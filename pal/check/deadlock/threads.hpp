@@ -6,7 +6,7 @@
 
 namespace pal::checker::deadlock {
 
-/// A skill with more threads is not searched.
+/// Skills with more threads are not searched.
 inline constexpr std::size_t most_threads = 256;
 
 using Threads = std::bitset<most_threads>;

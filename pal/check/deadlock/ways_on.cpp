@@ -10,19 +10,19 @@ namespace pal::checker::deadlock {
 namespace {
 
 bool moves_thread(const State& before, const Move& move, std::size_t thread) {
-  return move.deed.thread == thread || before[thread] != move.state[thread];
+  return move.action.thread == thread || before[thread] != move.state[thread];
 }
 
 }  // namespace
 
 /// The run can be followed from here and moves the thread in the end.
-bool WaysOn::follows(const State& from, std::size_t thread, const std::vector<Deed>& run) const {
+bool WaysOn::follows(const State& from, std::size_t thread, const std::vector<Action>& run) const {
   State state = from;
   for (std::size_t i = 0; i < run.size(); ++i) {
     std::vector<Move> moves;
     moves_.of(state, run[i].thread, moves);
     const auto found =
-        std::find_if(moves.begin(), moves.end(), [&](const Move& move) { return move.deed == run[i]; });
+        std::find_if(moves.begin(), moves.end(), [&](const Move& move) { return move.action == run[i]; });
     if (found == moves.end()) return false;
     if (i + 1 == run.size()) return moves_thread(state, *found, thread) || found->ended;
     if (found->ended) return false;
@@ -33,17 +33,17 @@ bool WaysOn::follows(const State& from, std::size_t thread, const std::vector<De
 }
 
 std::shared_ptr<const WaysOn::Way> WaysOn::described(const State& from, std::size_t thread,
-                                                     std::vector<Deed> run) const {
+                                                     std::vector<Action> run) const {
   Way way{std::move(run), {}, false};
   way.in_the_way.set(thread);
   State state = from;
-  for (const auto& deed : way.run) {
+  for (const auto& action : way.run) {
     std::vector<Move> moves;
-    moves_.of(state, deed.thread, moves);
-    way.in_the_way.set(deed.thread);
-    way.in_the_way |= independence_.disturbing(state, deed.thread, moves);
+    moves_.of(state, action.thread, moves);
+    way.in_the_way.set(action.thread);
+    way.in_the_way |= independence_.disturbing(state, action.thread, moves);
     for (auto& move : moves) {
-      if (!(move.deed == deed)) continue;
+      if (!(move.action == action)) continue;
       state = std::move(move.state);
       break;
     }
@@ -59,11 +59,11 @@ const WaysOn::Way& WaysOn::way(const State& state, std::size_t thread) {
     return moves_thread(before, move, thread) || move.ended;
   };
   goal.needed = [&](const State&, const Enabled&) { return Threads().set(thread); };
-  auto found =
-      search(moves_, independence_, automata_.threads.size(), state, goal, std::min(most_states_, left_), stop_);
+  auto found = search(moves_, independence_, automata_.threads.size(), state, goal,
+                      std::min(most_states_, left_), stop_);
   left_ -= std::min(left_, found.states);
   complete_ = complete_ && found.complete;
-  std::vector<Deed> run;
+  std::vector<Action> run;
   if (found.way) run = std::move(found.way->run);
   // The search may have entered other states, and this one anew.
   auto& entry = ways_[state][thread];
@@ -106,7 +106,7 @@ void WaysOn::inherit(const State& before, const Move& move) {
   for (const auto& [thread, way] : from->second) {
     if (way == nullptr || way->run.empty()) continue;
     auto run = way->run;
-    if (run.front() == move.deed) run.erase(run.begin());
+    if (run.front() == move.action) run.erase(run.begin());
     if (!run.empty() && follows(move.state, thread, run))
       inherited[thread] = described(move.state, thread, std::move(run));
   }

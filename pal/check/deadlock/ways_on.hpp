@@ -1,4 +1,4 @@
-// Looks for the shortest run to where a thread can never come to its end.
+// The shortest run to a state in which a thread can never come to its end.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@
 
 namespace pal::checker::deadlock {
 
-/// For each state and each thread on which the end of the first thread depends: some way on for it. A run to
-/// a state without one must at some time get into the way of the way on that there is now.
+/// For each state, and each thread on which the end of the first thread depends, this keeps some way on for
+/// that thread. A run to a state without such a way must at some time interfere with the way that exists now.
 class WaysOn {
  public:
-  /// `most_states`: that each search for a way may look at, and `most_in_all` that all of them together may;
-  /// `stop` ends them as it ends a search.
+  /// `most_states` limits each search for a way, and `most_in_all` all of them together. `stop` ends them as
+  /// it ends a search.
   WaysOn(const Automata& automata, const Moves& moves, const Independence& independence,
          std::size_t most_states, std::size_t most_in_all, const std::function<bool()>& stop)
       : automata_(automata),
@@ -28,31 +28,31 @@ class WaysOn {
         left_(most_in_all),
         stop_(stop) {}
 
-  /// The thread can never move again. False if that was not found out.
+  /// The thread can never move again. False also if that was not found out.
   bool never_moves(const State& state, std::size_t thread);
   /// The first thread can never come to its end.
   bool dead(const State& state);
   /// Threads of which one must move before the first thread is dead.
   Threads in_the_way(const State& state);
-  /// After `move` from `before` to `after` most ways are what they were.
+  /// Most ways are still valid after `move` from `before` to `after`.
   void inherit(const State& before, const Move& move);
 
-  /// Some way was not found, nor found to be missing.
+  /// For some way it was not found out whether it exists.
   bool complete() const { return complete_; }
-  /// No more will be looked at.
+  /// The limits are used up.
   bool exhausted() const { return left_ == 0; }
 
  private:
   struct Way {
-    std::vector<Deed> run;  // empty: none was found
+    std::vector<Action> run;  // empty: none was found
     Threads in_the_way;
     bool missing = false;  // there is none
   };
   using ByThread = std::map<std::size_t, std::shared_ptr<const Way>>;
 
   const Way& way(const State& state, std::size_t thread);
-  bool follows(const State& state, std::size_t thread, const std::vector<Deed>& run) const;
-  std::shared_ptr<const Way> described(const State& state, std::size_t thread, std::vector<Deed> run) const;
+  bool follows(const State& state, std::size_t thread, const std::vector<Action>& run) const;
+  std::shared_ptr<const Way> described(const State& state, std::size_t thread, std::vector<Action> run) const;
 
   const Automata& automata_;
   const Moves& moves_;

@@ -7,8 +7,8 @@
 
 namespace pal::checker {
 
-/// Fills in body and threads of `module`. `speaker` is the module as which it talks: itself, or the one that
-/// executes it. Statements whose names mean nothing are left out, and their names reported.
+/// Fills in body and threads of `module`. `speaker` is the module in whose name it communicates: itself, or
+/// the one that executes it. Statements with unknown names are left out, and these names are reported.
 void build_body(pan::ModuleId module, pan::ModuleId speaker, Names& names, pan::Network& network,
                 Diagnostics& diagnostics);
 

@@ -8,10 +8,10 @@
 
 namespace pal::checker {
 
-/// Reports names that mean nothing, and what is wrong with the template.
+/// Reports unknown names, and mistakes of the template.
 pan::Network build_network(const Scope& scope, const syntax::SkillUnit& skill, Diagnostics& diagnostics);
 
-/// All modules that the scope's first file sees, without a template. Reports what a template would not
+/// All modules that the scope's first file sees, without a template. Reports only what no template could
 /// change.
 pan::Network build_sketch(const Scope& scope, const std::string& name, SourceSpan where,
                           Diagnostics& diagnostics);

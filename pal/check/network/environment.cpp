@@ -105,7 +105,7 @@ class BehaviourCheck {
  private:
   void period(Duration value) const {
     if (value > Duration{}) return;
-    diagnostics_.report(Code::PAL0708, where_, "the period must be more than nothing", "give a time above 0");
+    diagnostics_.report(Code::PAL0708, where_, "the period must be greater than 0", "give a time above 0");
   }
   void phase(const std::optional<Duration>& value, Duration period) const {
     if (!value || period <= Duration{} || *value < period) return;
@@ -158,8 +158,9 @@ pan::Environment build_environment(const syntax::EnvironmentUnit& written, Diagn
   result.placements = written.placements;
   result.activities = written.activities;
   result.where = written.where;
-  result.resources = {resource_names(written.resources.sensor_drivers), resource_names(written.resources.logical_sensors),
-                      resource_names(written.resources.machine_controllers), resource_names(written.resources.skills)};
+  result.resources = {
+      resource_names(written.resources.sensor_drivers), resource_names(written.resources.logical_sensors),
+      resource_names(written.resources.machine_controllers), resource_names(written.resources.skills)};
   for (const auto& cost : written.costs) place_of(result, cost.kind) = cost.time;
   check_twice(written, diagnostics);
   check_placements(result, diagnostics);

@@ -17,19 +17,19 @@ namespace pal::checker {
 /// The tables of one network while it is built. Everything is entered where it is first named.
 class Names {
  public:
-  /// `trusting`: a sketch. Names that are not declared are entered as they come, and nothing is reported.
+  /// `trusting`: for a sketch. Names that are not declared are entered as they come, and nothing is reported.
   Names(const Scope& scope, bool trusting, pan::Network& network, Diagnostics& diagnostics)
       : scope_(scope), trusting_(trusting), network_(network), diagnostics_(diagnostics) {}
 
-  /// Enters the module of this name; reports what is no module. `listed`: the template names it.
+  /// Enters the module of this name; reports it if it is not a module. `listed`: the template names it.
   std::optional<pan::ModuleId> module(const syntax::Name& name, bool listed);
-  /// What entered as this module was declared as; nullptr of one taken on trust.
+  /// The declaration of this module; nullptr if its name is only trusted.
   const syntax::ModuleUnit* unit_of(pan::ModuleId module) const { return units_[module.index()]; }
   std::optional<pan::ModuleId> entered_module(const std::string& name) const;
 
   /// A module or device that a message goes to or comes from. Checks kind words, and that the template lists
   /// a module.
-  /// `speaker`: who talks with it, and is not meant itself; empty: nobody known.
+  /// `speaker`: the module that communicates with it, and cannot be meant itself; empty: unknown.
   std::optional<pan::Party> party(const syntax::PartyName& name, const std::string& speaker = {});
   /// A module to execute, likewise.
   std::optional<pan::ModuleId> callee(const syntax::PartyName& name);
@@ -40,15 +40,15 @@ class Names {
   }
   std::optional<pan::ConditionId> condition(const syntax::Name& name);
 
-  /// A bare name in a body of `module`: an activity of it. Nothing, and nothing reported, if it has none so
-  /// called.
+  /// A bare name in a body of `module`: one of its activities. If it has none of this name: nothing, and no
+  /// report.
   std::optional<pan::ActivityId> activity(const syntax::Name& name, pan::ModuleId module) const;
   /// In a sketch: a bare name that is nothing else.
   pan::ActivityId trusted_activity(const syntax::Name& name, pan::ModuleId module);
   void enter_activities(pan::ModuleId module);
   void report_no_activity(const syntax::Name& name, pan::ModuleId module);
 
-  /// The channel for this talk, entered at its first use.
+  /// The channel for this message between these parties, entered at its first use.
   pan::ChannelId channel(const pan::Party& sender, pan::MessageId message, const pan::Party& receiver,
                          SourceSpan where);
 
@@ -63,7 +63,7 @@ class Names {
   pan::DeviceId enter_device(const syntax::Name& name, const syntax::DeviceUnit* unit);
   void check_kind(const syntax::PartyName& name, pan::ModuleId module);
   void check_listed(const syntax::Name& name, pan::ModuleId module);
-  /// Reports a name that means nothing: once, however often it is used.
+  /// Reports an unknown name, once, however often it is used.
   void unknown(Code code, const char* what, const syntax::Name& name, const std::vector<std::string>& known,
                const std::string& otherwise);
   /// Where this name is declared, as whatever; nothing if it is not.

@@ -154,19 +154,18 @@ class ParameterBuilder {
     if (literal.text) {
       diagnostics_.report(Code::PAL0614, literal.where,
                           "parameter " + quoted(written_.name.text) +
-                              (is_boolean() ? " is BOOLEAN: it is no text" : " is a number: it is no text"),
+                              (is_boolean() ? " is BOOLEAN, not a text" : " is a number, not a text"),
                           is_boolean() ? "write TRUE or FALSE, or declare the parameter TEXT"
                                        : "write a number, or declare the parameter TEXT");
       return false;
     }
     const bool truth = literal.digits.empty();
     if (truth == is_boolean()) return true;
-    diagnostics_.report(
-        Code::PAL0614, literal.where,
-        "parameter " + quoted(written_.name.text) +
-            (truth ? " is a number: it is not TRUE or FALSE" : " is BOOLEAN: it is no number"),
-        truth ? "write a number, or declare the parameter BOOLEAN"
-              : "write TRUE or FALSE, or declare the parameter REAL or INTEGER");
+    diagnostics_.report(Code::PAL0614, literal.where,
+                        "parameter " + quoted(written_.name.text) +
+                            (truth ? " is a number, not TRUE or FALSE" : " is BOOLEAN, not a number"),
+                        truth ? "write a number, or declare the parameter BOOLEAN"
+                              : "write TRUE or FALSE, or declare the parameter REAL or INTEGER");
     return false;
   }
 

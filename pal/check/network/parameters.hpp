@@ -7,8 +7,8 @@
 
 namespace pal::checker {
 
-/// A value with a unit of its own is converted exactly and rounded once. After a finding the result is of use
-/// for other findings only.
+/// A value with a unit of its own is converted exactly and rounded once. If something was reported, use the
+/// result only for further findings.
 pan::Parameter build_parameter(const syntax::Parameter& written, Diagnostics& diagnostics);
 
 }  // namespace pal::checker

@@ -59,9 +59,10 @@ class RequirementBuilder {
     const auto of = names_.party(loss.of);
     if (!of) return std::nullopt;
     if (!is_device(*of)) {
-      diagnostics_.report(Code::PAL0818, loss.of.name.where,
-                          quoted(loss.of.name.text) + " is no device: its messages wait until they are taken",
-                          "name a device, or a module without a body");
+      diagnostics_.report(
+          Code::PAL0818, loss.of.name.where,
+          quoted(loss.of.name.text) + " is not a device: its messages wait until they are taken",
+          "name a device, or a module without a body");
       return std::nullopt;
     }
     return pan::Loss{*of, loss.most, loss.in};
@@ -98,7 +99,7 @@ class RequirementBuilder {
     const std::string from = quoted(sample.from.name.text);
     if (!is_device(*sender)) {
       diagnostics_.report(Code::PAL0819, sample.from.name.where,
-                          from + " is no device: it measures nothing itself",
+                          from + " is not a device: it measures nothing itself",
                           "name the device that the values come from");
       return std::nullopt;
     }

@@ -7,7 +7,7 @@
 
 namespace pal::checker {
 
-/// Fills in Network::requirements. Reports those that name nothing.
+/// Fills in Network::requirements. Reports requirements that name nothing in the skill.
 void build_requirements(const syntax::SkillUnit& skill, Names& names, pan::Network& network,
                         Diagnostics& diagnostics);
 

@@ -71,7 +71,7 @@ void check_idle_modules(const pan::Network& network, Diagnostics& diagnostics) {
         diagnostics.report(Code::PAL0215, network.skill.where,
                            "skill " + quoted(network.skill.name) + " lists " + kind_text(module.kind) + " " +
                                quoted(module.name) + ", but nobody talks to it",
-                           "take it out of the template, or use it");
+                           "remove it from the template, or use it");
     finding.notes.push_back({module.where, "it is declared here"});
   }
 }

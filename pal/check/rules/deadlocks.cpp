@@ -31,8 +31,8 @@ void report_dead_end(const deadlock::Story& story, const pan::Network& network, 
   }
   if (culprit == nullptr) return;
   auto code = story.total ? Code::PAL0521 : Code::PAL0522;
-  auto message = story.total ? "skill " + quoted(network.skill.name) + " can get to where no module goes on: "
-                             : "skill " + quoted(network.skill.name) + " can get to where it never ends: ";
+  auto message = story.total ? "skill " + quoted(network.skill.name) + " can deadlock: "
+                             : "skill " + quoted(network.skill.name) + " can come to wait for ever: ";
   if (story.timely) {
     code = Code::PAL0523;
     message = "at unlucky times, " + message;
@@ -62,7 +62,7 @@ void report_untaken(const pan::Channel& channel, const pan::Network& network, Di
   diagnostics.report(Code::PAL0524, channel.where,
                      "no run of the skill takes " + quoted(message) + " from " +
                          party_name(network, channel.sender) + ": " + party_name(network, channel.receiver) +
-                         " never gets to a wait for it in time",
+                         " never reaches a wait for it in time",
                      "let " + party_name(network, channel.receiver) + " take it, or do not send it");
 }
 

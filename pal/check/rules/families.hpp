@@ -9,9 +9,9 @@
 
 namespace pal::checker {
 
-/// Who may talk to whom (thesis, figure 3.3).
+/// Which modules may communicate (thesis, figure 3.3).
 void check_layers(const pan::Network& network, Diagnostics& diagnostics);
-/// Messages that nobody sends or takes, requests that nobody answers, modules that nobody talks to.
+/// Messages that nobody sends or takes, requests that nobody answers, modules that exchange no messages.
 void check_channels(const pan::Network& network, Diagnostics& diagnostics);
 /// Requests for one answer in two blocks at once.
 void check_askers(const pan::Network& network, Diagnostics& diagnostics);
@@ -19,7 +19,7 @@ void check_askers(const pan::Network& network, Diagnostics& diagnostics);
 void check_writers(const pan::Network& network, Diagnostics& diagnostics);
 /// Conditions that are read before they are set.
 void check_reads(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics);
-/// CASE with no arm that holds, arms that never do, and loops whose end never holds.
+/// CASEs of which no arm may hold, arms that never hold, and loops whose end condition never holds.
 void check_cases(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics);
 /// Statements that are never reached, loops that spin.
 void check_flow(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics);

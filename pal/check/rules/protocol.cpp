@@ -109,7 +109,7 @@ void check_end(const pan::Network& network, const pan::Flow& flow, Diagnostics& 
   }
 }
 
-/// No way through the method, or through what it executes, gets to a completion.
+/// No way through the method, or through what it executes, reaches a completion.
 void check_completes(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics) {
   if (!network.main.valid()) return;
   const pan::Node* endless = nullptr;
@@ -130,7 +130,7 @@ void check_completes(const pan::Network& network, const pan::Flow& flow, Diagnos
   auto& finding =
       diagnostics.report(Code::PAL0512, network.modules[network.main.index()].where,
                          "skill " + quoted(network.skill.name) + " never completes: no way through " +
-                             quoted(network.modules[network.main.index()].name) + " gets to a completion",
+                             quoted(network.modules[network.main.index()].name) + " reaches a completion",
                          "let the loop end, or stand in a block of CONCURRENT beside one that ends");
   if (endless != nullptr) finding.notes.push_back({endless->where, "this loop never ends"});
 }

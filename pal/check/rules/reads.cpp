@@ -41,7 +41,7 @@ std::vector<pan::ConditionId> read_at(const pan::Content& content) {
 }
 
 /// Follows one condition through the modules that run as one: a module and those that it executes. Calls are
-/// followed without telling apart where they come from, which can only make it say less.
+/// followed without distinguishing where they come from, which can only lead to fewer findings.
 class Follower {
  public:
   Follower(const pan::Network& network, const pan::Flow& flow, pan::ConditionId condition)
@@ -185,7 +185,7 @@ class ReadCheck {
     report(Code::PAL0403, never, " is read here, but nothing can have set it",
            "set it with SPC before, or do not read it");
     report(Code::PAL0404, sometimes, " may be read here before it is set, and is FALSE then",
-           "set it before, or be sure that FALSE is what you mean");
+           "set it before, or make sure that FALSE is meant");
   }
 
  private:

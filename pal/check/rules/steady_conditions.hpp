@@ -1,4 +1,4 @@
-// Conditions whose values a way through a module knows: nobody else sets them meanwhile.
+// Conditions whose values are known along a way through a module, because nobody else sets them meanwhile.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@ class SteadyConditions {
  public:
   using Values = std::uint32_t;  // by bit; all are FALSE at the start
 
-  /// None: a test may go either way.
+  /// None: a test may have either outcome.
   explicit SteadyConditions(const pan::Network& network) : network_(&network) {}
 
-  /// Those that a thread sets and tests, with the modules that it executes, and no block nor anybody else sets. No
-  /// RPC latches them. Of more than eight the first.
+  /// Conditions that a thread sets and tests, with the modules that it executes, and that no block and no
+  /// other thread sets. No RPC latches them. If there are more than eight, the first eight.
   SteadyConditions(const pan::Network& network, pan::ModuleId outermost);
 
   bool none() const { return known_.empty(); }
 
-  /// The values that there may be at `next`, which follows `node`, after `values` before `node`. Empty: a way with these
-  /// values does not go there.
+  /// The possible values at `next`, which follows `node`, after `values` before `node`. Empty: a way with
+  /// these values does not go there.
   std::vector<Values> after(const pan::Node& node, pan::NodeId next, Values values) const;
 
  private:

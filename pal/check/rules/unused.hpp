@@ -10,9 +10,9 @@
 
 namespace pal::checker {
 
-/// Warns of messages, conditions and devices of `tree` that none of `skills` uses, and of times and devices
-/// that `environments`, of the same file, give to what no skill has. `skills` are those of this file, without
-/// errors. A file without a skill is a library: what one skill leaves is for another.
+/// Warns of messages, conditions and devices of `tree` that none of `skills` uses. Also warns of times and
+/// devices that `environments`, of the same file, give for something that no skill has. `skills` are those of
+/// this file, without errors. A file without a skill is a library, so it is not checked.
 void check_unused(const syntax::Tree& tree, const std::vector<const pan::Network*>& skills,
                   const std::vector<const pan::Environment*>& environments, Diagnostics& diagnostics);
 

@@ -8,13 +8,14 @@
 
 namespace pal::checker {
 
-/// The statements of a network on which nothing pauses. Nothing is assumed of conditions, as in Flow.
+/// The statements of a network that take no time. Conditions may have any value, as in Flow.
 class ZeroTimePaths {
  public:
   ZeroTimePaths(const pan::Network& network, const pan::Flow& flow);
 
-  /// Takes no time and gives no other thread the processor. A CONCURRENT can take no time if each of its
-  /// blocks that can end can do so, an Execute if its module has a zero-time path from its start to its end.
+  /// Takes no time and gives the processor to no other thread. A CONCURRENT can take no time if each of its
+  /// blocks that can end can do so. An Execute can if its module has a zero-time path from its start to its
+  /// end.
   bool takes_no_time(pan::ModuleId module, pan::NodeId node) const;
 
   /// Nodes that can come after one that takes no time, the blocks of a CONCURRENT left out.

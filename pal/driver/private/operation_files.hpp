@@ -10,8 +10,8 @@
 
 namespace pal::driver {
 
-/// Reads and checks the PAL of --skills, of whose folders every file counts, and of --environment. Of the
-/// skills only those stay in the session that `used` names.
+/// Reads and checks the PAL of --skills (all files of its folders) and of --environment. Only the skills that
+/// `used` names stay in the session.
 operations::Skills read_skills(const OperationOptions& options, const std::set<std::string>& used,
                                const Console& console, Session& session);
 

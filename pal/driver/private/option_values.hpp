@@ -25,10 +25,10 @@ CLI::Option* add_choice(CLI::App& command, const char* name, Value& value,
   return command.add_option_function<std::string>(name, choose, description);
 }
 
-/// Also where a number below 0 would be taken for a great one.
+/// Also refuses a number below 0, which would otherwise become a large one.
 CLI::Validator whole_number();
 
-/// "90", "90 s", "1.5min". Throws CLI::ValidationError of `option`, if it is none.
+/// "90", "90 s", "1.5min". Throws CLI::ValidationError of `option` for anything else.
 Duration duration_of(const std::string& text, const char* option);
 
 /// --timeout.

@@ -1,4 +1,4 @@
-// The nodes of a PAN one by one: what each says, before anybody asks what follows it.
+// The nodes of a PAN one by one: the content of each, before the edges are looked at.
 #pragma once
 
 #include <optional>

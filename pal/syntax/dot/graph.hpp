@@ -1,7 +1,7 @@
 // A DOT text as nodes, edges and the attributes that PAL gives them, each with its place.
 //
-// Not read by Graphviz' own cgraph, which writes SVG for us: it keeps no places, so that no error could name
-// a line; it reports to one place for the whole program; and it is made for texts that one trusts
+// Graphviz' own cgraph, which writes the SVG, is not used for reading. It keeps no places, so no error could
+// name a line; it reports errors to one function for the whole program; and it is made for trusted texts
 // (docs/reference/pan.md).
 #pragma once
 
@@ -66,8 +66,8 @@ struct DotGraph {
 constexpr std::size_t most_dot_nodes = 100'000;
 constexpr std::size_t most_dot_edges = 200'000;
 
-/// Reads one graph. What is no DOT is reported (PAL0114), once, and gives nothing; so is an attribute of PAL
-/// that there is not (PAL0117), and is left out. Never throws.
+/// Reads one graph. Text that is not DOT is reported (PAL0114), once, and gives nothing. An unknown attribute
+/// of PAL is reported (PAL0117) and left out. Never throws.
 std::optional<DotGraph> read_dot(const SourceManager& sources, FileId file, Diagnostics& diagnostics);
 
 }  // namespace pal::syntax

@@ -10,8 +10,8 @@
 
 namespace pal::syntax {
 
-/// The body that the graph shows; moves the statements out of `contents`. Ways that make no program are
-/// reported (PAL0116; PAL0105 if nested too deeply), then throws Reported.
+/// The body that the graph shows; moves the statements out of `contents`. Edges that make no program are
+/// reported (PAL0116; PAL0105 if nested too deeply); then it throws Reported.
 Statements read_structure(const DotGraph& graph, DotContents& contents, Diagnostics& diagnostics);
 
 }  // namespace pal::syntax

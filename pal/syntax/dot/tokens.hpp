@@ -22,7 +22,7 @@ struct DotToken {
   SourceSpan where;
 };
 
-/// The text is no DOT from here on. Never leaves pal/syntax.
+/// The text is not DOT from here on. Never leaves pal/syntax.
 struct NotDot {
   SourceSpan where;
   std::string message;

@@ -98,7 +98,7 @@ bool is_dot_attribute(std::string_view name) {
 void report_strange_attribute(const DotValue& name, Diagnostics& diagnostics) {
   const auto meant = nearest(name.text, all_attributes());
   diagnostics.report(
-      Code::PAL0117, name.where, "there is no attribute " + shown(name.text) + ", so it says nothing",
+      Code::PAL0117, name.where, "there is no attribute " + shown(name.text) + ", so it has no effect",
       meant ? "did you mean '" + *meant + "'?" : "remove it; docs/reference/pan.md lists the attributes");
 }
 

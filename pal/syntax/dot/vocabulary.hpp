@@ -25,8 +25,8 @@ bool is_dot_attribute(std::string_view name);
 /// A warning (PAL0117) that there is no such attribute, with the nearest one.
 void report_strange_attribute(const DotValue& name, Diagnostics& diagnostics);
 
-/// Does the node have a kind that there is, and what that kind needs? If not, says so (PAL0115). What the
-/// kind does not have is a warning (PAL0117).
+/// Does the node have a known kind, and all attributes that the kind needs? If not, reports it (PAL0115). An
+/// attribute that the kind does not have is a warning (PAL0117).
 bool check_attributes(const DotNode& node, Diagnostics& diagnostics);
 
 }  // namespace pal::syntax

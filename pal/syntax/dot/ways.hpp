@@ -10,8 +10,8 @@
 
 namespace pal::syntax {
 
-/// Ways out of each node. What is asked for and is not there is reported (PAL0116, PAL0115), then throws
-/// Reported.
+/// The ways out of each node. If a way that is asked for is missing, this is reported (PAL0116, PAL0115);
+/// then it throws Reported.
 class DotWays {
  public:
   DotWays(const DotGraph& graph, Diagnostics& diagnostics);

@@ -101,7 +101,7 @@ void DotWords::fail(const DotValue& at, std::string message, std::string hint) {
 Name DotWords::name(const DotValue& from) {
   const auto type = only_token(from.text);
   if (type != Lexer::NAME && !opens_unit(type) && !means_something_in_places(type)) {
-    fail(from, shown_word(from.text) + " is no name",
+    fail(from, shown_word(from.text) + " is not a name",
          "a name begins with a letter and goes on with letters, digits, '_' and inner hyphens; words such as "
          "CASE name "
          "nothing");
@@ -137,7 +137,7 @@ std::int64_t DotWords::number(const DotValue& from, std::int64_t most) {
   const char* end = from.text.data() + from.text.size();
   const auto read = std::from_chars(from.text.data(), end, result);
   if (read.ec != std::errc() || read.ptr != end || result < 0 || result > most) {
-    fail(from, shown_word(from.text) + " is no number that fits here",
+    fail(from, shown_word(from.text) + " is not a number that fits here",
          "write a whole number from 0 to " + std::to_string(most));
   }
   return result;
@@ -152,7 +152,8 @@ Guard DotWords::guard(const DotValue& from) {
       return std::move(*repeat->until);
     }
   }
-  fail(from, shown_word(from.text) + " is no condition of PAL", "write for example \"pc-force OR NOT pc-reach\"");
+  fail(from, shown_word(from.text) + " is no condition of PAL",
+       "write for example \"pc-force OR NOT pc-reach\"");
 }
 
 ActivityHeading DotWords::activity(const DotValue& from) {

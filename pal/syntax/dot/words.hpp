@@ -1,4 +1,4 @@
-// What stands in the attributes of a PAN: names, messages, numbers, guards, headings of activities.
+// Values of the attributes of a PAN: names, messages, numbers, guards, headings of activities.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 
 namespace pal::syntax {
 
-/// Ends the reading of what cannot be understood, after it was reported. Never leaves pal/syntax.
+/// Ends the reading of something that was reported. Never leaves pal/syntax.
 struct Reported {};
 
 /// The parts of "a;b", each at the place of the whole.
 std::vector<DotValue> dot_parts(const DotValue& value);
 
-/// Reads values; what is none of the kind asked for is reported (PAL0115), then throws Reported.
+/// Reads values. A value of the wrong form is reported (PAL0115); then it throws Reported.
 class DotWords {
  public:
   explicit DotWords(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}

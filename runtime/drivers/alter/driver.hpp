@@ -18,7 +18,7 @@ struct AlterDriverOptions {
   alter::Mode mode;
   /// From opening to the controller's first request.
   Time first_request_within = std::chrono::seconds(1);
-  /// A controller that asks for nothing for so long is switched off, or its cable is unplugged.
+  /// A controller that asks for nothing for this long is switched off, or its cable is unplugged.
   Time silent_for = std::chrono::milliseconds(60);
 };
 
@@ -26,9 +26,9 @@ struct AlterDriverOptions {
 /// mm, rx, ry, rz in deg); `request position` to it, answered at once by `position` (x, y, z in mm, rx, ry,
 /// rz in deg: the tool's tip in frame 0, as the controller's last request gave it).
 ///
-/// prepare() opens ALTER, release() closes it. Open, each request is answered: in a session by the skill's
-/// correction, otherwise by no motion. What rounding to the line's resolution leaves of a correction is added
-/// to the next one, so that thousands of small ones do not drift.
+/// prepare() opens ALTER, release() closes it. While it is open each request is answered: in a session by the
+/// skill's correction, otherwise by no motion. The part of a correction that is lost by rounding to the
+/// line's resolution is added to the next one, so thousands of small corrections do not drift.
 class AlterDriver final : public Driver, private LinkUser {
  public:
   /// What is given outlives the driver.
@@ -50,8 +50,8 @@ class AlterDriver final : public Driver, private LinkUser {
   bool released() const override { return state_ == State::closed; }
   std::string trouble() const override { return trouble_; }
 
-  /// The skill itself opens and closes ALTER, by other means: prepare() closes it, and a request that comes
-  /// later opens the session.
+  /// The skill itself opens and closes ALTER, by other means. So prepare() closes it, and a request that
+  /// comes later opens the session.
   void leave_opening_to_skill(bool leave) { opened_by_skill_ = leave; }
 
   /// The first instant at or after `from` at which a request is expected; `from` itself if ALTER is not open.

@@ -14,9 +14,9 @@
 namespace pal::runtime::alter {
 
 inline constexpr LineSpeed line{115200, 10};
-/// The controller begins a cycle so often. Each begins with a request.
+/// The period of the controller's cycle. Each cycle begins with a request.
 inline constexpr Time period = std::chrono::milliseconds(28);
-/// The answer must have come this long after its cycle began: the rest is for computing set-points.
+/// The answer must have arrived this long after its cycle began; the rest is for computing set-points.
 inline constexpr Time answer_within = std::chrono::milliseconds(24);
 
 /// x, y, z in mm and rx, ry, rz in degrees: a turn about x, then y, then z.
@@ -63,7 +63,8 @@ struct Garbled {
   std::string why;
 };
 
-/// Finds frames in what comes in, however it is cut. After garbled bytes it goes on with the next start byte.
+/// Finds frames in the bytes that come in, however they are cut. After garbled bytes it goes on with the next
+/// start byte.
 class Decoder {
  public:
   void feed(Bytes bytes);

@@ -19,7 +19,7 @@ inline constexpr std::size_t record_size =
     1 + 2 * axes;  // overload byte, then high and low byte of each axis
 inline constexpr double counts_per_newton = 20;
 inline constexpr double counts_per_newton_metre = 333.33;
-/// The end of the sensor's range, in counts: 65 N, 5 N*m. An axis that is overloaded says no more than this.
+/// The end of the sensor's range, in counts: 65 N, 5 N*m. The value of an overloaded axis stays there.
 inline constexpr int greatest_force = 1300;
 inline constexpr int greatest_torque = 1667;
 
@@ -31,8 +31,8 @@ struct Record {
   std::array<double, axes> values() const;
 };
 
-/// What comes from the sensor, byte by byte. One question at a time: each says what is to be written, and
-/// what feed() then takes for its answer.
+/// Reads what comes from the sensor, byte by byte. One question at a time: each function says what to write,
+/// and feed() then reads its answer.
 class Codec {
  public:
   enum class Progress {
@@ -41,10 +41,9 @@ class Codec {
     garbled,  // it is not what the protocol has: problem() says why. No question is open then.
   };
 
-  /// ^W: anything may come up to the prompt.
+  /// ^W: anything may come before the prompt.
   Bytes boot();
-  /// A line of text without its end: each character comes back, then whatever the sensor says, then the
-  /// prompt.
+  /// A line of text without its end. Each character comes back, then the sensor's answer, then the prompt.
   Bytes command(std::string_view text);
   /// ^T: its echo, if the sensor sends one, and a record of all six axes.
   Bytes request_record();
@@ -55,7 +54,7 @@ class Codec {
   std::string missing() const;
   const std::string& problem() const { return problem_; }
   bool asking() const { return question_ != Question::none; }
-  /// No question is open any more.
+  /// Forgets the open question.
   void forget() { question_ = Question::none; }
 
  private:

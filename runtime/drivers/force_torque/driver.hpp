@@ -20,16 +20,17 @@ struct ForceTorqueDriverOptions {
 
 /// Ports: `request wrench` to the device; `wrench` from it (fx, fy, fz in N, tx, ty, tz in N*m; pressing
 /// gives a negative fz). `request record` and `record` are the same with a seventh field, `overload`
-/// (BOOLEAN): an axis has left its range of 65 N or 5 N*m, and the values end there. An overload is no fault.
+/// (BOOLEAN): an axis has left its range of 65 N or 5 N*m, and its value stays at the limit. An overload is
+/// not a fault.
 ///
-/// prepare() starts the sensor anew: the load of that moment is the zero. Requests are served one at a time,
-/// in the order in which they come. A record that does not come, or is not one, is a fault.
+/// prepare() restarts the sensor; the load of that moment is the zero. Requests are served one at a time, in
+/// the order in which they come. A missing or wrong record is a fault.
 class ForceTorqueDriver final : public LinkedDriver {
  public:
   ForceTorqueDriver(Timeline& timeline, Link& link, ForceTorqueDriverOptions options = {});
 
   void prepare() override;
-  /// The start-up dialogue is over, well or badly.
+  /// The start-up dialogue is over, with success or not.
   bool ready() const override { return step_ == Step::none; }
   void open() override {}
   void receive(std::size_t port, std::span<const double> fields) override;

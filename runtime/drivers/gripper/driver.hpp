@@ -20,11 +20,10 @@ struct GripperDriverOptions {
 };
 
 /// Ports: `request state` to the device; `state` from it (width in mm, force in N, holding BOOLEAN: the
-/// fingers have stopped on something). VAL opens and closes the gripper; this line only tells
+/// fingers have stopped on something). VAL opens and closes the gripper; this line only reports
 /// (docs/workcell/gripper.md).
 ///
-/// prepare() asks once, to see that the gripper is there. An answer that does not come, or is not one, is a
-/// fault.
+/// prepare() asks once, to check that the gripper is there. A missing or wrong answer is a fault.
 class GripperDriver final : public LinkedDriver {
  public:
   GripperDriver(Timeline& timeline, Link& link, GripperDriverOptions options = {});

@@ -1,4 +1,4 @@
-// What driver and emulator of the range finder agree on (docs/workcell/range-finder.md).
+// The protocol that driver and emulator of the range finder share (docs/workcell/range-finder.md).
 #pragma once
 
 #include <chrono>

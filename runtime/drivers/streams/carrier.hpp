@@ -1,4 +1,4 @@
-// Bytes of a wire that leave the process and come back, in virtual time.
+// Sends the bytes of a wire out of the process and back, in virtual time.
 #pragma once
 
 #include <memory>
@@ -7,10 +7,10 @@
 
 namespace pal::runtime {
 
-/// Each parcel of a wire goes in at one side of a pseudo-terminal and must come out at the other side before
-/// the wire goes on: real descriptors, and still the same run each time. Both throw std::system_error when
-/// the system does not give what is needed; carry() throws std::runtime_error if bytes do not come out within
-/// a second.
+/// Each parcel of a wire goes in at one side of a pseudo-terminal, and must come out at the other side before
+/// the wire goes on. So there are real descriptors, and still the same run each time. Both functions throw
+/// std::system_error if the system does not give what is needed. carry() throws std::runtime_error if bytes
+/// do not come out within a second.
 std::unique_ptr<Carrier> pseudo_terminal_carrier();
 /// The same over a TCP connection on this machine.
 std::unique_ptr<Carrier> tcp_carrier();

@@ -12,17 +12,18 @@
 
 namespace pal::runtime {
 
-/// A link that leaves the process. Bytes that come in are stamped with the instant of station time at which
-/// they came, and are handed to the user by the timeline, at that instant. What the far end does not take is
-/// lost when the system's buffer is full, as on a serial line.
+/// A link that leaves the process. Bytes that come in are stamped with the station time at which they came,
+/// and the timeline hands them to the user at that instant. If the far end does not read and the system's
+/// buffer is full, bytes are lost, as on a serial line.
 class OutsideLink : public Link {
  public:
   /// Where a program finds the far end: "/dev/pts/3", "127.0.0.1:7000".
   virtual const std::string& address() const = 0;
 };
 
-/// Virtual time that waits for the wall clock: at a factor of 2 two seconds of station time pass in one. When
-/// the process falls behind, station time catches up as fast as it can; nothing is left out. One thread only.
+/// Virtual time in step with the wall clock: at a factor of 2 two seconds of station time pass in one. If the
+/// process falls behind, station time catches up as fast as it can, and nothing is left out. For one thread
+/// only.
 class Outside final : public Pace {
  public:
   /// Contract: factor > 0.
@@ -31,7 +32,7 @@ class Outside final : public Pace {
   Outside(const Outside&) = delete;
   Outside& operator=(const Outside&) = delete;
 
-  /// Returns after 50 ms of real time at the latest, so that whoever waits can be stopped.
+  /// Returns after 50 ms of real time at the latest, so that a waiting caller can be stopped.
   Time wait_until(Time when) override;
   void resumed(Time now) override;
 

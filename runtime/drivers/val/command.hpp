@@ -1,4 +1,4 @@
-// What a VAL II controller can be asked for, and what it answers, as values.
+// Commands to a VAL II controller and its answers, as values.
 #pragma once
 
 #include <array>
@@ -9,9 +9,9 @@
 
 namespace pal::runtime::val {
 
-/// What is asked for. Numbers 4 to 28 are those of the thesis (appendix E.1); the rest are ours. A PAL
-/// activity puts one into the field `verb` of the message `command`. In brackets: the fields that count, the
-/// others are passed over.
+/// A command. Numbers 4 to 28 are those of the thesis (appendix E.1); the rest are ours. A PAL activity puts
+/// one into the field `verb` of the message `command`. In brackets: the fields that count; the others are
+/// ignored.
 enum class Verb : std::int64_t {
   delay = 4,               // [a: s]
   open_hand = 5,           // OPENI
@@ -49,7 +49,7 @@ enum class Verb : std::int64_t {
   joint_speed = 48,  // [a: per cent] what straight_speed had taken the place of
 };
 
-/// What went wrong, for programs: a skill chooses its completion by it.
+/// The kind of an error, for programs: a skill chooses its completion by it.
 enum class Error : std::int64_t {
   none = 0,
   unreachable = 1,  // out of reach, of a joint's range or of what a joint or the tool can do in speed

@@ -1,4 +1,4 @@
-// Commands as lines of VAL, and answers out of VAL's text.
+// Commands as lines of VAL, and answers from VAL's text.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,21 @@
 
 namespace pal::runtime::val {
 
-/// The line of a command, without its end; empty for `clear`. Whole numbers are written as the thesis has
-/// them, others with up to three decimals. Not sent is what no line can say: `problem` tells why then.
+/// The line of a command, without its end; empty for `clear`. Whole numbers are written as the thesis writes
+/// them, others with up to three decimals. A command that no line can express is not sent; `problem` says
+/// why.
 struct LineOf {
   std::string line;
   std::string problem;
 };
 LineOf line_of(const Command& command);
 
-/// How long its answer may take: a motion `motion`, a delay its own time and `plain`, but no longer than a
-/// motion.
+/// The greatest time for its answer: `motion` for a motion; for a delay its own time and `plain`, but no
+/// longer than a motion.
 Time answer_time(const Command& command, Time plain, Time motion);
 
-/// The answer in what VAL showed between the line's end and the prompt (or the question of POINT).
+/// The answer, from the text that VAL showed between the line's end and the prompt (or the question of
+/// POINT).
 Answer read_answer(const Command& command, std::string_view shown);
 
 }  // namespace pal::runtime::val

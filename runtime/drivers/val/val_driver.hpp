@@ -16,12 +16,12 @@ namespace pal::runtime {
 
 struct ValOptions {
   std::string name = "val";
-  /// Longest times: until an echo has come, until an answer begins to be missed, until a motion is over.
+  /// Greatest times: until an echo has come, until an answer has begun, until a motion is over.
   Time echo_within = std::chrono::milliseconds(600);
   Time answer_within = std::chrono::seconds(3);
   Time motion_within = std::chrono::seconds(110);
-  /// A skill's answer does not come sooner after its request, so that `DEVICE val ON REQUEST 20 ms TO 2 min`
-  /// holds of commands as well that need no line.
+  /// A skill's answer does not come sooner after its request. So `DEVICE val ON REQUEST 20 ms TO 2 min` also
+  /// holds for commands that need no line.
   Time at_least = std::chrono::milliseconds(20);
 };
 
@@ -29,10 +29,10 @@ struct ValOptions {
 /// which has the last command carried out; `answer` from it (ok; code: val::Error; error: the first 24
 /// characters of its text; values: 12 numbers). A request that comes while a command is carried out waits.
 ///
-/// A line goes out without its Return; that follows when the echo has come back as it was sent, so that no
-/// line is carried out that was garbled on its way. What VAL shows unasked is passed over. When an answer
-/// does not come, the arm is stopped (ABORT) and the next command begins anew. close() stops what is under
-/// way, and what the skill began and left: a program, ALTER.
+/// A line goes out without its Return. The Return follows when the echo matches, so no garbled line is
+/// carried out. Unasked output of VAL is ignored. When an answer does not come, the arm is stopped (ABORT)
+/// and the next command begins anew. close() stops what is under way, and what the skill began and left
+/// running: a program, ALTER.
 class ValDriver final : public Driver, public LinkUser {
  public:
   using Done = std::function<void(const val::Answer&)>;

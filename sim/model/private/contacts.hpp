@@ -1,4 +1,4 @@
-// What touches what, as of the last step. Private to pal_sim.
+// The contacts of the last step. Private to pal_sim.
 #pragma once
 
 #include <optional>
@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "sim/model/private/physics.hpp"
+#include "sim/model/private/mujoco_physics.hpp"
 
 namespace pal::sim {
 
-/// Sum of the normal forces on what the tool is made to touch with, N.
+/// Sum of the normal forces on the touching parts of the tool (Role::touch), N.
 double contact_force(const Physics& physics);
 
 /// How hard the two finger pads press on what is between them, N, and whether that is one loose part.
@@ -24,8 +24,8 @@ Grip grip(const Physics& physics);
 /// A pair of shapes of which one is of the arm and was not made to touch the other.
 using Collision = std::pair<int, int>;
 
-/// Finds collisions. Those that were there when it was told to forgive stay forgiven until they have parted,
-/// so that an arm can be moved away from what it hit.
+/// Finds collisions. Collisions that exist at a call of forgive() do not count until the parts have
+/// separated, so that an arm can be moved away from what it hit.
 class CollisionWatch {
  public:
   std::optional<Collision> look(const Physics& physics);
@@ -35,7 +35,7 @@ class CollisionWatch {
   std::vector<Collision> forgiven_;
 };
 
-/// Any contact of the arm at all, the tool included: what a start may not have.
+/// Any contact of the arm at all, the tool included; a start must not have any.
 std::optional<Collision> any_contact_of_arm(const Physics& physics);
 
 }  // namespace pal::sim

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/model/private/physics.hpp"
+#include "sim/model/private/mujoco_physics.hpp"
 
 namespace pal::sim {
 

@@ -1,4 +1,4 @@
-// What MJCF's elements can hold. Private to pal_sim.
+// The elements and attributes of MJCF. Private to pal_sim.
 #pragma once
 
 #include <map>

@@ -1,17 +1,17 @@
-// What the parts of a model are, and what people call them. Private to pal_sim.
+// The parts of a model, and their names for people. Private to pal_sim.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-#include "sim/model/private/physics.hpp"
+#include "sim/model/private/mujoco_physics.hpp"
 
 namespace pal::sim {
 
 /// Finds what the workcell needs. Throws SceneError when the scene lacks something.
 ModelIndex find_names(const mjModel& model, ToolKind tool, const Scene& scene);
 
-/// The far half of the arm meets the near half: contacts between them are found, as collisions.
+/// Contacts between the outer half of the arm and the inner half are collisions.
 void let_arm_meet_itself(mjModel& model, const ModelIndex& index);
 
 /// The name of what a shape belongs to, "post 2"; empty if it has none.

@@ -1,4 +1,4 @@
-// A scene as plain values: what a .scene file says, before MuJoCo sees any of it. Private to pal_sim.
+// A scene as plain values: the content of a .scene file, before MuJoCo sees any of it. Private to pal_sim.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace pal::sim {
 
-/// What a kind of thing can be told, with how many figures and which values.
+/// A setting of a kind of thing: how many figures it has, and their ranges.
 struct Setting {
   std::string_view name;
   std::size_t least = 1;  // figures
@@ -27,7 +27,7 @@ struct Setting {
   bool needed = false;
 };
 
-/// A kind of thing that a scene can hold, with all that it can be told.
+/// A kind of thing that a scene can hold, with all its settings.
 struct ThingKind {
   std::string_view name;
   std::string_view what;

@@ -1,4 +1,4 @@
-// Cameras that are computed from what there is to see. Private to pal_sim.
+// Cameras whose place is computed from the scene. Private to pal_sim.
 #pragma once
 
 #include "sim/picture/private/stage.hpp"
@@ -13,8 +13,8 @@ class WorkcellCamera {
   /// `camera`: a camera of the model that is used instead, if there is one of this name.
   WorkcellCamera(const Stage& stage, double aspect, const std::string& camera);
 
-  /// The view of the stage as it stands. `calm`: how much of the way to the best view is left to later
-  /// pictures, 0 to 1.
+  /// The view of the stage in its present state. `calm`: how much of the way to the best view is left to
+  /// later pictures, 0 to 1.
   View view(const Stage& stage, double calm);
 
  private:

@@ -1,4 +1,4 @@
-// Where a camera must stand so that everything is in the picture. Private to pal_sim.
+// The place of a camera from which everything is in the picture. Private to pal_sim.
 #pragma once
 
 #include <Eigen/Dense>
@@ -22,8 +22,8 @@ struct View {
   Eigen::Vector3d eye() const { return target - distance * forward(); }
 };
 
-/// The nearest place, for one direction of looking, from which all points are in the picture. Points may be
-/// added for ever: what counts are four maxima.
+/// The nearest place, for one direction of view, from which all points are in the picture. Any number of
+/// points may be added, because only four maxima are kept.
 class Framing {
  public:
   /// `aspect`: width by height. `margin`: the part of the picture's half width and half height that stays

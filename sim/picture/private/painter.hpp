@@ -17,13 +17,13 @@ struct PainterOptions {
   Quality quality = Quality::fine;
 };
 
-/// Where shadows have to be sharp.
+/// The region in which shadows must be sharp.
 struct Focus {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double radius = 1;  // m
 };
 
-/// Lives and dies on one thread.
+/// For one thread only, from construction to destruction.
 class Painter {
  public:
   /// Throws NoOffscreen with everything that was tried.

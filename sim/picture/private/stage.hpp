@@ -1,16 +1,16 @@
-// A copy of the model that poses for pictures. Private to pal_sim.
+// A copy of the model for pictures. Private to pal_sim.
 #pragma once
 
 #include <array>
 #include <memory>
 
-#include "sim/model/private/physics.hpp"
+#include "sim/model/private/mujoco_physics.hpp"
 #include "sim/picture/private/framing.hpp"
 #include "sim/picture/private/snapshot.hpp"
 
 namespace pal::sim {
 
-/// Owns its model and its state: nothing that is drawn touches the physics, whatever thread it is drawn on.
+/// Owns its model and its state, so drawing never touches the physics, on whatever thread.
 class Stage {
  public:
   explicit Stage(const mjModel& model);

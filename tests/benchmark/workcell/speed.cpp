@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "sim/model/private/physics.hpp"
+#include "sim/model/private/mujoco_physics.hpp"
 #include "sim/program/session.hpp"
 #include "skills_pal/registry.hpp"
 #include "tests/benchmark/workcell/clock.hpp"

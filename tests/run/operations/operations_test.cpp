@@ -92,7 +92,7 @@ TEST_CASE("the program of the RAPL kind deals with all parts, which the operatio
   CHECK(placed == std::vector<int>{0, 1, 2});
 }
 
-TEST_CASE("a part is told by its height, picked, told by its width and put in its place") {
+TEST_CASE("a part is identified by its height, picked, identified by its width and placed") {
   const std::string part = GENERATE("low", "middle", "high");
   const bool collapsed = GENERATE(false, true);
   const Answer answer =

@@ -15,8 +15,9 @@ from pathlib import Path
 TABLE = "docs/skills_endings.md"
 INTRODUCTION = """# How each skill ends
 
-Every completion of every template, and the test cases in physics that end with it: they check the code, and the arm afterwards.
-`tests/run/skills/endings.py . --write` writes this table from the templates and the tests; a test fails when a completion has no run.
+This page lists every completion of every template, with the test cases in physics that end with it. These
+tests check the code, and the arm afterwards. `tests/run/skills/endings.py . --write` writes the table from
+the templates and the tests. A test fails when a completion has no run.
 
 """
 
@@ -39,7 +40,8 @@ def runs(test):
     """{(skill, code): [test case]} of a C++ file."""
     found = {}
     for case in re.split(r"(?=^TEST_CASE\()", test, flags=re.M)[1:]:
-        name = re.match(r'TEST_CASE\(\s*"([^"]*)"', case).group(1)
+        title = re.match(r'TEST_CASE\(\s*((?:"[^"]*"\s*)+)', case).group(1)
+        name = "".join(re.findall(r'"([^"]*)"', title))
         compared = re.findall(r'end_of\((?:[^;]|\n)*?\)\s*==\s*"([\w-]+) (\d+)"', case)
         for skill, code in compared:
             cases = found.setdefault((skill, int(code)), [])

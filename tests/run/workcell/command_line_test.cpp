@@ -194,14 +194,14 @@ TEST_CASE("bad input: place, cause, hint, status, and no files") {
           "approach-speed=20\n");
 }
 
-TEST_CASE("a file of faults that says nothing is refused") {
+TEST_CASE("an empty file of faults is refused") {
   const Folder folder;
   fs::create_directories(folder.path());
   const std::string file = folder.path() + "/empty.fault";
   std::ofstream(file) << "# nothing yet\n\n";
   const Answer answer = workcell({"run", "touch", "--fault", file});
   CHECK(answer.status == ExitStatus::wrong_specification);
-  CHECK(answer.error == "workcell: error: " + file + ": the file says nothing that is to go wrong\n" +
+  CHECK(answer.error == "workcell: error: " + file + ": the file names no fault\n" +
                             "  hint: write a line, for example: at 500 ms force-torque dropout\n");
 }
 

@@ -75,7 +75,7 @@ Seen AllRuns::enumerate(std::size_t most) {
   const bool loads = wanted_.kind == Wanted::Kind::load;
   std::int64_t before = -1;
   std::int64_t before_least = -1;
-  const auto arrived = [&](std::size_t from, const Every& every) {
+  const auto arrived = [&](std::size_t from, const AllDecisions& every) {
     const bool new_best = wanted_.kind == Wanted::Kind::least ? least_ != before_least : greatest_ > before;
     if ((s_.failed || new_best) && !seen.failed) best = Arrival{from, every.decided()};
     before = greatest_;
@@ -95,7 +95,7 @@ Seen AllRuns::enumerate(std::size_t most) {
     todo.emplace_back(s_, arrivals.size() - 1);
   };
   try {
-    Every every;
+    AllDecisions every;
     decisions_ = &every;
     do {
       begin();
@@ -105,7 +105,7 @@ Seen AllRuns::enumerate(std::size_t most) {
       const auto [from, index] = std::move(todo.front());
       todo.pop_front();
       long_before = waits_long(from);
-      Every each;
+      AllDecisions each;
       decisions_ = &each;
       do {
         s_ = from;
@@ -149,7 +149,7 @@ void AllRuns::retell(const std::vector<Arrival>& arrivals, const Arrival& last) 
   story.clear();
   telling_ = true;
   for (std::size_t i = path.size(); i-- > 0;) {
-    Again again(path[i]);
+    RecordedDecisions again(path[i]);
     decisions_ = &again;
     if (i + 1 == path.size()) {
       begin();

@@ -15,19 +15,20 @@ class Decisions {
   virtual int pick(int n) = 0;
 };
 
-class Lottery final : public Decisions {
+class RandomDecisions final : public Decisions {
  public:
-  explicit Lottery(std::uint64_t seed) : engine_(seed) {}
+  explicit RandomDecisions(std::uint64_t seed) : engine_(seed) {}
   int pick(int n) override { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
 
  private:
   std::mt19937_64 engine_;
 };
 
-/// As a lottery, but one that likes the first or the last: times come at their ends, phases together.
-class Gambler final : public Decisions {
+/// Random, with a preference for the first or the last: times at the ends of their intervals, phases
+/// together.
+class BiasedDecisions final : public Decisions {
  public:
-  explicit Gambler(std::uint64_t seed) : engine_(seed), habit_(static_cast<int>(engine_() % 4)) {}
+  explicit BiasedDecisions(std::uint64_t seed) : engine_(seed), habit_(static_cast<int>(engine_() % 4)) {}
   int pick(int n) override {
     const int any = static_cast<int>(engine_() % static_cast<std::uint64_t>(n));
     const bool by_habit = engine_() % 8 != 0;
@@ -41,7 +42,7 @@ class Gambler final : public Decisions {
 };
 
 /// Goes through all sequences of decisions.
-class Every final : public Decisions {
+class AllDecisions final : public Decisions {
  public:
   int pick(int n) override {
     if (at_ == taken_.size()) taken_.push_back({0, n});
@@ -66,9 +67,9 @@ class Every final : public Decisions {
 };
 
 /// Decides what was decided before.
-class Again final : public Decisions {
+class RecordedDecisions final : public Decisions {
  public:
-  explicit Again(std::vector<int> decided) : decided_(std::move(decided)) {}
+  explicit RecordedDecisions(std::vector<int> decided) : decided_(std::move(decided)) {}
   int pick(int) override { return decided_[at_++]; }
 
  private:

@@ -78,7 +78,7 @@ TEST_CASE("a run that is looked for withdraws a wrong proof as a whole") {
 }
 
 // The exact analysis shows 4 ms where the other one said 3: what that said of the busy period is not used.
-TEST_CASE("a run of an exploration withdraws what its verdict is put in the place of") {
+TEST_CASE("a run of an exploration withdraws the verdict that it replaces") {
   const auto skill = two();
   Provers provers = wrong(3 * ms);
   provers.exact = [](const Problem& problem, const Options& options) {

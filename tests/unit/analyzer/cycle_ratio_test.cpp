@@ -44,7 +44,7 @@ TEST_CASE("cycles that take no time do not count") {
   CHECK_FALSE(greatest_cycle_ratio(2, {{0, 1, 1, 1}}));
 }
 
-TEST_CASE("cycles whose times do not fit into 64 bits are told") {
+TEST_CASE("cycles whose times do not fit into 64 bits are recognised") {
   const std::int64_t longest = 1'000'000'000'000'000;
   CHECK(can_add_up(2'000, {{0, 1, 1, longest}, {1, 0, 1, 1}}));
   CHECK_FALSE(can_add_up(3'000, {{0, 1, 1, 1}, {1, 0, 1, longest}}));

@@ -89,7 +89,7 @@ END
   CHECK(verdict.explanation == "every run ends, and a load is that of the long run");
 }
 
-TEST_CASE("a skill that may wait for ever has a load of nothing") {
+TEST_CASE("a skill that may wait for ever has a load of 0") {
   const auto skill =
       test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 0 %", R"(
 Skill Module: SM1
@@ -105,7 +105,7 @@ END
   CHECK(verdict.bound == Duration(0));
 }
 
-TEST_CASE("a load is exact whatever the times have in common") {
+TEST_CASE("a load is exact whatever the common divisor of the times") {
   const auto skill = test::sound_skill(
       small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 40 %", worker,
                   "PROCESSOR P0\nPROCESSOR P1\nDEVICE MC1 EVENT tick EVERY 12000001 ns\nTIME "
@@ -120,7 +120,7 @@ TEST_CASE("a load is exact whatever the times have in common") {
   REQUIRE(verdict.witness);
 }
 
-TEST_CASE("what a load is in is a turn of its run, however it was proved") {
+TEST_CASE("a load is that of a turn of its run, however it was proved") {
   const auto skill = test::sound_skill(
       small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 50 %", worker,
                   "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 12000001 ns\nTIME "
@@ -133,7 +133,7 @@ TEST_CASE("what a load is in is a turn of its run, however it was proved") {
   CHECK(attained(verdict) == verdict.bound);
 }
 
-TEST_CASE("times that are long and have nothing in common take no longer") {
+TEST_CASE("long times without a common divisor take no longer") {
   const auto skill =
       test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 50 %", worker,
                                     "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 999999999999999 ns\nTIME "
@@ -196,7 +196,7 @@ Verdict by_shares(const std::string& round, const std::string& device) {
 
 }  // namespace
 
-TEST_CASE("a limit of a wait counts for what passed of it") {
+TEST_CASE("the limit of a wait counts for the part that passed") {
   const Verdict verdict =
       by_shares("WTM( tick from MC1 ) WITHIN 10000001 ns\n  work\nELSE\n  Do Nothing\nEND WTM",
                 "DEVICE MC1 EVENT tick EVERY 2000003 ns\n");

@@ -196,7 +196,7 @@ END
   CHECK(found.witness->measured.value > 50'000'000);
 }
 
-TEST_CASE("a requirement on what no run gets to is said to be so") {
+TEST_CASE("a requirement that no run can measure is reported") {
   const auto skill = test::sound_skill(small_skill(
       R"(  REQUIREMENT age   : AGE OF pc-high AT work IN SM1 AT MOST 50 ms
   REQUIREMENT twice : INTERVAL OF SPC( pc-high ) IN SM1 AT MOST 50 ms

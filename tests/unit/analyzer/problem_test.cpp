@@ -80,14 +80,14 @@ TEST_CASE("times that cannot be are findings, each with a code") {
   CHECK(with("EVENT tick EVERY 9223372036 s", "1 ms").find("PAL0704 ") == 0);
 }
 
-TEST_CASE("a processor with more to do than time is a warning that says by whom") {
+TEST_CASE("a processor with more work than time is a warning that names the threads") {
   const auto skill =
       test::skill_from_text(small_skill("", worker,
                                         "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 10 ms\nTIME work : 5 TO "
                                         "12 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
   REQUIRE(skill->problem);
   CHECK(test::messages(skill->diagnostics)
-            .find("PAL0820 processor P0 has more to do than time when events come as "
+            .find("PAL0820 processor P0 has more work than time when events come as "
                   "often as they may: 120.0 % (SM1 120.0 % for tick)") != std::string::npos);
 }
 

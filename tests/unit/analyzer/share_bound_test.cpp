@@ -22,13 +22,13 @@ WorkGraph two_timers(Passing first, std::int64_t first_work, Passing second, std
 
 }  // namespace
 
-TEST_CASE("shares of what goes on at once add up") {
+TEST_CASE("shares of simultaneous timers add up") {
   const auto bound = share_bound(two_timers({0, 10}, 3, {1, 15}, 5), {}, {});
   REQUIRE(bound);
   CHECK(bound->work * 30 == bound->time * 19);  // 3/10 + 5/15
 }
 
-TEST_CASE("shares of what never goes on at once do not add up") {
+TEST_CASE("shares of timers that never run at once do not add up") {
   WorkGraph graph = two_timers({0, 10}, 3, {1, 15}, 5);
   graph.together = {{0}, {1}};
   const auto bound = share_bound(graph, {}, {});

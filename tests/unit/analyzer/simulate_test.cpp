@@ -70,7 +70,7 @@ TEST_CASE("20,000 events at one instant end a run") {
   CHECK(made.script[made.script.size() - 20'000].at == made.end);
 }
 
-TEST_CASE("so they do where time may pass and does not, and not where it does") {
+TEST_CASE("events at one instant end a run where time may pass and does not, and not where it does") {
   const auto skill = talk("COST SEND 0 TO 1 us");
   REQUIRE(skill->problem);
   CHECK(run(*skill->problem, SimulationOptions::Times::best).script.size() < 20'010);

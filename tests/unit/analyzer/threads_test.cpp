@@ -129,7 +129,7 @@ TEST_CASE("kept apart, each CONCURRENT begins blocks of its own") {
   CHECK(same.steps.size() == plain->problem->steps.size());
 }
 
-TEST_CASE("modules that multiply in one another's blocks are refused in time") {
+TEST_CASE("modules whose blocks multiply are refused in time") {
   std::string text =
       "MESSAGE light : SIGNAL\nSKILL s\n  MACHINE CONTROLLER MC1\n  SKILL METHOD SM1\n  COMPLETION 0 NORMAL\n"
       "  COMPLETION 1 ERROR\n";

@@ -21,7 +21,7 @@ std::vector<std::string> names(const Timeline& timeline) {
   return result;
 }
 
-TEST_CASE("lanes of one processor stand together, neighbours are who talk") {
+TEST_CASE("lanes of one processor stand together, and communicating lanes are neighbours") {
   CHECK(names(timeline(touch_trace({}))) ==
         std::vector<std::string>{"alter", "MC1", "SM1", "SM1.2", "SM1.1", "LS1", "SD1", "force-torque"});
 }
@@ -78,7 +78,7 @@ TEST_CASE(
   CHECK(events == std::vector<std::string>{"tick"});
 }
 
-TEST_CASE("conditions have who set and who read them") {
+TEST_CASE("conditions show who set and who read them") {
   const Timeline found = timeline(signs_trace());
   REQUIRE(found.waveforms.size() == 1);
   const Waveform& wave = found.waveforms[0];

@@ -58,7 +58,7 @@ std::size_t syntax_errors(const test::Checked& checked) {
 
 }  // namespace
 
-TEST_CASE("a word too few gives few syntax errors") {
+TEST_CASE("a missing word gives few syntax errors") {
   const auto text = touch_skill();
   REQUIRE(test::check_text(text).diagnostics.errors() == 0);
   std::size_t silent = 0;
@@ -85,7 +85,7 @@ TEST_CASE("a word too few gives few syntax errors") {
   CHECK(10 * total <= 11 * all.size());
 }
 
-TEST_CASE("texts cut off, doubled and shuffled are survived") {
+TEST_CASE("texts that are cut off, doubled or shuffled do no harm") {
   const auto text = touch_skill();
   const auto all = words(text);
   constexpr unsigned seed = 20240607;

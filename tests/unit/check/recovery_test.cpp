@@ -175,7 +175,7 @@ void mutate(const Subject& subject, Distributions& into) {
 
 }  // namespace
 
-TEST_CASE("a word too few or too many gives one error, and seldom two") {
+TEST_CASE("a missing or superfluous word gives one error, rarely two") {
   Distributions all;
   for (const Subject& subject : subjects()) mutate(subject, all);
   std::ostringstream told;

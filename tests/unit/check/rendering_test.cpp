@@ -100,7 +100,7 @@ TEST_CASE("so many findings are shown, errors before warnings, and all are count
   }
 }
 
-TEST_CASE("findings beyond a bound are counted and not kept, of each severity for itself") {
+TEST_CASE("findings beyond the limit of their severity are counted and not kept") {
   constexpr auto most = Diagnostics::most_kept;
   Many many;
   many.report(Code::PAL0209, most + 7, 0);

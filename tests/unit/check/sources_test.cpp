@@ -46,7 +46,7 @@ TEST_CASE("carets stand below what they mean") {
   CHECK(width("\x1B") == 1);
 }
 
-TEST_CASE("names that a slip of the fingers explains") {
+TEST_CASE("misspelled names get suggestions") {
   const std::vector<std::string> names{"LS1", "SM1", "pc-force", "pc-reach"};
   CHECK(nearest("LS2", names) == "LS1");
   CHECK(nearest("pc-froce", names) == "pc-force");

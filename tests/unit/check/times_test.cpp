@@ -21,7 +21,7 @@ TEST_CASE("times are exact") {
   CHECK(time("9223372036.854775807", "s").count() == 9223372036854775807);
 }
 
-TEST_CASE("what is no time is refused") {
+TEST_CASE("a text that is not a time is refused") {
   const auto error = [](const char* number, const char* unit) {
     return std::get<DurationError>(parse_duration(number, unit));
   };

@@ -47,7 +47,7 @@ TEST_CASE("several waits for one message that answers nothing are refused, with 
   CHECK(stages.forest.refusal == refusal_of(stages.problem, stages.forest.segments, pal::test::goes_on));
 }
 
-TEST_CASE("who asks to stop gets no forest") {
+TEST_CASE("no forest is built after a stop was requested") {
   const Stages stages(chain("    work\n    SPC( pc-high )"));
   CHECK_FALSE(forest_of(stages.problem, [] { return true; }).refusal.empty());
 }

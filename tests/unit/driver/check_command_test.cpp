@@ -103,7 +103,7 @@ TEST_CASE("the parts of a load that are printed add up, and its limit is as it w
   CHECK(answer.err.find("at most 58.57142 % is required") != std::string::npos);
 }
 
-TEST_CASE("who waits for a message on its way is who takes it") {
+TEST_CASE("the thread that waits for a message on its way takes it") {
   const auto answer =
       pal::test::pal({"check", touch, "-e", cell, "--analysis", "compositional", "--explain"});
   INFO(answer.out);
@@ -206,7 +206,7 @@ TEST_CASE("check shows a hundred findings unless told otherwise, and ends the sa
     CHECK(answer.status == ExitStatus::wrong_specification);
     const auto& text = options.back() == "json" ? answer.out : answer.err;
     std::size_t count = 0;
-    for (auto at = text.find("is no unit"); at != std::string::npos; at = text.find("is no unit", at + 1))
+    for (auto at = text.find("is not a unit"); at != std::string::npos; at = text.find("is not a unit", at + 1))
       ++count;
     return count;
   };
@@ -349,7 +349,7 @@ END ENVIRONMENT
 
 }  // namespace
 
-TEST_CASE("what grows for long and ends with the skill breaks nothing") {
+TEST_CASE("a value that grows until the skill ends breaks nothing") {
   for (const int bits : {3, 8, 10}) {
     pal::MemoryFileSystem files;
     files.add("s.pal", counts_and_ends(bits));
@@ -362,7 +362,7 @@ TEST_CASE("what grows for long and ends with the skill breaks nothing") {
   }
 }
 
-TEST_CASE("what to do about a sample that is too old is said of samples") {
+TEST_CASE("the hint for an old sample speaks of samples") {
   std::string text = text_of("two_drivers");
   const std::string before = "REQUIREMENT b : BUSY PERIOD OF P0 AT MOST 50 ms";
   text.replace(text.find(before), before.size(), "REQUIREMENT a : AGE OF y FROM d1 AT w IN MC1 AT MOST 1 ms");
@@ -372,7 +372,7 @@ TEST_CASE("what to do about a sample that is too old is said of samples") {
   CHECK(answer.err.find("hint: ask for the sample later, or more often, or shorten") != std::string::npos);
 }
 
-TEST_CASE("a load of which nothing is known has no bound, and is over by nothing") {
+TEST_CASE("an unknown load has no bound and no excess") {
   const pal::MemoryFileSystem files = in_memory(text_of("unknown_load"));
   for (const std::vector<std::string>& how : {std::vector<std::string>{"--analysis", "compositional"},
                                               {"--analysis", "exact", "--max-states", "5"}}) {
@@ -392,7 +392,7 @@ TEST_CASE("a load of which nothing is known has no bound, and is over by nothing
   }
 }
 
-TEST_CASE("a load that may be all the time holds whatever is known") {
+TEST_CASE("a limit of 100 % always holds") {
   std::string all = text_of("unknown_load");
   all.replace(all.find("AT MOST 50 %"), 12, "AT MOST 100 %");
   const Answer answer = pal::test::pal({"check", "s.pal", "--analysis", "compositional"}, in_memory(all));

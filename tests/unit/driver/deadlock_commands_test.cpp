@@ -77,7 +77,7 @@ TEST_CASE("resources names what the environment lacks, by group") {
                                             "activities: retreat"});
   CHECK(compared.size() == 1);
   const auto check = test::pal({"check", "touch/touch.pal", "-e", "bare.pal"}, files);
-  CHECK(check.err.find("error[PAL0721]: environment bare places SD1 nowhere") != std::string::npos);
+  CHECK(check.err.find("error[PAL0721]: environment bare does not place SD1") != std::string::npos);
   CHECK(check.err.find("PAL0740") == std::string::npos);  // each lack is told once
 }
 

@@ -176,7 +176,7 @@ END ENVIRONMENT
   CHECK(std::stoi(picture.substr(height + 8)) < 2'000);
 }
 
-TEST_CASE("who ends the search before there is a run to draw or to write is told so") {
+TEST_CASE("a search that ends before there is a run to draw or write says so") {
   const std::string nowhere = (std::filesystem::temp_directory_path() / own_name("no_run")).string();
   const Answer drawn = pal::test::pal({"atc", touch, "-e", cell, "-o", nowhere, "--timeout", "1ns"});
   CHECK(drawn.status == ExitStatus::not_met);
@@ -198,7 +198,7 @@ TEST_CASE("the chart of an event without a response shows that event, not the on
   std::filesystem::remove(picture);
 }
 
-TEST_CASE("what is no length of time is drawn as what it is, or not at all") {
+TEST_CASE("a value that is not a length of time is drawn in its own unit, or not at all") {
   const pal::MemoryFileSystem files = in_memory(text_of("skipped_frames"));
   const Folder folder("numbers");
   const std::string picture = folder.file("s.svg");

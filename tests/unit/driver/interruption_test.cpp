@@ -15,7 +15,7 @@ TEST_CASE("Ctrl-C after a proof and before its report is written is only marked"
   CHECK(Interruption::asked_for());
 }
 
-TEST_CASE("an interruption is that of one command") {
+TEST_CASE("an interruption affects one command only") {
   const Interruption command;
   CHECK_FALSE(Interruption::asked_for());
 }

@@ -29,7 +29,7 @@ TEST_CASE("files are written whole or not at all") {
   fs::remove_all(folder);
 }
 
-TEST_CASE("what is no file stays what it is, and is written itself") {
+TEST_CASE("a pipe or device is written directly and stays what it is") {
   const fs::path folder = fs::temp_directory_path() / pal::test::own_name("pal-output-to-a-pipe");
   fs::remove_all(folder);
   fs::create_directories(folder);
@@ -48,7 +48,7 @@ TEST_CASE("what is no file stays what it is, and is written itself") {
   fs::remove_all(folder);
 }
 
-TEST_CASE("no file of the user's is in the way of a draft, nor written by way of one") {
+TEST_CASE("drafts never collide with files of the user") {
   const fs::path folder = fs::temp_directory_path() / pal::test::own_name("pal-output-drafts");
   fs::remove_all(folder);
   fs::create_directories(folder);
@@ -88,7 +88,7 @@ struct OutputFolder {
 
 }  // namespace
 
-TEST_CASE("no command writes over what it has read, nor what is no PAL to a file that is called so") {
+TEST_CASE("no command overwrites its input, or writes anything but PAL to a .pal file") {
   const OutputFolder folder;
   const auto size = fs::file_size(folder.cell);
   const std::string touch = pal::test::skill("touch/touch.pal");

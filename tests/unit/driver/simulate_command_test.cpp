@@ -109,7 +109,7 @@ TEST_CASE("a run that is written shows the value that is reported") {
   std::filesystem::remove(chart);
 }
 
-TEST_CASE("what cannot be simulated is said") {
+TEST_CASE("a skill that cannot be simulated is reported") {
   expect_refused({"simulate", touch}, "give an environment with --environment FILE");
   expect_refused({"simulate", touch, "-e", cell, "--runs", "0"}, "--runs");
   expect_refused({"simulate", touch, "-e", cell, "--until", "soon"}, "no length of time");
@@ -143,7 +143,7 @@ OrderedJson simulated(const std::string& text, const std::string& until, ExitSta
 
 }  // namespace
 
-TEST_CASE("a run that is cut breaks nothing by what need not count") {
+TEST_CASE("a run that is cut off breaks nothing by values that need not count") {
   const pal::MemoryFileSystem files = in_memory(ends_before_the_answer);
   CHECK(pal::test::pal({"check", "s.pal"}, files).out.find("  never      x") != std::string::npos);
 
@@ -164,7 +164,7 @@ TEST_CASE("a run that is cut breaks nothing by what need not count") {
   CHECK(requirement(whole, "x").at("extreme_ns").is_null());
 }
 
-TEST_CASE("what grows where nothing happens any more counts") {
+TEST_CASE("a value counts that grows where nothing happens any more") {
   const OrderedJson made = simulated(stands_still, "30ms", ExitStatus::not_met);
   CHECK(requirement(made, "x").at("broken_runs") == 5);
   CHECK(requirement(made, "x").at("open_runs") == 0);
@@ -215,7 +215,7 @@ TEST_CASE("a run that is not looked at to its end counts for nothing") {
   CHECK(before > 4);
 }
 
-TEST_CASE("what is at work when a run ends has its processor until then") {
+TEST_CASE("a thread at work when a run ends has its processor until then") {
   const pal::MemoryFileSystem files = in_memory(text_of("ends_at_work"));
   const auto load = [&](const std::string& until) {
     const Answer answer =

@@ -18,7 +18,7 @@ bool says(const Answer& answer, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("slack: what fails as things are, what is not known, what was not looked for") {
+TEST_CASE("slack: fails as things are, not known, not looked for") {
   const Answer fails = pal::test::pal({"whatif", read_first, "-e", cell});
   CHECK(fails.status == ExitStatus::not_met);
   CHECK(says(fails, "none              'fresh-force' does not hold as things are"));
@@ -31,7 +31,7 @@ TEST_CASE("slack: what fails as things are, what is not known, what was not look
   CHECK_FALSE(says(ended, "does not hold"));
 }
 
-TEST_CASE("how few processors do is said of the priorities that were tried") {
+TEST_CASE("the fewest processors are claimed only for the priorities that were tried") {
   const Answer kept = pal::test::pal({"whatif", places, "--environment-name", "reading", "--place", "0"});
   CHECK(says(kept, "2 processors do; with the priorities as they are fewer do not: each placement"));
   const Answer all =
@@ -39,15 +39,15 @@ TEST_CASE("how few processors do is said of the priorities that were tried") {
   CHECK(says(all, "2 processors do; fewer do not: each placement"));
 }
 
-TEST_CASE("what an option cannot be is refused with what it can be") {
+TEST_CASE("a wrong value of an option is refused with the allowed ones") {
   expect_refused({"check", touch, "--format", "xml"}, "'xml' is none of json, junit, sarif, text");
   expect_refused({"check", touch, "--format", "1"}, "'1' is none of json, junit, sarif, text");
   expect_refused({"check", touch, "--analysis", "long"}, "'long' is none of auto, compositional, exact");
-  expect_refused({"check", touch, "--max-states", "-1"}, "'-1' is no whole number from 0 on");
-  expect_refused({"check", touch, "--threads", "many"}, "'many' is no whole number from 0 on");
+  expect_refused({"check", touch, "--max-states", "-1"}, "'-1' is not a whole number from 0 on");
+  expect_refused({"check", touch, "--threads", "many"}, "'many' is not a whole number from 0 on");
   expect_refused({"check", touch, "--threads", "1001"}, "1001 not in range 0 to 1000");
-  expect_refused({"check", touch, "--max-errors", "-1"}, "'-1' is no whole number from 0 on");
-  expect_refused({"simulate", touch, "-e", cell, "--seed", "-1"}, "'-1' is no whole number from 0 on");
+  expect_refused({"check", touch, "--max-errors", "-1"}, "'-1' is not a whole number from 0 on");
+  expect_refused({"simulate", touch, "-e", cell, "--seed", "-1"}, "'-1' is not a whole number from 0 on");
   expect_refused({"simulate", touch, "-e", cell, "--until", "4000000001 s"},
                  "a run is no longer than 4000000000 s");
   expect_refused({"simulate", touch, "-e", cell, "--seed", "18446744073709551616"}, "of 64 bits");
@@ -92,7 +92,7 @@ TEST_CASE("an environment that lacks what the skill needs is refused by all that
   }
 }
 
-TEST_CASE("a loop in which no time passes is said to be one by all that reckon with times") {
+TEST_CASE("every command that uses times reports a loop in which no time passes") {
   std::string text = two_drivers;
   const std::string time = "a OF SM1 : 50 ms";
   text.replace(text.find(time), time.size(), "a OF SM1 : 0 ms");
@@ -115,7 +115,7 @@ TEST_CASE("a loop in which no time passes is said to be one by all that reckon w
   CHECK(mended.err.find("PAL0821") == std::string::npos);
 }
 
-TEST_CASE("a time that cannot be is one error, not an interval that runs backwards as well") {
+TEST_CASE("an impossible time is one error, without a second one about its interval") {
   for (const char* time : {"1 TO -3 ms", "1 TO 9223372036854775808 ns", "1 TO 1.5 ns"}) {
     std::string text = two_drivers;
     const std::string before = "w OF MC1 : 1 TO 3 ms";

@@ -45,7 +45,7 @@ TEST_CASE("a cancelled action is not called, and a late cancel hits no other act
   REQUIRE(calls == 10);
 }
 
-TEST_CASE("the past cannot be asked for", "[timeline]") {
+TEST_CASE("an action in the past is refused", "[timeline]") {
   Timeline timeline;
   timeline.advance_to(5ms);
   REQUIRE_THROWS_AS(timeline.at(4ms, [] {}), std::logic_error);

@@ -101,7 +101,7 @@ TEST_CASE("places are those of the text") {
   CHECK(sources.text(icon.next.where) == "\"a\"");
 }
 
-TEST_CASE("no text makes the reader fall") {
+TEST_CASE("no text makes the reader crash") {
   const std::string whole = test::operation(test::looping);
   for (std::size_t length = 0; length < whole.size(); ++length) {
     Diagnostics diagnostics;

@@ -107,7 +107,7 @@ TEST_CASE("a stop ends a delay, which begins anew") {
   CHECK(runner.ran == std::vector<std::string>{"go"});
 }
 
-TEST_CASE("what a test and a wait can end with is known") {
+TEST_CASE("the possible codes of a test and a wait are known") {
   const auto program = program_of(operation(three_ways));
   const auto codes = possible_codes(program, {});
   CHECK(codes.exits[0] == std::set<int>{-1, 0, 1, 2});

@@ -123,7 +123,7 @@ TEST_CASE("a request goes out before the loop, and in it as soon as the last ans
                                               "  UNTIL( forever )\n"));
 }
 
-TEST_CASE("who asks ahead already, or asks twice in a round, is left alone") {
+TEST_CASE("a loop that asks ahead already, or asks twice, is left alone") {
   const Parsed ahead(
       "  TXM( request profile from RF )\n"
       "  REPEAT\n"

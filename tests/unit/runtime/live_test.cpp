@@ -63,7 +63,7 @@ TEST_CASE("a ring gives what was put in, in order; what finds it full is dropped
   CHECK(all_of(ring).empty());
 }
 
-TEST_CASE("whoever looks on gets the events of the trace, also where the run keeps none") {
+TEST_CASE("an observer gets the events of the trace, also if the run keeps none") {
   for (const TraceMode mode : {TraceMode::all, TraceMode::last, TraceMode::none}) {
     Talk expected(20), live(20);
     TraceRing ring(1024);

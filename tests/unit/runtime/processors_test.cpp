@@ -72,7 +72,7 @@ TEST_CASE("on a processor that is not preemptive it waits until the running thre
         "10 done Long end\n");
 }
 
-TEST_CASE("an equal does not interrupt") {
+TEST_CASE("a thread of equal priority does not interrupt") {
   Interrupted bench(true, 1);
   CHECK(only(to_text(run(bench.skill).trace), {"Urgent"}) ==
         "0 block Urgent WTM go\n"

@@ -180,7 +180,7 @@ TEST_CASE("real time: a more urgent thread interrupts an activity on a preemptiv
     co_await t.perform(free, [&] { freed = true; });
   });
   auto options = real_time();
-  options.real_time->patience = 20s;
+  options.real_time->hang_timeout = 20s;
   options.real_time->fifo = GENERATE(true, false);
   const auto outcome = run(skill, {&device}, options);
   CAPTURE(outcome.reason);

@@ -44,7 +44,7 @@ TEST_CASE("nothing is obeyed before the token") {
   CHECK(web.cell.runs == 0);
 }
 
-TEST_CASE("requests that are none are answered by the rules of JSON-RPC") {
+TEST_CASE("wrong requests are answered by the rules of JSON-RPC") {
   Web web;
   web.enter();
   CHECK(web.error("{") == -32700);

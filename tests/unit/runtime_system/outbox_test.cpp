@@ -18,7 +18,7 @@ TEST_CASE("answers and events are kept, of telemetry the oldest goes and is coun
   CHECK_FALSE(outbox.take());
 }
 
-TEST_CASE("what does not fit is refused, never left out in silence") {
+TEST_CASE("a message that does not fit is refused, never dropped silently") {
   Outbox outbox({10, 2});
   CHECK(outbox.put("0123456789"));
   CHECK_FALSE(outbox.put("x"));

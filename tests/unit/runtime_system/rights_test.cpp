@@ -42,7 +42,7 @@ TEST_CASE("only this machine's names and its own pages come in, unless others ar
   CHECK(host_allowed("cell.example:7400", doors));
 }
 
-TEST_CASE("others cannot read where the token is, and what they could read is not believed") {
+TEST_CASE("others cannot read the token's file, and a file that they could read is not trusted") {
   const std::string folder = std::filesystem::temp_directory_path() / ("pal-announcement-" + make_token());
   const std::string path = folder + "/workcell.json";
   announce(path, {"127.0.0.1", 7400, "secret"});

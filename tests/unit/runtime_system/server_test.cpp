@@ -127,7 +127,7 @@ TEST_CASE("both doors run the same skills") {
   CHECK(served.cell.runs == 3);
 }
 
-TEST_CASE("who has no token, or no right to be here, moves nothing and is shown out") {
+TEST_CASE("a client without token or rights moves nothing and is disconnected") {
   Served served;
   SECTION("a wrong token") {
     Client client("127.0.0.1", served.server.port());

@@ -69,7 +69,7 @@ TEST_CASE("faults: an arm that has hit something does not go on pressing on it")
   CHECK((workcell.tool().translation() - there).norm() < 1e-4);  // and it does not sink
 }
 
-TEST_CASE("faults: a listener that is gone is not called") {
+TEST_CASE("faults: a destroyed listener is not called") {
   Workcell workcell(scene("bar-under-forearm"));
   int called = 0;
   workcell.on_fault([&](const ArmFault&) { ++called; }).reset();

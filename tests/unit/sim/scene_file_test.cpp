@@ -108,9 +108,10 @@ TEST_CASE("scene files: what is wrong has its line, its cause and a way out") {
   CHECK(second_line("sensor eye 1 2 3") == "my.scene:2: the sensor does not say where it stands");
   CHECK(second_line("sensor eye at 1 2") == "my.scene:2: the sensor has too few figures");
   CHECK(second_line("sensor eye at 1 2 x") == "my.scene:2: 'x' is not a number");
-  CHECK(second_line("sensor force-z at 1 2 3") == "my.scene:2: sensor 'force-z' begins as those of the arm do");
+  CHECK(second_line("sensor force-z at 1 2 3") ==
+        "my.scene:2: sensor 'force-z' begins as those of the arm do");
   CHECK(refused("start 1 2 3\nsensor s at 1 2 3\nsensor s at 1 2 3\n").cause() == "sensor s is said twice");
-  CHECK(second_line("about") == "my.scene:2: 'about' says nothing");
+  CHECK(second_line("about") == "my.scene:2: 'about' needs a text");
   CHECK(second_line("post \"tool\" at 1 2") == "my.scene:2: there is more than one thing named 'tool'");
 
   CHECK(refused("start 1 2\n").cause() == "the start has too few figures");
@@ -221,7 +222,7 @@ TEST_CASE("scene files: whatever is within the ranges loads, or is refused in ou
   }
 }
 
-TEST_CASE("scene files: text by chance is read or refused with its line") {
+TEST_CASE("scene files: random text is read or refused with its line") {
   const std::uint64_t seed = 5;
   CAPTURE(seed);
   Random random(seed, 0);

@@ -38,7 +38,7 @@ TEST_CASE("the arm follows straight lines within a tenth of a millimetre") {
   CHECK(workcell.tool().linear().isApprox(start.linear(), 1e-4));
 }
 
-TEST_CASE("physics goes in whole milliseconds, however it is asked") {
+TEST_CASE("physics advances in whole milliseconds, whatever the calls") {
   Workcell one(scene("touch")), many(scene("touch"));
   one.move({0, 0, 1, 0, 0, 0}, CorrectionFrame::tool, 0ms);
   many.move({0, 0, 1, 0, 0, 0}, CorrectionFrame::tool, 0ms);

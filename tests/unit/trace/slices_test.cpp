@@ -78,7 +78,7 @@ TEST_CASE("a send that finds its slot full runs, then waits") {
   CHECK(found[2].ending == Ending::effect);
 }
 
-TEST_CASE("what is still going on when the trace ends is open") {
+TEST_CASE("slices that last until the trace ends are open") {
   const auto found = slices(two_actors({{3, Kind::busy, 1, -1, -1, 0}, {8, Kind::complete, 0, 1, -1, 0}}));
   REQUIRE(found.size() == 1);
   CHECK(found[0] == Slice{1, State::serving, Ending::open, -1, -1, 3, 8});

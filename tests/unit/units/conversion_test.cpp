@@ -102,7 +102,7 @@ TEST_CASE("a unit there and back is the same number") {
   }
 }
 
-TEST_CASE("what cannot be converted is told") {
+TEST_CASE("units that do not convert are reported") {
   CHECK_FALSE(converted("", {2, 1}));
   CHECK_FALSE(converted("-", {2, 1}));
   CHECK_FALSE(converted("1x", {2, 1}));

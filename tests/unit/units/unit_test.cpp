@@ -71,7 +71,7 @@ TEST_CASE("what has no exact conversion has none") {
   CHECK(factor("W/degC", "W/K") == Ratio{1, 1});
 }
 
-TEST_CASE("what is no unit is told") {
+TEST_CASE("a text that is not a unit is recognised") {
   for (const char* text : {"", "furlong", "m^", "m^0", "m^12", "m**s", "/s", "m/", "% ", "m%", "Mm"}) {
     CAPTURE(text);
     CHECK_FALSE(parse_unit(text));

@@ -32,7 +32,7 @@ TEST_CASE("several figures grow in proportion to the longest, rounded up") {
   CHECK(after.costs.read.worst == Duration(8));  // 0.7 more
 }
 
-TEST_CASE("figures that are all nothing grow alike") {
+TEST_CASE("figures that are all 0 grow alike") {
   const pan::Environment before = with_times(0, 0);
   const pan::Environment after = Growth(before, {"SEND", "READ"}).by(10);
   CHECK(after.costs.send.worst == Duration(10));

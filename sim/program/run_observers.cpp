@@ -1,4 +1,4 @@
-#include "sim/program/onlookers.hpp"
+#include "sim/program/run_observers.hpp"
 
 namespace pal::workcell {
 
@@ -9,7 +9,7 @@ sim::PictureOptions captioned(sim::PictureOptions options, const runtime::Skill&
   return options;
 }
 
-Onlookers::Onlookers(sim::Workcell& workcell, const runtime::Skill& skill, const Session& session) {
+RunObservers::RunObservers(sim::Workcell& workcell, const runtime::Skill& skill, const Session& session) {
   if (!session.video.empty()) {
     sim::VideoOptions options{.file = session.video};
     options.picture = captioned(options.picture, skill, session);
@@ -18,7 +18,7 @@ Onlookers::Onlookers(sim::Workcell& workcell, const runtime::Skill& skill, const
   if (session.progress != nullptr) progress_.emplace(workcell, *session.progress, session.terminal);
 }
 
-std::vector<Watcher> Onlookers::watchers() {
+std::vector<Watcher> RunObservers::watchers() {
   std::vector<Watcher> result;
   if (video_)
     result.push_back({sim::video_period, [this] {
@@ -29,7 +29,7 @@ std::vector<Watcher> Onlookers::watchers() {
   return result;
 }
 
-std::string Onlookers::end() {
+std::string RunObservers::end() {
   if (progress_) progress_->end();
   if (!video_) return {};
   try {

@@ -1,4 +1,4 @@
-#include "analyzer/verdict/telling.hpp"
+#include "analyzer/verdict/narrator.hpp"
 
 #include <algorithm>
 
@@ -29,7 +29,7 @@ std::vector<std::vector<Slice>> by_actor(const trace::Trace& trace, const std::v
 
 }  // namespace
 
-Telling::Telling(const Problem& problem, const trace::Trace& run)
+Narrator::Narrator(const Problem& problem, const trace::Trace& run)
     : problem_(problem),
       run_(run),
       slices_(trace::slices(run)),
@@ -52,7 +52,7 @@ Telling::Telling(const Problem& problem, const trace::Trace& run)
   }
 }
 
-Reason Telling::reason(Nanoseconds from, Nanoseconds to, int actor, std::string what, int of) const {
+Reason Narrator::reason(Nanoseconds from, Nanoseconds to, int actor, std::string what, int of) const {
   Reason made{
       from, to, actor < 0 ? "" : run_.actors[static_cast<std::size_t>(actor)].name, std::move(what), "",
       0,    {}};
@@ -63,7 +63,7 @@ Reason Telling::reason(Nanoseconds from, Nanoseconds to, int actor, std::string 
   return made;
 }
 
-std::string Telling::doing(const Slice& slice) const {
+std::string Narrator::doing(const Slice& slice) const {
   const std::string text = slice.statement < 0 ? "" : statement(slice.statement).text;
   switch (slice.state) {
     case trace::State::running:
@@ -79,7 +79,7 @@ std::string Telling::doing(const Slice& slice) const {
   return {};
 }
 
-bool Telling::is_at_work(int thread, Nanoseconds instant) const {
+bool Narrator::is_at_work(int thread, Nanoseconds instant) const {
   const std::vector<Slice>& own = of_actor_[static_cast<std::size_t>(thread)];
   return std::any_of(own.begin(), own.end(), [instant](const Slice& slice) {
     return slice.from_ns <= instant && slice.to_ns >= instant;
@@ -87,8 +87,8 @@ bool Telling::is_at_work(int thread, Nanoseconds instant) const {
 }
 
 /// Who kept a thread from its processor in [from, to], piece by piece.
-void Telling::interference(const Slice& kept, Nanoseconds from, Nanoseconds to,
-                           std::vector<Reason>& out) const {
+void Narrator::interference(const Slice& kept, Nanoseconds from, Nanoseconds to,
+                            std::vector<Reason>& out) const {
   const int processor = problem_.threads[static_cast<std::size_t>(kept.actor)].processor;
   const std::vector<Slice>& here = running_[static_cast<std::size_t>(processor)];
   auto at = std::partition_point(here.begin(), here.end(),
@@ -107,7 +107,7 @@ void Telling::interference(const Slice& kept, Nanoseconds from, Nanoseconds to,
 
 /// What a thread did in [from, to], without gaps. Into waits it is told what happened meanwhile, to that
 /// depth.
-void Telling::tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out, int depth) const {
+void Narrator::tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out, int depth) const {
   Nanoseconds at = from;
   const std::vector<Slice>& own = of_actor_[static_cast<std::size_t>(thread)];
   auto next = std::partition_point(own.begin(), own.end(),
@@ -132,7 +132,7 @@ void Telling::tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Rea
 
 /// What kept a thread in [from, to], of which it has no slices: its blocks, or it is itself a block that
 /// has not begun, and then what whoever begins it did.
-void Telling::rest(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out, int depth) const {
+void Narrator::rest(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out, int depth) const {
   const int parent = problem_.threads[static_cast<std::size_t>(thread)].parent;
   if (blocks_at_work(thread, from, to)) {
     out.push_back(reason(from, to, thread, "waits for its blocks", -1));
@@ -145,7 +145,7 @@ void Telling::rest(int thread, Nanoseconds from, Nanoseconds to, std::vector<Rea
   }
 }
 
-bool Telling::blocks_at_work(int thread, Nanoseconds from, Nanoseconds to) const {
+bool Narrator::blocks_at_work(int thread, Nanoseconds from, Nanoseconds to) const {
   for (std::size_t block = 0; block < problem_.threads.size(); ++block) {
     if (problem_.threads[block].parent != thread) continue;
     const std::vector<Slice>& own = of_actor_[block];

@@ -1,4 +1,4 @@
-// Video and progress: what looks on while a session runs.
+// Observers of a session: video and progress.
 #pragma once
 
 #include <optional>
@@ -13,12 +13,12 @@
 namespace pal::workcell {
 
 /// Lives as long as the run.
-class Onlookers {
+class RunObservers {
  public:
   /// Throws sim::VideoError when a video that is asked for cannot be made.
-  Onlookers(sim::Workcell& workcell, const runtime::Skill& skill, const Session& session);
-  Onlookers(const Onlookers&) = delete;
-  Onlookers& operator=(const Onlookers&) = delete;
+  RunObservers(sim::Workcell& workcell, const runtime::Skill& skill, const Session& session);
+  RunObservers(const RunObservers&) = delete;
+  RunObservers& operator=(const RunObservers&) = delete;
 
   std::vector<Watcher> watchers();
   /// The run is over: the last line of progress, and the video is whole. What went wrong with it, or nothing.

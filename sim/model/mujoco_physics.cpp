@@ -1,4 +1,4 @@
-#include "sim/model/private/physics.hpp"
+#include "sim/model/private/mujoco_physics.hpp"
 
 #include <stdexcept>
 #include <string>

@@ -1,4 +1,4 @@
-// What threads of a run did from when to when, in words, and what happened while they waited.
+// What the threads of a run did from when to when, in words, and what happened while they waited.
 #pragma once
 
 #include <cstddef>
@@ -15,15 +15,15 @@
 
 namespace pal::analyzer {
 
-class Telling {
+class Narrator {
  public:
-  /// Waits for those who wait for others are told as far as this: what lies deeper is seldom the reader's.
+  /// How deep waits within waits are explained; deeper ones rarely interest a reader.
   static constexpr int most_depth = 8;
 
   /// Both must outlive this.
-  Telling(const Problem& problem, const trace::Trace& run);
+  Narrator(const Problem& problem, const trace::Trace& run);
 
-  /// What a thread did in [from, to], without gaps, added to `out`. Into waits it is told what happened
+  /// What a thread did in [from, to], without gaps, added to `out`. For waits it includes what happened
   /// meanwhile, to that depth.
   void tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out,
             int depth = most_depth) const;
@@ -43,7 +43,7 @@ class Telling {
   const std::vector<trace::Slice>& slices() const { return slices_; }
 
  private:
-  // telling.cpp
+  // narrator.cpp
   void interference(const trace::Slice& kept, Nanoseconds from, Nanoseconds to,
                     std::vector<Reason>& out) const;
   void rest(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out, int depth) const;
