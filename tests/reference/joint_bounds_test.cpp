@@ -113,3 +113,68 @@ TEST_CASE("no other work delays stages above it") {
   CHECK(found.compositional == Duration(75 * ms));
   CHECK(found.exact == Duration(75 * ms));
 }
+
+TEST_CASE("a thread that asks two others and waits for both has a bound near the exact one") {
+  const Bounds found = bounds_of(R"(MESSAGE tick  : SIGNAL
+MESSAGE left  : REAL N
+MESSAGE right : REAL N
+CONDITION pc-high FROM left "high"
+SKILL join
+  LOGICAL SENSOR     LS1, LS2
+  MACHINE CONTROLLER MC1
+  SKILL METHOD       SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT whole : RESPONSE FROM tick OF MC1 TO work AT MOST 900 ms
+END SKILL
+Machine Controller: MC1
+Logical Sensor: LS1
+  ACTIVITY look WRITES left
+BEGIN
+  REPEAT
+    WTM( request left from SM1 )
+    look
+    TXM( left to SM1 )
+  UNTIL( forever )
+END
+Logical Sensor: LS2
+  ACTIVITY see WRITES right
+BEGIN
+  REPEAT
+    WTM( request right from SM1 )
+    see
+    TXM( right to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+  ACTIVITY work READS left, right
+BEGIN
+  WTM( Coordinator )
+  REPEAT
+    WTM( tick from MC1 )
+    TXM( request left from LS1 )
+    TXM( request right from LS2 )
+    WTM( left from LS1 )
+    WTM( right from LS2 )
+    work
+    SPC( pc-high )
+  UNTIL( pc-high )
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PROCESSOR P1
+  DEVICE MC1 EVENT tick EVERY 1000 ms
+  TIME look : 44 ms
+  TIME see : 31 ms
+  TIME work : 5 ms
+  PLACE LS1 ON P0 PRIORITY 2
+  PLACE SM1 ON P0 PRIORITY 1
+  PLACE LS2 ON P1 PRIORITY 1
+END ENVIRONMENT
+)");
+  // LS1 runs before the second request, and counts once more before the work.
+  CHECK(found.compositional == Duration(93 * ms));
+  CHECK(found.exact == Duration(80 * ms));
+  CHECK(found.addends == 93 * ms);
+}
