@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analyzer/compositional/times/joint_chain.hpp"
 #include "analyzer/compositional/times/release.hpp"
 #include "analyzer/compositional/times/slots.hpp"
 
@@ -182,6 +183,9 @@ class Writer {
     // What is no later after the event than after its nominal instant is followed from there.
     const Clock& clock = done == done_of(nominal_.times(node)) ? nominal_ : asked;
     const Nanoseconds released = clock.times(node).latest;
+    if (clock.since == Since::release && !ends_by_window(clock, node, part, done) &&
+        together(clock, node, part, done, step))
+      return;
     release(clock, node);
     if (done == released) return;
     if (ends_by_window(clock, node, part, done)) {
@@ -192,6 +196,21 @@ class Writer {
     const bool sends = step >= 0 && context_.step_at(step).kind == Step::Kind::send;
     say(done - released, actor(node), sends ? "is blocked at " + text(step) : "is blocked in its last send",
         step < 0 ? -1 : context_.step_at(step).statement);
+  }
+
+  /// If `done` is when a chain of segments in one window is done: to that instant.
+  bool together(const Clock& clock, int node, Nanoseconds part, Nanoseconds done, int step) {
+    const auto released = [&clock](int n) { return clock.times(n).latest; };
+    const JointEnd joint = soonest_joint_end(
+        *view_.times.interference, joint_chain(context_, view_.times, node), part, released);
+    if (joint.chain.empty() || plus(released(joint.chain.front()), joint.after) != done) return false;
+    release(clock, joint.chain.front());
+    others(node, view_.times.interference->joint_breakdown(joint.chain, part));
+    for (int each : joint.chain) {
+      if (each != node) actions(each, context_.segment(each).worst, -1);
+    }
+    actions(node, part, step);
+    return true;
   }
 
   bool ends_by_window(const Clock& clock, int node, Nanoseconds part, Nanoseconds done) const {
@@ -210,7 +229,15 @@ class Writer {
       say(breakdown.blocking, name,
           "is kept from its processor by " + thread_name(thread) + ", which cannot be preempted");
     }
-    for (const Share& share : breakdown.others) {
+    others(node, breakdown.others);
+    say(-breakdown.done_before, name, "of all that, so much is over before it is released");
+  }
+
+  /// The work that keeps the node from its processor.
+  void others(int node, const std::vector<Share>& shares) {
+    if (out_.size() + shares.size() > most_addends) return out_.resize(most_addends + 1);
+    const std::string& name = actor(node);
+    for (const Share& share : shares) {
       const int other = view_.times.interference->node_of(share.transaction, share.task);
       const std::string times = share.jobs == 1 ? "" : ", " + std::to_string(share.jobs) + " times";
       const bool itself = view_.forest.thread_of(other) == view_.forest.thread_of(node);
@@ -218,7 +245,6 @@ class Writer {
           (itself ? "does other work first" : "is kept from its processor by " + actor(other)) + times,
           statement_of(other));
     }
-    say(-breakdown.done_before, name, "of all that, so much is over before it is released");
   }
 
   /// The actions on the longest way to `part` of the node's work.

@@ -62,6 +62,16 @@ class BusyWindows {
   FinishBreakdown breakdown(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
                             Since since = Since::occurrence) const;
 
+  /// How long after the release of the first of `chain` the first `part` of the last one's cost is done at the
+  /// latest. Tasks of one transaction and one processor; each is released when the one before it has done a
+  /// part of its work. `never`: there is no bound, or the next occurrence may come before the busy window ends.
+  ///
+  /// All of them work at the least of their priorities, and others delay them once together (J. Schlatow and
+  /// R. Ernst, Response-time analysis for task chains in communicating threads, RTAS 2016).
+  Nanoseconds joint_finish(int transaction, const std::vector<int>& chain, Nanoseconds part) const;
+  /// What else than the chain's own work adds up to a joint_finish() that is bounded.
+  std::vector<Share> joint_breakdown(int transaction, const std::vector<int>& chain, Nanoseconds part) const;
+
   /// How long `cost` takes at most for somebody of `priority` who has the processor: what is of higher
   /// priority has nothing left to do when that begins.
   Nanoseconds stretch(int processor, int priority, Nanoseconds cost) const;
@@ -135,6 +145,20 @@ class BusyWindows {
   Critical critical_once(int transaction, int task, Nanoseconds part, Nanoseconds blocking, Since since,
                          const Load& load) const;
   const Group* group_of(int transaction, int processor) const;
+
+  /// A chain of tasks, taken as one.
+  struct JointTasks {
+    int transaction = -1;
+    std::vector<int> tasks;
+    int priority = 0;      // the least of them
+    Nanoseconds cost = 0;  // of all
+  };
+  JointTasks joint_tasks(int transaction, std::vector<int> chain) const;
+  /// Work of other tasks of its transaction in a window; unless `in_whole`, until the last task of the chain
+  /// is done.
+  Nanoseconds of_own(const JointTasks& joint, Nanoseconds length, bool in_whole,
+                     std::vector<Share>* shares) const;
+  Nanoseconds joint_window(const JointTasks& joint, Nanoseconds fixed, bool in_whole) const;
   Nanoseconds window(int processor, int priority, Nanoseconds cost) const;
 
   bool stops() const { return stop_ && stop_(); }

@@ -277,6 +277,20 @@ FinishBreakdown Interference::breakdown(int node, Nanoseconds part, Since since)
                             blocking(node), since);
 }
 
+std::vector<int> Interference::tasks_of(const std::vector<int>& nodes) const {
+  std::vector<int> tasks;
+  for (int n : nodes) tasks.push_back(task_[static_cast<std::size_t>(n)]);
+  return tasks;
+}
+
+Nanoseconds Interference::joint_finish(const std::vector<int>& chain, Nanoseconds part) const {
+  return windows_.joint_finish(context_.node(chain.front()).source, tasks_of(chain), part);
+}
+
+std::vector<Share> Interference::joint_breakdown(const std::vector<int>& chain, Nanoseconds part) const {
+  return windows_.joint_breakdown(context_.node(chain.front()).source, tasks_of(chain), part);
+}
+
 Nanoseconds stops_within(const Problem& problem, const BusyWindows& windows, int block) {
   const Thread& of = problem.threads[static_cast<std::size_t>(block)];
   Nanoseconds longest = windows.level(of.processor, of.priority);

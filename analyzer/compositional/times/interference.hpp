@@ -39,6 +39,10 @@ class Interference {
   Nanoseconds finish(int node, Nanoseconds part, Nanoseconds blocking, Since since = Since::occurrence) const;
   /// What goes into finish() besides the latest release and the work itself.
   FinishBreakdown breakdown(int node, Nanoseconds part, Since since = Since::occurrence) const;
+  /// The same for nodes of one occurrence that keep a processor busy one after the other (joint_chain()), from
+  /// the release of the first one; `part` of the last one.
+  Nanoseconds joint_finish(const std::vector<int>& chain, Nanoseconds part) const;
+  std::vector<Share> joint_breakdown(const std::vector<int>& chain, Nanoseconds part) const;
   /// The thread of lower priority that blocks the node longest.
   int blocking_thread(int node) const;
   int node_of(int transaction, int task) const {
@@ -55,6 +59,7 @@ class Interference {
   Nanoseconds work_of_thread(int thread, const JobsOf& jobs_of) const;
   Nanoseconds burst(int thread, const std::vector<NodeTimes>& nodes, bool done_before_next) const;
   bool pauses(int thread) const;
+  std::vector<int> tasks_of(const std::vector<int>& nodes) const;
 
   AnalysisContext context_;
   BusyWindows windows_;

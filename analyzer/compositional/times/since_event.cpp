@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
+#include "analyzer/compositional/times/joint_chain.hpp"
 #include "analyzer/compositional/times/release.hpp"
 #include "analyzer/compositional/times/slots.hpp"
 
@@ -20,15 +22,26 @@ class SinceEvents : private AnalysisContext {
         times_(times),
         interference_(interference),
         made_(times.nodes),
-        releases_(*this, made_, times.nodes, interference) {}
+        releases_(*this, made_, times.nodes, interference),
+        shared_(context.forest.sources.size()) {
+    for (std::size_t n = 0; n < made_.size(); ++n) {
+      const bool event = source(static_cast<int>(n)).kind == Source::Kind::event;
+      chains_.push_back(event && made_[n].latest < never ? joint_chain(*this, times, static_cast<int>(n))
+                                                         : std::vector<int>{});
+      if (chains_.back().size() > 1)
+        shared_[static_cast<std::size_t>(node(static_cast<int>(n)).source)] = true;
+    }
+  }
 
   std::vector<NodeTimes> run() {
     for (int iteration = 0; iteration < most_event_rounds; ++iteration) {
       bool changed = false;
       for (std::size_t i = 0; i < made_.size(); ++i) {
         const int n = static_cast<int>(i);
-        // Without jitter the ways are no shorter than the times from the nominal instant.
-        const bool late = source(n).kind == Source::Kind::event && source(n).jitter > 0;
+        // Without jitter, and without segments that share a window, the ways are no shorter than the times
+        // from the nominal instant.
+        const bool late = source(n).kind == Source::Kind::event &&
+                          (source(n).jitter > 0 || shared_[static_cast<std::size_t>(node(n).source)]);
         if (late && made_[i].latest < never) changed = lower(n) || changed;
       }
       if (!changed) break;
@@ -42,7 +55,9 @@ class SinceEvents : private AnalysisContext {
     const NodeTimes before = mine;
     const Segment& of = segment(n);
     mine.latest = std::min(mine.latest, releases_.latest(n, times_.unbounded_reason, times_.blocked).at);
-    const auto done = [&](Nanoseconds part) { return plus(mine.latest, from_release(n, part)); };
+    const auto done = [&](Nanoseconds part) {
+      return std::min(plus(mine.latest, from_release(n, part)), from_chain(n, part));
+    };
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
       if (mine.effects[s] == NodeTimes::unknown) continue;
       mine.worked[s] = std::min(mine.worked[s], done(of.steps[s].worst));
@@ -66,11 +81,27 @@ class SinceEvents : private AnalysisContext {
     return place->second;
   }
 
+  /// The same through the segments that share a window with the node.
+  Nanoseconds from_chain(int n, Nanoseconds part) {
+    Nanoseconds soonest = never;
+    std::vector<int> chain = chains_[static_cast<std::size_t>(n)];
+    for (; chain.size() > 1; chain.erase(chain.begin())) {
+      const auto [place, fresh] = joint_.emplace(std::tuple{n, chain.size(), part}, 0);
+      if (fresh) place->second = interference_.joint_finish(chain, part);
+      const Nanoseconds released = made_[static_cast<std::size_t>(chain.front())].latest;
+      soonest = std::min(soonest, plus(released, place->second));
+    }
+    return soonest;
+  }
+
   const Times& times_;
   const Interference& interference_;
   std::vector<NodeTimes> made_;
   Releases releases_;
+  std::vector<std::vector<int>> chains_;                      // by node: joint_chain()
+  std::vector<bool> shared_;                                  // by source: it has such chains
   std::map<std::pair<int, Nanoseconds>, Nanoseconds> known_;  // by node and part
+  std::map<std::tuple<int, std::size_t, Nanoseconds>, Nanoseconds> joint_;  // by node, length of chain, part
 };
 
 }  // namespace

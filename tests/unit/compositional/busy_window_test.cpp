@@ -82,3 +82,45 @@ TEST_CASE("the longest busy period is the first instant at which all work is don
   windows.add(periodic(10, 3, 1));
   CHECK(windows.busy(0) == 5);
 }
+
+namespace {
+
+/// Tasks of cost 44 and 31, one after the other, with priorities 2 and 1, and one of 68 above them.
+BusyWindows two_stages(Nanoseconds jitter) {
+  Transaction chain = periodic(1000, 44, 2);
+  Task second;
+  second.cost = 31;
+  second.priority = 1;
+  second.offset = 44;
+  chain.tasks.push_back(second);
+  BusyWindows windows({true});
+  windows.add(chain);
+  windows.add(periodic(1000, 68, 3));
+  windows.set_jitter(0, 0, jitter, never);
+  windows.set_jitter(0, 1, jitter + 68, never);
+  return windows;
+}
+
+}  // namespace
+
+TEST_CASE("tasks that follow one another at once are delayed once together") {
+  const BusyWindows windows = two_stages(0);
+  CHECK(windows.finish(0, 1, 31, 0) == 211);
+  CHECK(windows.joint_finish(0, {0, 1}, 31) == 143);
+  CHECK(windows.joint_finish(0, {0, 1}, 11) == 123);
+  const auto shares = windows.joint_breakdown(0, {0, 1}, 31);
+  REQUIRE(shares.size() == 1);
+  CHECK(shares[0].transaction == 1);
+  CHECK(shares[0].work == 68);
+}
+
+TEST_CASE("a chain whose next occurrence may come before its window ends has no joint bound") {
+  CHECK(two_stages(856).joint_finish(0, {0, 1}, 31) == 143);
+  CHECK(two_stages(857).joint_finish(0, {0, 1}, 31) == never);
+}
+
+TEST_CASE("where nobody is preempted tasks have no joint bound") {
+  BusyWindows windows({false});
+  windows.add(periodic(1000, 44, 2));
+  CHECK(windows.joint_finish(0, {0}, 44) == never);
+}
