@@ -47,8 +47,8 @@ def what_if(pal, case, timeout):
 
 
 def answered(slack):
-    """Something is known: a growth that holds, or one that fails."""
-    return slack["holds_with_ns"] is not None or slack["fails_with_ns"] is not None
+    """Something is known beyond how things are: a growth that holds, or one that fails."""
+    return slack["unlimited"] or (slack["holds_with_ns"] or 0) > 0 or slack["fails_with_ns"] is not None
 
 
 def both_sided(slack):
