@@ -46,6 +46,8 @@ const char* word(MarkKind kind) {
       return "completion";
     case MarkKind::fault:
       return "fault";
+    case MarkKind::broken:
+      return "broken promise";
   }
   return "";
 }

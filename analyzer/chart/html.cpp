@@ -53,6 +53,8 @@ const char* name(MarkKind kind) {
       return "completion";
     case MarkKind::fault:
       return "fault";
+    case MarkKind::broken:
+      return "broken";
   }
   return "";
 }

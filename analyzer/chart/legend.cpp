@@ -7,6 +7,7 @@
 
 #include "analyzer/chart/chart.hpp"
 #include "analyzer/chart/panel.hpp"
+#include "analyzer/chart/promises.hpp"
 
 namespace pal::chart {
 
@@ -159,6 +160,9 @@ Length draw_sign_key(const std::vector<Layer>& layers, Length top, SvgWriter& ou
     out.path(
         move_to({x, y - 50}) + line_to({x + 300, y + 50}) + move_to({x, y + 50}) + line_to({x + 300, y - 50}),
         "loss");
+  });
+  sign(out.has_drawn("broken"), "promise broken", [&out](Length x, Length y) {
+    draw_promise_sign({x + 150, y}, 1, "broken", "", out);
   });
   sign(out.has_drawn("arrow"), "message", stroke("arrow"));
   sign(out.has_drawn("arrow dropped"), "message withdrawn", stroke("arrow dropped"));

@@ -4,6 +4,7 @@
 #include "analyzer/chart/legend.hpp"
 #include "analyzer/chart/margin.hpp"
 #include "analyzer/chart/panel.hpp"
+#include "analyzer/chart/promises.hpp"
 #include "analyzer/chart/svg_style.hpp"
 #include "pal/support/xml.hpp"
 
@@ -52,6 +53,7 @@ std::string page(const std::vector<Layer>& layers) {
     y = draw_panel_heading("Enlarged: where the axis above is thick", y, out);
     y = Panel(layers, detail, {true, both, margin}, numbering, 0, {}, y, out).draw();
   }
+  y = draw_promise_list(layers, y, out);
   y = draw_explanation(layers.front(), y, out);
   y = draw_statement_key(numbering, y, out);
   y = draw_sign_key(layers, y, out);

@@ -13,6 +13,7 @@ constexpr Length group_x = Margin::group_x;
 constexpr Length deadline_row = 240;
 constexpr Length dimension_row = 190;
 constexpr Length fold_edge = 40;
+constexpr Length right_margin = 130;  // of the page, beyond panel_right
 
 bool same_group(const Lane& a, const Lane& b) {
   return !a.device && !b.device && a.processor == b.processor;
@@ -165,8 +166,9 @@ void Panel::draw_axis() {
 void Panel::draw_tick_labels(const Ticks& marks) {
   Labels taken;
   const auto label = [&](const Tick& tick) {
-    const Length place = scale_.x(tick.at_ns);
     const Length half = text_width(tick.label, 100) / 2;
+    // A label at the right edge stays on the page.
+    const Length place = std::min(scale_.x(tick.at_ns), panel_right + right_margin - half);
     if (taken.claim({place - half - 30, 0, place + half + 30, 1}))
       out_.text({place, bottom_ + 170}, Anchor::middle, "tick", tick.label);
   };

@@ -89,6 +89,7 @@ class Panel {
   void draw_arrows(const Layer& layer);
   void label_arrows(const Layer& layer);
   void draw_marks(const Layer& layer);
+  void draw_promise(const Layer& layer, const Mark& mark, Length place);
   std::vector<Point> label_places(Point from, Point to) const;
   void label_mark(const std::string& text, Length place);
   void keep_off_arrows(const Layer& layer);

@@ -3,6 +3,7 @@
 
 #include "analyzer/chart/chart.hpp"
 #include "analyzer/chart/panel.hpp"
+#include "analyzer/chart/promises.hpp"
 
 namespace pal::chart {
 
@@ -132,11 +133,35 @@ void Panel::label_mark(const std::string& text, Length place) {
   }
 }
 
+// In its lane; what nobody broke alone stands above the lanes.
+void Panel::draw_promise(const Layer& layer, const Mark& mark, Length place) {
+  Length y = lanes_top_;
+  std::string who;
+  if (mark.lane >= 0) {
+    const auto lane = static_cast<std::size_t>(mark.lane);
+    if (layer.rows[lane] < 0) return;
+    const Box box = bar_box(layer, lane, mark.at_ns, mark.at_ns);
+    y = (box.y0 + box.y1) / 2;
+    who = layer.timeline->lanes[lane].name + ": ";
+  }
+  const std::vector<BrokenPromise> all = broken_promises(layers_);
+  const auto promise =
+      std::find_if(all.begin(), all.end(), [&](const BrokenPromise& each) { return each.text == mark.text; });
+  const auto number = static_cast<std::size_t>(promise - all.begin()) + 1;
+  draw_promise_sign({place, y}, number, layer.role == Role::backdrop ? "broken backdrop" : "broken",
+                    who + "promise broken: " + mark.text + "\n" + at(mark.at_ns + layer.shift_ns), out_);
+  labels_.take({place - 60, y - 60, place + 60, y + 60});
+}
+
 void Panel::draw_marks(const Layer& layer) {
   for (const Mark& mark : layer.timeline->marks) {
     if (!touches(layer, mark.at_ns, mark.at_ns)) continue;
     const Length place = x(layer, mark.at_ns);
     const std::string when = at(mark.at_ns + layer.shift_ns);
+    if (mark.kind == MarkKind::broken) {
+      draw_promise(layer, mark, place);
+      continue;
+    }
     if (mark.lane < 0 || mark.kind == MarkKind::completion || mark.kind == MarkKind::fault) {
       const std::string style = mark.kind == MarkKind::fault ? "ending fault" : "ending";
       out_.line({place, lanes_top_}, {place, lanes_bottom_}, style, mark.text + "\n" + when);

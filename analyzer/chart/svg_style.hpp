@@ -35,6 +35,7 @@ text { font-family: "DejaVu Sans", Verdana, sans-serif; font-size: 90px; fill: #
 .event { fill: #000 } .event.backdrop { fill: #fff; stroke: #888; stroke-width: 8px }
 .loss { stroke: #d55e00; stroke-width: 25px; fill: none }
 .overrun { stroke: #d55e00; stroke-width: 25px; fill: none } .cancelled { stroke: #000; stroke-width: 25px }
+.broken { fill: #f6c8a8; stroke: #d55e00; stroke-width: 12px } .broken.backdrop { fill: #fff; stroke: #888 }
 .ending { stroke: #000; stroke-width: 12px } .ending.fault { stroke: #d55e00 }
 .guide { stroke: #e4e4e4; stroke-width: 5px } .grid { stroke: #d0d0d0; stroke-width: 5px; stroke-dasharray: 20 20 }
 .axis { stroke: #000; stroke-width: 8px } .bracket { stroke: #000; stroke-width: 12px; fill: none }

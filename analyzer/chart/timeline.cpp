@@ -135,6 +135,9 @@ class Builder {
         mark(event, MarkKind::fault,
              event.value >= 0 ? trace_.faults[static_cast<std::size_t>(event.value)] : std::string("fault"));
         break;
+      case Kind::broken:
+        mark(event, MarkKind::broken, trace_.promises[static_cast<std::size_t>(event.value)]);
+        break;
       default:
         break;
     }

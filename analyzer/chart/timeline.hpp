@@ -83,7 +83,7 @@ struct Waveform {
   std::vector<Sample> reads;
 };
 
-enum class MarkKind : std::uint8_t { event, overrun, gave_up, cancelled, completion, fault };
+enum class MarkKind : std::uint8_t { event, overrun, gave_up, cancelled, completion, fault, broken };
 
 /// Something that happens at one instant. `lane` -1: to the skill as a whole.
 struct Mark {

@@ -4,6 +4,7 @@
 
 #include "analyzer/problem/problem_builder.hpp"
 #include "pal/support/diagnostic_code.hpp"
+#include "pal/support/nearest.hpp"
 
 namespace pal::analyzer {
 
@@ -40,10 +41,19 @@ void ProblemBuilder::device(const World& thing, int index) {
     if (!sent.empty()) {
       const std::string what = thing.module ? "module " + thing.name + " has no body, and environment "
                                             : "device " + thing.name + " sends messages, and environment ";
-      diagnostics_.report(Code::PAL0724, thing.where,
-                          what + environment_.name + " does not say how it behaves",
-                          "add DEVICE " + thing.name + " … to the environment" +
-                              (thing.module ? ", or give the module a body" : ""));
+      auto& finding = diagnostics_.report(Code::PAL0724, thing.where,
+                                          what + environment_.name + " does not say how it behaves",
+                                          "add DEVICE " + thing.name + " … to the environment" +
+                                              (thing.module ? ", or give the module a body" : ""));
+      const auto is_of_another = [&](const DeviceTiming& each) {
+        const auto is_it = [&](const auto& known) { return known.name == each.device; };
+        return std::none_of(network_.devices.begin(), network_.devices.end(), is_it) &&
+               std::none_of(network_.modules.begin(), network_.modules.end(), is_it);
+      };
+      for (const DeviceTiming& each : environment_.devices) {
+        if (is_of_another(each) && nearest(thing.name, {each.device}))
+          finding.notes.push_back({each.where, "is " + thing.name + " meant here?"});
+      }
     }
     problem_.devices.push_back(std::move(made));
     return;

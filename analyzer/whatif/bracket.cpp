@@ -109,8 +109,9 @@ void Bracket::hear(Nanoseconds extra, const Ruling& ruling) {
     if (undecided_) undecided_->second = std::min(undecided_->second, extra - 1);
   } else {
     open_ = ruling.requirement;
-    undecided_ = undecided_ ? std::pair(std::min(undecided_->first, extra), std::max(undecided_->second, extra))
-                            : std::pair(extra, extra);
+    undecided_ = undecided_
+                     ? std::pair(std::min(undecided_->first, extra), std::max(undecided_->second, extra))
+                     : std::pair(extra, extra);
     if (extra < end_before) above_.reset();
   }
   assert(!fails_ || holds_ < *fails_);
@@ -134,10 +135,10 @@ void Bracket::sharpen(Judge& judge, const Effort& effort) {
 
 void Bracket::narrow(Judge& judge, const Effort& effort, Precision precision, Nanoseconds ceiling) {
   if (requirements_.empty()) return;
-  if (effort.classes > classes_ || effort.classes == 0) {
-    undecided_.reset();
-    classes_ = effort.classes;
-  }
+  if (effort.classes > classes_) undecided_.reset();
+  classes_ = effort.classes;
+  // Without exploration what bounds do not show is not shown to hold: only what fails is looked for.
+  if (effort.classes == 0 && ceiling - holds_ > 1) undecided_ = {holds_ + 1, holds_ + 1};
   while (!effort.over()) {
     const auto extra = next(tolerance(precision), ceiling, effort.classes > 0);
     if (!extra) return;

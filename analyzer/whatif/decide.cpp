@@ -160,20 +160,24 @@ Decision by_search(const Problem& problem, const Requirement& requirement, std::
   return decision_of(requirement, search_runs(problem, requirement, how));
 }
 
-/// Where more is to be done than there is time nothing is explored for long.
-Options limited(const Options& given, const Problem& problem, const Requirement& requirement) {
-  Options options = given;
-  if (is_overloaded(problem, requirement))
-    options.max_states = std::min(given.max_states, overloaded_classes);
-  return options;
-}
-
 const Requirement& requirement_of(const Problem& problem, RequirementId id) {
   assert(id.valid() && id.index() < problem.requirements.size());
   return problem.requirements[id.index()];
 }
 
+/// The options with as many classes as are explored.
+Options limited(const Options& given, const Problem& problem, RequirementId id) {
+  Options options = given;
+  options.max_states = classes_for(problem, id, given.max_states);
+  return options;
+}
+
 }  // namespace
+
+std::size_t classes_for(const Problem& problem, RequirementId id, std::size_t allowed) {
+  const bool overloaded = is_overloaded(problem, requirement_of(problem, id));
+  return overloaded ? std::min(allowed, overloaded_classes) : allowed;
+}
 
 Decision decide_quickly(const Problem& problem, RequirementId id, const Verdict& bound,
                         const std::function<bool()>& stop) {
@@ -201,7 +205,7 @@ Decision decide_by_runs(const Problem& problem, RequirementId id, const std::fun
 Decision decide_by_slice(const Problem& problem, RequirementId id, const Options& options) {
   const Requirement& requirement = requirement_of(problem, id);
   if (!one_run(requirement) || !fits_exploration(problem)) return {};
-  const Options here = limited(options, problem, requirement);
+  const Options here = limited(options, problem, id);
   const SliceBound found = slice_bound(problem, requirement, here, here.max_states);
   if (!found.bound) return {};
   const bool within =
@@ -213,7 +217,7 @@ Decision decide_by_exploration(const Problem& problem, RequirementId id, const O
                                Workers& workers) {
   const Requirement& requirement = requirement_of(problem, id);
   if (!fits_exploration(problem)) return {};
-  const Options options = limited(given, problem, requirement);
+  const Options options = limited(given, problem, id);
   if (requirement.measure == Measure::load) return load_decision(problem, requirement, options, workers);
   if (!has_cap(requirement)) return by_analysis(problem, requirement, options);
   const Watch watch = watch_of(problem, requirement);

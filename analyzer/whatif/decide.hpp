@@ -31,6 +31,10 @@ Decision decide_by_runs(const Problem& problem, RequirementId requirement, const
 /// By exploring what has an influence (slice_bound.hpp), which can only prove.
 Decision decide_by_slice(const Problem& problem, RequirementId requirement, const Options& options);
 
+/// Of as many classes as are allowed, so many are explored: fewer where there is more to do than there is time,
+/// which mostly has no end.
+std::size_t classes_for(const Problem& problem, RequirementId requirement, std::size_t allowed);
+
 /// By exploring all runs, in at most `options.max_states` classes. Values are followed up to the limit only,
 /// and the exploration ends with the first run that is confirmed to exceed it.
 Decision decide_by_exploration(const Problem& problem, RequirementId requirement, const Options& options,

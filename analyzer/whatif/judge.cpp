@@ -33,7 +33,8 @@ bool contains(const RequirementIds& all, RequirementId one) {
 
 struct Judge::Hearing {
   RequirementIds order;
-  std::vector<Decision> decisions;  // by order
+  std::vector<Decision> decisions;    // by order
+  std::vector<std::size_t> explored;  // by order: classes
 
   /// The first that is shown to fail.
   std::optional<std::size_t> failing() const {
@@ -57,8 +58,7 @@ RequirementId Judge::refuted(const Problem& problem, const RequirementIds& requi
                              const std::function<bool()>& stop) {
   for (const Refutation& known : refutations_) {
     if (stop && stop()) return {};
-    if (contains(requirements, known.requirement) &&
-        refutes(problem, known.requirement, known.witness, stop))
+    if (contains(requirements, known.requirement) && refutes(problem, known.requirement, known.witness, stop))
       return known.requirement;
   }
   return {};
@@ -96,8 +96,10 @@ void Judge::remember(RequirementId requirement, std::optional<Witness> witness) 
 void Judge::explore(const Problem& problem, Hearing& hearing, const Options& options) {
   for (std::size_t k = 0; k < hearing.order.size() && !hearing.failing(); ++k) {
     if (options.stop && options.stop()) return;
-    if (hearing.open(k))
-      hearing.decisions[k] = decide_by_exploration(problem, hearing.order[k], options, workers_);
+    const std::size_t classes = classes_for(problem, hearing.order[k], options.max_states);
+    if (!hearing.open(k) || classes <= hearing.explored[k]) continue;
+    hearing.decisions[k] = decide_by_exploration(problem, hearing.order[k], options, workers_);
+    hearing.explored[k] = classes;
   }
 }
 
@@ -128,15 +130,13 @@ Ruling Judge::ruling_of(const Problem& problem, Hearing hearing, const Effort& e
       ruling.state = decision.state;
       ruling.requirement = hearing.order[k];
     }
-    if (decision.excess)
-      ruling.excess = std::max(ruling.excess.value_or(*decision.excess), *decision.excess);
+    if (decision.excess) ruling.excess = std::max(ruling.excess.value_or(*decision.excess), *decision.excess);
     known = known && decision.excess;
     if (failing && k == *failing) break;
   }
   if (!known) ruling.excess.reset();
   // Where time stands still nothing holds, and what has no end by then is not measured.
-  const bool of_all_time =
-      ruling.state == Is::holds || (failing && hearing.decisions[*failing].grows);
+  const bool of_all_time = ruling.state == Is::holds || (failing && hearing.decisions[*failing].grows);
   if (of_all_time) {
     const ZenoSearch look = find_zeno_run(problem, {options_.max_states, effort.stop, {}, &workers_});
     if (look.found || (!look.excluded && effort.over()))
@@ -152,6 +152,7 @@ Ruling Judge::ask(const Problem& problem, const RequirementIds& requirements, co
   Hearing hearing;
   hearing.order = in_order(requirements);
   hearing.decisions.resize(hearing.order.size());
+  hearing.explored.resize(hearing.order.size());
   const std::vector<Verdict> bounds = bounds_of(problem, hearing.order, options_);
   for (std::size_t k = 0; k < hearing.order.size() && !hearing.failing(); ++k) {
     if (effort.over()) break;

@@ -17,9 +17,10 @@ using Is = Verdict::State;
 /// Most changes either do it at once or break something at once.
 constexpr std::size_t classes_of_trial = 20'000;
 
-/// Seconds of one trial, and of the verdicts on what was found.
-constexpr double seconds_of_trial = 1;
-constexpr double seconds_of_verdicts = 5;
+/// Seconds of one trial, and of the verdicts on what was found: classes end most trials, time only where
+/// others have the processors.
+constexpr double seconds_of_trial = 4;
+constexpr double seconds_of_verdicts = 15;
 
 /// So many of those that help are tried in twos, and in threes.
 constexpr std::size_t most_in_twos = 10;
@@ -174,8 +175,13 @@ class RemedySearch {
       std::vector<Verdict> after = verdicts_on(*problem, classes_of_trial, seconds_of_trial);
       const double score = total(after);
       if (score >= as_it_is * helpful) continue;
-      if (helping.empty() || std::all_of(helping.begin(), helping.end(),
-                                         [&](const Helper& each) { return score < each.score; }))
+      if (score == 0) {
+        // A whole analysis decides more than the quick trial did.
+        if (!enough()) made_.found.push_back({{id}, std::move(after)});
+        continue;
+      }
+      if (helping.empty() ||
+          std::all_of(helping.begin(), helping.end(), [&](const Helper& each) { return score < each.score; }))
         made_.nearest = Remedy{{id}, std::move(after)};
       helping.push_back({id, score});
     }
@@ -185,8 +191,8 @@ class RemedySearch {
   }
 
   void combine(const std::vector<CandidateId>& all) {
-    if (how_.most_changes < 2) return;
     const std::vector<Helper> best = helpers(all);
+    if (!made_.found.empty() || how_.most_changes < 2) return;
     const std::size_t twos = std::min(best.size(), most_in_twos);
     for (std::size_t a = 0; a < twos; ++a) {
       for (std::size_t b = a + 1; b < twos; ++b) attempt_together({best[a].id, best[b].id});
@@ -195,8 +201,7 @@ class RemedySearch {
     const std::size_t threes = std::min(best.size(), most_in_threes);
     for (std::size_t a = 0; a < threes; ++a) {
       for (std::size_t b = a + 1; b < threes; ++b) {
-        for (std::size_t c = b + 1; c < threes; ++c)
-          attempt_together({best[a].id, best[b].id, best[c].id});
+        for (std::size_t c = b + 1; c < threes; ++c) attempt_together({best[a].id, best[b].id, best[c].id});
       }
     }
   }

@@ -38,9 +38,8 @@ Round round_of(std::size_t number, const Options& options) {
 Effort effort_of(const Round& round, const Options& options) {
   if (!options.clock) return {round.classes, options.stop};
   const double end = options.clock() + round.seconds;
-  return {round.classes, [stop = options.stop, clock = options.clock, end] {
-            return (stop && stop()) || clock() > end;
-          }};
+  return {round.classes,
+          [stop = options.stop, clock = options.clock, end] { return (stop && stop()) || clock() > end; }};
 }
 
 /// The search for the slack of one figure, or of all together.
@@ -168,13 +167,18 @@ class Rounds {
   std::size_t settled_ = 0;
 };
 
-/// What holds as things are, with as much effort as it takes.
+/// So many rounds are asked what holds as things are, which is a third of the usual minute: remedies need the
+/// rest.
+constexpr std::size_t rounds_of_now = 5;
+
+/// What holds as things are.
 Ruling ruling_now(Judge& judge, const Problem& problem, const RequirementIds& all) {
   for (std::size_t number = 0;; ++number) {
     const Round round = round_of(number, judge.options());
     const Effort effort = effort_of(round, judge.options());
     const Ruling now = judge.ask(problem, all, effort);
-    const bool last = round.last_classes && !effort.over();
+    const bool last =
+        (round.last_classes && !effort.over()) || (judge.options().deadline && number + 1 == rounds_of_now);
     if (now.state != Is::undecided || last || judge.stopped()) return now;
   }
 }

@@ -19,6 +19,11 @@ const char* const statuses =
     "read or "
     "written; 3 some requirement fails or is undecided.";
 
+const char* const statuses_of_what_if =
+    "Exit status: 0 all requirements hold as things are, or with --set and --place as asked for; 1 the "
+    "specification is wrong; 2 bad usage, or a file could not be read or written; 3 some requirement fails or is "
+    "undecided, also if a change would mend it, or the time that --timeout gives ended the search.";
+
 // Of commands that prove nothing, or to which what they prove is no finding.
 const char* const statuses_of_results =
     "Exit status: 0 done; 1 the specification is wrong; 2 bad usage, or a file could not be read or written.";
@@ -42,13 +47,15 @@ void add_selection(CLI::App& command, Selection& selection) {
   add_max_errors(command, selection.max_errors);
 }
 
-void add_limits(CLI::App& command, ProofLimits& limits) {
+const char* const usual_timeout =
+    "give up after so long (undecided): 90 s, 2min, 500ms; a number alone is seconds, 0: never";
+
+void add_limits(CLI::App& command, ProofLimits& limits, const char* timeout = usual_timeout) {
   command
       .add_option("--max-states", limits.max_states, "give up a requirement after so many states (undecided)")
       ->capture_default_str()
       ->check(whole_number());
-  add_timeout(command, limits.seconds,
-              "give up after so long (undecided): 90 s, 2min, 500ms; a number alone is seconds, 0: never");
+  add_timeout(command, limits.seconds, timeout);
   command.add_option("--threads", limits.threads, "number of threads; 0: one for each core")
       ->capture_default_str()
       ->check(whole_number())
@@ -169,14 +176,19 @@ void add_simulate(CLI::App& app, SimulateOptions& options) {
 
 void add_what_if(CLI::App& app, WhatIfOptions& options) {
   CLI::App* command = app.add_subcommand(
-      "whatif", "Says how much longer everything may take, and what other figures and placements do");
+      "whatif",
+      "Says how much longer everything may take, what mends a requirement that fails, and what other figures "
+      "and placements do");
   add_selection(*command, options.selection);
-  add_limits(*command, options.limits);
+  options.limits.seconds = -1;
+  add_limits(*command, options.limits,
+             "end after so long, with what is known by then: 90 s, 2min, 500ms; a number alone is seconds, 0: "
+             "never; without it 60 s for slack and remedies, and no limit for --set and --place");
   add_format(*command, options.format);
   command
       ->add_option("--set", options.changes,
                    "the verdicts with another figure: 'extract-z = 5..7 ms', 'SM1.priority = 3', "
-                   "'SM1.processor = P1', 'alter.period = 20 ms'; may be repeated")
+                   "'SM1.processor = P1', 'PROCESSOR P4', 'alter.period = 20 ms'; may be repeated")
       ->type_name("CHANGE")
       ->take_all();
   auto* place =
@@ -190,7 +202,7 @@ void add_what_if(CLI::App& app, WhatIfOptions& options) {
   command->add_option("--witness", options.witness, "write a run for each placement refuted, for pal replay")
       ->type_name("FILE")
       ->needs(place);
-  command->footer(statuses);
+  command->footer(statuses_of_what_if);
 }
 
 void add_pan(CLI::App& app, PanOptions& options) {

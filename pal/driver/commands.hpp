@@ -56,13 +56,14 @@ ExitStatus simulate(const SimulateOptions& options, const Console& console);
 
 struct WhatIfOptions {
   Selection selection;
-  ProofLimits limits;
+  ProofLimits limits;  // seconds below 0: not given; then slack has usual_seconds_of_slack
   Format format = Format::text;
   std::vector<std::string> changes;  // "NAME = VALUE"; without any, and without place: slack
   std::optional<int> place;          // placements on so many processors; 0: the fewest that do
   bool priorities = false;           // … with every order by priority
   std::string witness;               // where to write a run for each placement that is refuted
 };
+constexpr double usual_seconds_of_slack = 60;
 ExitStatus what_if(const WhatIfOptions& options, const Console& console);
 
 struct PanOptions {

@@ -129,7 +129,14 @@ LossRun with_loss(const Proof& proof, std::size_t index) {
   shown.losses = losses_in(problem, shown.run, requirement.device);
   const chart::Loss* loss = counted_at(shown.losses, at);
   if (loss == nullptr) {
+    // The run did not go on as it began: the proved one ends where the loss is counted.
+    const analyzer::Device& device = problem.devices[static_cast<std::size_t>(requirement.device)];
+    const bool frames = std::holds_alternative<pan::FrameDevice>(device.behaviour);
     shown.run = witness.trace;
+    shown.losses = {{device.name, at, at,
+                     frames ? "lost: nobody had asked for it when it began"
+                            : "lost: the one before it was not taken yet"}};
+    shown.window = chart::Window{0, at + std::max<Nanoseconds>(1, at / 10)};
     return shown;
   }
   const Nanoseconds next = next_taken(shown.run, actor, loss->to_ns + 1).value_or(loss->to_ns + 2 * distance);

@@ -68,7 +68,9 @@ class Question {
     ProgramChanges programs(options_.selection, skill, console_.files);
     answer.remedies = analyzer::find_remedies(
         skill, environment, programs.all().size(),
-        [&programs](const std::vector<analyzer::ProgramChangeId>& made) { return programs.network_with(made); },
+        [&programs](const std::vector<analyzer::ProgramChangeId>& made) {
+          return programs.network_with(made);
+        },
         analysis_);
     answer.program_changes = programs.all();
   }
@@ -154,14 +156,18 @@ bool good(const WhatIfAnswer& answer) {
 ExitStatus what_if(const WhatIfOptions& options, const Console& console) {
   Session session;
   const Interruption interruption;  // till all is written
-  limit_checks(options.limits, session);
+  const bool is_slack = options.changes.empty() && !options.place;
+  const bool limited = options.limits.seconds >= 0;
+  ProofLimits limits = options.limits;
+  if (!limited) limits.seconds = is_slack ? usual_seconds_of_slack : 0;
+  limit_checks(limits, session);
   if (!read(options.selection, console, session)) return ExitStatus::usage;
   if (!may_write({options.witness}, inputs_of(session), console)) return ExitStatus::usage;
   if (!session.diagnostics.has_errors() && session.specification.environments.empty()) {
     console.err << "pal: what if needs times: give an environment with --environment FILE\n";
     return ExitStatus::usage;
   }
-  const analyzer::Options analysis = options_of(options.limits);
+  const analyzer::Options analysis = options_of(limits);
   std::vector<WhatIfAnswer> answers;
   bool sound_changes = true;
   if (!session.diagnostics.has_errors()) {
@@ -188,10 +194,12 @@ ExitStatus what_if(const WhatIfOptions& options, const Console& console) {
     const ExitStatus written = write_witnesses(answers, options.witness, listed, session, console);
     if (written != ExitStatus::all_hold) return written;
   }
-  // What the end of the time left open was not answered; of changed figures the verdicts say what was.
-  const bool ended = options.changes.empty() && analysis.stop && analysis.stop();
-  return !ended && std::all_of(answers.begin(), answers.end(), good) ? ExitStatus::all_hold
-                                                                     : ExitStatus::not_met;
+  // What the end of the time left open was not answered; of changed figures the verdicts say what was. The
+  // usual time of slack is no limit that somebody asked for.
+  const bool ended = Interruption::asked_for() || (limited && analysis.stop && analysis.stop());
+  const bool unanswered = ended && options.changes.empty();
+  return !unanswered && std::all_of(answers.begin(), answers.end(), good) ? ExitStatus::all_hold
+                                                                          : ExitStatus::not_met;
 }
 
 }  // namespace pal::driver

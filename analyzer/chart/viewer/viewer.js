@@ -403,6 +403,19 @@ function drawMarks(laneTop, bottom) {
   for (const [at, kind, lane, what] of run().marks) {
     if (at < from || at > to) continue;
     const place = x(at);
+    if (kind === "broken") {
+      const middle = lane < 0 ? topRow : laneTop(lane) + laneHeight / 2;
+      const who = lane < 0 ? "" : run().lanes[lane].name + ": ";
+      pen.fillStyle = "#f6c8a8";
+      pen.strokeStyle = "#d55e00";
+      pen.lineWidth = 1.2;
+      pen.beginPath();
+      pen.moveTo(place, middle - 7); pen.lineTo(place + 7, middle); pen.lineTo(place, middle + 7); pen.lineTo(place - 7, middle);
+      pen.closePath(); pen.fill(); pen.stroke();
+      text("!", place, middle, "#000", "center");
+      hit([place - 7, middle - 7, place + 7, middle + 7], who + "promise broken: " + what + "\n" + duration(at), lane < 0 ? undefined : run().lanes[lane].name);
+      continue;
+    }
     if (lane < 0 || kind === "completion" || kind === "fault") {
       pen.strokeStyle = kind === "fault" ? "#d55e00" : "#000";
       pen.lineWidth = 1.2;
