@@ -185,7 +185,8 @@ struct Desk::Parts final : operations::StepObserver {
     if (command.how == RunOperation::How::resume && state != ExecutionState::paused &&
         state != ExecutionState::stopped)
       return Refusal{Refusal::Why::nothing,
-                     fmt::format("the operation is {}, neither paused nor stopped", operations::name(state))};
+                     fmt::format("the operation is {}, neither paused nor stopped; 'run' begins it",
+                                 operations::name(state))};
     if (state == ExecutionState::ended || state == ExecutionState::failed) start_again();
     begin(Activity::operation);
     operation_job = OperationJob{command.how == RunOperation::How::step ? std::size_t{1} : 0};

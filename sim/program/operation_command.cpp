@@ -72,9 +72,9 @@ ExitStatus execute(const OperationCommand& command, operations::Executor& execut
   } else {
     executor.run();
   }
-  out << fmt::format("operation {}: {} after {} steps{}{}\n", executor.program().operations.front().name,
-                     operations::name(executor.state()), executor.steps(),
-                     executor.reason().empty() ? "" : ": ", executor.reason());
+  out << fmt::format("operation {}: {}\n", executor.program().operations.front().name,
+                     operations::told(operations::name(executor.state()), executor.token(), executor.steps(),
+                                      executor.reason()));
   const bool well = executor.state() != ExecutionState::failed && executor.state() != ExecutionState::stopped;
   return well ? ExitStatus::done : ExitStatus::error_completion;
 }
