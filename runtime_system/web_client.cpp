@@ -81,7 +81,7 @@ class WebClient final : public ClientAtDoor {
     stream_.async_read(buffer_, [self = here()](beast::error_code problem, std::size_t) {
       if (problem) return self->leave();
       if (!self->session_ || self->closing()) return;
-      if (!self->stream_.got_text()) return self->leave();
+      if (!self->stream_.got_text()) return self->close(websocket::close_code::unknown_data);
       const auto data = self->buffer_.cdata();
       self->session_->take({static_cast<const char*>(data.data()), data.size()});
       if (self->session_ && self->session_->admitted()) self->stream_.read_message_max(largest_message);
@@ -93,12 +93,12 @@ class WebClient final : public ClientAtDoor {
     stream_.async_write(asio::buffer(text),
                         [self = here()](beast::error_code problem, std::size_t) { self->written(!problem); });
   }
-  void close() override {
+  void close() override { close(websocket::close_code::policy_error); }
+  void close(websocket::close_code why) {
     // From outside the session, which is at work.
-    asio::post(hall_.io, [self = here()] {
+    asio::post(hall_.io, [self = here(), why] {
       if (self->gone() || std::exchange(self->closed_, true)) return;
-      self->stream_.async_close(websocket::close_code::policy_error,
-                                [self](beast::error_code) { self->leave(); });
+      self->stream_.async_close(why, [self](beast::error_code) { self->leave(); });
     });
   }
 
