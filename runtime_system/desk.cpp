@@ -356,6 +356,9 @@ Desk::Desk(operations::SkillRunner& runner, operations::Skills skills, EventSink
 Desk::~Desk() = default;
 
 ClientId Desk::enter(std::string name) {
+  // It is shown at others' terminals, which some characters command.
+  for (char& each : name)
+    if (static_cast<unsigned char>(each) < ' ' || each == '\x7f') each = '?';
   const std::lock_guard lock(parts_->mutex);
   parts_->clients[++parts_->last_client] = std::move(name);
   return parts_->last_client;
