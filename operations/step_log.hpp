@@ -21,7 +21,8 @@ std::optional<Step> parse_log_line(const std::string& line);
 std::string told(const Step& step);
 
 /// For people, how an operation stands: "paused before lift after 3 steps", "running at lift after 3 steps",
-/// "ended after 4 steps: exit 'done' with code 0". `state` as of name(ExecutionState); `reason` as of Executor.
+/// "ended after 4 steps: exit 'done' with code 0". `state` as of name(ExecutionState); `reason` as of
+/// Executor.
 std::string told(const std::string& state, const std::string& token, std::size_t steps,
                  const std::string& reason);
 

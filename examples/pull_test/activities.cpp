@@ -28,7 +28,8 @@ class Method final : public PullerActivities {
     *way_ = {parameters.speed * beat, 0};
     unsure_ = false;
   }
-  /// Something is late, so what the plug does is not known in time: the skill gives up by its own contingency.
+  /// Something is late, so what the plug does is not known in time: the skill gives up by its own
+  /// contingency.
   bool promise_broken(const pal::runtime::BrokenPromise&) override { return unsure_ = true; }
   Step draw() override {
     const double step = std::min(way_->step, parameters_.distance - way_->gone);

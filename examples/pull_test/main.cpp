@@ -1,4 +1,5 @@
-// Tests three plugs on a bench that is a few lines long: one is seated, one is loose, and of one the gauge gets slow.
+// Tests three plugs on a bench that is a few lines long: one is seated, one is loose, and of one the gauge
+// gets slow.
 #include <algorithm>
 #include <cmath>
 #include <iostream>

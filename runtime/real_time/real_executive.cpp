@@ -212,7 +212,8 @@ void RealExecutive::keep_time() {
       exit();  // others may come in between
       enter();
     } else if (now() >= options_.horizon) {
-      journal_.fail("the run is longer than its limit of " + in_words(options_.horizon) + kernel_->who_waits());
+      journal_.fail("the run is longer than its limit of " + in_words(options_.horizon) +
+                    kernel_->who_waits());
     } else {
       sleep(timer_, std::min({next, promised, options_.horizon}));
     }

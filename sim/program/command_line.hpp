@@ -71,9 +71,9 @@ struct OperationCommand {
   std::vector<std::string> breakpoints;  // "ICON" or "ICON=CODE"
   std::string faults;                    // a file of faults, in the first skill; empty: none
   std::string on_broken_promise = "report";
-  bool interactive = false;              // obeys lines of the input
-  bool at_server = false;                // not here
-  std::string announcement;              // of the server
+  bool interactive = false;  // obeys lines of the input
+  bool at_server = false;    // not here
+  std::string announcement;  // of the server
   bool detach = false;
 };
 
@@ -92,8 +92,8 @@ struct ServeCommand {
   std::string announcement;                 // where the token is written; empty: the usual place
   std::string faults;                       // a file of faults, in the first skill; empty: none
   std::string on_broken_promise = "report";
-  bool goes_on = false;                     // when the client goes that has the controls
-  double paced = 1;                         // station seconds a second; 0: as fast as can be
+  bool goes_on = false;  // when the client goes that has the controls
+  double paced = 1;      // station seconds a second; 0: as fast as can be
   bool fast = false;
   std::string log;
 };

@@ -27,9 +27,10 @@ std::vector<sim::PlannedFault> faults_of_lines(const std::string& file) {
   std::vector<sim::PlannedFault> faults = faults_in(file);
   for (const sim::PlannedFault& fault : faults)
     if (fault.kind == sim::PlannedFault::Kind::takes)
-      throw Failure(ExitStatus::wrong_specification, fmt::format("{}:{}", file, fault.line),
-                    "a statement can be made slow in 'workcell run' only",
-                    "name a device and what goes wrong with its line, for example: at 500 ms force-torque late 3 ms");
+      throw Failure(
+          ExitStatus::wrong_specification, fmt::format("{}:{}", file, fault.line),
+          "a statement can be made slow in 'workcell run' only",
+          "name a device and what goes wrong with its line, for example: at 500 ms force-torque late 3 ms");
   return faults;
 }
 

@@ -41,8 +41,8 @@ std::string files_of(const std::string& main, std::ostream& error) {
 }
 
 std::string halt_of(const Json& state) {
-  return operations::told(state.value("state", ""), state.value("token", ""), state.value("steps", std::size_t{0}),
-                          state.value("reason", ""));
+  return operations::told(state.value("state", ""), state.value("token", ""),
+                          state.value("steps", std::size_t{0}), state.value("reason", ""));
 }
 
 /// One connection: what the person asked for, and what is told of it.
@@ -92,11 +92,10 @@ class Terminal {
   }
 
   void tell_state() {
-    const std::string operation =
-        text("operation").empty()
-            ? "no operation is loaded"
-            : fmt::format("operation {}: {}; last code {}", text("operation"), halt_of(state_),
-                          state_.value("last_code", 0));
+    const std::string operation = text("operation").empty()
+                                      ? "no operation is loaded"
+                                      : fmt::format("operation {}: {}; last code {}", text("operation"),
+                                                    halt_of(state_), state_.value("last_code", 0));
     out_ << fmt::format("cell {}: {}; {}; controls: {}\n", text("cell"), text("activity"), operation,
                         text("controls", "nobody"));
   }

@@ -187,8 +187,9 @@ TEST_CASE("who comes when the server is full is told so, at both doors") {
   Served served(few);
   const auto only = served.enter("only");
   Raw web(served.server.port());
-  web.write("GET / HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-            "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n\r\n");
+  web.write(
+      "GET / HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+      "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n\r\n");
   const std::string answer = web.read_until("it takes.\n");
   CHECK(answer.starts_with("HTTP/1.1 503"));
   CHECK(answer.ends_with("The server has as many clients as it takes.\n"));
