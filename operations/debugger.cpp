@@ -7,6 +7,8 @@
 #include <ostream>
 #include <sstream>
 
+#include "operations/step_log.hpp"
+
 namespace pal::operations {
 namespace {
 
@@ -42,10 +44,9 @@ void list(const Program& program, std::size_t operation, const std::string& pref
 }
 
 void where(const Executor& executor, std::ostream& out) {
-  out << fmt::format("{} at {}, last code {}, {} steps", name(executor.state()), executor.token(),
-                     executor.last_code(), executor.steps());
-  if (!executor.reason().empty()) out << ": " << executor.reason();
-  out << '\n';
+  out << fmt::format("{}; last code {}\n",
+                     told(name(executor.state()), executor.token(), executor.steps(), executor.reason()),
+                     executor.last_code());
 }
 
 /// False: the line asked to quit.

@@ -112,6 +112,14 @@ std::string told(const Step& step) {
                              step.result.code, length, reason);
 }
 
+std::string told(const std::string& state, const std::string& token, std::size_t steps,
+                 const std::string& reason) {
+  const std::string after = fmt::format("after {} step{}", steps, steps == 1 ? "" : "s");
+  if (reason.empty()) return fmt::format("{} at {} {}", state, token.empty() ? "-" : token, after);
+  if (reason.starts_with(state)) return fmt::format("{} {}", reason, after);
+  return fmt::format("{} {}: {}", state, after, reason);
+}
+
 void StepLog::done(const Step& step) {
   out_ << log_line(step) << '\n' << std::flush;
 }

@@ -21,6 +21,12 @@ std::optional<Step> parse_log_line(const std::string& line);
 /// For people: "   3  put: palletize ended with code 0 after 5.120 s: The part is at the next place."
 std::string told(const Step& step);
 
+/// For people, how an operation stands: "paused before lift after 3 steps", "running at lift after 3 steps",
+/// "ended after 4 steps: exit 'done' with code 0". `state` as of name(ExecutionState); `reason` as of
+/// Executor.
+std::string told(const std::string& state, const std::string& token, std::size_t steps,
+                 const std::string& reason);
+
 /// Writes each step as it ends, so a log that breaks off is complete up to there.
 class StepLog final : public StepObserver {
  public:

@@ -54,7 +54,7 @@ class Teller {
         run_(run),
         operation_(program.operations[index]),
         skills_(skills),
-        exits_(possible_codes(program, skills).exits),
+        codes_(possible_codes(program, skills)),
         order_(told(operation_)) {}
 
   std::vector<Scene> scenes() const {
@@ -91,13 +91,13 @@ class Teller {
         break;
       case IconKind::wait:
         scene.sentences.push_back(
-            fmt::format("The robot waits until the sensor {} shows {}{}.", icon.sensor, condition_text(icon),
-                        icon.timeout ? fmt::format(", for {:g} s at most", *icon.timeout) : ""));
+            fmt::format("The robot waits until the sensor {} shows {}{}.", icon.sensor, awaited(icon),
+                        icon.timeout ? fmt::format("; it waits {:g} s at most", *icon.timeout) : ""));
         tell_branches(icon, scene);
         break;
       default:
         scene.sentences.push_back(fmt::format("The robot waits for {:g} s.", icon.seconds));
-        scene.branches.push_back("Then: " + destination(icon.next, 0));
+        scene.branches.push_back(destination(icon.next, 0));
     }
     if (run_ != nullptr) scene.sentences.push_back(run_->at({index_, order_[number]}));
     return scene;
@@ -130,13 +130,20 @@ class Teller {
     return ": it " + text;
   }
 
+  /// A unit as it is read aloud; most are read as they are written.
+  static std::string spoken(const std::string& unit) { return unit == "deg" ? "degrees" : unit; }
+
   static std::string settings(const Icon& icon, const pan::Template& skill) {
     std::vector<std::string> texts;
     for (const Parameter& given : icon.parameters) {
+      if (!given.count_of.empty()) {
+        texts.push_back(fmt::format("{} equal to {} so far", given.name, to_text(given)));
+        continue;
+      }
       std::string unit;
       for (const pan::Parameter& parameter : skill.parameters)
-        if (parameter.name == given.name && !parameter.unit.empty()) unit = " " + parameter.unit;
-      texts.push_back(fmt::format("{} {}{}", given.name, to_text(given), given.count_of.empty() ? unit : ""));
+        if (parameter.name == given.name && !parameter.unit.empty()) unit = " " + spoken(parameter.unit);
+      texts.push_back(fmt::format("{} {}{}", given.name, to_text(given), unit));
     }
     if (texts.empty()) return "";
     const std::string last = texts.back();
@@ -147,15 +154,14 @@ class Teller {
   void tell_sub_operation(const Icon& icon, Scene& scene) const {
     if (const auto sub = find_sub_operation(program_, operation_, icon)) {
       const Operation& inside = program_.operations[*sub];
-      scene.sentences.push_back(fmt::format("The operation {} runs; its own scenes are told below.{}{}",
-                                            inside.name, inside.description.empty() ? "" : " ",
-                                            inside.description));
+      scene.sentences.push_back(fmt::format("The operation {} runs{} Its own scenes are told below.",
+                                            inside.name, continued(inside.description)));
     }
     tell_branches(icon, scene);
   }
 
   void tell_branches(const Icon& icon, Scene& scene) const {
-    for (const auto& [code, normal] : completions_of(program_, operation_, icon, skills_, exits_)) {
+    for (const auto& [code, normal] : completions_of(program_, operation_, icon, skills_, codes_.exits)) {
       const auto way = route(operation_, icon, code, normal);
       scene.branches.push_back(fmt::format(
           "Code {}{} {}", code, meaning(icon, code),
@@ -163,8 +169,9 @@ class Teller {
     }
   }
 
-  /// ": It is there." or "."
+  /// ": It is there.", ", from its exit done." or "."
   std::string meaning(const Icon& icon, int code) const {
+    if (icon.kind == IconKind::sub_operation) return exits_with(icon, code);
     if (!icon.sensor.empty()) return ": " + meaning_of_reading(icon, code);
     const auto skill = skills_.find(icon.skill);
     if (skill == skills_.end()) return ".";
@@ -174,9 +181,31 @@ class Teller {
     }
     return ".";
   }
+  /// By which of its exits a sub-operation ends with the code.
+  std::string exits_with(const Icon& icon, int code) const {
+    const auto sub = find_sub_operation(program_, operation_, icon);
+    if (!sub) return ".";
+    std::vector<std::string> names;
+    const Operation& inside = program_.operations[*sub];
+    for (std::size_t i = 0; i < inside.icons.size(); ++i) {
+      const Icon& exit = inside.icons[i];
+      const std::set<int>& codes = codes_.at[*sub][i];
+      if (exit.kind != IconKind::exit || codes.empty()) continue;
+      if (exit.code ? *exit.code == code : codes.contains(code)) names.push_back(exit.id);
+    }
+    if (names.empty()) return ".";
+    return fmt::format(", from its exit {}.", fmt::join(names, " or "));
+  }
+  /// What a wait waits for: "280 or less".
+  static std::string awaited(const Icon& icon) {
+    if (icon.at_least && icon.at_most) return condition_text(icon);
+    return icon.at_least ? fmt::format("{} or more", *icon.at_least)
+                         : fmt::format("{} or less", icon.at_most.value_or(0));
+  }
   static std::string meaning_of_reading(const Icon& icon, int code) {
     if (code == sensor_failed) return "The sensor shows nothing.";
-    if (icon.kind == IconKind::wait) return code == 0 ? "It does." : "The time is over.";
+    if (icon.kind == IconKind::wait)
+      return code == 0 ? fmt::format("It shows {}.", awaited(icon)) : "The time is over.";
     const auto index = static_cast<std::size_t>(code);
     if (index == 0) return fmt::format("It shows less than {}.", icon.limits.front());
     if (index == icon.limits.size()) return fmt::format("It shows {} or more.", icon.limits.back());
@@ -224,7 +253,7 @@ class Teller {
   const Happened* run_;
   const Operation& operation_;
   const Skills& skills_;
-  std::vector<std::set<int>> exits_;
+  PossibleCodes codes_;
   std::vector<std::size_t> order_;
 };
 

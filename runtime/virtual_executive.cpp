@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "pal/runtime/broken_promise.hpp"
 #include "runtime/thrown.hpp"
 
 namespace pal::runtime {
@@ -77,8 +78,7 @@ void VirtualExecutive::fail(const char* reason, const Kernel& kernel) {
 
 bool VirtualExecutive::too_long(const Kernel& kernel) {
   set(options_.horizon);
-  journal_.fail("the run is longer than its limit of " + std::to_string(now().count()) + " ns" +
-                kernel.who_waits());
+  journal_.fail("the run is longer than its limit of " + in_words(now()) + kernel.who_waits());
   return false;
 }
 

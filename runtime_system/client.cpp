@@ -41,7 +41,15 @@ Client::Client(const std::string& address, std::uint16_t port, const std::string
     stream.set_option(websocket::stream_base::decorator([&](websocket::request_type& request) {
       if (!origin.empty()) request.set(beast::http::field::origin, origin);
     }));
-    stream.handshake(host, "/");
+    websocket::response_type response;
+    beast::error_code problem;
+    stream.handshake(response, host, "/", problem);
+    if (problem == websocket::error::upgrade_declined && !response.body().empty()) {
+      std::string said = response.body();  // "…\n"
+      said.erase(said.find_last_not_of(".\r\n") + 1);
+      throw std::runtime_error(fmt::format("{}: {}", host, said));
+    }
+    if (problem) throw boost::system::system_error(problem);
     stream.text(true);
   } catch (const boost::system::system_error& problem) {
     throw std::runtime_error(fmt::format("{}: {}", host, problem.code().message()));

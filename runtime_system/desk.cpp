@@ -99,13 +99,13 @@ struct Desk::Parts final : operations::StepObserver {
     status.holder = client ? clients.at(*client) : "";
     publish(ControlsChanged{status.holder});
   }
-  std::optional<Refusal> need_controls(ClientId client) {
+  // Controls are taken by what is obeyed, never by what is refused.
+  std::optional<Refusal> need_controls(ClientId client) const {
     if (ending) return Refusal{Refusal::Why::ending, "the server ends"};
     if (holder && *holder != client)
       return Refusal{
           Refusal::Why::not_yours,
           fmt::format("'{}' has the controls; only pause and stop are for everybody", status.holder)};
-    give_controls(client);
     return std::nullopt;
   }
   std::optional<Refusal> need_rest() const {
@@ -123,7 +123,11 @@ struct Desk::Parts final : operations::StepObserver {
     executor->pause();
   }
 
-  std::optional<Refusal> obey(ClientId client, TakeControls&, Answerer&) { return need_controls(client); }
+  std::optional<Refusal> obey(ClientId client, TakeControls&, Answerer&) {
+    if (auto refusal = need_controls(client)) return refusal;
+    give_controls(client);
+    return std::nullopt;
+  }
   std::optional<Refusal> obey(ClientId client, ReleaseControls&, Answerer&) {
     if (holder == client) give_controls(std::nullopt);
     return std::nullopt;
@@ -154,6 +158,7 @@ struct Desk::Parts final : operations::StepObserver {
     Diagnostics diagnostics;
     operations::check_skills(program_of(command), skills, options.locations, diagnostics);
     if (const auto problem = first_error(diagnostics, {})) return wrong(*problem);
+    give_controls(client);
     begin(Activity::skill);
     skill_job = SkillJob{std::move(command), std::exchange(answer, nullptr)};
     return std::nullopt;
@@ -172,6 +177,7 @@ struct Desk::Parts final : operations::StepObserver {
       operations::check_sensors(*program, options.sensors, diagnostics);
     if (const auto problem = first_error(diagnostics, sources)) return wrong(*problem);
     if (!program) return wrong("there is no operation in it");
+    give_controls(client);
     executor = std::make_unique<Executor>(std::move(*program), runner, this, &skills);
     look_at_executor();
     publish(OperationLoaded{status.operation});
@@ -185,8 +191,10 @@ struct Desk::Parts final : operations::StepObserver {
     if (command.how == RunOperation::How::resume && state != ExecutionState::paused &&
         state != ExecutionState::stopped)
       return Refusal{Refusal::Why::nothing,
-                     fmt::format("the operation is {}, neither paused nor stopped", operations::name(state))};
+                     fmt::format("the operation is {}, neither paused nor stopped; 'run' begins it",
+                                 operations::name(state))};
     if (state == ExecutionState::ended || state == ExecutionState::failed) start_again();
+    give_controls(client);
     begin(Activity::operation);
     operation_job = OperationJob{command.how == RunOperation::How::step ? std::size_t{1} : 0};
     status.state = ExecutionState::running;
@@ -203,6 +211,7 @@ struct Desk::Parts final : operations::StepObserver {
     if (auto refusal = need_rest()) return refusal;
     if (auto refusal = need_operation()) return refusal;
     executor->start_from(command.icon);
+    give_controls(client);
     look_at_executor();
     publish_state();
     return std::nullopt;
@@ -212,6 +221,7 @@ struct Desk::Parts final : operations::StepObserver {
     if (auto refusal = need_rest()) return refusal;
     if (auto refusal = need_operation()) return refusal;
     executor->set_parameter(command.icon, command.parameter, std::move(command.value));
+    give_controls(client);
     return std::nullopt;
   }
   // Breakpoints of what runs are changed when the token next comes to an icon.
@@ -223,6 +233,7 @@ struct Desk::Parts final : operations::StepObserver {
     } else {
       between.emplace_back(std::move(change), std::exchange(answer, nullptr));
     }
+    give_controls(client);
     return std::nullopt;
   }
   std::optional<Refusal> obey(ClientId client, SetBreakpoint& command, Answerer& answer) {
@@ -345,6 +356,9 @@ Desk::Desk(operations::SkillRunner& runner, operations::Skills skills, EventSink
 Desk::~Desk() = default;
 
 ClientId Desk::enter(std::string name) {
+  // It is shown at others' terminals, which some characters command.
+  for (char& each : name)
+    if (static_cast<unsigned char>(each) < ' ' || each == '\x7f') each = '?';
   const std::lock_guard lock(parts_->mutex);
   parts_->clients[++parts_->last_client] = std::move(name);
   return parts_->last_client;

@@ -7,11 +7,13 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
+#include <boost/asio/write.hpp>
 #include <condition_variable>
 #include <csignal>
 #include <deque>
 #include <mutex>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -43,6 +45,9 @@ tcp::acceptor open_door(asio::io_context& io, const std::string& address, std::u
   if (problem) throw std::runtime_error(fmt::format("{}:{}: {}", address, port, problem.message()));
   return acceptor;
 }
+
+/// To who comes by lines when there is no room: 50 characters after the '!', as every refusal.
+constexpr std::string_view no_room = "!the server has as many clients as it takes       \r\n";
 
 /// What another thread leaves for the server's.
 struct Waiting {
@@ -111,7 +116,11 @@ struct Server::Parts {
       error_code ignored;
       // Answers are short, and somebody waits for them.
       if (!problem) socket.set_option(tcp::no_delay(true), ignored);
-      if (!problem && has_room()) enter(web_client(*hall, options.doors, std::move(socket)));
+      forget_gone();
+      const std::size_t most = options.most_clients;
+      // Who comes too late is told so; not everybody who comes by the hundred.
+      if (!problem && clients.size() < 2 * most)
+        enter(web_client(*hall, options.doors, std::move(socket), clients.size() >= most));
       accept_web();
     });
   }
@@ -120,15 +129,20 @@ struct Server::Parts {
       if (problem == asio::error::operation_aborted) return;
       error_code ignored;
       if (!problem) socket.set_option(asio::socket_base::keep_alive(true), ignored);
-      if (!problem && has_room()) enter(line_client(*hall, std::move(socket)));
+      forget_gone();
+      if (!problem && clients.size() < options.most_clients) {
+        enter(line_client(*hall, std::move(socket)));
+      } else if (!problem) {
+        socket.non_blocking(true, ignored);
+        asio::write(socket, asio::buffer(no_room), ignored);
+      }
       accept_line();
     });
   }
-  bool has_room() {
+  void forget_gone() {
     clients.erase(
         std::remove_if(clients.begin(), clients.end(), [](const Entrance& each) { return each->gone(); }),
         clients.end());
-    return clients.size() < options.most_clients;
   }
   void enter(const Entrance& client) {
     clients.push_back(client);

@@ -21,8 +21,8 @@ constexpr std::size_t largest_message = (std::size_t{1} << 20) + 65536;
 
 class WebClient final : public ClientAtDoor {
  public:
-  WebClient(Hall& hall, const Doors& doors, asio::ip::tcp::socket socket)
-      : ClientAtDoor(hall), doors_(doors), stream_(std::move(socket)) {}
+  WebClient(Hall& hall, const Doors& doors, asio::ip::tcp::socket socket, bool full)
+      : ClientAtDoor(hall), doors_(doors), stream_(std::move(socket)), full_(full) {}
 
   void start() override {
     parser_.emplace();
@@ -52,6 +52,8 @@ class WebClient final : public ClientAtDoor {
       return respond(http::status::forbidden, "This host is not allowed; --allow-host allows it.\n");
     if (!origin_allowed(text(request[http::field::origin]), doors_))
       return respond(http::status::forbidden, "This origin is not allowed; --allow-origin allows it.\n");
+    if (full_)
+      return respond(http::status::service_unavailable, "The server has as many clients as it takes.\n");
     beast::get_lowest_layer(stream_).expires_never();
     stream_.set_option(websocket::stream_base::timeout{hall_.admit_within, hall_.idle, true});
     stream_.read_message_max(largest_hello);
@@ -81,7 +83,7 @@ class WebClient final : public ClientAtDoor {
     stream_.async_read(buffer_, [self = here()](beast::error_code problem, std::size_t) {
       if (problem) return self->leave();
       if (!self->session_ || self->closing()) return;
-      if (!self->stream_.got_text()) return self->leave();
+      if (!self->stream_.got_text()) return self->close(websocket::close_code::unknown_data);
       const auto data = self->buffer_.cdata();
       self->session_->take({static_cast<const char*>(data.data()), data.size()});
       if (self->session_ && self->session_->admitted()) self->stream_.read_message_max(largest_message);
@@ -93,12 +95,12 @@ class WebClient final : public ClientAtDoor {
     stream_.async_write(asio::buffer(text),
                         [self = here()](beast::error_code problem, std::size_t) { self->written(!problem); });
   }
-  void close() override {
+  void close() override { close(websocket::close_code::policy_error); }
+  void close(websocket::close_code why) {
     // From outside the session, which is at work.
-    asio::post(hall_.io, [self = here()] {
+    asio::post(hall_.io, [self = here(), why] {
       if (self->gone() || std::exchange(self->closed_, true)) return;
-      self->stream_.async_close(websocket::close_code::policy_error,
-                                [self](beast::error_code) { self->leave(); });
+      self->stream_.async_close(why, [self](beast::error_code) { self->leave(); });
     });
   }
 
@@ -107,13 +109,14 @@ class WebClient final : public ClientAtDoor {
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
   http::response<http::string_body> response_;
+  const bool full_;
   bool closed_ = false;
 };
 
 }  // namespace
 
-Entrance web_client(Hall& hall, const Doors& doors, boost::asio::ip::tcp::socket socket) {
-  return std::make_shared<WebClient>(hall, doors, std::move(socket));
+Entrance web_client(Hall& hall, const Doors& doors, boost::asio::ip::tcp::socket socket, bool full) {
+  return std::make_shared<WebClient>(hall, doors, std::move(socket), full);
 }
 
 }  // namespace pal::runtime_system

@@ -26,7 +26,11 @@ class Method final : public PullerActivities {
   void start(const Parameters& parameters) override {
     parameters_ = parameters;
     *way_ = {parameters.speed * beat, 0};
+    unsure_ = false;
   }
+  /// Something is late, so what the plug does is not known in time: the skill gives up by its own
+  /// contingency.
+  bool promise_broken(const pal::runtime::BrokenPromise&) override { return unsure_ = true; }
   Step draw() override {
     const double step = std::min(way_->step, parameters_.distance - way_->gone);
     way_->gone += step;
@@ -34,11 +38,12 @@ class Method final : public PullerActivities {
   }
   Step stop() override { return {0}; }
   bool decide_seated(const Pull& pull) override { return pull.value >= parameters_.test_force; }
-  bool decide_loose() override { return way_->gone >= parameters_.distance; }
+  bool decide_loose() override { return unsure_ || way_->gone >= parameters_.distance; }
 
  private:
   std::shared_ptr<Way> way_;
   Parameters parameters_;
+  bool unsure_ = false;
 };
 
 class Scale final : public TensionActivities {

@@ -1,4 +1,5 @@
-// Tests two plugs on a bench that is a few lines long: one is seated, one is loose.
+// Tests three plugs on a bench that is a few lines long: one is seated, one is loose, and of one the gauge
+// gets slow.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -29,13 +30,17 @@ struct Plug {
 
 class Gauge final : public GaugeDevice {
  public:
-  explicit Gauge(const Plug& plug) : plug_(plug) {}
+  /// From its request number `slow_from` on it answers 5 ms later than it promises.
+  Gauge(const Plug& plug, int slow_from) : plug_(plug), slow_from_(slow_from) {}
 
  private:
   void on_request_reading() override {
-    after(answers_after.worst, [this] { send_reading({std::llround(plug_.pull() * 40)}); });
+    const Time late = ++asked_ < slow_from_ ? Time::zero() : std::chrono::milliseconds(5);
+    after(answers_after.worst + late, [this] { send_reading({std::llround(plug_.pull() * 40)}); });
   }
   const Plug& plug_;
+  int slow_from_;
+  int asked_ = 0;
 };
 
 class Axis final : public AxisDevice {
@@ -54,16 +59,21 @@ class Axis final : public AxisDevice {
   Plug& plug_;
 };
 
+constexpr int never = 1'000'000;
+
 /// Prints how the test of `plug` ended; true if with `expected`.
-bool test(const char* what, Plug plug, int expected) {
+bool test(const char* what, Plug plug, int expected, int slow_from = never) {
   const auto skill = pull_test_skill();
-  Gauge gauge(plug);
+  Gauge gauge(plug, slow_from);
   Axis axis(plug);
   StillWorld world;
   Device* devices[] = {&gauge, &axis};
-  const Outcome outcome = Dispatcher(devices, world).run(*skill);
+  RunOptions options;
+  options.on_broken_promise = OnBrokenPromise::contingency;
+  const Outcome outcome = Dispatcher(devices, world).run(*skill, {}, options);
   std::cout << what << ": completion " << outcome.code << ", " << outcome.reason << " (gripper at "
             << plug.gripper << " mm)\n";
+  for (const BrokenPromise& broken : outcome.broken_promises) std::cout << "  " << in_words(broken) << '\n';
   return outcome.code == expected;
 }
 
@@ -72,5 +82,6 @@ bool test(const char* what, Plug plug, int expected) {
 int main() {
   const bool seated = test("a plug that holds", {15, 100}, 0);
   const bool loose = test("a plug that slips", {15, 10}, 1);
-  return seated && loose ? 0 : 1;
+  const bool slow = test("a gauge that gets slow", {15, 100}, 1, 10);
+  return seated && loose && slow ? 0 : 1;
 }

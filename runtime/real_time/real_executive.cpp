@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "pal/runtime/broken_promise.hpp"
 #include "runtime/thrown.hpp"
 
 namespace pal::runtime {
@@ -211,8 +212,8 @@ void RealExecutive::keep_time() {
       exit();  // others may come in between
       enter();
     } else if (now() >= options_.horizon) {
-      journal_.fail("the run is longer than its limit of " + std::to_string(options_.horizon.count()) +
-                    " ns" + kernel_->who_waits());
+      journal_.fail("the run is longer than its limit of " + in_words(options_.horizon) +
+                    kernel_->who_waits());
     } else {
       sleep(timer_, std::min({next, promised, options_.horizon}));
     }

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "pal/runtime/broken_promise.hpp"
 #include "runtime/real_time/real_executive.hpp"
 
 namespace pal::runtime {
@@ -61,7 +62,7 @@ void RealExecutive::look() {
     const Time worst = wiring_.statements[statement].cost.worst;
     if (had <= options_.real_time->hang_timeout + worst) continue;
     const std::string why = journal_.place_of(*level.work) + " has not returned for " + in_seconds(had) +
-                            "; its worst time is " + in_seconds(worst);
+                            "; its worst time is " + in_words(worst);
     make_ordinary(level.os_thread);  // others need its CPU
     journal_.fail(why);
     exit();

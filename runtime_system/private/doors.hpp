@@ -9,8 +9,9 @@
 
 namespace pal::runtime_system {
 
-/// JSON-RPC over a WebSocket. Refuses a Host and an Origin that the doors do not allow.
-Entrance web_client(Hall& hall, const Doors& doors, boost::asio::ip::tcp::socket socket);
+/// JSON-RPC over a WebSocket. Refuses a Host and an Origin that the doors do not allow, and everybody if the
+/// server is `full`.
+Entrance web_client(Hall& hall, const Doors& doors, boost::asio::ip::tcp::socket socket, bool full);
 
 /// Lines over TCP.
 Entrance line_client(Hall& hall, boost::asio::ip::tcp::socket socket);

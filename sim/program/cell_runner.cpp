@@ -1,5 +1,7 @@
 #include "sim/program/cell_runner.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace pal::workcell {
@@ -66,6 +68,16 @@ runtime::ParameterValue value_of(const operations::Parameter& parameter) {
   return {parameter.name, std::get<double>(parameter.value)};
 }
 
+/// With the first promise that was broken, unless the skill has ended because of it.
+std::string reason_of(const runtime::Outcome& outcome) {
+  if (outcome.broken_promises.empty()) return outcome.reason;
+  const runtime::BrokenPromise& broken = outcome.broken_promises.front();
+  if (outcome.reason.find(broken.promise) != std::string::npos) return outcome.reason;
+  const std::size_t others = outcome.broken_promises.size() - 1;
+  return fmt::format("{}{} broken promise: {}{}", outcome.reason, outcome.reason.ends_with('.') ? "" : ";",
+                     runtime::in_words(broken), others == 0 ? "" : fmt::format("; and {} more", others));
+}
+
 SkillResult::Kind kind_of(const runtime::Skill& skill, const runtime::Outcome& outcome) {
   if (outcome.fault) return SkillResult::Kind::error;
   for (const runtime::CompletionSpec& completion : skill.description().completions) {
@@ -127,8 +139,9 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
   options.control = control_;
   options.observer = messages_;
   options.trace_capacity = 1U << 14U;
+  options.on_broken_promise = on_broken_promise_;
   const runtime::Outcome outcome = cell_.run(*skill, values, options);
-  SkillResult result{kind_of(*skill, outcome), outcome.code, outcome.reason};
+  SkillResult result{kind_of(*skill, outcome), outcome.code, reason_of(outcome)};
   if (outcome.fault && control_.load()->stopping()) result.kind = SkillResult::Kind::stopped;
   // What cut a skill off may have left motions that the arm has accepted: nobody goes on before it is at
   // rest.

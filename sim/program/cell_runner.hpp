@@ -35,6 +35,9 @@ class CellRunner final : public operations::SkillRunner {
   CellRunner(sim::Cell& cell, const std::vector<KnownSkill>& skills, runtime::CostPolicy times,
              std::uint64_t seed, OnInterrupt on_interrupt = OnInterrupt::stop,
              runtime::MessageObserver* messages = nullptr);
+  /// What is done when a promise of the environment, or a requirement, is broken; `report` unless it is set.
+  /// The first one stands in the reason of the skill's result.
+  void on_broken_promise(runtime::OnBrokenPromise policy) { on_broken_promise_ = policy; }
 
   operations::SkillResult run(const std::string& skill,
                               const std::vector<operations::Parameter>& parameters) override;
@@ -55,6 +58,7 @@ class CellRunner final : public operations::SkillRunner {
   std::map<std::string, std::unique_ptr<runtime::Skill>> made_;
   OnInterrupt on_interrupt_;
   runtime::MessageObserver* messages_;
+  runtime::OnBrokenPromise on_broken_promise_ = runtime::OnBrokenPromise::report;
   // A control that has been stopped stays so; resuming takes a new one. The old ones stay for another thread
   // that is about to stop.
   std::vector<std::unique_ptr<runtime::RunControl>> controls_;

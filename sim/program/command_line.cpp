@@ -54,6 +54,19 @@ CLI::Validator number_within(double low, double high) {
       fmt::format("FLOAT in [{:g} - {:g}]", low, high));
 }
 
+/// --on-broken-promise, alike wherever skills run.
+CLI::Option* add_policy(CLI::App& app, std::string& policy) {
+  return app
+      .add_option(
+          "--on-broken-promise", policy,
+          "what to do when a device or a statement breaks a promise of the environment, or a requirement "
+          "fails: note it and go on, tell the skill, or stop it")
+      ->check(CLI::IsMember({"report", "contingency", "stop"}))
+      ->capture_default_str();
+}
+
+constexpr const char* first_faults = "a file that says what goes wrong with devices in the first skill";
+
 void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& folders) {
   app.add_option("skill", command.skill, "the skill to run; 'workcell list' shows them")->required();
   app.add_option("--scene", command.scene, "a scene's name, or the path of a scene file")
@@ -116,12 +129,7 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
       ->excludes(real_time);
   app.add_option("--fault", command.faults, "a file that says what goes wrong with devices, and when")
       ->excludes(sweep);
-  app.add_option("--on-broken-promise", command.on_broken_promise,
-                 "what to do when a device or a statement breaks a promise of the environment, or a "
-                 "requirement fails: note it and go on, tell the skill, or stop it")
-      ->check(CLI::IsMember({"report", "contingency", "stop"}))
-      ->capture_default_str()
-      ->excludes(sweep);
+  add_policy(app, command.on_broken_promise)->excludes(sweep);
   app.add_option("--live-trace", command.live_trace,
                  "a file, or a named pipe, that gets the events of the run while it goes on, a line each")
       ->excludes(sweep);
@@ -185,6 +193,8 @@ void describe_serve(CLI::App& app, ServeCommand& command, std::vector<std::strin
                  "the file for address and token, readable by this user only");
   app.add_flag("--go-on", command.goes_on,
                "if the client with the controls goes, its operation goes on; without this it pauses");
+  app.add_option("--fault", command.faults, first_faults);
+  add_policy(app, command.on_broken_promise);
   auto* paced = app.add_option("--paced", command.paced, "so many times as fast as the wall clock")
                     ->check(CLI::Range(0.001, 1000.0))
                     ->capture_default_str();
@@ -249,13 +259,17 @@ CLI::App* describe_operation(CLI::App& app, OperationCommand& command, std::vect
   run->add_option("--from", command.from, "start before this icon instead of START");
   run->add_option("--break", command.breakpoints, "pause before ICON, or ICON=CODE: if that code came last")
       ->take_all();
+  auto* faults = run->add_option("--fault", command.faults, first_faults);
+  auto* policy = add_policy(*run, command.on_broken_promise);
   auto* server = run->add_flag("--server", command.at_server, "at the server that 'workcell serve' started");
   run->add_option("--at", command.announcement, "with --server: the file that the server has written")
       ->needs(server);
   server->excludes(run->get_option("--scene"))
       ->excludes(run->get_option("--seed"))
       ->excludes(run->get_option("--time"))
-      ->excludes(run->get_option("--steps"));
+      ->excludes(run->get_option("--steps"))
+      ->excludes(faults)
+      ->excludes(policy);
   run->add_flag("--detach", command.detach, "with --server: does not wait, and gives the controls back")
       ->needs(server);
   run->add_flag("--step", command.interactive, "obey commands on standard input: step, run, set, break, …")

@@ -69,9 +69,11 @@ struct OperationCommand {
   std::string log;                       // a line of JSON a step; empty: none
   std::string from;                      // the icon to start from; empty: START
   std::vector<std::string> breakpoints;  // "ICON" or "ICON=CODE"
-  bool interactive = false;              // obeys lines of the input
-  bool at_server = false;                // not here
-  std::string announcement;              // of the server
+  std::string faults;                    // a file of faults, in the first skill; empty: none
+  std::string on_broken_promise = "report";
+  bool interactive = false;  // obeys lines of the input
+  bool at_server = false;    // not here
+  std::string announcement;  // of the server
   bool detach = false;
 };
 
@@ -88,8 +90,10 @@ struct ServeCommand {
   unsigned baud = 9600;
   std::vector<std::string> hosts, origins;  // allowed besides
   std::string announcement;                 // where the token is written; empty: the usual place
-  bool goes_on = false;                     // when the client goes that has the controls
-  double paced = 1;                         // station seconds a second; 0: as fast as can be
+  std::string faults;                       // a file of faults, in the first skill; empty: none
+  std::string on_broken_promise = "report";
+  bool goes_on = false;  // when the client goes that has the controls
+  double paced = 1;      // station seconds a second; 0: as fast as can be
   bool fast = false;
   std::string log;
 };

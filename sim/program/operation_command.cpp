@@ -13,6 +13,7 @@
 #include "pal/support/render.hpp"
 #include "sim/program/cell_runner.hpp"
 #include "sim/program/command_line.hpp"
+#include "sim/program/fault_file.hpp"
 #include "sim/program/needed_tool.hpp"
 
 namespace pal::workcell {
@@ -72,9 +73,9 @@ ExitStatus execute(const OperationCommand& command, operations::Executor& execut
   } else {
     executor.run();
   }
-  out << fmt::format("operation {}: {} after {} steps{}{}\n", executor.program().operations.front().name,
-                     operations::name(executor.state()), executor.steps(),
-                     executor.reason().empty() ? "" : ": ", executor.reason());
+  out << fmt::format("operation {}: {}\n", executor.program().operations.front().name,
+                     operations::told(operations::name(executor.state()), executor.token(), executor.steps(),
+                                      executor.reason()));
   const bool well = executor.state() != ExecutionState::failed && executor.state() != ExecutionState::stopped;
   return well ? ExitStatus::done : ExitStatus::error_completion;
 }
@@ -106,6 +107,7 @@ ExitStatus run_operation(const OperationCommand& command, const std::vector<Know
   sim::CellOptions options;
   options.seed = command.seed;
   options.times = times;
+  options.faults = faults_of_lines(command.faults);
   std::optional<sim::Cell> cell;
   operations::Program program = checked_program(
       command.file,
@@ -115,7 +117,11 @@ ExitStatus run_operation(const OperationCommand& command, const std::vector<Know
        },
        [&](const auto& each, auto& diagnostics) {
          check_tools(each, known, scene, command.scene_folders);
-         cell.emplace(scene, options);
+         try {
+           cell.emplace(scene, options);
+         } catch (const sim::NoSuchDevice& problem) {
+           throw no_such_device(command.faults, problem);
+         }
          operations::check_skills(each, skills, locations_of(*cell), diagnostics);
          operations::check_sensors(each, sensors_of(*cell), diagnostics);
        }},
@@ -126,6 +132,7 @@ ExitStatus run_operation(const OperationCommand& command, const std::vector<Know
     if (!log) throw Failure(ExitStatus::usage, "--log " + command.log, "it cannot be written");
   }
   CellRunner runner(*cell, known, times, command.seed);
+  runner.on_broken_promise(policy_named(command.on_broken_promise));
   Onlooker onlooker(out, command.log.empty() ? nullptr : &log);
   operations::Executor executor(std::move(program), runner, &onlooker, &skills);
   try {

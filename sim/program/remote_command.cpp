@@ -40,6 +40,11 @@ std::string files_of(const std::string& main, std::ostream& error) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+std::string halt_of(const Json& state) {
+  return operations::told(state.value("state", ""), state.value("token", ""),
+                          state.value("steps", std::size_t{0}), state.value("reason", ""));
+}
+
 /// One connection: what the person asked for, and what is told of it.
 class Terminal {
  public:
@@ -65,8 +70,8 @@ class Terminal {
   Json call(const std::string& method, const std::string& parameters = "{}") {
     return Json::parse(client_->call(method, parameters));
   }
-  const Json& state() const { return state_; }
-  void refresh() { state_ = call("state"); }
+  /// Whether nothing ran when this terminal said hello.
+  bool idle() const { return text("activity") == "idle"; }
 
   /// Asks for it, and tells what happens until the operation halts. Ctrl-C stops it.
   ExitStatus follow(const std::string& method) {
@@ -87,10 +92,12 @@ class Terminal {
   }
 
   void tell_state() {
-    out_ << fmt::format("cell {}: {}; operation {}: {} at {}, last code {}, {} steps{}{}; controls: {}\n",
-                        text("cell"), text("activity"), text("operation", "none"), text("state"),
-                        text("token", "-"), state_.value("last_code", 0), state_.value("steps", 0),
-                        text("reason").empty() ? "" : ": ", text("reason"), text("controls", "nobody"));
+    const std::string operation = text("operation").empty()
+                                      ? "no operation is loaded"
+                                      : fmt::format("operation {}: {}; last code {}", text("operation"),
+                                                    halt_of(state_), state_.value("last_code", 0));
+    out_ << fmt::format("cell {}: {}; {}; controls: {}\n", text("cell"), text("activity"), operation,
+                        text("controls", "nobody"));
   }
 
  private:
@@ -111,6 +118,8 @@ class Terminal {
       const Json& params = event["params"];
       if (params.value("event", "") != "state" || params.value("state", "") == "running") continue;
       const std::string state = params.value("state", "");
+      if (state == "stopped")
+        out_ << "  'resume' begins it anew; 'from ICON' puts the token elsewhere\n" << std::flush;
       return state == "failed" || state == "stopped" ? ExitStatus::error_completion : ExitStatus::done;
     }
   }
@@ -121,10 +130,7 @@ class Terminal {
     if (kind == "ends") {
       tell_step(event);
     } else if (kind == "state" && event.value("state", "") != "running") {
-      out_ << fmt::format("{} at {} after {} steps{}{}\n", event.value("state", ""), event.value("token", ""),
-                          event.value("steps", 0), event.value("reason", "").empty() ? "" : ": ",
-                          event.value("reason", ""))
-           << std::flush;
+      out_ << halt_of(event) << '\n' << std::flush;
     } else if (kind == "loaded") {
       out_ << fmt::format("operation {}\n", event.value("operation", "")) << std::flush;
     }
@@ -178,7 +184,11 @@ ExitStatus obey(const RemoteCommand& command, Terminal& terminal, std::ostream& 
   if (command.verb == "watch") return terminal.watch();
   if (command.verb == "stop" || command.verb == "pause") {
     terminal.call("operation." + command.verb);
-    out << (command.verb == "stop" ? "told to stop\n" : "told to pause after the current skill\n");
+    if (command.verb == "pause") {
+      out << "told to pause after the current skill\n";
+    } else {
+      out << (terminal.idle() ? "nothing was running\n" : "told to stop\n");
+    }
     return ExitStatus::done;
   }
   if (!command.file.empty()) terminal.call("operation.load", files_of(command.file, error));

@@ -16,6 +16,7 @@
 #include "sim/program/command_line.hpp"
 #include "sim/program/comparison.hpp"
 #include "sim/program/control_terminal.hpp"
+#include "sim/program/fault_file.hpp"
 #include "sim/program/interrupt.hpp"
 #include "sim/program/live_trace.hpp"
 #include "sim/program/needed_tool.hpp"
@@ -158,22 +159,6 @@ std::unique_ptr<runtime::Carrier> make_carrier(const std::string& links) {
   return nullptr;
 }
 
-std::vector<sim::PlannedFault> faults_in(const std::string& file) {
-  if (file.empty()) return {};
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) throw Failure(ExitStatus::usage, file, "the file cannot be read", "name a file of faults");
-  auto read = sim::read_faults(text.str());
-  if (const auto* wrong = std::get_if<sim::FaultTextError>(&read))
-    throw Failure(ExitStatus::wrong_specification, fmt::format("{}:{}", file, wrong->line), wrong->cause,
-                  "for example: at 500 ms force-torque dropout");
-  if (std::get<0>(read).empty())
-    throw Failure(ExitStatus::wrong_specification, file, "the file names no fault",
-                  "write a line, for example: at 500 ms force-torque dropout");
-  return std::get<0>(std::move(read));
-}
-
 /// Of what is to go wrong, what is wrong with statements.
 std::vector<runtime::SlowStatement> slow_statements(const RunCommand& command, const runtime::Wiring& wiring,
                                                     std::vector<sim::PlannedFault>& faults) {
@@ -193,11 +178,6 @@ std::vector<runtime::SlowStatement> slow_statements(const RunCommand& command, c
   }
   std::erase_if(faults, [](const auto& fault) { return fault.kind == sim::PlannedFault::Kind::takes; });
   return slow;
-}
-
-runtime::OnBrokenPromise policy_named(const std::string& name) {
-  if (name == "contingency") return runtime::OnBrokenPromise::contingency;
-  return name == "stop" ? runtime::OnBrokenPromise::stop : runtime::OnBrokenPromise::report;
 }
 
 /// What the run does with its events while it goes on.
@@ -236,8 +216,7 @@ SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Ses
       out << fmt::format("  the live trace lacks {} events: its reader was too slow\n", live->dropped());
     return result;
   } catch (const sim::NoSuchDevice& problem) {
-    throw Failure(ExitStatus::wrong_specification, fmt::format("{}:{}", command.faults, problem.line()),
-                  problem.what(), "name one of these, or choose a scene whose tool is the device");
+    throw no_such_device(command.faults, problem);
   }
 }
 

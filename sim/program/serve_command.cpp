@@ -11,6 +11,7 @@
 #include "sim/cell/cell.hpp"
 #include "sim/program/cell_runner.hpp"
 #include "sim/program/command_line.hpp"
+#include "sim/program/fault_file.hpp"
 #include "sim/program/instruments.hpp"
 
 namespace pal::workcell {
@@ -91,13 +92,21 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   options.seed = command.seed;
   options.times = times_named(command.times);
   options.keep_log = false;
+  options.faults = faults_of_lines(command.faults);
   if (command.paced > 0) options.pace = &wall.emplace(command.paced);
   options.watch = [&](sim::Workcell& workcell) {
     return std::make_unique<WatchedWorld>(workcell, std::vector{instrument_watcher(workcell, *server)});
   };
-  sim::Cell cell(scene, options);
+  std::optional<sim::Cell> opened;
+  try {
+    opened.emplace(scene, options);
+  } catch (const sim::NoSuchDevice& problem) {
+    throw no_such_device(command.faults, problem);
+  }
+  sim::Cell& cell = *opened;
   ProfileWatcher profiles(*server, [&cell] { return cell.station().now(); });
   CellRunner runner(cell, known, options.times, command.seed, OnInterrupt::leave, &profiles);
+  runner.on_broken_promise(policy_named(command.on_broken_promise));
   runtime_system::Desk desk(runner, templates_of(known), *server,
                             {scene.name, !command.goes_on, command.log.empty() ? nullptr : &log,
                              sensors_of(cell), locations_of(cell)});

@@ -56,6 +56,38 @@ TEST_CASE("rub in square finds the plate, rubs four sides and leaves") {
   CHECK(answer.out.find("exit 'done' with code 0") != std::string::npos);
 }
 
+TEST_CASE("a promise that is broken stands in the reason of its skill; the policy decides what comes of it") {
+  const std::string file = (std::filesystem::temp_directory_path() / ("late-" + std::to_string(::getpid()))).string();
+  std::ofstream(file) << "at 500 ms force-torque late 3 ms\n";
+  const std::vector<std::string> late{"--scene", "touch", "--steps", "1", "--fault", file, "--on-broken-promise"};
+  const auto with = [&late](const char* policy) {
+    std::vector<std::string> options = late;
+    options.push_back(policy);
+    const Answer answer = run("rub_in_square", options);
+    INFO(answer.out << answer.error);
+    REQUIRE(answer.steps.size() == 1);
+    return answer.steps.front();
+  };
+  const auto reported = with("report");
+  CHECK(reported.at("code") == 0);
+  CHECK(reported.at("reason").get<std::string>().starts_with(
+      "The tool touches the surface. broken promise: force-torque answers"));
+  for (const char* policy : {"stop", "contingency"}) {  // touch has no answer to it
+    const auto stopped = with(policy);
+    CHECK(stopped.at("kind") == "error");
+    CHECK(stopped.at("code") == 2);
+    CHECK(stopped.at("reason").get<std::string>().find("force-torque answers") != std::string::npos);
+    CHECK(stopped.at("reason").get<std::string>().find("broken promise:") == std::string::npos);
+  }
+  std::ofstream(file) << "at 500 ms camera dropout\n";
+  const Answer none = run("rub_in_square", {"--scene", "touch", "--fault", file});
+  CHECK(none.status == ExitStatus::wrong_specification);
+  CHECK(none.error.find("there is no device 'camera' to go wrong") != std::string::npos);
+  std::ofstream(file) << "at 500 ms SM1:55 takes 40 ms\n";
+  CHECK(run("rub_in_square", {"--scene", "touch", "--fault", file}).status == ExitStatus::wrong_specification);
+  std::filesystem::remove(file);
+}
+
 TEST_CASE("pick and place goes round until the steps are up") {
   const Answer answer = run("pick_and_place", {"--scene", "parts", "--steps", "7"});
   INFO(answer.out << answer.error);

@@ -23,11 +23,11 @@ TEST_CASE("an operation is run by hand") {
   test::ScriptedRunner runner;
   runner.codes = {1, 0};
   CHECK(answers("break b\nstep\nset a far 5\nrun\nquit\nrun\n", runner) ==
-        "ready at start, last code 0, 0 steps\n"
-        "ready at start, last code 0, 0 steps\n"
-        "paused at a, last code 1, 1 steps: paused before a\n"
-        "paused at a, last code 1, 1 steps: paused before a\n"
-        "paused at b, last code 0, 2 steps: breakpoint at b\n");
+        "ready at start after 0 steps; last code 0\n"
+        "ready at start after 0 steps; last code 0\n"
+        "paused before a after 1 step; last code 1\n"
+        "paused before a after 1 step; last code 1\n"
+        "paused after 2 steps: breakpoint at b; last code 0\n");
   CHECK(std::get<double>(runner.last_parameters.at(0).value) == 5);
   CHECK(runner.ran.size() == 2);
 }

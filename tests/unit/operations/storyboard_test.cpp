@@ -57,3 +57,45 @@ TEST_CASE("the longest run is told by its first steps") {
   CHECK(course.size() == 51);
   CHECK(course.back() == "9950 more steps followed.");
 }
+
+TEST_CASE("a storyboard tells a sub-operation by its exits, and a count in words") {
+  const auto program = test::program_of(R"({
+  "operation-format": 1,
+  "name": "o",
+  "icons": [
+    {"id": "start", "kind": "start", "next": "inner"},
+    {"id": "inner", "kind": "operation", "operation": "s", "next": "rest", "error": "end"},
+    {"id": "rest", "kind": "delay", "seconds": 2, "next": "end"},
+    {"id": "end", "kind": "exit"}
+  ],
+  "operations": [
+    {
+      "name": "s",
+      "description": "Puts one down.",
+      "icons": [
+        {"id": "start", "kind": "start", "next": "put"},
+        {"id": "put", "kind": "skill", "skill": "put", "parameters": {"angle": 90, "placed": {"count-of": "put"}}, "next": "done", "error": "given-up"},
+        {"id": "done", "kind": "exit", "code": 0},
+        {"id": "given-up", "kind": "exit"}
+      ]
+    }
+  ]
+})");
+  Skills skills;
+  skills["put"].parameters.resize(2);
+  skills["put"].parameters[0].name = "angle";
+  skills["put"].parameters[0].unit = "deg";
+  skills["put"].parameters[1].name = "placed";
+  skills["put"].completions.resize(2);
+  skills["put"].completions[1].code = 3;
+  skills["put"].completions[1].kind = pan::Completion::Kind::error;
+  const std::string story = storyboard_markdown(program, skills);
+  INFO(story);
+  for (const char* sentence :
+       {"The operation s runs: it puts one down. Its own scenes are told below.",
+        "- Code 0, from its exit done. The story goes on with scene 2, rest.",
+        "- Code 3, from its exit given-up. The operation ends at end with code 3.",
+        "\n- The operation ends at end with code 0.\n",
+        "The skill put runs with angle 90 degrees and placed equal to the count of put so far"})
+    CHECK(story.find(sentence) != std::string::npos);
+}

@@ -218,7 +218,7 @@ TEST_CASE("every fault ends the skill with its error completion and closes the d
     bench.skill.thread("A", bench.p, 1, [&](Thread& t) -> Task {
       for (;;) co_await t.perform(bench.nap, [] {});
     });
-    expected = "the run is longer than its limit of 100000000 ns: A at nap (written.pal:1)";
+    expected = "the run is longer than its limit of 100 ms: A at nap (written.pal:1)";
   }
   SECTION("a run in which time stands still") {
     bench.skill.thread("A", bench.p, 1, [&](Thread& t) -> Task {

@@ -260,7 +260,7 @@ TEST_CASE("real time: a device that never answers is given up by WITHIN, or by t
     options.horizon = 30ms;
     const auto outcome = run(asker.skill, {&device}, options);
     CHECK(outcome.fault);
-    CHECK(outcome.reason == "the run is longer than its limit of 30000000 ns: A at receive (written.pal:3)");
+    CHECK(outcome.reason == "the run is longer than its limit of 30 ms: A at receive (written.pal:3)");
   }
   CHECK(device.closed == 1);
 }

@@ -113,7 +113,7 @@ TEST_CASE("watchdog: an activity that never returns leaves the devices closed an
   CAPTURE(ended.said);
   CHECK(ended.status == 71);
   CHECK(ended.said.find("sensor closed\npal: A at act (written.pal:2) has not returned for ") == 0);
-  CHECK(ended.said.find("its worst time is 0.001 s\n  the devices are closed; the process ends") !=
+  CHECK(ended.said.find("its worst time is 1 ms\n  the devices are closed; the process ends") !=
         std::string::npos);
 }
 

@@ -77,6 +77,22 @@ TEST_CASE("the controls belong to one client; pause and stop to everybody") {
   CHECK(f.events.numbers_follow);
 }
 
+TEST_CASE("what is refused does not take the controls") {
+  Fixture f;
+  CHECK(f.load(f.ann, "no operation") != "done");
+  CHECK(f.ask(f.ann, RunOperation{}) == "no operation is loaded");
+  CHECK(f.ask(f.ann, RunSkill{"none", {}}) != "done");
+  CHECK(f.desk.status(f.ann).holder.empty());
+  CHECK(f.load(f.bob, test::two_long) == "done");
+  CHECK(f.ask(f.bob, ReleaseControls{}) == "done");
+  CHECK(f.ask(f.ann, PutToken{"nowhere"}) != "done");
+  CHECK(f.ask(f.ann, SetParameter{"a", "code", 99.0}) != "done");
+  CHECK(f.ask(f.ann, SetBreakpoint{{"nowhere", {}}}) != "done");
+  CHECK(f.ask(f.ann, RunOperation{RunOperation::How::resume}) != "done");
+  CHECK(f.desk.status(f.ann).holder.empty());
+  CHECK(f.ask(f.bob, TakeControls{}) == "done");
+}
+
 TEST_CASE("a stop right behind a command holds, however the threads run") {
   for (int i = 0; i < 200; ++i) {
     Fixture f;

@@ -180,6 +180,24 @@ TEST_CASE("a client without token or rights moves nothing and is disconnected") 
   CHECK_NOTHROW(served.enter("another"));  // and the server lives
 }
 
+TEST_CASE("who comes when the server is full is told so, at both doors") {
+  ServerOptions few = options();
+  few.line_terminal = false;
+  few.most_clients = 1;
+  Served served(few);
+  const auto only = served.enter("only");
+  Raw web(served.server.port());
+  web.write(
+      "GET / HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+      "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n\r\n");
+  const std::string answer = web.read_until("it takes.\n");
+  CHECK(answer.starts_with("HTTP/1.1 503"));
+  CHECK(answer.ends_with("The server has as many clients as it takes.\n"));
+  Raw lines(*served.server.line_port());
+  CHECK(lines.read_until("\n") == "!the server has as many clients as it takes       \r\n");
+  CHECK(Json::parse(only->call("state", "{}")).at("controls") == "");
+}
+
 TEST_CASE("a client that is killed leaves the cell to another") {
   Served served;
   auto ann = served.enter("ann");
