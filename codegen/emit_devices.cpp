@@ -136,8 +136,7 @@ void write_functions(Writer& out, const Plan& plan, const PlannedDevice& device)
 }
 
 void write_class(Writer& out, const Plan& plan, const PlannedDevice& device) {
-  out.line("/// DEVICE " + device.pal_name +
-           (device.description.empty() ? "" : ": " + device.description));
+  out.line("/// DEVICE " + device.pal_name + (device.description.empty() ? "" : ": " + device.description));
   out.line("class " + device.type + " : public runtime::PortDevice {");
   out.line(" public:").indent();
   write_promise(out, plan, device);

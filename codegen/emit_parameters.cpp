@@ -140,7 +140,8 @@ std::string parameters_source(const Plan& plan) {
 }  // namespace
 
 std::vector<GeneratedFile> emit_parameters(const Plan& plan) {
-  return {{plan.file + "_parameters.hpp", parameters_header(plan)}, {plan.file + "_parameters.cpp", parameters_source(plan)}};
+  return {{plan.file + "_parameters.hpp", parameters_header(plan)},
+          {plan.file + "_parameters.cpp", parameters_source(plan)}};
 }
 
 }  // namespace pal::codegen

@@ -83,8 +83,8 @@ class CourierSearch {
       const std::size_t channel = statement.ends.front().channel;
       const std::optional<std::size_t> answer = plan_.channels[channel].answer;
       if (!answer || (next != nullptr && waits_for(*next, *answer))) continue;
-      found_.push_back({channel, module.pal_name, next == nullptr ? std::string("the end") : next->pal,
-                        statement.line});
+      found_.push_back(
+          {channel, module.pal_name, next == nullptr ? std::string("the end") : next->pal, statement.line});
     }
   }
 

@@ -239,13 +239,14 @@ void Executor::leave_with(const SkillResult& result) {
   last_code_ = result.code;
   const auto way = route(operation(), icon(), last_code_, result.kind == SkillResult::Kind::normal);
   if (way) return go(*way);
-  halt(ExecutionState::failed, fmt::format("'{}' ended with code {}, which nobody handles: {}", token(),
-                                           last_code_, result.reason));
+  halt(ExecutionState::failed,
+       fmt::format("'{}' ended with code {}, which nobody handles: {}", token(), last_code_, result.reason));
 }
 
 /// A delay or a wait that is not over; it begins anew when somebody resumes.
 void Executor::cut_off(Step& step) {
-  const bool paused = !stop_.load(std::memory_order_relaxed) && pause_.exchange(false, std::memory_order_relaxed);
+  const bool paused =
+      !stop_.load(std::memory_order_relaxed) && pause_.exchange(false, std::memory_order_relaxed);
   step.result = {SkillResult::Kind::stopped, 0, paused ? "paused" : "stopped"};
   step.end = runner_.now();
   if (observer_ != nullptr) observer_->done(step);

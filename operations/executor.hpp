@@ -46,7 +46,8 @@ class SkillRunner {
   }
   /// The time of the cell.
   virtual Duration now() const = 0;
-  /// Ends the skill, delay or reading that goes on, at once; a skill with SkillResult::stopped. From any thread, or a signal handler.
+  /// Ends the skill, delay or reading that goes on, at once; a skill with SkillResult::stopped. From any
+  /// thread, or a signal handler.
   virtual void stop() noexcept = 0;
   /// Skills may run again after stop().
   virtual void allow() = 0;
@@ -60,7 +61,7 @@ struct Step {
   std::vector<Parameter> parameters;
   SkillResult result;
   Duration begin{}, end{};
-  std::string sensor{};           // of a wait and a test
+  std::string sensor{};             // of a wait and a test
   std::optional<double> reading{};  // the last one
 
   /// A delay ends without a code, and so does what is stopped.

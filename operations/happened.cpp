@@ -33,7 +33,8 @@ std::string ending(const Step& step) {
 /// "took 1.20 s, read 5.00 from eye and ended with code 0: The tool touches the surface"
 std::string course_of(const Step& step) {
   const std::string length = fmt::format("took {:.2f} s", in_seconds(step.end - step.begin));
-  if (step.skill.empty() && step.sensor.empty() && step.result.kind != SkillResult::Kind::stopped) return length;
+  if (step.skill.empty() && step.sensor.empty() && step.result.kind != SkillResult::Kind::stopped)
+    return length;
   const std::string reading =
       step.reading ? fmt::format(", read {:.2f} from {}", *step.reading, step.sensor) : "";
   return fmt::format("{}{} and {}", length, reading, ending(step));
@@ -64,8 +65,8 @@ std::vector<std::string> Happened::course() const {
     }
     const std::string skill =
         step.skill.empty() || step.skill == step.icon ? "" : fmt::format(" ({})", step.skill);
-    result.push_back(
-        fmt::format("At {:.2f} s {}{} began, {}.", in_seconds(step.begin), step.icon, skill, course_of(step)));
+    result.push_back(fmt::format("At {:.2f} s {}{} began, {}.", in_seconds(step.begin), step.icon, skill,
+                                 course_of(step)));
   }
   return result;
 }
@@ -97,9 +98,10 @@ std::string Happened::at(Place place) const {
   if (cut_off > 0) endings.push_back("cut off " + times(cut_off));
   const auto [shortest, longest] = std::minmax_element(
       here.begin(), here.end(), [&](std::size_t a, std::size_t b) { return length(a) < length(b); });
-  return fmt::format("In the run it began {}, first at {:.2f} s; it took {:.2f} to {:.2f} s{}{}.", times(here.size()),
-                     in_seconds(steps_[here.front()].begin), in_seconds(length(*shortest)),
-                     in_seconds(length(*longest)), endings.empty() ? "" : "; ", fmt::join(endings, ", "));
+  return fmt::format("In the run it began {}, first at {:.2f} s; it took {:.2f} to {:.2f} s{}{}.",
+                     times(here.size()), in_seconds(steps_[here.front()].begin),
+                     in_seconds(length(*shortest)), in_seconds(length(*longest)), endings.empty() ? "" : "; ",
+                     fmt::join(endings, ", "));
 }
 
 }  // namespace pal::operations

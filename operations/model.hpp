@@ -56,15 +56,15 @@ struct Icon {
   std::vector<Way> ways;
   std::string skill;
   std::vector<Parameter> parameters;
-  double seconds = 0;         // of a delay
-  std::string sensor;         // of a wait and a test
-  std::vector<double> limits;                 // of a test, ascending, in the sensor's unit
+  double seconds = 0;                           // of a delay
+  std::string sensor;                           // of a wait and a test
+  std::vector<double> limits;                   // of a test, ascending, in the sensor's unit
   std::optional<double> at_least{}, at_most{};  // of a wait: what it waits for, in the sensor's unit
   std::optional<double> timeout{};              // of a wait, s; nothing: it waits for ever
-  std::optional<int> code;    // of an exit; without one, the last completion code goes on
-  std::string operation;      // of a hierarchical icon: the sub-operation's name
-  std::string file;           // … and the file it stands in; empty: this one
-  std::optional<Point> at{};  // on a canvas
+  std::optional<int> code;                      // of an exit; without one, the last completion code goes on
+  std::string operation;                        // of a hierarchical icon: the sub-operation's name
+  std::string file;                             // … and the file it stands in; empty: this one
+  std::optional<Point> at{};                    // on a canvas
   std::string note;
   SourceSpan where;    // its id
   SourceSpan subject;  // its skill, sensor, operation or file

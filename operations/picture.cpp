@@ -91,7 +91,8 @@ std::string to_dot(const Program& program, std::size_t operation, const Happened
       if (icon.kind != IconKind::sub_operation && count > 0) text += fmt::format("\n{}×", count);
       more = count > 0 ? " penwidth=2.5" : " color=\"#999999\" fontcolor=\"#999999\"";
     }
-    out += fmt::format("  {} [label={} {}{}]\n", in_quotes(icon.id), newlines(in_quotes(text)), look(icon.kind), more);
+    out += fmt::format("  {} [label={} {}{}]\n", in_quotes(icon.id), newlines(in_quotes(text)),
+                       look(icon.kind), more);
   }
   for (const Icon& icon : shown.icons) {
     line(icon, icon.next, "", false);

@@ -294,8 +294,7 @@ std::optional<Icon> read_icon(const JsonValue& value, Diagnostics& diagnostics) 
   }
   if (icon.kind != IconKind::branch && icon.kind != IconKind::exit && icon.kind != IconKind::restart)
     icon.next = fields.connection("next");
-  if (has_completions(icon.kind))
-    icon.error = fields.connection("error");
+  if (has_completions(icon.kind)) icon.error = fields.connection("error");
   read_position(icon, fields);
   icon.note = fields.text("note");
   fields.refuse_the_rest();

@@ -163,9 +163,9 @@ class Teller {
   void tell_branches(const Icon& icon, Scene& scene) const {
     for (const auto& [code, normal] : completions_of(program_, operation_, icon, skills_, codes_.exits)) {
       const auto way = route(operation_, icon, code, normal);
-      scene.branches.push_back(fmt::format(
-          "Code {}{} {}", code, meaning(icon, code),
-          way ? destination(*way, code) : "Nobody handles it, and the operation fails here."));
+      scene.branches.push_back(
+          fmt::format("Code {}{} {}", code, meaning(icon, code),
+                      way ? destination(*way, code) : "Nobody handles it, and the operation fails here."));
     }
   }
 

@@ -57,7 +57,8 @@ Measurement::KnownDevice& Measurement::known(const Device& device) {
       if (port < ports.size() && found.ports[port].kind == Port::Kind::other)
         found.ports[port].kind = Port::Kind::event;
     }
-    if (!channel.to_device || channel.receiver != found.name || !channel.request || channel.answer < 0) continue;
+    if (!channel.to_device || channel.receiver != found.name || !channel.request || channel.answer < 0)
+      continue;
     const std::size_t request = port_of(channel.message, true);
     const std::size_t answer =
         port_of(wiring_.channels[static_cast<std::size_t>(channel.answer)].message, false);

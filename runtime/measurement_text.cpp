@@ -122,7 +122,8 @@ std::string Measurement::devices() const {
       for (const Port& port : found->ports) {
         if (any || port.apart.count() == 0) continue;
         any = true;
-        // EVERY and JITTER whose difference is the least separation, and whose sum the greatest, or 1 ns less.
+        // EVERY and JITTER whose difference is the least separation, and whose sum the greatest, or 1 ns
+        // less.
         const Time least = std::max(port.apart.least(), Time(1));
         const Time jitter = (port.apart.greatest() - least) / 2;
         const Time period = least + jitter;
@@ -139,11 +140,13 @@ std::string Measurement::devices() const {
 }
 
 std::string Measurement::environment() const {
-  std::string text = "# Measured in " + times(runs_, "run") + " of skill " + std::string(wiring_.skill) + ".\n";
+  std::string text =
+      "# Measured in " + times(runs_, "run") + " of skill " + std::string(wiring_.skill) + ".\n";
   text +=
       "# For pal check with --measured. A measurement is no bound: nothing is proved from these figures.\n"
       "#\n"
-      "# TIME, COST: processor time of this computer that the C++ of the activities took, whatever time the skill ran in.\n"
+      "# TIME, COST: processor time of this computer that the C++ of the activities took, whatever time the "
+      "skill ran in.\n"
       "#   Reading the clock is in each: about " +
       written(cost_of_processor_time()) +
       ".\n"
@@ -151,7 +154,8 @@ std::string Measurement::environment() const {
       "ENVIRONMENT " +
       std::string(wiring_.environment) + "\n";
   for (const ProcessorSpec& processor : wiring_.processors)
-    text += "  PROCESSOR " + std::string(processor.name) + (processor.preemptive ? "" : " NONPREEMPTIVE") + "\n";
+    text +=
+        "  PROCESSOR " + std::string(processor.name) + (processor.preemptive ? "" : " NONPREEMPTIVE") + "\n";
   text += "\n" + devices() + "\n" + activities();
   return text + "END ENVIRONMENT\n";
 }

@@ -282,8 +282,7 @@ struct Desk::Parts final : operations::StepObserver {
     if (options.log != nullptr) options.log->done(step);
     const std::lock_guard lock(mutex);
     status.time = step.end;
-    if (step.has_code())
-      status.last_code = step.result.code;
+    if (step.has_code()) status.last_code = step.result.code;
     publish(StepEnds{step});
   }
 

@@ -68,7 +68,8 @@ OpenTerminal open_serial(const std::string& path, unsigned baud) {
   }
   OpenTerminal result{::open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK), path};
   termios settings{};
-  if (result.descriptor < 0 || ::tcgetattr(result.descriptor, &settings) != 0) close_and_fail(result.descriptor, path);
+  if (result.descriptor < 0 || ::tcgetattr(result.descriptor, &settings) != 0)
+    close_and_fail(result.descriptor, path);
   ::cfmakeraw(&settings);
   settings.c_cflag |= CLOCAL | CREAD;
   settings.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | CRTSCTS);

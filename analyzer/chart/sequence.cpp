@@ -91,15 +91,15 @@ class Drawing {
     const auto size = [](Length value) { return std::to_string(value); };
     out_.raw(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-        size(sequence_width / 10) + "\" height=\"" + size(height / 10) + "\" viewBox=\"0 0 " + size(sequence_width) +
-        " " + size(height) + "\" role=\"img\">\n<title>" + xml_escaped(chart_.title) + "</title>\n<desc>" +
-        xml_escaped(chart_.subtitle) + "</desc>\n");
+        size(sequence_width / 10) + "\" height=\"" + size(height / 10) + "\" viewBox=\"0 0 " +
+        size(sequence_width) + " " + size(height) + "\" role=\"img\">\n<title>" + xml_escaped(chart_.title) +
+        "</title>\n<desc>" + xml_escaped(chart_.subtitle) + "</desc>\n");
     out_.raw(style_sheet);
     out_.rect({0, 0, sequence_width, height}, "paper");
     out_.text({margin, 280}, Anchor::start, "title", fitted(chart_.title, 150, sequence_width - 2 * margin),
               chart_.title);
-    out_.text({margin, 450}, Anchor::start, "subtitle", fitted(chart_.subtitle, 105, sequence_width - 2 * margin),
-              chart_.subtitle);
+    out_.text({margin, 450}, Anchor::start, "subtitle",
+              fitted(chart_.subtitle, 105, sequence_width - 2 * margin), chart_.subtitle);
   }
 
   void lanes() {

@@ -201,8 +201,8 @@ class Writer {
   /// If `done` is when a chain of segments in one window is done: to that instant.
   bool together(const Clock& clock, int node, Nanoseconds part, Nanoseconds done, int step) {
     const auto released = [&clock](int n) { return clock.times(n).latest; };
-    const JointEnd joint = soonest_joint_end(
-        *view_.times.interference, joint_chain(context_, view_.times, node), part, released);
+    const JointEnd joint = soonest_joint_end(*view_.times.interference,
+                                             joint_chain(context_, view_.times, node), part, released);
     if (joint.chain.empty() || plus(released(joint.chain.front()), joint.after) != done) return false;
     release(clock, joint.chain.front());
     others(node, view_.times.interference->joint_breakdown(joint.chain, part));

@@ -51,7 +51,8 @@ std::vector<int> way_round(const ZoneGraph& graph) {
   return way;
 }
 
-std::vector<int> cycle_statements(const Problem& problem, const ZoneGraph& graph, const std::vector<int>& way) {
+std::vector<int> cycle_statements(const Problem& problem, const ZoneGraph& graph,
+                                  const std::vector<int>& way) {
   std::set<int> found;
   for (int e : way) {
     const Edge& edge = graph.edges()[static_cast<std::size_t>(e)];

@@ -298,8 +298,8 @@ void Firing::device_service(int device) {
   if (std::holds_alternative<pan::RequestDevice>(of.behaviour)) due_.push_back({Due::What::serve, device});
 }
 
-/// Whether the device, which serves one request, has no answer to it though somebody wants one: then the request
-/// is open no more.
+/// Whether the device, which serves one request, has no answer to it though somebody wants one: then the
+/// request is open no more.
 bool Firing::never_answers(const Device& of, const DeviceState::Served& served) {
   const auto* request = std::get_if<pan::RequestDevice>(&of.behaviour);
   if (request == nullptr || !request->may_fail) return false;

@@ -90,8 +90,9 @@ struct SlotState {
 };
 
 struct DeviceState {
-  static constexpr std::size_t most_requests = 128;  // more than fits_exploration() has channels; fits_simulation() asks
-  using Served = std::bitset<most_requests>;         // by index into Device::requests
+  static constexpr std::size_t most_requests =
+      128;  // more than fits_exploration() has channels; fits_simulation() asks
+  using Served = std::bitset<most_requests>;  // by index into Device::requests
 
   bool open = false;
   bool late = false;  // event: due, but not there yet

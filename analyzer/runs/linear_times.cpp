@@ -95,7 +95,8 @@ class Constraints {
 
 /// Makes the goal greater until it cannot be, in steps that are doubled, and halved where one was too wide.
 /// `best` has the best times so far, also if this throws.
-void make_greatest(Constraints& constraints, const Goal& goal, const Interrupter& interrupter, ChosenTimes& best) {
+void make_greatest(Constraints& constraints, const Goal& goal, const Interrupter& interrupter,
+                   ChosenTimes& best) {
   using Answer = Constraints::Answer;
   const auto value = [&] { return (*best)[goal.to] - (*best)[goal.from]; };
   if (value() >= goal.enough) return;
@@ -129,8 +130,8 @@ bool too_large(std::size_t count, const std::vector<Work>& works) {
 }  // namespace
 
 ChosenTimes linear_times(std::size_t count, const std::vector<Difference>& differences,
-                   const std::vector<Work>& works, const std::optional<Goal>& goal,
-                   const std::function<bool()>& stop) {
+                         const std::vector<Work>& works, const std::optional<Goal>& goal,
+                         const std::function<bool()>& stop) {
   if ((stop && stop()) || too_large(count, works)) return std::nullopt;
   // Making one takes longer than most systems take to be solved.
   thread_local std::unique_ptr<z3::context> context;

@@ -112,8 +112,9 @@ std::optional<Witness> simulated_witness(const Problem& problem, const Requireme
     const Machine machine(problem, watch);
     for (std::uint64_t number = 1; number <= runs + extreme_runs && left > 0; ++number) {
       if (stop && stop()) return std::nullopt;
-      Simulation run = number <= runs ? run_by_chance(machine, number, few_events, stop)
-                                      : run_of_extremes(machine, number - runs, std::min(left, many_events), stop);
+      Simulation run = number <= runs
+                           ? run_by_chance(machine, number, few_events, stop)
+                           : run_of_extremes(machine, number - runs, std::min(left, many_events), stop);
       left -= std::min(left, run.script.size());
       if (break_in(requirement, run) == Break::none) continue;
       return witness_of(requirement, machine, std::move(run));

@@ -11,8 +11,8 @@ namespace pal::analyzer {
 /// How near holding and failing have to come: to the nanosecond, or to some hundredths.
 enum class Precision { rough, exact };
 
-/// Holding and failing are monotone in the growth, deciding is not: so what could not be decided is kept apart
-/// from what was proved. Works in turns, each of which goes on where the last one stopped.
+/// Holding and failing are monotone in the growth, deciding is not: so what could not be decided is kept
+/// apart from what was proved. Works in turns, each of which goes on where the last one stopped.
 class Bracket {
  public:
   /// `loads`: the requirements are loads. The growth must live as long.
@@ -29,8 +29,9 @@ class Bracket {
   /// Known to hold, by bounds.
   void hold(Nanoseconds extra) { holds_ = std::max(holds_, extra); }
 
-  /// Narrows until holding and failing are as near to each other as is wanted, below `ceiling`, which need not
-  /// be asked, or until the effort is over. What this effort cannot decide is asked again by a greater one only.
+  /// Narrows until holding and failing are as near to each other as is wanted, below `ceiling`, which need
+  /// not be asked, or until the effort is over. What this effort cannot decide is asked again by a greater
+  /// one only.
   void narrow(Judge& judge, const Effort& effort, Precision precision, Nanoseconds ceiling);
 
   /// Nothing is left to be asked below `ceiling`, unless with more effort.

@@ -10,8 +10,8 @@
 
 namespace pal::analyzer {
 
-/// `holds` (also where no run measures anything) and `fails` are proved as by analyze(), but for runs in which
-/// time stands still (zeno_run.hpp): the caller looks for them.
+/// `holds` (also where no run measures anything) and `fails` are proved as by analyze(), but for runs in
+/// which time stands still (zeno_run.hpp): the caller looks for them.
 struct Decision {
   Verdict::State state = Verdict::State::undecided;
   std::optional<Witness> witness;  // fails; nothing if no single run is known, or of loads
@@ -31,8 +31,8 @@ Decision decide_by_runs(const Problem& problem, RequirementId requirement, const
 /// By exploring what has an influence (slice_bound.hpp), which can only prove.
 Decision decide_by_slice(const Problem& problem, RequirementId requirement, const Options& options);
 
-/// Of as many classes as are allowed, so many are explored: fewer where there is more to do than there is time,
-/// which mostly has no end.
+/// Of as many classes as are allowed, so many are explored: fewer where there is more to do than there is
+/// time, which mostly has no end.
 std::size_t classes_for(const Problem& problem, RequirementId requirement, std::size_t allowed);
 
 /// By exploring all runs, in at most `options.max_states` classes. Values are followed up to the limit only,

@@ -27,8 +27,8 @@ Interval* find_figure(pan::Environment& environment, const std::string& name);
 
 /// A change that somebody asks about, as text: "extract-z OF LS1 = 5 TO 7 ms", "SEND = 0.1 ms",
 /// "answer of force-torque = 6..8 ms", "alter.period = 20 ms" (also phase, jitter, collecting), "SM1.priority
-/// = 3", "SM1.2.processor = P1", "PROCESSOR P4" (one more, like the last). `..` means TO; an activity without OF means all that have its name. Returns
-/// what is wrong with it, or nothing.
+/// = 3", "SM1.2.processor = P1", "PROCESSOR P4" (one more, like the last). `..` means TO; an activity without
+/// OF means all that have its name. Returns what is wrong with it, or nothing.
 std::string change(pan::Environment& environment, const std::string& text);
 
 }  // namespace pal::analyzer

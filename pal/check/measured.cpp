@@ -83,8 +83,8 @@ class Comparison {
         .report(Code::PAL0750, declared_.where,
                 std::string("COST ") + name + " was measured to be " + to_text(measured.worst) +
                     ", and environment " + declared_.name + " declares at most " + to_text(declared.worst),
-                std::string("declare COST ") + name + " " +
-                    interval_text({declared.best, measured.worst}) + " at least")
+                std::string("declare COST ") + name + " " + interval_text({declared.best, measured.worst}) +
+                    " at least")
         .notes.push_back({measured_.where, "it was measured here"});
   }
 
@@ -134,15 +134,16 @@ class Comparison {
 void check_measured(const std::vector<pan::Environment>& declared,
                     const std::vector<pan::Environment>& measured, Diagnostics& diagnostics) {
   for (const pan::Environment& each : measured) {
-    const auto same = std::find_if(declared.begin(), declared.end(), [&](const pan::Environment& environment) {
-      return environment.name == each.name;
-    });
+    const auto same =
+        std::find_if(declared.begin(), declared.end(),
+                     [&](const pan::Environment& environment) { return environment.name == each.name; });
     if (same != declared.end()) {
       Comparison(*same, each, diagnostics).compare();
     } else {
-      diagnostics.report(Code::PAL0752, each.where,
-                         "this was measured in environment " + each.name + ", which is not among those checked",
-                         "give the environment that the skill ran in with --environment");
+      diagnostics.report(
+          Code::PAL0752, each.where,
+          "this was measured in environment " + each.name + ", which is not among those checked",
+          "give the environment that the skill ran in with --environment");
     }
   }
 }

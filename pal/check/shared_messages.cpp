@@ -61,7 +61,7 @@ class Finder {
   /// The uses in nodes [begin, end), which `thread` follows in a body that `runner` runs, each kind once.
   /// Compares the blocks in them.
   std::vector<MessageUse> uses_of(pan::ModuleId id, std::size_t begin, std::size_t end, const Runner& thread,
-                           const Runner& runner, std::set<pan::ModuleId>& entered) {
+                                  const Runner& runner, std::set<pan::ModuleId>& entered) {
     std::vector<MessageUse> result;
     const pan::Module& module = network_.modules[id.index()];
     const auto& nodes = module.body.nodes;
@@ -82,7 +82,7 @@ class Finder {
   }
 
   std::vector<MessageUse> uses_of_blocks(pan::ModuleId id, const pan::Node& here, const pan::Fork& fork,
-                                  const Runner& runner) {
+                                         const Runner& runner) {
     std::vector<MessageUse> earlier;
     for (std::size_t i = 0; i < fork.threads.size() && ++blocks_ <= most_blocks; ++i) {
       Runner block;

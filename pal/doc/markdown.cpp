@@ -52,7 +52,8 @@ std::string markdown_text(const Line& line, bool in_table = false) {
 struct BlockText {
   std::string operator()(const Paragraphs& paragraphs) const {
     std::string result;
-    for (const auto& line : paragraphs.lines) result += (result.empty() ? "" : "\n") + markdown_text(line) + "\n";
+    for (const auto& line : paragraphs.lines)
+      result += (result.empty() ? "" : "\n") + markdown_text(line) + "\n";
     return result;
   }
   std::string operator()(const Items& items) const {

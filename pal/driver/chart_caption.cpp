@@ -68,7 +68,8 @@ chart::Caption proof_caption(const Proof& proof, std::size_t index) {
   made.figures = figures_of(verdict);
   made.limit = length_text(verdict.measure, verdict.limit);
   if (verdict.bound)
-    made.proved = (verdict.at_least ? "at least " : "at most ") + caption_value(verdict.measure, *verdict.bound);
+    made.proved =
+        (verdict.at_least ? "at least " : "at most ") + caption_value(verdict.measure, *verdict.bound);
   return made;
 }
 

@@ -21,7 +21,8 @@ const char* const statuses =
 
 const char* const statuses_of_what_if =
     "Exit status: 0 all requirements hold as things are, or with --set and --place as asked for; 1 the "
-    "specification is wrong; 2 bad usage, or a file could not be read or written; 3 some requirement fails or is "
+    "specification is wrong; 2 bad usage, or a file could not be read or written; 3 some requirement fails "
+    "or is "
     "undecided, also if a change would mend it, or the time that --timeout gives ended the search.";
 
 // Of commands that prove nothing, or to which what they prove is no finding.
@@ -181,9 +182,10 @@ void add_what_if(CLI::App& app, WhatIfOptions& options) {
       "and placements do");
   add_selection(*command, options.selection);
   options.limits.seconds = -1;
-  add_limits(*command, options.limits,
-             "end after so long, with what is known by then: 90 s, 2min, 500ms; a number alone is seconds, 0: "
-             "never; without it 60 s for slack and remedies, and no limit for --set and --place");
+  add_limits(
+      *command, options.limits,
+      "end after so long, with what is known by then: 90 s, 2min, 500ms; a number alone is seconds, 0: "
+      "never; without it 60 s for slack and remedies, and no limit for --set and --place");
   add_format(*command, options.format);
   command
       ->add_option("--set", options.changes,

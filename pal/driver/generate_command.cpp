@@ -50,9 +50,9 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
              "choose with --environment-name NAME", console.err);
   if (one) {
     checker::check_listed(session.specification.skills.front(), session.specification.environments.front(),
-                           session.diagnostics);
+                          session.diagnostics);
     checker::check_shared_messages(session.specification.skills.front(),
-                                    session.specification.environments.front(), session.diagnostics);
+                                   session.specification.environments.front(), session.diagnostics);
     const auto plan =
         codegen::make_plan(session.specification.skills.front(), session.specification.environments.front(),
                            session.sources, session.diagnostics);
@@ -68,7 +68,8 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
     if (!session.diagnostics.has_errors() && !all_hold(proofs)) {
       report_unmet(proofs, false, session);
       show_findings(session, console);
-      console.err << "pal: nothing was generated, since a requirement does not hold; --allow-failing generates all the same\n";
+      console.err << "pal: nothing was generated, since a requirement does not hold; --allow-failing "
+                     "generates all the same\n";
       return ExitStatus::not_met;
     }
   }

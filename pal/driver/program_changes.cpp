@@ -46,7 +46,8 @@ bool overlap(const std::vector<Edit>& edits) {
       if (one.file != other.file) continue;
       const bool apart = one.end <= other.begin || other.end <= one.begin;
       // Two insertions at one place have no order.
-      if (!apart || (one.begin == other.begin && one.begin == one.end && other.begin == other.end)) return true;
+      if (!apart || (one.begin == other.begin && one.begin == one.end && other.begin == other.end))
+        return true;
     }
   }
   return false;
@@ -69,8 +70,9 @@ void ProgramChanges::propose(const syntax::Tree& tree, const pan::Network& skill
   for (rewrite::Rewriting& each : proposed) {
     if (!has_module(skill, each.module) || overlap(each.edits)) continue;
     const std::string& file = sources_.name(tree.file);
-    changes_.push_back({each.title, each.module, file, sources_.line_column(tree.file, each.where.begin).line,
-                        line_difference(file, text, file + " (changed)", apply(each.edits, tree.file, text))});
+    changes_.push_back(
+        {each.title, each.module, file, sources_.line_column(tree.file, each.where.begin).line,
+         line_difference(file, text, file + " (changed)", apply(each.edits, tree.file, text))});
     rewritings_.push_back(std::move(each));
   }
 }

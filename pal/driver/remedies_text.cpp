@@ -60,7 +60,8 @@ std::string verdict_lines(const analyzer::Remedies& remedies, const analyzer::Re
   return out;
 }
 
-std::string remedy_lines(const WhatIfAnswer& answer, const analyzer::Remedy& remedy, const std::string& mark) {
+std::string remedy_lines(const WhatIfAnswer& answer, const analyzer::Remedy& remedy,
+                         const std::string& mark) {
   std::string out = "  " + mark;
   for (const analyzer::CandidateId id : remedy.made)
     out += change_lines(answer, answer.remedies->candidates[id.index()], id == remedy.made.front());

@@ -168,8 +168,7 @@ std::string sarif(const Session& session, ExitStatus status) {
   run["columnKind"] = "unicodeCodePoints";
   run["artifacts"] = log.artifacts();
   run["results"] = Json::array();
-  for (const Diagnostic& finding : findings)
-    run["results"].push_back(log.result(finding));
+  for (const Diagnostic& finding : findings) run["results"].push_back(log.result(finding));
   Json document;
   document["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";
   document["version"] = "2.1.0";

@@ -175,7 +175,8 @@ std::string obstacle(const SimulateOptions& options, const Session& session,
   for (const auto& study : studies) {
     if (!analyzer::fits_simulation(study->simulated.problem))
       return "'" + study->simulated.problem.skill +
-             "' is too large to simulate (more than 2000 threads or 4000 channels, or a device with more than 128 requests)";
+             "' is too large to simulate (more than 2000 threads or 4000 channels, or a device with more "
+             "than 128 requests)";
   }
   if (studies.empty()) {
     return options.script.empty() ? "there is no skill to simulate"

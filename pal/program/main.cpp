@@ -27,9 +27,9 @@ ExitStatus delivered(ExitStatus status) {
 int main(int count, char** arguments) {
   const pal::DiskFileSystem files;
   try {
-    return static_cast<int>(delivered(pal::driver::run(
-        std::vector<std::string>(arguments + 1, arguments + count),
-        {std::cout, std::cerr, files, ::isatty(STDOUT_FILENO) == 1})));
+    return static_cast<int>(
+        delivered(pal::driver::run(std::vector<std::string>(arguments + 1, arguments + count),
+                                   {std::cout, std::cerr, files, ::isatty(STDOUT_FILENO) == 1})));
   } catch (const std::bad_alloc&) {
     std::cerr << "pal: there is not enough memory; with --max-states N a proof gives up sooner\n";
     return static_cast<int>(ExitStatus::usage);

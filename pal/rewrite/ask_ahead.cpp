@@ -47,11 +47,12 @@ void look(const syntax::ModuleUnit& module, const Statement& repeat, const Placi
     if (count(body, [&](const Statement& each) { return is_same_request(each, *send); }) != 1) continue;
     if (count(body, [&](const Statement& each) { return answers(each, *send); }) != 1) continue;
     const std::string words = placing.words(body[i]);
-    found.push_back({"ask " + send->to.name.text + " for the next " + send->message.name.text +
-                         " as soon as the last one is there (a courier)",
-                     module.name.text,
-                     body[i].where,
-                     {placing.before(repeat, words), placing.without(body[i]), placing.after(*answer, words)}});
+    found.push_back(
+        {"ask " + send->to.name.text + " for the next " + send->message.name.text +
+             " as soon as the last one is there (a courier)",
+         module.name.text,
+         body[i].where,
+         {placing.before(repeat, words), placing.without(body[i]), placing.after(*answer, words)}});
   }
 }
 

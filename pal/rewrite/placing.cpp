@@ -43,8 +43,7 @@ Edit Placing::without(const syntax::Statement& statement) const {
   const auto blank = [this](std::size_t from, std::size_t to) {
     return text_.substr(from, to - from).find_first_not_of(" \t\r\n") == std::string_view::npos;
   };
-  if (!blank(begin, statement.where.begin) || !blank(statement.where.end, end))
-    return {statement.where, ""};
+  if (!blank(begin, statement.where.begin) || !blank(statement.where.end, end)) return {statement.where, ""};
   return {{statement.where.file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)}, ""};
 }
 

@@ -17,8 +17,8 @@ class Placing {
 
   std::string words(const syntax::Statement& statement) const;
 
-  /// A line of its own before, or after, `place`, with the same indentation. `place` must be simple, or `words`
-  /// come before it.
+  /// A line of its own before, or after, `place`, with the same indentation. `place` must be simple, or
+  /// `words` come before it.
   Edit before(const syntax::Statement& place, const std::string& words) const;
   Edit after(const syntax::Statement& place, const std::string& words) const;
   /// With its line, if nothing else stands there.

@@ -87,9 +87,10 @@ class Finder {
     made.edits.push_back(placing_.before(list[first], placing_.words(*waits.front())));
     const auto* choose = std::get_if<syntax::Choose>(&list[last].content);
     for (const Statement* wait : waits) {
-      const bool alone = from_arms && std::any_of(choose->arms.begin(), choose->arms.end(), [&](const auto& arm) {
-                           return arm.body.size() == 1 && &arm.body.front() == wait;
-                         });
+      const bool alone =
+          from_arms && std::any_of(choose->arms.begin(), choose->arms.end(), [&](const auto& arm) {
+            return arm.body.size() == 1 && &arm.body.front() == wait;
+          });
       made.edits.push_back(alone ? placing_.instead(*wait, "Do Nothing") : placing_.without(*wait));
     }
     found_.push_back(std::move(made));

@@ -1,5 +1,5 @@
-// Changes of a program's text that may mend its timing. They are proposals: whether the program is still right, and
-// in time, has to be checked afterwards.
+// Changes of a program's text that may mend its timing. They are proposals: whether the program is still
+// right, and in time, has to be checked afterwards.
 #pragma once
 
 #include <string>

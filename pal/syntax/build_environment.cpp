@@ -75,8 +75,9 @@ void Builder::add_item(EnvironmentUnit& environment, Parser::ItemContext* contex
     return add_device(environment, name(c->name()).text, where, [&] { return event_device(c); });
   }
   if (auto* c = dynamic_cast<Parser::RequestDeviceContext*>(context)) {
-    return add_device(environment, name(c->name()).text, where,
-                      [&] { return pan::RequestDevice{interval(c->interval()), c->NEVER() != nullptr}; });
+    return add_device(environment, name(c->name()).text, where, [&] {
+      return pan::RequestDevice{interval(c->interval()), c->NEVER() != nullptr};
+    });
   }
   if (auto* c = dynamic_cast<Parser::FrameDeviceContext*>(context)) {
     return add_device(environment, name(c->name()).text, where, [&] { return frame_device(c); });

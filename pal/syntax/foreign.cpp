@@ -133,8 +133,9 @@ std::optional<Foreign> foreign_form(const Tokens& tokens, const antlr4::Token* a
                                     const antlr4::ParserRuleContext* context) {
   const Around around(tokens, at);
   if (is(around[-1], Parser::COLON) && is(around[-3], Parser::REQUIREMENT))
-    return Foreign{at, "there is no measure " + spelling(*at),
-                   "the measures are RESPONSE, AGE, REACTION, INTERVAL, LOSS, DURATION, LOAD and BUSY PERIOD"};
+    return Foreign{
+        at, "there is no measure " + spelling(*at),
+        "the measures are RESPONSE, AGE, REACTION, INTERVAL, LOSS, DURATION, LOAD and BUSY PERIOD"};
   const auto* outer = dynamic_cast<const antlr4::ParserRuleContext*>(context->parent);
   const std::size_t rule = context->getRuleIndex();
   switch (at->getType()) {

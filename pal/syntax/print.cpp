@@ -172,7 +172,7 @@ class Printer {
     if (d.answer_within) text += " ANSWER " + d.answer + " WITHIN " + to_text(*d.answer_within);
     return text;
   }
-  static std::string behaviour(const pan::RequestDevice& d) { 
+  static std::string behaviour(const pan::RequestDevice& d) {
     return "ON REQUEST " + to_text(d.answer) + (d.may_fail ? " OR NEVER" : "");
   }
   static std::string behaviour(const pan::FrameDevice& d) {

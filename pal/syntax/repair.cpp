@@ -78,17 +78,20 @@ std::vector<Change> candidates(const Mistake& mistake, const Tokens& tokens) {
     }
   }
   // A word that was cut in two: FOR EVER.
-  if (at > 0 && at < all.size() && all[at]->getType() == Parser::NAME && all[at - 1]->getType() == Parser::NAME) {
+  if (at > 0 && at < all.size() && all[at]->getType() == Parser::NAME &&
+      all[at - 1]->getType() == Parser::NAME) {
     if (const auto meant = keyword_like(all[at - 1]->getText() + all[at]->getText(), all_keywords()))
       result.push_back({at - 1, 2, {*meant}});
   }
-  // A misspelled keyword that stands for an activity on a line of its own: what it opened is missed at its end.
+  // A misspelled keyword that stands for an activity on a line of its own: what it opened is missed at its
+  // end.
   std::size_t tried = 0;
   for (auto where = at; where-- > mistake.unit_begin && tried < most_lines;) {
     if (all[where]->getType() != Parser::NAME || !tokens.first_on_line(all[where])) continue;
     if (all[where + 1]->getLine() == all[where]->getLine()) continue;
     ++tried;
-    if (const auto meant = keyword_like(all[where]->getText(), openers())) result.push_back({where, 1, {*meant}});
+    if (const auto meant = keyword_like(all[where]->getText(), openers()))
+      result.push_back({where, 1, {*meant}});
   }
   // Between units any name could be made one by a word before it: rather it is too many.
   if (mistake.expected.contains(Parser::USES) && !last) result.push_back({at, 1, {}});

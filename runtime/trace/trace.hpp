@@ -81,7 +81,7 @@ struct Trace {
   std::vector<std::string> conditions;
   std::vector<std::string> faults;
   std::vector<std::string> promises;  // those that were broken, in words; a file without it has none
-  std::vector<Event> events;  // in order of time; events at one instant in order of cause
+  std::vector<Event> events;          // in order of time; events at one instant in order of cause
 };
 
 /// Writes the JSON form. The same trace gives the same bytes.

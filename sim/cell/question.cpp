@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-
 namespace pal::sim {
 namespace {
 
@@ -55,7 +54,8 @@ Answer ask(runtime::Station& station, runtime::Driver& driver, const std::string
   // False: somebody stopped it, or it takes too long.
   const auto pass_until = [&](runtime::Time limit, const auto& done) {
     const runtime::Time end = station.now() + limit;
-    while (!done() && station.now() < end && (control == nullptr || !control->stopping())) station.idle(grain);
+    while (!done() && station.now() < end && (control == nullptr || !control->stopping()))
+      station.idle(grain);
     return done();
   };
   const auto failed = [&](const std::string& problem) {
@@ -71,8 +71,8 @@ Answer ask(runtime::Station& station, runtime::Driver& driver, const std::string
   driver.attach(session);
   driver.open();
   driver.receive(port_of(driver, "request " + message), {});
-  const bool answered = pass_until(
-      answer_within, [&] { return session.answer.fields || !session.answer.problem.empty(); });
+  const bool answered =
+      pass_until(answer_within, [&] { return session.answer.fields || !session.answer.problem.empty(); });
   driver.close();
   if (!answered) return failed("does not answer");
   if (!session.answer.problem.empty()) return failed(session.answer.problem);

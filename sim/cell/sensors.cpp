@@ -47,7 +47,8 @@ std::optional<double> nearest(const std::vector<double>& profile) {
   const std::size_t count = profile.size() / 3;  // y, z and valid of each, then when the scan began
   std::optional<double> result;
   for (std::size_t i = 0; i < count; ++i)
-    if (profile[2 * count + i] != 0) result = std::min(result.value_or(profile[count + i]), profile[count + i]);
+    if (profile[2 * count + i] != 0)
+      result = std::min(result.value_or(profile[count + i]), profile[count + i]);
   return result;
 }
 

@@ -8,12 +8,12 @@
 namespace pal::sim {
 namespace {
 
-constexpr double gripper_period = 1e-3;      // s
-constexpr double rate = 0.05;        // m/s of one finger
-constexpr double inertia = 0.16;     // kg, finger and drive (sim/model/tools/gripper.xml)
-constexpr double friction = 20.0;    // N*s/m, the same
-constexpr double gripper_natural = 150;      // rad/s, of the closed loop
-constexpr double least_width = -10;  // mm: closing presses the fingers on each other
+constexpr double gripper_period = 1e-3;  // s
+constexpr double rate = 0.05;            // m/s of one finger
+constexpr double inertia = 0.16;         // kg, finger and drive (sim/model/tools/gripper.xml)
+constexpr double friction = 20.0;        // N*s/m, the same
+constexpr double gripper_natural = 150;  // rad/s, of the closed loop
+constexpr double least_width = -10;      // mm: closing presses the fingers on each other
 
 }  // namespace
 
@@ -29,7 +29,8 @@ std::array<double, 2> GripperServo::forces(const std::array<double, 2>& opening,
   wanted_ += way;
   const double mean = 0.5 * (opening[0] + opening[1]), mean_speed = 0.5 * (speed[0] + speed[1]);
   const double force = inertia * gripper_natural * gripper_natural * (wanted_ - mean) +
-                       2 * inertia * gripper_natural * (way / gripper_period - mean_speed) + friction * way / gripper_period;
+                       2 * inertia * gripper_natural * (way / gripper_period - mean_speed) +
+                       friction * way / gripper_period;
   const double limited = std::clamp(force, -limit_, limit_);
   return {limited, limited};
 }

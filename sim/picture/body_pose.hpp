@@ -37,8 +37,8 @@ struct BodyPose {
 
 SceneGeometry scene_geometry(Workcell& workcell);
 
-/// As of the last step, in the order of SceneGeometry::bodies without the world. 28 bytes each: 364 in the scene
-/// touch.
+/// As of the last step, in the order of SceneGeometry::bodies without the world. 28 bytes each: 364 in the
+/// scene touch.
 std::vector<BodyPose> body_poses(Workcell& workcell);
 
 }  // namespace pal::sim

@@ -23,8 +23,8 @@ bool begins(const runtime::ParameterSpec& parameter, std::string_view one, std::
 
 }  // namespace
 
-sim::ForcePlotOptions force_options(const runtime::Skill& skill, const Session& session, const std::string& title,
-                                    runtime::Time end) {
+sim::ForcePlotOptions force_options(const runtime::Skill& skill, const Session& session,
+                                    const std::string& title, runtime::Time end) {
   sim::ForcePlotOptions options{title, {}, {}, end};
   std::optional<double> least, greatest, middle, around;
   for (const runtime::ParameterSpec& parameter : skill.description().parameters) {

@@ -11,6 +11,7 @@ namespace pal::workcell {
 
 /// Throws Failure, with the scenes of `folders` that have the tool, if the skill needs another tool than the
 /// scene's.
-void check_tool(const runtime::Skill& skill, const sim::Scene& scene, const std::vector<std::string>& folders);
+void check_tool(const runtime::Skill& skill, const sim::Scene& scene,
+                const std::vector<std::string>& folders);
 
 }  // namespace pal::workcell

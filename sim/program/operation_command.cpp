@@ -109,23 +109,23 @@ ExitStatus run_operation(const OperationCommand& command, const std::vector<Know
   options.times = times;
   options.faults = faults_of_lines(command.faults);
   std::optional<sim::Cell> cell;
-  operations::Program program = checked_program(
-      command.file,
-      {operations::check_shape,
-       [&](const auto& each, auto& diagnostics) {
-         operations::check_skills(each, skills, std::nullopt, diagnostics);
-       },
-       [&](const auto& each, auto& diagnostics) {
-         check_tools(each, known, scene, command.scene_folders);
-         try {
-           cell.emplace(scene, options);
-         } catch (const sim::NoSuchDevice& problem) {
-           throw no_such_device(command.faults, problem);
-         }
-         operations::check_skills(each, skills, locations_of(*cell), diagnostics);
-         operations::check_sensors(each, sensors_of(*cell), diagnostics);
-       }},
-      error);
+  operations::Program program =
+      checked_program(command.file,
+                      {operations::check_shape,
+                       [&](const auto& each, auto& diagnostics) {
+                         operations::check_skills(each, skills, std::nullopt, diagnostics);
+                       },
+                       [&](const auto& each, auto& diagnostics) {
+                         check_tools(each, known, scene, command.scene_folders);
+                         try {
+                           cell.emplace(scene, options);
+                         } catch (const sim::NoSuchDevice& problem) {
+                           throw no_such_device(command.faults, problem);
+                         }
+                         operations::check_skills(each, skills, locations_of(*cell), diagnostics);
+                         operations::check_sensors(each, sensors_of(*cell), diagnostics);
+                       }},
+                      error);
   std::ofstream log;
   if (!command.log.empty()) {
     log.open(command.log, std::ios::binary);

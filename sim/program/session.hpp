@@ -44,7 +44,7 @@ struct Session {
   std::optional<runtime::RealTime> real_time{};  // of the skill; nothing: virtual time
   std::vector<sim::PlannedFault> faults{};
   runtime::Measurement* measurement = nullptr;  // of the skill, over all its runs; null: nothing is measured
-  std::vector<runtime::SlowStatement> slow{};  // statements that take longer than is declared
+  std::vector<runtime::SlowStatement> slow{};   // statements that take longer than is declared
   runtime::OnBrokenPromise on_broken_promise = runtime::OnBrokenPromise::report;
   runtime::TraceRing* live = nullptr;  // gets the events of the skill, not of the one before
 };

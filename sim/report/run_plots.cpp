@@ -39,8 +39,8 @@ struct Readings {
   double least = 0, greatest = 0;
 };
 
-/// Every port from a device with a field fz in newtons, from which anything came. Pressing gives a negative fz: turned round, it lies
-/// over the contact force.
+/// Every port from a device with a field fz in newtons, from which anything came. Pressing gives a negative
+/// fz: turned round, it lies over the contact force.
 std::vector<Readings> force_readings(const MessageLog& messages) {
   std::vector<Readings> result;
   for (std::size_t device = 0; device < messages.devices().size(); ++device) {
@@ -78,7 +78,8 @@ std::vector<ForceLevel> near_levels(const std::vector<ForceLevel>& levels, doubl
 
 }  // namespace
 
-bool shows_force(const std::vector<Sample>& log, const MessageLog& messages, const ForcePlotOptions& options) {
+bool shows_force(const std::vector<Sample>& log, const MessageLog& messages,
+                 const ForcePlotOptions& options) {
   if (!options.levels.empty() || !options.bands.empty() || !force_readings(messages).empty()) return true;
   return std::any_of(log.begin(), log.end(), [](const Sample& sample) { return sample.contact_force > 0; });
 }

@@ -24,16 +24,17 @@ constexpr int lost_after = 5;       // profiles
 constexpr double interpreting = 3;  // ms from a profile's end until the skill knows the edge, in the mean
 constexpr double part = 0.25;       // of what is missing that is corrected in a cycle
 constexpr double cycles_a_profile = 78.0 / 28;
-constexpr int cycles_to_move = 2;   // from a request to the end of the motion that was given at it
+constexpr int cycles_to_move = 2;  // from a request to the end of the motion that was given at it
 
-// The map takes a direction from four points of the edge in twice the history. Points are as far apart as the tool goes
-// from profile to profile.
+// The map takes a direction from four points of the edge in twice the history. Points are as far apart as the
+// tool goes from profile to profile.
 void refuse_short_history(double history, double track) {
   const double least = 1.5 * track * cycles_a_profile;
   if (history >= least) return;
   std::array<char, 200> text{};
   std::snprintf(text.data(), text.size(),
-                "at %g mm in 28 ms the edge is seen every %.1f mm: history must be %.1f mm or more, or the edge's direction "
+                "at %g mm in 28 ms the edge is seen every %.1f mm: history must be %.1f mm or more, or the "
+                "edge's direction "
                 "is not known",
                 track, track * cycles_a_profile, std::ceil(10 * least) / 10);
   throw runtime::ParameterError(text.data());
@@ -125,7 +126,8 @@ class Method final : public SM1Activities {
     return motion;
   }
 
-  // The thesis's tool (appendix F.2) has its tip at the edge, a standoff away from the range finder: it turns about that.
+  // The thesis's tool (appendix F.2) has its tip at the edge, a standoff away from the range finder: it turns
+  // about that.
   Motion about_the_edge(const EdgeCorrection& correction, double along) const {
     Motion at_edge;
     at_edge.dx = along;

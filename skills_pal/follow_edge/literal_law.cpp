@@ -8,9 +8,9 @@ namespace pal::skills {
 
 namespace {
 
-// The thesis does not say when its alignment ends. Points are 0.6 mm apart at 200 mm, which is what y is known to, and the
-// slope between two of them is known to 0.5 degrees.
-constexpr double near_length = 1;  // mm
+// The thesis does not say when its alignment ends. Points are 0.6 mm apart at 200 mm, which is what y is
+// known to, and the slope between two of them is known to 0.5 degrees.
+constexpr double near_length = 1;   // mm
 constexpr double near_slope = 1.5;  // deg
 constexpr double in_degrees = 180 / std::numbers::pi;
 
@@ -36,7 +36,8 @@ void LiteralLaw::see(double y, double z, double slope, double gone) {
     return;
   }
   const double off = z - standoff_;
-  aligned_ = aligned_ || (std::abs(y) <= near_length && std::abs(off) <= near_length && std::abs(slope) <= near_slope);
+  aligned_ = aligned_ ||
+             (std::abs(y) <= near_length && std::abs(off) <= near_length && std::abs(slope) <= near_slope);
   skip_ = !aligned_;
   due_ = {};
   due_.y = limited_length(y);

@@ -12,14 +12,15 @@ struct EdgeCorrection {
   double rx = 0, ry = 0, rz = 0;
 };
 
-/// Each profile gives one correction, made once. Along y and z and about x it is what the profile shows to be missing
-/// (5.2 to 5.5). About y and z it is the direction in which the corrections of the last `history` mm led
-/// (5.6, 5.7). Each is limited, and the limited ones are what the history keeps.
+/// Each profile gives one correction, made once. Along y and z and about x it is what the profile shows to be
+/// missing (5.2 to 5.5). About y and z it is the direction in which the corrections of the last `history` mm
+/// led (5.6, 5.7). Each is limited, and the limited ones are what the history keeps.
 ///
-/// The law aligns before it tracks: y, z and the turn about x alone, without a history. Then every second profile counts, as
-/// the one that is scanned while a correction is made shows half of it.
+/// The law aligns before it tracks: y, z and the turn about x alone, without a history. Then every second
+/// profile counts, as the one that is scanned while a correction is made shows half of it.
 ///
-/// What appendix F.2 prints otherwise is left out: each correction sent twice, and an entry of the history counted twice.
+/// What appendix F.2 prints otherwise is left out: each correction sent twice, and an entry of the history
+/// counted twice.
 class LiteralLaw {
  public:
   struct Limits {
@@ -29,8 +30,8 @@ class LiteralLaw {
   /// `history` and `standoff` in mm.
   void start(const Limits& limits, double history, double standoff);
 
-  /// A profile in which the edge is at y and z (mm, in the range finder's frame) and the surface beside it leans by `slope`
-  /// (deg). `gone`: how far the tool has gone along the edge, mm.
+  /// A profile in which the edge is at y and z (mm, in the range finder's frame) and the surface beside it
+  /// leans by `slope` (deg). `gone`: how far the tool has gone along the edge, mm.
   void see(double y, double z, double slope, double gone);
   /// What is to be made at this request: nothing between two profiles.
   EdgeCorrection take();

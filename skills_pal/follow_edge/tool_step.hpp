@@ -8,8 +8,8 @@ namespace pal::skills {
 
 inline constexpr double degree = std::numbers::pi / 180;
 
-/// mm and degrees along and about the tool's axes as they were before: x first, then y, then z, as ALTER takes it.
-/// `Motion` is the message.
+/// mm and degrees along and about the tool's axes as they were before: x first, then y, then z, as ALTER
+/// takes it. `Motion` is the message.
 template <class Motion>
 Eigen::Isometry3d moved_by(const Motion& motion) {
   Eigen::Isometry3d step = Eigen::Isometry3d::Identity();

@@ -12,9 +12,9 @@ constexpr double depth_gain = 0.7;
 constexpr double rise_gain = 0.25;
 // Part of the missing way that is gone in a cycle.
 constexpr double way_sliding = 0.5;
-// While the tool stands, the arm comes to rest where its encoders have whole counts, 0.04 to 0.05 mm apart at the tool: a small
-// motion is answered by a jump or not at all. So near the target one motion is made at a time, and its effect is looked
-// at; a force that is good enough is left alone.
+// While the tool stands, the arm comes to rest where its encoders have whole counts, 0.04 to 0.05 mm apart at
+// the tool: a small motion is answered by a jump or not at all. So near the target one motion is made at a
+// time, and its effect is looked at; a force that is good enough is left alone.
 constexpr double way_standing = 0.2;
 constexpr double way_standing_near = 0.6;
 constexpr double near = 0.8;     // N: greater errors are taken away without looking

@@ -9,7 +9,8 @@
 
 namespace pal::skills {
 
-/// A module that lists commands by the skill's parameters; `Interface` has its activities, `Command` is the message.
+/// A module that lists commands by the skill's parameters; `Interface` has its activities, `Command` is the
+/// message.
 template <class Interface, class Command>
 class Listing : public Interface {
  public:
@@ -28,9 +29,11 @@ class Listing : public Interface {
   Parameters parameters_;
 };
 
-/// The skill that `make` makes of SM1 (`Method`), SM2 and SM3, which share the list, and of its other modules.
+/// The skill that `make` makes of SM1 (`Method`), SM2 and SM3, which share the list, and of its other
+/// modules.
 template <class Method, class GiveInterface, class ReportInterface, class Make, class... Others>
-std::unique_ptr<runtime::Skill> make_listing(Make make, std::shared_ptr<typename Method::List> list, Others... others) {
+std::unique_ptr<runtime::Skill> make_listing(Make make, std::shared_ptr<typename Method::List> list,
+                                             Others... others) {
   return make(std::make_unique<Method>(list), std::make_unique<Commands<GiveInterface>>(list),
               std::make_unique<Report<ReportInterface>>(), std::move(others)...);
 }

@@ -14,11 +14,12 @@ namespace pal::skills {
 template <class Interface>
 using PlaceOf = runtime::Text (*)(const ArgumentOf<&Interface::start>& parameters);
 
-/// SM1, but for the way above the place: list-step, list-release and the conditions. Parameter `feel`: a step at a time;
-/// otherwise down in one go.
+/// SM1, but for the way above the place: list-step, list-release and the conditions. Parameter `feel`: a step
+/// at a time; otherwise down in one go.
 ///
-/// The fingers reach 10 mm below the tip, and what stands at the place is met by the part's underside. With a part that is
-/// held at its middle and is 50 mm high, that leaves 15 mm until the fingers, too, would grip what stands there.
+/// The fingers reach 10 mm below the tip, and what stands at the place is met by the part's underside. With a
+/// part that is held at its middle and is 50 mm high, that leaves 15 mm until the fingers, too, would grip
+/// what stands there.
 template <class Interface, class Command, PlaceOf<Interface> place>
 class Lowering : public Listing<Interface, Command> {
   using Base = Listing<Interface, Command>;

@@ -26,7 +26,8 @@ class Method final : public Listing<SM1Activities, Command> {
 }  // namespace
 
 std::unique_ptr<runtime::Skill> move_cartesian_skill() {
-  return make_listing<Method, SM2Activities, SM3Activities>(make_move_cartesian, std::make_shared<Method::List>());
+  return make_listing<Method, SM2Activities, SM3Activities>(make_move_cartesian,
+                                                            std::make_shared<Method::List>());
 }
 
 }  // namespace pal::skills

@@ -23,7 +23,8 @@ class Method final : public Listing<SM1Activities, Command> {
 }  // namespace
 
 std::unique_ptr<runtime::Skill> move_to_location_skill() {
-  return make_listing<Method, SM2Activities, SM3Activities>(make_move_to_location, std::make_shared<Method::List>());
+  return make_listing<Method, SM2Activities, SM3Activities>(make_move_to_location,
+                                                            std::make_shared<Method::List>());
 }
 
 }  // namespace pal::skills

@@ -33,9 +33,7 @@ class Method final : public Lowering<SM1Activities, Command, place> {
   }
 
   void complain() override { throw std::runtime_error("the fingers hold nothing to put down"); }
-  bool decide_pc_full() override {
-    return parameters().placed >= parameters().rows * parameters().columns;
-  }
+  bool decide_pc_full() override { return parameters().placed >= parameters().rows * parameters().columns; }
 };
 
 }  // namespace
@@ -44,7 +42,8 @@ std::unique_ptr<runtime::Skill> palletize_skill() {
   auto list = std::make_shared<Method::List>();
   return make_listing<Method, SM2Activities, SM3Activities>(
       make_palletize, list, std::make_unique<ZForceSensor<LS1Activities>>(),
-      std::make_unique<GripSensor<LS3Activities>>(), std::make_unique<LiftAgain<CM4Activities, Command, place>>(list));
+      std::make_unique<GripSensor<LS3Activities>>(),
+      std::make_unique<LiftAgain<CM4Activities, Command, place>>(list));
 }
 
 }  // namespace pal::skills

@@ -16,7 +16,8 @@ class Method final : public Listing<SM1Activities, Command> {
 
   void list_grasp() override {
     list().begin();
-    list().set_speed(parameters().speed)
+    list()
+        .set_speed(parameters().speed)
         .add(Verb::open_hand)
         .add(Verb::approach, parameters().location, parameters().approach)
         .add(Verb::move_straight, parameters().location)

@@ -30,7 +30,8 @@ std::unique_ptr<runtime::Skill> place_at_location_skill() {
   auto list = std::make_shared<Method::List>();
   return make_listing<Method, SM2Activities, SM3Activities>(
       make_place_at_location, list, std::make_unique<ZForceSensor<LS1Activities>>(),
-      std::make_unique<GripSensor<LS3Activities>>(), std::make_unique<LiftAgain<CM4Activities, Command, place>>(list));
+      std::make_unique<GripSensor<LS3Activities>>(),
+      std::make_unique<LiftAgain<CM4Activities, Command, place>>(list));
 }
 
 }  // namespace pal::skills

@@ -19,7 +19,8 @@ class Method final : public Listing<SM1Activities, Command> {
     const runtime::Text name("PALRELATIVE");
     const ValTurn turn = val_turn(parameters().rx, parameters().ry, parameters().rz);
     list().add(Verb::speed, 100).add(Verb::straight_speed, parameters().speed);
-    Command& way = list().add(Verb::set_figures, name, parameters().dx, parameters().dy, parameters().dz).last();
+    Command& way =
+        list().add(Verb::set_figures, name, parameters().dx, parameters().dy, parameters().dz).last();
     way.d = turn.o;
     way.e = turn.a;
     way.f = turn.t;
@@ -30,7 +31,8 @@ class Method final : public Listing<SM1Activities, Command> {
 }  // namespace
 
 std::unique_ptr<runtime::Skill> relative_move_skill() {
-  return make_listing<Method, SM2Activities, SM3Activities>(make_relative_move, std::make_shared<Method::List>());
+  return make_listing<Method, SM2Activities, SM3Activities>(make_relative_move,
+                                                            std::make_shared<Method::List>());
 }
 
 }  // namespace pal::skills

@@ -77,7 +77,8 @@ class Method final : public SM1Activities {
     if (parameters.speed <= 0)
       throw runtime::ParameterError("speed must be greater than 0: the distance would never be gone");
     if (parameters.vertical <= 0)
-      throw runtime::ParameterError("vertical must be greater than 0: the tool would never come to the surface");
+      throw runtime::ParameterError(
+          "vertical must be greater than 0: the tool would never come to the surface");
     if (parameters.band_rule)
       refuse_overload(-parameters.least_force / counts, parameters.vertical / alter_period,
                       parameters.stiffness);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double tukey = 4.685;  // deviations at which a point has no weight: 95 % efficient for normal noise
 constexpr int rounds = 5;
-constexpr double near_the_line = 3.5;         // deviations
+constexpr double near_the_line = 3.5;       // deviations
 constexpr std::size_t misses_in_a_row = 3;  // end a line
 
 // Of how far a point at y lies off a line that does not reach it yet, in deviations of one point.

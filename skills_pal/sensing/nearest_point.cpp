@@ -8,9 +8,9 @@
 namespace pal::sensing {
 namespace {
 
-constexpr double connected = 6;        // deviations between neighbours
-constexpr double steepest_surface = 1.7;       // of a surface: 60 degrees
-constexpr std::size_t seed_reach = 6;  // points on either side that a line begins with
+constexpr double connected = 6;           // deviations between neighbours
+constexpr double steepest_surface = 1.7;  // of a surface: 60 degrees
+constexpr std::size_t seed_reach = 6;     // points on either side that a line begins with
 constexpr std::array<std::size_t, 5> reaches{2, 6, 20, 40, 80};  // to which it goes on
 constexpr double outlier = 4;                                    // deviations; counts no more than this
 constexpr double uneven = 1.25;                                  // deviations, root mean square

@@ -7,7 +7,7 @@ namespace pal::sensing {
 namespace {
 
 constexpr double spike = 6;                            // deviations
-constexpr double steepest_seen = 1.7;                       // of a surface: 60 degrees
+constexpr double steepest_seen = 1.7;                  // of a surface: 60 degrees
 constexpr double step = 0.1;                           // mm
 constexpr double beyond_noise = 4;                     // deviations
 constexpr double median_to_deviation = 1.4826;         // of normally distributed values

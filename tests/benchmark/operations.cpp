@@ -1,4 +1,5 @@
-// Figures of operations and of the run-time system (docs/internals/benchmarks.md): benchmark_operations [ROW …]
+// Figures of operations and of the run-time system (docs/internals/benchmarks.md): benchmark_operations [ROW
+// …]
 #include <fmt/format.h>
 #include <time.h>
 #include <unistd.h>
@@ -98,9 +99,10 @@ void between_skills() {
   const long grown = resident_kilobytes() - before;
   const std::string whole = text.str();
   std::sort(runner.gaps.begin(), runner.gaps.end());
-  tell(fmt::format("from a skill to the next, 10,000 steps: median {:.1f} us, 99.9 % {:.1f} us, longest {:.1f} us",
-                   runner.gaps[runner.gaps.size() / 2] * 1e6, runner.gaps[runner.gaps.size() * 999 / 1000] * 1e6,
-                   runner.gaps.back() * 1e6));
+  tell(fmt::format(
+      "from a skill to the next, 10,000 steps: median {:.1f} us, 99.9 % {:.1f} us, longest {:.1f} us",
+      runner.gaps[runner.gaps.size() / 2] * 1e6, runner.gaps[runner.gaps.size() * 999 / 1000] * 1e6,
+      runner.gaps.back() * 1e6));
   tell(fmt::format("lines of the log: {}; memory grew by {} kB over 9,000 steps, the log itself by {} kB",
                    std::count(whole.begin(), whole.end(), '\n'), grown, (whole.size() - written) / 1024));
 }
@@ -122,11 +124,13 @@ std::string in_the_cell(std::size_t steps, bool telling) {
   executor.run(steps - steps / 10);
   const std::string log_text = text.str();
   if (telling)
-    tell(fmt::format("{} skills in the workcell: {:.0f} s, {:.0f} s of the cell; memory grew by {} kB from the first "
-                     "tenth on, of which the log {} kB; {} lines; state {} {}",
-                     steps, wall() - begin, std::chrono::duration<double>(runner.now()).count(),
-                     resident_kilobytes() - before, (log_text.size() - log_text.size() / 10) / 1024,
-                     std::count(log_text.begin(), log_text.end(), '\n'), operations::name(executor.state()), executor.reason()));
+    tell(fmt::format(
+        "{} skills in the workcell: {:.0f} s, {:.0f} s of the cell; memory grew by {} kB from the first "
+        "tenth on, of which the log {} kB; {} lines; state {} {}",
+        steps, wall() - begin, std::chrono::duration<double>(runner.now()).count(),
+        resident_kilobytes() - before, (log_text.size() - log_text.size() / 10) / 1024,
+        std::count(log_text.begin(), log_text.end(), '\n'), operations::name(executor.state()),
+        executor.reason()));
   return log_text;
 }
 
@@ -212,9 +216,10 @@ void sleeping_client() {
     watched += with;
     ratios.push_back(with / without);
   }
-  tell(fmt::format("a client that reads nothing costs the simulation's thread {:+.2f} % (median of {} pairs; "
-                   "sums {:.2f} s and {:.2f} s, {:+.2f} %)",
-                   100 * (median(ratios) - 1), rounds, watched, alone, 100 * (watched / alone - 1)));
+  tell(
+      fmt::format("a client that reads nothing costs the simulation's thread {:+.2f} % (median of {} pairs; "
+                  "sums {:.2f} s and {:.2f} s, {:+.2f} %)",
+                  100 * (median(ratios) - 1), rounds, watched, alone, 100 * (watched / alone - 1)));
 }
 
 void events() {
@@ -276,8 +281,10 @@ constexpr Row rows[] = {{"next", between_skills},
 int main(int count, char** arguments) {
   const std::vector<std::string> wanted(arguments + 1, arguments + count);
   for (const std::string& name : wanted) {
-    if (std::any_of(std::begin(rows), std::end(rows), [&](const Row& row) { return name == row.name; })) continue;
-    std::cerr << "benchmark_operations: there is no row '" << name << "'; there are next, events, sleeper, same, long\n";
+    if (std::any_of(std::begin(rows), std::end(rows), [&](const Row& row) { return name == row.name; }))
+      continue;
+    std::cerr << "benchmark_operations: there is no row '" << name
+              << "'; there are next, events, sleeper, same, long\n";
     return 2;
   }
   for (const Row& row : rows)

@@ -114,7 +114,8 @@ TEST_CASE("runs of the runtime keep the rules, and exceed no bound") {
       const auto costs = each % 3 == 0   ? runtime::CostPolicy::worst
                          : each % 3 == 1 ? runtime::CostPolicy::best
                                          : runtime::CostPolicy::random;
-      const auto made = test::retold_run(run(*plan, seed * 100 + each, costs, std::chrono::milliseconds(200)), problem);
+      const auto made =
+          test::retold_run(run(*plan, seed * 100 + each, costs, std::chrono::milliseconds(200)), problem);
       if (made.events.empty()) continue;  // it spins at its beginning
       ++traces;
       events += made.events.size();

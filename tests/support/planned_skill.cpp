@@ -265,7 +265,8 @@ class PlannedDevice : public runtime::Device {
     if (payloads == Payloads::none || !channel.fields) return specs;
     for (const PlannedField& field : plan.messages[*channel.fields].fields) {
       const bool text = field.type == pan::ScalarType::text;
-      specs.push_back({field.pal_name, field.unit, text ? runtime::FieldKind::text : runtime::FieldKind::number,
+      specs.push_back({field.pal_name, field.unit,
+                       text ? runtime::FieldKind::text : runtime::FieldKind::number,
                        field.size == 0 ? 1 : static_cast<std::size_t>(field.size)});
     }
     return specs;
@@ -280,7 +281,8 @@ class PlannedDevice : public runtime::Device {
 
 class Events final : public PlannedDevice {
  public:
-  Events(const Plan& plan, const std::string& name, const pan::EventDevice& of, Dealer dealer, Payloads payloads)
+  Events(const Plan& plan, const std::string& name, const pan::EventDevice& of, Dealer dealer,
+         Payloads payloads)
       : PlannedDevice(plan, name, std::move(dealer), payloads), of_(of) {}
   void open() override {
     due_ = host_->now() + (of_.phase ? Time(*of_.phase) : between(Time(0), Time(of_.period)));
@@ -303,7 +305,8 @@ class Events final : public PlannedDevice {
 
 class Answers final : public PlannedDevice {
  public:
-  Answers(const Plan& plan, const std::string& name, const pan::RequestDevice& of, Dealer dealer, Payloads payloads)
+  Answers(const Plan& plan, const std::string& name, const pan::RequestDevice& of, Dealer dealer,
+          Payloads payloads)
       : PlannedDevice(plan, name, std::move(dealer), payloads), of_(of) {}
   void receive(std::size_t port, std::span<const double>) override {
     if (answers_[port].empty()) return;
@@ -337,7 +340,8 @@ class Answers final : public PlannedDevice {
 
 class Frames final : public PlannedDevice {
  public:
-  Frames(const Plan& plan, const std::string& name, const pan::FrameDevice& of, Dealer dealer, Payloads payloads)
+  Frames(const Plan& plan, const std::string& name, const pan::FrameDevice& of, Dealer dealer,
+         Payloads payloads)
       : PlannedDevice(plan, name, std::move(dealer), payloads), of_(of) {}
   void attach(runtime::DeviceHost& host) override {
     host_ = &host;

@@ -101,8 +101,8 @@ class Shortest {
           const bool asked =
               request >= 0 && sent.contains(request) && !reaches_unasked(first, index, request);
           if (asked)
-            after =
-                later_by(std::max(time, later_by(sent[request], answer(step.channels[i], depth))), step.cost.best);
+            after = later_by(std::max(time, later_by(sent[request], answer(step.channels[i], depth))),
+                             step.cost.best);
         }
         open.emplace(after, step.next[i]);
       }

@@ -76,7 +76,8 @@ class Precedence {
     return thread >= 0;
   }
 
-  /// What comes once and brings about something else that comes once, or is what its thread waited for before.
+  /// What comes once and brings about something else that comes once, or is what its thread waited for
+  /// before.
   void by_causes() {
     std::vector<int> once;
     for (std::size_t n = 0; n < later_.size(); ++n) {
@@ -135,8 +136,8 @@ class Precedence {
   }
 
   /// What is over before a node that comes once is released. That is what was over before its cause was, and
-  /// the cause itself if it has ended. It is also what was over when its thread came to the wait, in whichever
-  /// way. False: nothing new.
+  /// the cause itself if it has ended. It is also what was over when its thread came to the wait, in
+  /// whichever way. False: nothing new.
   bool add_over(int n) {
     Bits over = over_of(n);
     const int cause = context_.node(n).cause;

@@ -62,9 +62,10 @@ class BusyWindows {
   FinishBreakdown breakdown(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
                             Since since = Since::occurrence) const;
 
-  /// How long after the release of the first of `chain` the first `part` of the last one's cost is done at the
-  /// latest. Tasks of one transaction and one processor; each is released when the one before it has done a
-  /// part of its work. `never`: there is no bound, or the next occurrence may come before the busy window ends.
+  /// How long after the release of the first of `chain` the first `part` of the last one's cost is done at
+  /// the latest. Tasks of one transaction and one processor; each is released when the one before it has done
+  /// a part of its work. `never`: there is no bound, or the next occurrence may come before the busy window
+  /// ends.
   ///
   /// All of them work at the least of their priorities, and others delay them once together (J. Schlatow and
   /// R. Ernst, Response-time analysis for task chains in communicating threads, RTAS 2016).

@@ -39,8 +39,8 @@ class Interference {
   Nanoseconds finish(int node, Nanoseconds part, Nanoseconds blocking, Since since = Since::occurrence) const;
   /// What goes into finish() besides the latest release and the work itself.
   FinishBreakdown breakdown(int node, Nanoseconds part, Since since = Since::occurrence) const;
-  /// The same for nodes of one occurrence that keep a processor busy one after the other (joint_chain()), from
-  /// the release of the first one; `part` of the last one.
+  /// The same for nodes of one occurrence that keep a processor busy one after the other (joint_chain()),
+  /// from the release of the first one; `part` of the last one.
   Nanoseconds joint_finish(const std::vector<int>& chain, Nanoseconds part) const;
   std::vector<Share> joint_breakdown(const std::vector<int>& chain, Nanoseconds part) const;
   /// The thread of lower priority that blocks the node longest.

@@ -5,9 +5,9 @@
 
 namespace pal::analyzer::compositional {
 
-/// The longest chain of nodes that ends with `node`, the first one first; `node` alone if there is no longer one. All are on
-/// one preemptive processor, and each is ready at the instant at which the one before it sends. `times` has its nodes, its
-/// unbounded and its blocked threads.
+/// The longest chain of nodes that ends with `node`, the first one first; `node` alone if there is no longer
+/// one. All are on one preemptive processor, and each is ready at the instant at which the one before it
+/// sends. `times` has its nodes, its unbounded and its blocked threads.
 std::vector<int> joint_chain(const AnalysisContext& context, const Times& times, int node);
 
 /// The end of a chain that is done first: its beginning, and the time from that one's release until the first

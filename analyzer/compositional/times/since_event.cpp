@@ -98,9 +98,9 @@ class SinceEvents : private AnalysisContext {
   const Interference& interference_;
   std::vector<NodeTimes> made_;
   Releases releases_;
-  std::vector<std::vector<int>> chains_;                      // by node: joint_chain()
-  std::vector<bool> shared_;                                  // by source: it has such chains
-  std::map<std::pair<int, Nanoseconds>, Nanoseconds> known_;  // by node and part
+  std::vector<std::vector<int>> chains_;                                    // by node: joint_chain()
+  std::vector<bool> shared_;                                                // by source: it has such chains
+  std::map<std::pair<int, Nanoseconds>, Nanoseconds> known_;                // by node and part
   std::map<std::tuple<int, std::size_t, Nanoseconds>, Nanoseconds> joint_;  // by node, length of chain, part
 };
 

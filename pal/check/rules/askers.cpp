@@ -11,7 +11,7 @@ namespace pal::checker {
 namespace {
 
 void check_asking_blocks(const pan::Network& network, pan::ModuleId module, const pan::Node& fork,
-                  Diagnostics& diagnostics) {
+                         Diagnostics& diagnostics) {
   std::map<pan::ChannelId, SourceSpan> earlier;  // the first request in a block before
   for (std::size_t block = 0; block < fork.out.size(); ++block) {
     std::map<pan::ChannelId, SourceSpan> requests;

@@ -20,7 +20,8 @@ bool SteadyConditions::belongs(pan::ModuleId module, pan::ModuleId outermost) co
   return module == outermost;
 }
 
-SteadyConditions::SteadyConditions(const pan::Network& network, pan::ModuleId outermost) : network_(&network) {
+SteadyConditions::SteadyConditions(const pan::Network& network, pan::ModuleId outermost)
+    : network_(&network) {
   std::set<pan::ConditionId> set;
   std::set<pan::ConditionId> unsteady;
   std::vector<pan::ConditionId> tested;

@@ -36,7 +36,7 @@ void check_modules(const pan::Network& network, Diagnostics& diagnostics) {
 }
 
 void check_writing_blocks(const pan::Network& network, pan::ModuleId module, const pan::Node& fork,
-                  Diagnostics& diagnostics) {
+                          Diagnostics& diagnostics) {
   Sets earlier;
   for (std::size_t block = 0; block < fork.out.size(); ++block) {
     Sets sets;

@@ -30,7 +30,7 @@ struct LoadedScene {
   ModelPointer model;  // never null
   std::map<std::string, Pose> locations;
   std::map<std::string, Eigen::Vector3d> sensors;  // where they stand, m
-  std::map<std::string, int> lines;  // of a .scene's things, by their names
+  std::map<std::string, int> lines;                // of a .scene's things, by their names
   Start start;
   ToolKind tool = ToolKind::pad;
   MachineOptions machine;

@@ -40,8 +40,8 @@ class InSourceTree final : public FileSystem {
 
 struct Input {
   Input(const std::string& skill, const std::string& environment, const std::string& working_folder = "") {
-    specification =
-        check(read_sources(InSourceTree(working_folder), sources, {skill, environment}, diagnostics), diagnostics);
+    specification = check(
+        read_sources(InSourceTree(working_folder), sources, {skill, environment}, diagnostics), diagnostics);
     std::ostringstream findings;
     render_text(diagnostics.sorted(), sources, findings);
     INFO(findings.str());
@@ -128,7 +128,8 @@ TEST_CASE("for debuggers, each line of a body stands for its line of PAL, and th
       continue;
     }
     expect_golden("odd_names_lines.expected", files[f].text);
-    // Without them it is the plain file; where it stands for itself, the next line has the number that is said.
+    // Without them it is the plain file; where it stands for itself, the next line has the number that is
+    // said.
     std::istringstream lines(files[f].text);
     std::string rest;
     int number = 0;

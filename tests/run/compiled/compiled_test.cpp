@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "codegen/plan.hpp"
+#include "pal/runtime/still_world.hpp"
 #include "tests/run/compiled/compiled_skill.hpp"
 #include "tests/run/compiled/follow.hpp"
 #include "tests/support/any_skill.hpp"
@@ -11,7 +12,6 @@
 #include "tests/support/planned_skill.hpp"
 #include "tests/support/retold_run.hpp"
 #include "tests/support/setting.hpp"
-#include "pal/runtime/still_world.hpp"
 
 using namespace pal;
 using runtime::CostPolicy;
@@ -20,7 +20,8 @@ namespace {
 
 /// One of the compiled skills, and the plan that its text gives now.
 struct Both {
-  explicit Both(const test::CompiledSkill& compiled) : compiled_skill(compiled), skill(test::any_skill(compiled.text)) {
+  explicit Both(const test::CompiledSkill& compiled)
+      : compiled_skill(compiled), skill(test::any_skill(compiled.text)) {
     REQUIRE(skill->problem);
     Diagnostics diagnostics;
     plan = codegen::make_plan(skill->specification.skills.front(), skill->specification.environments.front(),
@@ -32,8 +33,8 @@ struct Both {
   std::optional<codegen::Plan> plan;
 };
 
-runtime::Outcome run(runtime::Skill& skill, const codegen::Plan& plan, test::Payloads payloads, std::uint64_t seed,
-                     CostPolicy costs) {
+runtime::Outcome run(runtime::Skill& skill, const codegen::Plan& plan, test::Payloads payloads,
+                     std::uint64_t seed, CostPolicy costs) {
   std::vector<std::unique_ptr<runtime::Device>> devices;
   std::vector<runtime::Device*> attached;
   for (const std::string& name : plan.devices) {
@@ -50,7 +51,8 @@ runtime::Outcome run(runtime::Skill& skill, const codegen::Plan& plan, test::Pay
             .trace_capacity = 4096});
 }
 
-/// Without the notes of broken promises: the devices of the test keep none, and an interpreted skill has none.
+/// Without the notes of broken promises: the devices of the test keep none, and an interpreted skill has
+/// none.
 runtime::Outcome run_compiled(const Both& both, std::uint64_t seed, CostPolicy costs) {
   const auto skill = both.compiled_skill.make(test::dealer(seed));
   runtime::Outcome outcome = run(*skill, *both.plan, test::Payloads::zeros, seed, costs);

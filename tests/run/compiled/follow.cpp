@@ -23,8 +23,8 @@ Seen seen(const trace::Event& event) {
   return {event.kind, event.actor, event.statement, event.subject, valued ? event.value : 0};
 }
 
-/// The machine does not follow frames that nobody wants to their end, and what costs nothing may start without a
-/// word.
+/// The machine does not follow frames that nobody wants to their end, and what costs nothing may start
+/// without a word.
 bool compared(trace::Kind kind) {
   switch (kind) {
     case trace::Kind::idle:
@@ -70,8 +70,8 @@ class Search {
     std::string text = gave_up() ? "gave up looking" : "cannot follow";
     text += " at instant " + std::to_string(furthest_) + ", " + std::to_string(at.at) + " ns, of";
     for (const Seen& each : at.events)
-      text += " " + std::string(trace::name(std::get<0>(each))) + "(" + std::to_string(std::get<1>(each)) + "," +
-              std::to_string(std::get<2>(each)) + "," + std::to_string(std::get<3>(each)) + ")";
+      text += " " + std::string(trace::name(std::get<0>(each))) + "(" + std::to_string(std::get<1>(each)) +
+              "," + std::to_string(std::get<2>(each)) + "," + std::to_string(std::get<3>(each)) + ")";
     return text;
   }
 
@@ -111,8 +111,8 @@ class Search {
     return first;
   }
 
-  /// `left`: what instant `number` has still to show. A timer that fires unseen does so at its deadline, or at an
-  /// instant at which something happens: at others nobody could tell.
+  /// `left`: what instant `number` has still to show. A timer that fires unseen does so at its deadline, or
+  /// at an instant at which something happens: at others nobody could tell.
   bool go_on(ConcreteRun run, std::size_t number, std::vector<Seen> left) {
     if (gave_up()) return false;
     furthest_ = std::max(furthest_, number);

@@ -68,13 +68,17 @@ void write_by_hand(const codegen::Plan& plan, std::ostream& out) {
       for (std::size_t r = 0; r < method.reads.size(); ++r)
         out << (r == 0 ? "const " : ", const ") << plan.messages[method.reads[r]].type << "&";
       const bool decides = method.kind == codegen::PlannedMethod::Kind::decide;
-      out << ") override { " << (decides ? "return (*dealer)(2) == 1;" : method.writes.empty() ? "" : "return {};")
+      out << ") override { "
+          << (decides                 ? "return (*dealer)(2) == 1;"
+              : method.writes.empty() ? ""
+                                      : "return {};")
           << " }\n";
     }
     out << "  std::shared_ptr<Dealer> dealer;\n};\n";
   }
   out << "std::unique_ptr<runtime::Skill> make(Dealer dealer) {\n"
-      << "  const auto shared = std::make_shared<Dealer>(std::move(dealer));\n  return make_" << plan.name << "(";
+      << "  const auto shared = std::make_shared<Dealer>(std::move(dealer));\n  return make_" << plan.name
+      << "(";
   bool first = true;
   for (const codegen::PlannedModule& module : plan.modules) {
     if (module.interface.empty()) continue;
@@ -111,8 +115,9 @@ bool add(std::uint64_t seed, Unit& unit, std::ostream& declarations, std::ostrea
   const auto skill = test::any_skill(text);
   if (!skill->problem) return false;
   Diagnostics diagnostics;
-  const auto plan = codegen::make_plan(skill->specification.skills.front(),
-                                       skill->specification.environments.front(), skill->sources, diagnostics);
+  const auto plan =
+      codegen::make_plan(skill->specification.skills.front(), skill->specification.environments.front(),
+                         skill->sources, diagnostics);
   if (!plan || plan->statements.size() > most_statements) return false;
   write_generated(codegen::emit(*plan), plan->file, unit.text);
   write_by_hand(*plan, unit.text);
@@ -141,9 +146,10 @@ int main(int count_of_arguments, char** arguments) {
   const auto count = static_cast<std::size_t>(std::atoi(arguments[2]));
   std::vector<Unit> units(static_cast<std::size_t>(std::atoi(arguments[3])));
   for (Unit& unit : units) {
-    unit.text << "#include <array>\n#include <functional>\n#include <memory>\n#include <utility>\n"
-                 "#include \"tests/run/compiled/compiled_skill.hpp\"\n"
-                 "using Dealer = std::function<std::uint64_t(std::uint64_t)>;\nusing pal::test::CompiledSkill;\n";
+    unit.text
+        << "#include <array>\n#include <functional>\n#include <memory>\n#include <utility>\n"
+           "#include \"tests/run/compiled/compiled_skill.hpp\"\n"
+           "using Dealer = std::function<std::uint64_t(std::uint64_t)>;\nusing pal::test::CompiledSkill;\n";
   }
   std::ostringstream declarations, list;
   std::size_t made = 0;
@@ -154,7 +160,7 @@ int main(int count_of_arguments, char** arguments) {
     status += write(folder + "/unit_" + std::to_string(u) + ".cpp", units[u].text.str());
   status += write(folder + "/all.cpp",
                   "#include \"tests/run/compiled/compiled_skill.hpp\"\n" + declarations.str() +
-                      "std::vector<pal::test::CompiledSkill> pal::test::compiled_skills() {\n  return {\n" + list.str() +
-                      "  };\n}\n");
+                      "std::vector<pal::test::CompiledSkill> pal::test::compiled_skills() {\n  return {\n" +
+                      list.str() + "  };\n}\n");
   return status == 0 ? 0 : 2;
 }

@@ -57,9 +57,11 @@ TEST_CASE("rub in square finds the plate, rubs four sides and leaves") {
 }
 
 TEST_CASE("a promise that is broken stands in the reason of its skill; the policy decides what comes of it") {
-  const std::string file = (std::filesystem::temp_directory_path() / ("late-" + std::to_string(::getpid()))).string();
+  const std::string file =
+      (std::filesystem::temp_directory_path() / ("late-" + std::to_string(::getpid()))).string();
   std::ofstream(file) << "at 500 ms force-torque late 3 ms\n";
-  const std::vector<std::string> late{"--scene", "touch", "--steps", "1", "--fault", file, "--on-broken-promise"};
+  const std::vector<std::string> late{
+      "--scene", "touch", "--steps", "1", "--fault", file, "--on-broken-promise"};
   const auto with = [&late](const char* policy) {
     std::vector<std::string> options = late;
     options.push_back(policy);
@@ -84,7 +86,8 @@ TEST_CASE("a promise that is broken stands in the reason of its skill; the polic
   CHECK(none.status == ExitStatus::wrong_specification);
   CHECK(none.error.find("there is no device 'camera' to go wrong") != std::string::npos);
   std::ofstream(file) << "at 500 ms SM1:55 takes 40 ms\n";
-  CHECK(run("rub_in_square", {"--scene", "touch", "--fault", file}).status == ExitStatus::wrong_specification);
+  CHECK(run("rub_in_square", {"--scene", "touch", "--fault", file}).status ==
+        ExitStatus::wrong_specification);
   std::filesystem::remove(file);
 }
 
@@ -132,9 +135,9 @@ TEST_CASE("a part is identified by its height, picked, identified by its width a
   INFO(answer.out << answer.error);
   CHECK(answer.status == ExitStatus::done);
   const std::string pick = collapsed ? "pick-it/" : "", place = collapsed ? "place-it/" : "";
-  CHECK(icons(answer) ==
-        std::vector<std::string>{"go-home", "a-part-comes", pick + "which-part", pick + "pick-" + part, "carry",
-                                 place + "which-held", place + "place-" + part, "go-home", "a-part-comes"});
+  CHECK(icons(answer) == std::vector<std::string>{"go-home", "a-part-comes", pick + "which-part",
+                                                  pick + "pick-" + part, "carry", place + "which-held",
+                                                  place + "place-" + part, "go-home", "a-part-comes"});
   CHECK(answer.out.find("exit 'no-part' with code 0") != std::string::npos);
 }
 

@@ -1,5 +1,5 @@
-// The numbers of the requirements on profiles are those of physics. LS2 takes longer than workcell.pal says, on a processor of
-// its own, so that what it has found is old while all else is in time.
+// The numbers of the requirements on profiles are those of physics. LS2 takes longer than workcell.pal says,
+// on a processor of its own, so that what it has found is old while all else is in time.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -28,7 +28,8 @@ double nearest(const workcell::SessionResult& result) {
 
 }  // namespace
 
-TEST_CASE("standoff: with looks older than fresh-look allows, it comes nearer to the surface than it was told") {
+TEST_CASE(
+    "standoff: with looks older than fresh-look allows, it comes nearer to the surface than it was told") {
   constexpr double plate = -105;  // mm
   const PhysicalRun wanted{
       .skill = "standoff", .scene = "flat", .parameters = {{"distance", 150}, {"speed", 3}}};

@@ -95,7 +95,8 @@ TEST_CASE("follow-edge refuses a history in which it would see too little of the
   CHECK(end_of(result.outcome) == "follow-edge 2");
   CHECK(result.outcome.duration == runtime::Time::zero());
   CHECK(result.outcome.reason ==
-        "at 3 mm in 28 ms the edge is seen every 8.4 mm: history must be 12.6 mm or more, or the edge's direction is not "
+        "at 3 mm in 28 ms the edge is seen every 8.4 mm: history must be 12.6 mm or more, or the edge's "
+        "direction is not "
         "known");
 }
 

@@ -18,7 +18,8 @@ double in_ms(Duration time) {
 }
 
 /// Runs the skill in a workcell that is slower than workcell.pal.
-runtime::Outcome run_slower(Workshop& shop, const std::string& skill, const Slower& slower, ProvedBounds& bounds) {
+runtime::Outcome run_slower(Workshop& shop, const std::string& skill, const Slower& slower,
+                            ProvedBounds& bounds) {
   const auto slow = slow_down(skills::make_skill(skill), slower);
   runtime::Outcome outcome = shop.cell().run(*slow);
   bounds.observe(outcome.trace);
@@ -33,7 +34,8 @@ double longest_rest(std::span<const sim::Sample> log) {
   for (std::size_t i = 1; i < log.size(); ++i) {
     const double down = log[i - 1].set_point.z() - log[i].set_point.z();
     if (std::abs(down) < 1e-9) continue;
-    if (after_down && down > 0 && i > still + 1) longest = std::max(longest, in_ms(log[i].time - log[still].time));
+    if (after_down && down > 0 && i > still + 1)
+      longest = std::max(longest, in_ms(log[i].time - log[still].time));
     after_down = down > 0;
     still = i;
   }
@@ -42,11 +44,13 @@ double longest_rest(std::span<const sim::Sample> log) {
 
 }  // namespace
 
-TEST_CASE("pick-at-location: what the fingers let go is still between them for as long as fresh-grip allows") {
+TEST_CASE(
+    "pick-at-location: what the fingers let go is still between them for as long as fresh-grip allows") {
   Workshop shop(scene("parts"));
   REQUIRE(shop.run("pick-at-location", {{.name = "approach", .value = 100}}).code == 0);
 
-  // A held part has its middle between pads of 20 mm. Let go, it is 35 mm lower when nothing of it is between them.
+  // A held part has its middle between pads of 20 mm. Let go, it is 35 mm lower when nothing of it is between
+  // them.
   const double held = shop.middle("part").z();
   shop.cell().workcell().gripper_open();
   double after_15_ms = 0, gone_after = 0;  // mm, ms
@@ -59,7 +63,8 @@ TEST_CASE("pick-at-location: what the fingers let go is still between them for a
   CHECK(after_15_ms < 1.2);
   REQUIRE(gone_after > 0);
 
-  // So slow that a part which slips out as soon as it was felt is gone when the lift is decided on: the skill does not see it.
+  // So slow that a part which slips out as soon as it was felt is gone when the lift is decided on: the skill
+  // does not see it.
   const Slower slower{"LS3", "feel", 120};
   Workshop late(scene("parts"));
   ProvedBounds late_bounds("pick-at-location", slower);
@@ -69,7 +74,8 @@ TEST_CASE("pick-at-location: what the fingers let go is still between them for a
   CHECK(late_bounds.greatest_part() <= 1);
 }
 
-TEST_CASE("place-at-location: slower than prompt allows, the arm stands that much longer between two steps down") {
+TEST_CASE(
+    "place-at-location: slower than prompt allows, the arm stands that much longer between two steps down") {
   Workshop shop(scene("parts"));
   REQUIRE(shop.run("pick-at-location").code == 0);
   REQUIRE(shop.run("place-at-location").code == 0);

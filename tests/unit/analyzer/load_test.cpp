@@ -90,8 +90,8 @@ END
 }
 
 TEST_CASE("a skill that may wait for ever has a load of 0") {
-  const auto skill =
-      test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 0 %", R"(
+  const auto skill = test::sound_skill(
+      small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 0 %", R"(
 Skill Module: SM1
 BEGIN
   WTM( Coordinator )
@@ -99,7 +99,7 @@ BEGIN
   TXM( Completion Protocol 0 )
 END
 )",
-                                    "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\nDEVICE MC1 EVENT tick SPORADIC 5 ms\n"));
+                  "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\nDEVICE MC1 EVENT tick SPORADIC 5 ms\n"));
   const Verdict verdict = analyze_exactly(*skill->problem).verdicts.front();
   CHECK(verdict.state == Verdict::State::holds);
   CHECK(verdict.bound == Duration(0));

@@ -27,7 +27,8 @@ TEST_CASE("an event's source has the segments that its message leads to, one und
 
 TEST_CASE("a cause stands before its effects") {
   const Stages stages(chain("    work\n    SPC( pc-high )"));
-  for (std::size_t n = 0; n < stages.forest.nodes.size(); ++n) CHECK(stages.forest.nodes[n].cause < static_cast<int>(n));
+  for (std::size_t n = 0; n < stages.forest.nodes.size(); ++n)
+    CHECK(stages.forest.nodes[n].cause < static_cast<int>(n));
 }
 
 TEST_CASE("the start of a module is a source that occurs once") {

@@ -45,7 +45,8 @@ TEST_CASE("effects of two branches of a job are exclusive, effects in a row are 
   const int job = stages.job("SM1");
   std::vector<StepEffect> effects;
   for (const Segment::Passed& passed : stages.context.segment(job).steps) {
-    if (stages.context.step_at(passed.step).kind == Step::Kind::activity) effects.push_back({job, passed.step});
+    if (stages.context.step_at(passed.step).kind == Step::Kind::activity)
+      effects.push_back({job, passed.step});
   }
   REQUIRE(effects.size() == 3);
   CHECK(are_exclusive(stages.context, {effects[1], effects[2]}));

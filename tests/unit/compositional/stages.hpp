@@ -13,7 +13,9 @@ namespace pal::test {
 
 constexpr analyzer::Nanoseconds ms = 1'000'000;
 
-inline bool goes_on() { return false; }
+inline bool goes_on() {
+  return false;
+}
 
 /// All that the analysis knows of a skill before it asks for a measure. The skill must be sound.
 struct Stages {
@@ -79,7 +81,8 @@ BEGIN
   WTM( Coordinator )
   REPEAT
     WTM( value from LS1 )
-)" + sm1 + R"(
+)" + sm1 +
+         R"(
   UNTIL( pc-high )
   TXM( Completion Protocol 0 )
 END
@@ -91,7 +94,8 @@ TIME work : 3 ms
 TIME rest : 5 ms
 PLACE LS1 ON P0 PRIORITY 2
 PLACE SM1 ON P0 PRIORITY 1
-)" + environment + "END ENVIRONMENT\n";
+)" + environment +
+         "END ENVIRONMENT\n";
 }
 
 }  // namespace pal::test

@@ -30,7 +30,8 @@ TEST_CASE("a skill that does not: which statement uses how old a value, and why"
 TEST_CASE("measured times are compared with declared ones") {
   pal::MemoryFileSystem files;
   files.add("cell.pal", "ENVIRONMENT cell\n  PROCESSOR P0\n  TIME hold : 0.1 ms\nEND ENVIRONMENT\n");
-  files.add("fast.pal", "ENVIRONMENT cell\n  PROCESSOR P0\n  TIME hold OF MC1 : 90 TO 100 us\nEND ENVIRONMENT\n");
+  files.add("fast.pal",
+            "ENVIRONMENT cell\n  PROCESSOR P0\n  TIME hold OF MC1 : 90 TO 100 us\nEND ENVIRONMENT\n");
   files.add("slow.pal", "ENVIRONMENT cell\n  PROCESSOR P0\n  TIME hold OF MC1 : 101 us\nEND ENVIRONMENT\n");
   files.add("empty.pal", "MESSAGE a : SIGNAL\n");
   const auto checked = [&](std::vector<std::string> measured) {
@@ -41,9 +42,10 @@ TEST_CASE("measured times are compared with declared ones") {
   CHECK(checked({"fast.pal"}).status == ExitStatus::all_hold);
   CHECK(checked({"fast.pal"}).err.empty());
   CHECK(checked({"fast.pal", "slow.pal"}).status == ExitStatus::wrong_specification);
-  CHECK_THAT(checked({"slow.pal"}).err,
-             Catch::Contains("error[PAL0750]: 'hold OF MC1' was measured to take 101 us, and environment cell "
-                             "declares at most 100 us"));
+  CHECK_THAT(
+      checked({"slow.pal"}).err,
+      Catch::Contains("error[PAL0750]: 'hold OF MC1' was measured to take 101 us, and environment cell "
+                      "declares at most 100 us"));
   CHECK(checked({"missing.pal"}).status == ExitStatus::usage);
   CHECK(checked({"empty.pal"}).status == ExitStatus::usage);
   CHECK_THAT(checked({"empty.pal"}).err, Catch::Contains("the files of --measured have no ENVIRONMENT"));
@@ -206,7 +208,8 @@ TEST_CASE("check shows a hundred findings unless told otherwise, and ends the sa
     CHECK(answer.status == ExitStatus::wrong_specification);
     const auto& text = options.back() == "json" ? answer.out : answer.err;
     std::size_t count = 0;
-    for (auto at = text.find("is not a unit"); at != std::string::npos; at = text.find("is not a unit", at + 1))
+    for (auto at = text.find("is not a unit"); at != std::string::npos;
+         at = text.find("is not a unit", at + 1))
       ++count;
     return count;
   };

@@ -80,7 +80,8 @@ TEST_CASE("replay refuses a witness of other texts, of another value, and of ano
   CHECK(more.out.find("it does not show 36 ms") != std::string::npos);
 
   OrderedJson shorter = sound;
-  for (OrderedJson& each : shorter["witnesses"]) each["run"]["events"].erase(each["run"]["events"].begin() + 3);
+  for (OrderedJson& each : shorter["witnesses"])
+    each["run"]["events"].erase(each["run"]["events"].begin() + 3);
   file.write(shorter);
   CHECK(replayed(file, read_first).status == ExitStatus::not_met);
 }
@@ -152,12 +153,15 @@ TEST_CASE("replay refuses what no run says, whatever stands in the file") {
           "does not wait for here");
   refused(with_event("set", [](OrderedJson& event) { event[5] = 7; }), "another value than 0 and 1");
   refused(
-      [](OrderedJson& witness) { witness["run"]["events"].back()[0] = std::numeric_limits<std::int64_t>::max(); },
+      [](OrderedJson& witness) {
+        witness["run"]["events"].back()[0] = std::numeric_limits<std::int64_t>::max();
+      },
       "at no instant of a run");
   refused([](OrderedJson& witness) { witness["measure"] = "busy"; }, "measures something else");
   refused([](OrderedJson& witness) { witness["run"]["actors"][0]["priority"] = 99; },
           "another place, priority or parent");
-  refused([](OrderedJson& witness) { witness["run"]["channels"][0]["sender"] = "nobody"; }, "another channel");
+  refused([](OrderedJson& witness) { witness["run"]["channels"][0]["sender"] = "nobody"; },
+          "another channel");
   // A value that has grown since before all times, up to an instant before all times: no such numbers.
   refused(
       [](OrderedJson& witness) {

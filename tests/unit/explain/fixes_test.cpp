@@ -38,7 +38,8 @@ driver::Session check(const std::string& path, const FileSystem& files) {
   std::ostringstream none;
   driver::Session session;
   driver::read({{path}, {}, {}, {}}, {none, none, files}, session);
-  if (!session.diagnostics.has_errors()) driver::report_unmet(driver::prove(session, {1000, 0}), false, session);
+  if (!session.diagnostics.has_errors())
+    driver::report_unmet(driver::prove(session, {1000, 0}), false, session);
   return session;
 }
 

@@ -35,7 +35,8 @@ TEST_CASE("a test's code is how many limits the reading has reached") {
   StepLog log(out);
   Executor executor(program_of(operation(three_ways)), runner, &log);
   CHECK(executor.run() == ExecutionState::ended);
-  CHECK(executor.token() == std::vector<std::string>{"low", "middle", "high"}[static_cast<std::size_t>(code)]);
+  CHECK(executor.token() ==
+        std::vector<std::string>{"low", "middle", "high"}[static_cast<std::size_t>(code)]);
   CHECK(executor.last_code() == code);
   CHECK(runner.sensed == std::vector<std::string>{"eye"});
   const auto step = parse_log_line(out.str());
@@ -94,10 +95,11 @@ TEST_CASE("a wait is cut off by a pause and a stop, and waits anew") {
 
 TEST_CASE("a stop ends a delay, which begins anew") {
   test::ScriptedRunner runner;
-  Executor executor(program_of(operation(
-                        R"({"id": "a", "kind": "delay", "seconds": 9, "next": "b"},)"
-                        R"({"id": "b", "kind": "skill", "skill": "go", "next": "end"}, {"id": "end", "kind": "exit"})")),
-                    runner);
+  Executor executor(
+      program_of(operation(
+          R"({"id": "a", "kind": "delay", "seconds": 9, "next": "b"},)"
+          R"({"id": "b", "kind": "skill", "skill": "go", "next": "end"}, {"id": "end", "kind": "exit"})")),
+      runner);
   runner.during_delay = [&] { executor.stop(); };
   CHECK(executor.run() == ExecutionState::stopped);
   CHECK(executor.token() == "a");
@@ -117,14 +119,20 @@ TEST_CASE("the possible codes of a test and a wait are known") {
 TEST_CASE("a step can be read again from its line") {
   for (const char* wrong :
        {"", "{", "[]", "7", R"({"step": 1})", R"({"step": 1, "icon": 3, "begin_s": 0, "end_s": 1})",
-        R"({"step": 1, "icon": "a", "begin_s": 2, "end_s": 1})", R"({"step": 1, "icon": "a", "begin_s": 0, "end_s": 1e300})",
+        R"({"step": 1, "icon": "a", "begin_s": 2, "end_s": 1})",
+        R"({"step": 1, "icon": "a", "begin_s": 0, "end_s": 1e300})",
         R"({"step": 1, "icon": "a", "kind": "odd", "begin_s": 0, "end_s": 1})",
         R"({"step": 1, "icon": "a", "parameters": {"x": []}, "begin_s": 0, "end_s": 1})"}) {
     INFO(wrong);
     CHECK_FALSE(parse_log_line(wrong));
   }
-  Step step{7, "p/x", "go", {{"far", 2.5, {}, {}}, {"to", std::string("HOME"), {}, {}}, {"on", true, {}, {}}},
-            {SkillResult::Kind::contingency, 3, "so"}, 1500ms, 2750ms};
+  Step step{7,
+            "p/x",
+            "go",
+            {{"far", 2.5, {}, {}}, {"to", std::string("HOME"), {}, {}}, {"on", true, {}, {}}},
+            {SkillResult::Kind::contingency, 3, "so"},
+            1500ms,
+            2750ms};
   CHECK(log_line(*parse_log_line(log_line(step))) == log_line(step));
   CHECK(told(step) == "   7  p/x: go ended with code 3 after 1.250 s: so");
 }

@@ -19,7 +19,8 @@ TEST_CASE("a storyboard tells scenes, and branches by code") {
   const auto program = test::program_of(test::operation(test::looping));
   CHECK(storyboard_markdown(program, skills) ==
         "# o\n\nIt begins with scene 1, a.\n\n### Scene 1: a\n\nBefore: The way is free.\n\n"
-        "The skill go runs with far 3: it goes there.\n\nAfterwards, if the code is normal: It stands still.\n\n"
+        "The skill go runs with far 3: it goes there.\n\nAfterwards, if the code is normal: It stands "
+        "still.\n\n"
         "- Code 0: It is there. The story goes on with scene 2, b.\n"
         "- Code 1: The way \\<was\\> shut. The story goes on with scene 1, a.\n\n"
         "### Scene 2: b\n\nThe skill back runs. Nothing is known of it.\n\n"
@@ -34,16 +35,18 @@ TEST_CASE("a storyboard tells a run, scene by scene") {
   const auto program = test::program_of(test::operation(test::looping));
   using Kind = SkillResult::Kind;
   using namespace std::chrono_literals;
-  const std::vector<Step> steps{{1, "a", "go", {}, {Kind::contingency, 1, "The way was shut."}, 500ms, 1500ms},
-                                {2, "a", "go", {}, {Kind::stopped, 9, "stopped on request"}, 2s, 2250ms},
-                                {3, "a", "go", {}, {Kind::normal, 0, "There."}, 3s, 6s}};
+  const std::vector<Step> steps{
+      {1, "a", "go", {}, {Kind::contingency, 1, "The way was shut."}, 500ms, 1500ms},
+      {2, "a", "go", {}, {Kind::stopped, 9, "stopped on request"}, 2s, 2250ms},
+      {3, "a", "go", {}, {Kind::normal, 0, "There."}, 3s, 6s}};
   const Happened run(program, steps);
   const std::string story = storyboard_markdown(program, {}, &run);
   INFO(story);
   for (const char* sentence :
        {"The run had 3 steps, from 0.50 s to 6.00 s of the cell's time: 5.50 s.",
         "1. At 0.50 s a (go) began, took 1.00 s and ended with code 1: The way was shut.",
-        "In the run it began 3 times, first at 0.50 s; it took 0.25 to 3.00 s; code 0 once, code 1 once, cut off once.",
+        "In the run it began 3 times, first at 0.50 s; it took 0.25 to 3.00 s; code 0 once, code 1 once, cut "
+        "off once.",
         "In the run the token did not come here."})
     CHECK(story.find(sentence) != std::string::npos);
   CHECK(to_dot(program, 0, &run).find("3×") != std::string::npos);

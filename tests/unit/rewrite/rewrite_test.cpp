@@ -41,10 +41,11 @@ TEST_CASE("a wait behind the read of a condition comes before it") {
   REQUIRE(found.size() == 1);
   CHECK(found[0].title == "wait for request motion before reading near, far");
   CHECK(found[0].module == "SM1");
-  CHECK(parsed.after(found[0]).starts_with("Skill Module: SM1\nBEGIN\n"
-                                           "  WTM( request motion from MC1 )\n"
-                                           "  RPC( near )\n"
-                                           "  RPC( far )\n"));
+  CHECK(
+      parsed.after(found[0]).starts_with("Skill Module: SM1\nBEGIN\n"
+                                         "  WTM( request motion from MC1 )\n"
+                                         "  RPC( near )\n"
+                                         "  RPC( far )\n"));
 }
 
 TEST_CASE("a wait at the beginning of an arm leaves the CASE that tests the condition") {
@@ -88,7 +89,8 @@ TEST_CASE("an arm that only waited does nothing afterwards") {
                                               "  END CASE\n"));
 }
 
-TEST_CASE("arms that wait for different messages stay as they are, and so does a read that follows its wait") {
+TEST_CASE(
+    "arms that wait for different messages stay as they are, and so does a read that follows its wait") {
   const Parsed parsed(
       "  WTM( tick from MC1 )\n"
       "  RPC( near )\n"

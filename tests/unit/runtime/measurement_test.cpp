@@ -16,10 +16,13 @@ using runtime::Time;
 namespace {
 
 constexpr runtime::ProcessorSpec processors[] = {{"P0", true}, {"P1", false}};
-constexpr runtime::StatementSpec statements[] = {
-    {"LS1", "scale", "", 1, {}},      {"LS1", "scale", "", 4, {}},         {"SM1", "scale", "", 9, {}},
-    {"SM1", "SPC( near )", "", 10, {}}, {"SM1", "TXM( step to MC1 )", "", 11, {}}, {"SM1", "CASE", "", 12, {}},
-    {"SM1", "WTM( a from b )", "", 13, {}}};
+constexpr runtime::StatementSpec statements[] = {{"LS1", "scale", "", 1, {}},
+                                                 {"LS1", "scale", "", 4, {}},
+                                                 {"SM1", "scale", "", 9, {}},
+                                                 {"SM1", "SPC( near )", "", 10, {}},
+                                                 {"SM1", "TXM( step to MC1 )", "", 11, {}},
+                                                 {"SM1", "CASE", "", 12, {}},
+                                                 {"SM1", "WTM( a from b )", "", 13, {}}};
 constexpr std::string_view devices[] = {"gauge", "clock", "lamp"};
 
 /// Requests for a and b of the gauge, ticks of the clock, light for the lamp.
@@ -42,7 +45,8 @@ struct Cell {
   }
   std::vector<ChannelSpec> channels;
   runtime::Wiring wiring;
-  ScriptedDevice gauge{"gauge", {{"request a", true, {}}, {"a", false, {}}, {"request b", true, {}}, {"b", false, {}}}};
+  ScriptedDevice gauge{
+      "gauge", {{"request a", true, {}}, {"a", false, {}}, {"request b", true, {}}, {"b", false, {}}}};
   ScriptedDevice clock{"clock", {{"other", false, {}}, {"tick", false, {}}}};
 };
 
@@ -67,8 +71,8 @@ TEST_CASE("an answer counts from its request, or from the last answer") {
   SECTION("one that waits for its turn") {
     pass(1ms, 0);
     pass(2ms, 2);
-    pass(6ms, 1);    // 5 ms
-    pass(12ms, 3);   // 6 ms after the last answer
+    pass(6ms, 1);   // 5 ms
+    pass(12ms, 3);  // 6 ms after the last answer
     CHECK(has(measurement.environment(), "  DEVICE gauge ON REQUEST 5 TO 6 ms  # 2 answers"));
   }
   SECTION("two that are answered together count once") {

@@ -21,8 +21,8 @@ constexpr double one_degree = std::numbers::pi / 180;
 
 /// The plane's normal where turning about x, then about y makes the tool square to it.
 Vector3d normal_at(double turn_x, double turn_y) {
-  return AngleAxisd(turn_y * one_degree, Vector3d::UnitY()) * AngleAxisd(turn_x * one_degree, Vector3d::UnitX()) *
-         Vector3d::UnitZ();
+  return AngleAxisd(turn_y * one_degree, Vector3d::UnitY()) *
+         AngleAxisd(turn_x * one_degree, Vector3d::UnitX()) * Vector3d::UnitZ();
 }
 
 /// Align's motion: along the tool's x axis by `travel` and back, a profile each 78 ms, seen from where it

@@ -46,7 +46,8 @@ TEST_CASE("a free processor is used before one is added, and who is alone does n
 
 TEST_CASE("every change that is proposed can be made") {
   const auto skill = test::sound_skill(test::two_chains("6 ms"));
-  for (const ChangeTexts& texts : candidates_for(*skill->problem, skill->specification.environments.front())) {
+  for (const ChangeTexts& texts :
+       candidates_for(*skill->problem, skill->specification.environments.front())) {
     pan::Environment environment = skill->specification.environments.front();
     for (const std::string& text : texts) {
       INFO(text);

@@ -59,14 +59,14 @@ TEST_CASE("where no change suffices the nearest is told, and nothing is said to 
 TEST_CASE("a program that cannot be changed so is passed over") {
   const auto skill = test::sound_skill(test::two_chains("4 ms"));
   std::size_t asked = 0;
-  const Remedies remedies =
-      find_remedies(skill->specification.skills.front(), skill->specification.environments.front(), 3,
-                    [&](const std::vector<ProgramChangeId>& made) -> const pan::Network* {
-                      CHECK(made.size() == 1);
-                      ++asked;
-                      return nullptr;
-                    },
-                    Options());
+  const Remedies remedies = find_remedies(
+      skill->specification.skills.front(), skill->specification.environments.front(), 3,
+      [&](const std::vector<ProgramChangeId>& made) -> const pan::Network* {
+        CHECK(made.size() == 1);
+        ++asked;
+        return nullptr;
+      },
+      Options());
   CHECK(asked == 3);
   CHECK_FALSE(remedies.found.empty());
   CHECK_FALSE(remedies.candidates[remedies.found.front().made.front().index()].program.valid());

@@ -18,8 +18,8 @@ std::vector<Figure> measure_follow_edge() {
     const char* scene;
     bool literal;
   };
-  for (const auto& [scene, literal] :
-       {Law{"seam-crease", false}, Law{"seam-step", false}, Law{"seam-wide", false}, Law{"seam-wide", true}}) {
+  for (const auto& [scene, literal] : {Law{"seam-crease", false}, Law{"seam-step", false},
+                                       Law{"seam-wide", false}, Law{"seam-wide", true}}) {
     for (const double speed : {10.0, 30.0}) {
       ProvedBounds bounds("follow-edge");
       double lengths = 0, turns = 0, count = 0;

@@ -50,7 +50,8 @@ driver::Proof prove(const std::string& name, const std::optional<Slower>& slower
 
 }  // namespace
 
-ProvedBounds::ProvedBounds(const std::string& skill, const std::optional<Slower>& slower, std::size_t most_states)
+ProvedBounds::ProvedBounds(const std::string& skill, const std::optional<Slower>& slower,
+                           std::size_t most_states)
     : proof_(prove(skill, slower, most_states)) {}
 
 void ProvedBounds::observe(const trace::Trace& run) {

@@ -45,10 +45,15 @@ class SlowerSkill final : public runtime::Skill {
  private:
   void place(const Slower& slower) {
     const auto& all = wiring_.processors;
-    const auto processor = std::find_if(all.begin(), all.end(), [&](const runtime::ProcessorSpec& spec) { return spec.name == slower.processor; });
-    const auto thread = std::find_if(threads_.begin(), threads_.end(), [&](const runtime::ThreadSpec& spec) { return spec.name == slower.module; });
+    const auto processor = std::find_if(all.begin(), all.end(), [&](const runtime::ProcessorSpec& spec) {
+      return spec.name == slower.processor;
+    });
+    const auto thread = std::find_if(threads_.begin(), threads_.end(), [&](const runtime::ThreadSpec& spec) {
+      return spec.name == slower.module;
+    });
     if (processor == all.end() || thread == threads_.end())
-      throw std::runtime_error("the skill has no processor " + slower.processor + " or no module " + slower.module);
+      throw std::runtime_error("the skill has no processor " + slower.processor + " or no module " +
+                               slower.module);
     thread->processor = static_cast<int>(processor - all.begin());
   }
 
@@ -71,9 +76,10 @@ std::string replaced(const std::string& text, const std::string& line, const std
 }  // namespace
 
 std::string slow_down(const std::string& workcell, const Slower& slower) {
-  const std::string text = replaced(
-      workcell, "TIME " + slower.activity + " +OF " + slower.module + " *:[^\n]*",
-      "TIME " + slower.activity + " OF " + slower.module + " : " + std::to_string(slower.milliseconds) + " ms");
+  const std::string text =
+      replaced(workcell, "TIME " + slower.activity + " +OF " + slower.module + " *:[^\n]*",
+               "TIME " + slower.activity + " OF " + slower.module + " : " +
+                   std::to_string(slower.milliseconds) + " ms");
   if (slower.processor.empty()) return text;
   const std::string place = "PLACE " + slower.module + " ON ";
   return replaced(text, place + "\\w+", place + slower.processor);
