@@ -37,14 +37,16 @@ const KnownSkill& find_skill(const std::string& wanted, const std::vector<KnownS
       nearest ? "did you mean '" + *nearest + "'?" : "workcell list shows the skills that there are");
 }
 
-double parse_number(const std::string& setting, const std::string& text) {
-  if (text == "true") return 1;
-  if (text == "false") return 0;
+double parse_number(const std::string& setting, const std::string& text, runtime::ParameterType type) {
+  const bool is_truth = type == runtime::ParameterType::boolean;
+  if (is_truth && (text == "true" || text == "TRUE")) return 1;
+  if (is_truth && (text == "false" || text == "FALSE")) return 0;
   double value = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (problem != std::errc() || end != text.data() + text.size())
-    throw Failure(ExitStatus::wrong_specification, "--set " + setting, "'" + text + "' is not a number",
-                  "write the value without its unit");
+    throw Failure(ExitStatus::wrong_specification, "--set " + setting,
+                  "'" + text + "' is " + (is_truth ? "neither TRUE nor FALSE" : "not a number"),
+                  is_truth ? "write TRUE or FALSE" : "write the value without its unit");
   return value;
 }
 
@@ -61,7 +63,7 @@ runtime::ParameterValue parse_setting(const std::string& setting, const runtime:
     if (parameter.name != name) continue;
     const std::string written = setting.substr(equals + 1);
     const bool text = parameter.type == runtime::ParameterType::text;
-    const double value = text ? 0 : parse_number(setting, written);
+    const double value = text ? 0 : parse_number(setting, written, parameter.type);
     try {
       text ? runtime::check_parameter(parameter, written) : runtime::check_parameter(parameter, value);
     } catch (const runtime::ParameterError& problem) {

@@ -20,7 +20,9 @@ namespace {
 
 using namespace follow_edge;
 
-constexpr int lost_after = 5;       // profiles
+constexpr int lost_after = 5;  // profiles
+constexpr double strays_from =
+    3;  // mm beside where the edge is expected; along an edge it is seen within 1 mm
 constexpr double interpreting = 3;  // ms from a profile's end until the skill knows the edge, in the mean
 constexpr double part = 0.25;       // of what is missing that is corrected in a cycle
 constexpr double cycles_a_profile = 78.0 / 28;
@@ -52,6 +54,7 @@ class Method final : public SM1Activities {
     gone_ = 0;
     last_at_ = -1;
     unseen_ = 0;
+    strays_ = 0;
     law_.start({parameters.translation, parameters.rotation}, parameters.history, parameters.standoff * 10);
   }
 
@@ -74,7 +77,7 @@ class Method final : public SM1Activities {
 
   bool decide_pc_lost(const Edge& edge) override {
     unseen_ = edge.seen ? 0 : unseen_ + 1;
-    return unseen_ >= lost_after;
+    return unseen_ >= lost_after || strays_ >= lost_after;
   }
   bool decide_pc_end() override { return gone_ >= parameters_.distance * 10; }
 
@@ -100,9 +103,17 @@ class Method final : public SM1Activities {
     clock_.saw(edge.at + sensing::scan_time / 2 + interpreting);
     const Eigen::Isometry3d pose = pose_at(edge.at);
     const double slope = edge.slope * degree;
-    map_.add(pose * Eigen::Vector3d(0, edge.y, edge.z),
-             pose.linear() * Eigen::Vector3d(0, std::cos(slope), std::sin(slope)));
+    const Eigen::Vector3d point = pose * Eigen::Vector3d(0, edge.y, edge.z);
+    strays_ = strays(point, pose.linear().col(0)) ? strays_ + 1 : 0;
+    if (strays_ > 0) return;
+    map_.add(point, pose.linear() * Eigen::Vector3d(0, std::cos(slope), std::sin(slope)));
     if (parameters_.literal) law_.see(edge.y, edge.z, edge.slope, gone_);
+  }
+
+  // Whether a point belongs to another edge. Where an edge ends, the range finder sees others beside it.
+  bool strays(const Eigen::Vector3d& point, const Eigen::Vector3d& heading) const {
+    const auto expected = map_.at(point, heading);
+    return expected && (expected->point - point).norm() > strays_from;
   }
 
   // What is missing between where all motions so far lead and where the edge is expected there.
@@ -155,7 +166,8 @@ class Method final : public SM1Activities {
   std::array<Eigen::Isometry3d, 16> poses_;  // the same after the motion of each cycle
   double gone_ = 0;
   double last_at_ = -1;
-  int unseen_ = 0;
+  int unseen_ = 0;  // profiles without an edge, one after the other
+  int strays_ = 0;  // profiles with another edge, one after the other
   LiteralLaw law_;
 };
 
