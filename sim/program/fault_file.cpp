@@ -18,7 +18,7 @@ std::vector<sim::PlannedFault> faults_in(const std::string& file) {
     throw Failure(ExitStatus::wrong_specification, fmt::format("{}:{}", file, wrong->line), wrong->cause,
                   "for example: at 500 ms force-torque dropout");
   if (std::get<0>(read).empty())
-    throw Failure(ExitStatus::wrong_specification, file, "the file says nothing that is to go wrong",
+    throw Failure(ExitStatus::wrong_specification, file, "the file names no fault",
                   "write a line, for example: at 500 ms force-torque dropout");
   return std::get<0>(std::move(read));
 }
