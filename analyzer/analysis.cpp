@@ -107,16 +107,10 @@ void look_for_run(const Problem& problem, const Requirement& requirement, const 
   if (found) confront(problem, requirement, std::move(*found), verdict);
 }
 
-/// Whoever allows few classes allows few events of simulated runs.
-std::size_t events_of_runs(const Options& options) {
-  constexpr std::size_t usual = 150'000, per_class = 50;
-  return options.max_states < usual / per_class ? options.max_states * per_class : usual;
-}
-
 /// What has to add up first shows in longer runs.
 void look_for_long_run(const Problem& problem, const Requirement& requirement, const Options& options,
                        Verdict& verdict) {
-  auto found = simulated_witness(problem, requirement, options.stop, events_of_runs(options));
+  auto found = simulated_witness(problem, requirement, options.stop, events_for(options.max_states));
   if (found) confront(problem, requirement, std::move(*found), verdict);
 }
 

@@ -13,7 +13,7 @@ using Measure = Requirement::Measure;
 constexpr std::uint64_t runs = 6;
 constexpr std::uint64_t extreme_runs = 300;
 constexpr std::size_t few_events = 1'500;
-constexpr std::size_t many_events = 200'000;
+constexpr std::size_t many_events = 50'000;
 
 /// A run with times at their extremes is as long as pal simulate makes it.
 constexpr Nanoseconds usual_length = 10'000'000'000;
@@ -102,6 +102,11 @@ Break simulated_break(const Problem& problem, const Requirement& requirement,
     if (found != Break::none) return found;
   }
   return Break::none;
+}
+
+std::size_t events_for(std::size_t classes) {
+  constexpr std::size_t usual = 150'000, per_class = 50;
+  return classes < usual / per_class ? classes * per_class : usual;
 }
 
 std::optional<Witness> simulated_witness(const Problem& problem, const Requirement& requirement,

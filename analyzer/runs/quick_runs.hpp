@@ -16,9 +16,12 @@ enum class Break { none, measured, grown };
 Break simulated_break(const Problem& problem, const Requirement& requirement,
                       const std::function<bool()>& stop);
 
+/// So many events of simulated runs are worth their time where so many classes may be explored.
+std::size_t events_for(std::size_t classes);
+
 /// The run for which simulated_break says so, or one of some hundreds with times at their extremes, up to
 /// where it breaks `requirement`. All runs together have at most `events` events. Nothing: none of them does.
 std::optional<Witness> simulated_witness(const Problem& problem, const Requirement& requirement,
-                                         const std::function<bool()>& stop, std::size_t events = 150'000);
+                                         const std::function<bool()>& stop, std::size_t events);
 
 }  // namespace pal::analyzer

@@ -23,6 +23,9 @@ constexpr std::size_t overloaded_classes = 20'000;
 constexpr std::size_t few_runs = 16;
 constexpr std::size_t many_runs = 400;
 
+/// Of the runs that are made again after one of them broke a requirement.
+constexpr std::size_t events_of_witness = 150'000;
+
 /// Requirements that one watch decides, and for which growing beyond the limit is failing.
 bool has_cap(const Requirement& requirement) {
   const bool timed = requirement.measure == Measure::age || requirement.measure == Measure::response ||
@@ -190,14 +193,17 @@ Decision decide_quickly(const Problem& problem, RequirementId id, const Verdict&
   Decision decision{Is::fails, {}, {}, simulated == Break::grown};
   // The run is kept. One that is overloaded is too long to be played again.
   if (simulated == Break::measured && one_run(requirement) && problem.overloaded.empty())
-    decision.witness = decision_of(requirement, simulated_witness(problem, requirement, stop)).witness;
+    decision.witness =
+        decision_of(requirement, simulated_witness(problem, requirement, stop, events_of_witness)).witness;
   return decision;
 }
 
-Decision decide_by_runs(const Problem& problem, RequirementId id, const std::function<bool()>& stop) {
+Decision decide_by_runs(const Problem& problem, RequirementId id, std::size_t classes,
+                        const std::function<bool()>& stop) {
   const Requirement& requirement = requirement_of(problem, id);
   if (!one_run(requirement)) return {};
-  Decision decision = decision_of(requirement, simulated_witness(problem, requirement, stop));
+  Decision decision =
+      decision_of(requirement, simulated_witness(problem, requirement, stop, events_for(classes)));
   if (decision.state == Is::fails) return decision;
   return by_search(problem, requirement, many_runs, stop);
 }

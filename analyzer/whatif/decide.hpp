@@ -26,7 +26,8 @@ Decision decide_quickly(const Problem& problem, RequirementId requirement, const
                         const std::function<bool()>& stop);
 
 /// By some hundreds of single runs, which can only refute.
-Decision decide_by_runs(const Problem& problem, RequirementId requirement, const std::function<bool()>& stop);
+Decision decide_by_runs(const Problem& problem, RequirementId requirement, std::size_t classes,
+                        const std::function<bool()>& stop);
 
 /// By exploring what has an influence (slice_bound.hpp), which can only prove.
 Decision decide_by_slice(const Problem& problem, RequirementId requirement, const Options& options);

@@ -114,7 +114,7 @@ void Judge::explore(const Problem& problem, Hearing& hearing, const Effort& effo
     if (effort.over()) return;
     if (hearing.open(k)) hearing.decisions[k] = decide_by_slice(problem, hearing.order[k], options);
     if (hearing.open(k) && !effort.over())
-      hearing.decisions[k] = decide_by_runs(problem, hearing.order[k], effort.stop);
+      hearing.decisions[k] = decide_by_runs(problem, hearing.order[k], effort.classes, effort.stop);
   }
   explore(problem, hearing, options);
 }

@@ -93,7 +93,8 @@ std::string refusal(const FiledWitness& witness, const analyzer::Problem& proble
 /// A run that breaks the one requirement of `problem`. Most are found as they were when it was refuted.
 std::optional<analyzer::Witness> breaking(const analyzer::Problem& problem,
                                           const analyzer::Options& options) {
-  auto simulated = analyzer::simulated_witness(problem, problem.requirements.front(), options.stop);
+  auto simulated = analyzer::simulated_witness(problem, problem.requirements.front(), options.stop,
+                                               analyzer::events_for(options.max_states));
   if (simulated) return simulated;
   auto analysis = analyzer::analyze(problem, analyzer::AnalysisChoice::automatic, options);
   analyzer::Verdict& verdict = analysis.verdicts.front();

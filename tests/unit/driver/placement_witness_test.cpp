@@ -45,7 +45,7 @@ TEST_CASE("a run that refuted by chance is one of the problem, up to where it br
   const Problem& problem = *skill->problem;
   std::size_t found = 0;
   for (const Requirement& requirement : problem.requirements) {
-    const auto witness = simulated_witness(problem, requirement, {});
+    const auto witness = simulated_witness(problem, requirement, {}, events_for(1'000'000));
     CHECK(witness.has_value() == (simulated_break(problem, requirement, {}) != Break::none));
     if (!witness) continue;
     ++found;
