@@ -120,10 +120,95 @@ class Reliance {
   std::vector<std::vector<std::size_t>> by_processor_;  // threads, the greatest priority first
 };
 
+/// Whether a block somewhere uses what its module keeps of a message, and another thread of the module left
+/// it there. A meter at run time sees messages and conditions, and not this.
+class KeptMessages {
+ public:
+  explicit KeptMessages(const pan::Network& network) : network_(network) {
+    for (std::size_t m = 0; m < network.modules.size(); ++m) {
+      const pan::Module& module = network.modules[m];
+      if (module.body.empty() || module.executed_by.valid()) continue;
+      left_.clear();
+      used_.clear();
+      entered_.clear();
+      follow(pan::ModuleId(m), 0, module.body.nodes.size(), begun_by(-1));
+      for (const auto& [message, users] : used_) {
+        for (const int leaver : left_[message]) {
+          for (const int user : users) crosses_ = crosses_ || !is_within(user, leaver);
+        }
+      }
+    }
+  }
+
+  bool crosses() const { return crosses_; }
+
+ private:
+  /// A new thread.
+  int begun_by(int parent) {
+    parents_.push_back(parent);
+    return static_cast<int>(parents_.size()) - 1;
+  }
+
+  /// What a thread knows as it begins blocks they know, too.
+  bool is_within(int thread, int outer) const {
+    for (; thread >= 0; thread = parents_[static_cast<std::size_t>(thread)]) {
+      if (thread == outer) return true;
+    }
+    return false;
+  }
+
+  void follow(pan::ModuleId id, std::size_t begin, std::size_t end, int thread) {
+    const std::vector<pan::Node>& nodes = network_.modules[id.index()].body.nodes;
+    for (std::size_t n = begin; n < end; ++n) {
+      const pan::Node& node = nodes[n];
+      if (const auto* fork = std::get_if<pan::Fork>(&node.content)) {
+        for (std::size_t i = 0; i < fork->threads.size(); ++i) {
+          const std::size_t last = i + 1 < node.out.size() ? node.out[i + 1].index() : node.mate.index();
+          follow(id, node.out[i].index(), last, begun_by(thread));
+        }
+        n = node.mate.index();
+      } else if (const auto* execute = std::get_if<pan::Execute>(&node.content)) {
+        if (!entered_.insert({execute->module.value, thread}).second) continue;
+        follow(execute->module, 0, network_.modules[execute->module.index()].body.nodes.size(), thread);
+      } else {
+        note(node.content, thread);
+      }
+    }
+  }
+
+  void note(const pan::Content& content, int thread) {
+    const auto add = [&](const std::vector<pan::MessageId>& messages,
+                         std::map<std::int32_t, std::set<int>>& to) {
+      for (const pan::MessageId message : messages) to[message.value].insert(thread);
+    };
+    if (const auto* wait = std::get_if<pan::Wait>(&content)) {
+      for (const pan::ChannelId channel : wait->channels)
+        add({network_.channels[channel.index()].message}, left_);
+    } else if (const auto* send = std::get_if<pan::Send>(&content)) {
+      add({network_.channels[send->channel.index()].message}, used_);
+    } else if (const auto* perform = std::get_if<pan::Perform>(&content)) {
+      add(network_.activities[perform->activity.index()].reads, used_);
+      add(network_.activities[perform->activity.index()].writes, left_);
+    } else if (const auto* set = std::get_if<pan::Set>(&content); set != nullptr && !set->value) {
+      add(network_.conditions[set->condition.index()].from, used_);
+    }
+  }
+
+  const pan::Network& network_;
+  std::map<std::int32_t, std::set<int>> left_;  // threads, by message
+  std::map<std::int32_t, std::set<int>> used_;
+  std::set<std::pair<std::int32_t, int>> entered_;
+  std::vector<int> parents_;
+  bool crosses_ = false;
+};
+
 class RequirementPlanner {
  public:
   RequirementPlanner(const pan::Network& network, Plan& plan)
-      : network_(network), plan_(plan), reliance_(network, plan) {}
+      : crosses_blocks_(KeptMessages(network).crosses()),
+        network_(network),
+        plan_(plan),
+        reliance_(network, plan) {}
 
   void plan() {
     for (const pan::Requirement& requirement : network_.requirements) {
@@ -132,6 +217,7 @@ class RequirementPlanner {
       made.most = requirement.limit;
       std::vector<std::size_t> about;
       std::visit([&](const auto& measure) { fill(measure, made, about); }, requirement.measure);
+      if (made.measure == Measure::sample && crosses_blocks_) made.measure = Measure::other;
       if (requirement.phase) made.measure = PlannedRequirement().measure;  // is not followed at run time
       add(std::move(made), about);
     }
@@ -250,6 +336,7 @@ class RequirementPlanner {
     add(std::move(made), about);
   }
 
+  bool crosses_blocks_ = false;
   const pan::Network& network_;
   Plan& plan_;
   Reliance reliance_;

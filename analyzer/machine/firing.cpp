@@ -97,7 +97,9 @@ void Firing::effect(int thread) {
       effect_test(thread);
       return;
     case Step::Kind::activity:
+      uses_kept(thread);
       measure(thread);
+      has_written(thread);
       finish(thread, step_of(thread).next.front());
       return;
     case Step::Kind::complete:
@@ -196,6 +198,7 @@ void Firing::effect_send(int thread) {
 /// The effect of a send: of the thread that has just done it, or of one that was blocked in it.
 void Firing::sent(int thread, bool put_it) {
   const Step& step = step_of(thread);
+  uses_kept(thread);
   const std::uint8_t carries = sent_along(thread);
   const int channel = step.channels.front();
   if (put_it) place(channel, thread, -1, carries);
@@ -216,6 +219,7 @@ void Firing::effect_set(int thread) {
   const bool value = step.value ? *step.value && !free : !free && choices_.pick(2) == 1;
   state_.conditions = value ? state_.conditions | bit : state_.conditions & ~bit;
   emit(Kind::set, thread, step.condition, value ? 1 : 0);
+  uses_kept(thread);
   has_set(thread, step.condition);
   measure(thread);
   finish(thread, step.next.front());

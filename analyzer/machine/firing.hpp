@@ -147,7 +147,9 @@ class Firing {
   void measure(int thread);
   void has_read(int thread, int condition);
   void has_set(int thread, int condition);
-  void has_taken(int thread, std::uint8_t carries);
+  void has_taken(int thread, int channel, std::uint8_t carries);
+  void uses_kept(int thread);
+  void has_written(int thread);
   std::uint8_t sent_along(int thread) const;
   std::uint8_t sampled(int request);
   std::uint8_t new_sample();

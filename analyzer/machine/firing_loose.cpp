@@ -96,6 +96,8 @@ void Firing::effect_loose_wait(int thread, std::size_t branch) {
     return reach(thread, state_of(thread).step);
   }
   state_of(thread).choice = ThreadState::no_choice;
+  // Of whoever is left out nobody has a sample.
+  if (!step.channels.empty()) has_taken(thread, step.channels[branch], tag::none);
   measure(thread);
   go_on_and_admit(thread, step.next[branch], {});
 }

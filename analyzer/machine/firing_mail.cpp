@@ -107,7 +107,7 @@ void Firing::take(int channel, int thread, int device) {
     emit_device(Kind::take, device, channel);
   } else {
     emit(Kind::take, thread, channel);
-    has_taken(thread, from.carries);
+    has_taken(thread, channel, from.carries);
   }
   if (from.answers) slot(channel_of(channel).answers).asked.erase(0);
 }

@@ -117,10 +117,28 @@ void Firing::has_set(int thread, int condition) {
 }
 
 /// A message without an event leaves the thread with the one that it has, one with an older sample likewise.
-void Firing::has_taken(int thread, std::uint8_t carries) {
+void Firing::has_taken(int thread, int channel, std::uint8_t carries) {
+  const int kept = channel_of(channel).kept;
+  if (watch_.kind == Watch::Kind::sample && kept >= 0) state_.kept[static_cast<std::size_t>(kept)] = carries;
   std::uint8_t& own = state_of(thread).carries;
   if (watch_.kind == Watch::Kind::response && carries != tag::none) own = carries;
   if (watch_.kind == Watch::Kind::sample && tag::newer(carries, own)) own = carries;
+}
+
+/// The statement uses what its module keeps: its thread knows the samples of that from then on.
+void Firing::uses_kept(int thread) {
+  if (watch_.kind != Watch::Kind::sample) return;
+  std::uint8_t& own = state_of(thread).carries;
+  for (const int kept : step_of(thread).uses) {
+    const std::uint8_t carries = state_.kept[static_cast<std::size_t>(kept)];
+    if (tag::newer(carries, own)) own = carries;
+  }
+}
+
+void Firing::has_written(int thread) {
+  if (watch_.kind != Watch::Kind::sample) return;
+  for (const int kept : step_of(thread).writes)
+    state_.kept[static_cast<std::size_t>(kept)] = state_of(thread).carries;
 }
 
 std::uint8_t Firing::sent_along(int thread) const {

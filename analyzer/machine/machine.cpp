@@ -69,7 +69,10 @@ Outcome Machine::initial(Choices& choices, bool record) const {
   state.running.assign(problem_.processors.size(), -1);
   state.slots.resize(problem_.channels.size());
   state.devices.resize(problem_.devices.size());
-  if (watch_.kind == Watch::Kind::sample) state.known.assign(problem_.conditions.size(), tag::none);
+  if (watch_.kind == Watch::Kind::sample) {
+    state.known.assign(problem_.conditions.size(), tag::none);
+    state.kept.assign(problem_.kept.size(), tag::none);
+  }
   Firing(*this, choices, record, outcome).begin();
   return outcome;
 }
@@ -118,6 +121,7 @@ void pass_cap(State& state, const Watch& watch, int number) {
   for (ThreadState& thread : state.threads) pass(thread.carries);
   if (watch.kind != Watch::Kind::sample) return;
   for (std::uint8_t& known : state.known) pass(known);
+  for (std::uint8_t& kept : state.kept) pass(kept);
   for (SlotState& slot : state.slots) {
     pass(slot.carries);
     pass(slot.serving_carries);

@@ -114,6 +114,7 @@ struct State {
   std::uint64_t conditions = 0;
   std::uint8_t condition_carries = tag::none;
   std::vector<std::uint8_t> known;     // samples: by condition
+  std::vector<std::uint8_t> kept;      // samples: by what modules keep of messages
   std::uint8_t reference = tag::none;  // the instant from which the next value is measured
   std::uint64_t lost = 0;              // losses: the last occurrences by bit, the latest first; 1: lost
   bool counting = false;               // losses: the device has served something; samples in a phase: also
@@ -157,6 +158,7 @@ struct StateHash {
         static_cast<std::uint64_t>(state.observers) << 8U | static_cast<std::uint64_t>(state.ended ? 2 : 0) |
         static_cast<std::uint64_t>(state.failed ? 1 : 0));
     for (std::uint8_t k : state.known) mix(static_cast<std::uint64_t>(k) + 300);
+    for (std::uint8_t k : state.kept) mix(static_cast<std::uint64_t>(k) + 600);
     mix(state.lost << 9U | static_cast<std::uint64_t>(state.reference) << 1U |
         static_cast<std::uint64_t>(state.counting ? 1 : 0));
     mix(state.in_phase ? 1 : 0);

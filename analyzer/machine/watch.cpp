@@ -1,5 +1,7 @@
 #include "analyzer/machine/watch.hpp"
 
+#include <algorithm>
+
 namespace pal::analyzer {
 namespace {
 
@@ -89,8 +91,11 @@ class Samples {
     const bool after = any_after(problem_, step, watch_.counts);
     const bool used = watch_.at[s] || after;
     bool changed = false;
-    if (step.kind == Step::Kind::wait && used) {
+    if (step.kind == Step::Kind::wait) {
       for (const int channel : step.channels) {
+        const int kept = problem_.channels[static_cast<std::size_t>(channel)].kept;
+        const bool left = kept >= 0 && watch_.kept_counts[static_cast<std::size_t>(kept)];
+        if (!used && !left) continue;
         if (watch_.message_counts[static_cast<std::size_t>(channel)]) continue;
         watch_.message_counts[static_cast<std::size_t>(channel)] = changed = true;
       }
@@ -102,6 +107,11 @@ class Samples {
       if (!reads || (watch_.condition_counts & bit) != 0) continue;
       watch_.condition_counts |= bit;
       changed = true;
+    }
+    // What is used counts where the thread knows it, at this step and behind it.
+    for (const int kept : step.uses) {
+      if ((!used && !passes_on(step)) || watch_.kept_counts[static_cast<std::size_t>(kept)]) continue;
+      watch_.kept_counts[static_cast<std::size_t>(kept)] = changed = true;
     }
     const bool counts = (used && !renews(step)) || passes_on(step);
     if (counts == watch_.counts[s]) return changed;
@@ -116,6 +126,10 @@ class Samples {
   }
 
   bool passes_on(const Step& step) const {
+    const bool writes = std::any_of(step.writes.begin(), step.writes.end(), [this](int kept) {
+      return watch_.kept_counts[static_cast<std::size_t>(kept)];
+    });
+    if (writes) return true;
     if (step.kind == Step::Kind::send) {
       return watch_.message_counts[static_cast<std::size_t>(step.channels.front())];
     }
@@ -169,6 +183,7 @@ Watch watch_of(const Problem& problem, const Requirement& requirement, int proce
       watch.kind = Watch::Kind::sample;
       watch.samples.assign(problem.channels.size(), false);
       watch.message_counts.assign(problem.channels.size(), false);
+      watch.kept_counts.assign(problem.kept.size(), false);
       for (const int channel : requirement.samples) watch.samples[static_cast<std::size_t>(channel)] = true;
       Samples(problem, watch).follow();
       break;

@@ -104,6 +104,19 @@ class Compiler {
   }
 
   Thread& thread(int index) { return problem_.threads[static_cast<std::size_t>(index)]; }
+  /// What the module of `place` keeps of the messages. Those without a value are not kept.
+  std::vector<int> kept(const Place& place, const std::vector<MessageId>& messages) {
+    std::vector<int> all;
+    for (const MessageId message : messages) {
+      if (network_.messages[message.index()].fields.empty()) continue;
+      const auto key = std::pair(thread(place.thread).module, message.value);
+      const auto [known, fresh] = kept_.try_emplace(key, static_cast<int>(problem_.kept.size()));
+      if (fresh) problem_.kept.push_back({key.first, key.second});
+      all.push_back(known->second);
+    }
+    return all;
+  }
+
   Step& step(int index) { return problem_.steps[static_cast<std::size_t>(index)]; }
 
   int new_thread(const std::string& name, int module, int parent, int runner) {
@@ -204,6 +217,7 @@ class Compiler {
       made.kind = Step::Kind::send;
       made.cost = range(costs.send);
       made.channels.push_back(static_cast<int>(send->channel.index()));
+      made.uses = kept(place, {network_.channels[send->channel.index()].message});
       follow(place, node, made);
     } else if (const auto* complete = std::get_if<Complete>(&node.content)) {
       made.kind = Step::Kind::complete;
@@ -214,6 +228,7 @@ class Compiler {
       made.cost = range(costs.set);
       made.condition = static_cast<int>(set->condition.index());
       made.value = set->value;
+      if (!set->value) made.uses = kept(place, network_.conditions[set->condition.index()].from);
       follow(place, node, made);
     } else if (const auto* read = std::get_if<Read>(&node.content)) {
       made.kind = Step::Kind::read;
@@ -222,7 +237,10 @@ class Compiler {
       follow(place, node, made);
     } else if (const auto* perform = std::get_if<Perform>(&node.content)) {
       made.kind = Step::Kind::activity;
-      made.cost = environment_.activity(network_.activities[perform->activity.index()]);
+      const pan::Activity& activity = network_.activities[perform->activity.index()];
+      made.cost = environment_.activity(activity);
+      made.uses = kept(place, activity.reads);
+      made.writes = kept(place, activity.writes);
       follow(place, node, made);
     } else if (const auto* choose = std::get_if<Choose>(&node.content)) {
       made.kind = Step::Kind::test;
@@ -290,6 +308,15 @@ class Compiler {
   }
 
  public:
+  /// Who takes a message keeps it where somebody may use it.
+  void keep_taken() {
+    for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+      const auto known =
+          kept_.find({problem_.channels[c].receiver_module, network_.channels[c].message.value});
+      if (known != kept_.end()) problem_.channels[c].kept = known->second;
+    }
+  }
+
   /// Links that lead to the stand-in of an Execute lead on to its first step.
   void link() {
     for (const auto& [entry, first] : forwards_) lead_on(entry);
@@ -316,6 +343,7 @@ class Compiler {
   std::set<int> led_;
   std::map<std::tuple<int, std::size_t, std::size_t>, int> blocks_;  // by parent, module and number
   std::map<std::pair<std::size_t, std::int32_t>, int> statements_;
+  std::map<std::pair<int, std::int32_t>, int> kept_;  // by module and message
 };
 
 /// Which threads can reach their end. Blocks stand behind their parents, so the last are known first.
@@ -347,6 +375,7 @@ void compile(const Network& network, TimesAndPlaces& environment, const SourceMa
   Compiler compiler(network, environment, sources, diagnostics, problem);
   compiler.threads();
   compiler.link();
+  compiler.keep_taken();
   find_ends(problem);
   report_empty_rounds(problem, diagnostics);
 }

@@ -45,7 +45,9 @@ struct Step {
   /// Only in slices, for a wait for a party that is left out: the time after reaching it within which a
   /// message comes.
   Range arrival{0, Range::unbounded};
-  int condition = -1;              // set, read
+  int condition = -1;       // set, read
+  std::vector<int> uses;    // in Problem::kept: what an activity reads, a set is computed from, a send sends
+  std::vector<int> writes;  // in Problem::kept: what an activity writes
   std::optional<bool> value;       // set
   int code = 0;                    // complete
   std::vector<pan::Guard> guards;  // test: without a guard that holds, next[guards.size()], if there is one
@@ -76,6 +78,7 @@ struct Channel {
   bool served = false;                   // a request that its device answers
   std::vector<int> receiver_processors;  // of the threads that wait for it
   std::string message;
+  int kept = -1;  // in Problem::kept: who takes the message leaves it there; -1: nobody uses it
   /// Only in slices: the party at one of its ends is left out. Its messages may come and go at any time.
   bool loose = false;
   bool withdrawable = false;  // loose: what somebody is about to take may be withdrawn
@@ -104,6 +107,12 @@ struct Call {
   int source_module = -1;  // in the network: where the Execute stands
   int source_node = -1;
   int outer = -1;  // the call in whose body that is; -1: none
+};
+
+/// The value of a message that a module, with those that it executes, keeps for its statements.
+struct Kept {
+  int module = -1;
+  int message = -1;  // in the network
 };
 
 /// The part of a run that counts (docs/reference/timing.md), by step. Without steps it is the whole run.
@@ -148,6 +157,7 @@ struct Problem {
   std::vector<std::string> conditions;
   std::vector<Statement> statements;
   std::vector<Call> calls;
+  std::vector<Kept> kept;
   std::vector<Requirement> requirements;
   Range within_processor;    // latency of a message to a thread on the sender's processor
   Range between_processors;  // and to one on another

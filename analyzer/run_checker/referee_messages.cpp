@@ -101,6 +101,7 @@ void Referee::put(const Event& event) {
   if (of.mode != Mode::sending) check_work(thread);
   of.acted = true;
   if (of.mode == Mode::running) midway_ = thread;
+  monitor_.uses(thread, of.step);
   monitor_.puts(thread, event.subject);
   fill(event.subject, thread_of(thread).processor);
   asks(event.subject, thread);
@@ -141,6 +142,7 @@ void Referee::drop(const Event& event) {
            " discards what it does not send");
     if (of.mode != Mode::sending) check_work(event.actor);
     of.acted = true;
+    monitor_.uses(event.actor, of.step);
     return;
   }
   demand(channel >= 0 && slot(channel).full, "nothing is there to withdraw");

@@ -193,7 +193,9 @@ void Referee::done(const Event& event) {
     case Step::Kind::end:
       broken("an effect where there is none");
   }
+  if (step.kind == Step::Kind::activity) monitor_.uses(thread, of.step);
   monitor_.passes(thread, of.step);
+  monitor_.writes(thread, of.step);
   if (completes || completed_) {
     demand(completes && completed_, "the skill completes where it does not, or does not where it does");
     const int code = step.kind == Step::Kind::complete ? step.code : problem_.error_code;
@@ -271,6 +273,7 @@ void Referee::condition(const Event& event) {
     demand(!step.value || *step.value == value, name(event.actor), " sets another value");
     conditions_[condition] = value;
     of.acted = true;
+    monitor_.uses(event.actor, of.step);
     monitor_.sets(event.actor, event.subject);
     return;
   }

@@ -14,6 +14,7 @@ RequirementMonitor::RequirementMonitor(const Problem& problem, const Requirement
       serving_(problem.channels.size(), none),
       due_(problem.channels.size(), none),
       conditions_(problem.conditions.size(), none),
+      kept_(problem.kept.size(), none),
       busy_since_(problem.processors.size()),
       paused_(problem.processors.size(), -1),
       working_(problem.processors.size()),
@@ -197,7 +198,21 @@ void RequirementMonitor::takes(int index, int from) {
     if (carried != none && !answered_[static_cast<std::size_t>(carried)]) thread(index) = carried;
   } else if (of_samples()) {
     thread(index) = std::max(thread(index), carried);
+    const int kept = problem_.channels[static_cast<std::size_t>(from)].kept;
+    if (kept >= 0) kept_[static_cast<std::size_t>(kept)] = carried;
   }
+}
+
+void RequirementMonitor::uses(int index, int step) {
+  if (!of_samples()) return;
+  for (const int kept : problem_.steps[static_cast<std::size_t>(step)].uses)
+    thread(index) = std::max(thread(index), kept_[static_cast<std::size_t>(kept)]);
+}
+
+void RequirementMonitor::writes(int index, int step) {
+  if (!of_samples()) return;
+  for (const int kept : problem_.steps[static_cast<std::size_t>(step)].writes)
+    kept_[static_cast<std::size_t>(kept)] = thread(index);
 }
 
 void RequirementMonitor::empties(int of) {

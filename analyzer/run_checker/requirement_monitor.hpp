@@ -29,6 +29,11 @@ class RequirementMonitor {
   void busy(int processor);
   void idle(int processor);
 
+  /// What the module keeps: a statement uses it, at its effect and before all else; an activity has written
+  /// it.
+  void uses(int thread, int step);
+  void writes(int thread, int step);
+
   // Messages. What the thread carries goes with one that it puts.
   void puts(int thread, int channel);
   void takes(int thread, int channel);
@@ -81,14 +86,14 @@ class RequirementMonitor {
   bool in_phase_ = false;
   std::vector<int> at_;  // of a phase: the step that each thread is at
   std::vector<Nanoseconds> births_;
-  std::vector<bool> answered_;  // events
-  std::vector<bool>
-      uncounted_;              // events that were put outside of the phase, or awaited a response as it ended
-  std::vector<int> threads_;   // the birth that each carries
-  std::vector<int> channels_;  // and each message
-  std::vector<int> serving_;   // and the answer to each request that is being served
-  std::vector<int> due_;       // … to each that has been
+  std::vector<bool> answered_;   // events
+  std::vector<bool> uncounted_;  // events outside of the phase, or left unanswered by it
+  std::vector<int> threads_;     // the birth that each carries
+  std::vector<int> channels_;    // and each message
+  std::vector<int> serving_;     // and the answer to each request that is being served
+  std::vector<int> due_;         // … to each that has been
   std::vector<int> conditions_;  // and each condition
+  std::vector<int> kept_;        // and each value that a module keeps
   int reference_ = none;         // reactions: the latest birth that a statement has reflected
   bool sampled_ = false;         // reactions: there was a sample
   Nanoseconds begun_ = 0;        // durations: when they began

@@ -87,6 +87,12 @@ void note(const Problem& problem, const Step& step, bool again, ThreadTalk& talk
     talk.blocks.insert(step.threads.begin(), step.threads.end());
     if (again) talk.blocks_again.insert(step.threads.begin(), step.threads.end());
   }
+  for (const int channel : step.kind == Step::Kind::wait ? step.channels : std::vector<int>()) {
+    const int kept = problem.channels[static_cast<std::size_t>(channel)].kept;
+    if (kept >= 0) talk.keeps.insert(kept);
+  }
+  talk.keeps.insert(step.writes.begin(), step.writes.end());
+  talk.uses.insert(step.uses.begin(), step.uses.end());
   if (step.kind == Step::Kind::set) talk.sets.insert(step.condition);
   if (step.kind == Step::Kind::read) talk.reads.insert(step.condition);
   for (int c = 0; c < static_cast<int>(problem.conditions.size()); ++c) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "analyzer/problem/flow.hpp"
+
 namespace pal::analyzer {
 
 using trace::Kind;
@@ -13,10 +15,34 @@ Origins::Origins(const Problem& problem, const Requirement& requirement, const t
       threads_(problem.threads.size()),
       reads_(problem.threads.size()),
       requests_(problem.channels.size()),
+      kept_(problem.kept.size()),
       conditions_(problem.conditions.size()),
       sets_(problem.conditions.size()) {
   if (requirement.condition >= 0) conditions_[static_cast<std::size_t>(requirement.condition)].number = 0;
+  for (std::size_t t = 0; t < problem.threads.size() && !requirement.samples.empty(); ++t) {
+    for (const int s : steps_of(problem, problem.threads[t]))
+      steps_[{static_cast<int>(t), problem.steps[static_cast<std::size_t>(s)].statement}] = s;
+  }
   for (std::size_t e = 0; e < run.events.size(); ++e) follow(e);
+}
+
+/// The step of a thread's event, if samples are followed.
+const Step* Origins::step_of(const trace::Event& event) const {
+  const auto found = steps_.find({event.actor, event.statement});
+  return found == steps_.end() ? nullptr : &problem_.steps[static_cast<std::size_t>(found->second)];
+}
+
+/// The statement gives its thread the samples of the messages that it uses.
+void Origins::use(std::size_t index) {
+  const trace::Event& event = run_.events[index];
+  const Step* step = step_of(event);
+  if (step == nullptr) return;
+  for (const int k : step->uses) {
+    const Known& kept = kept_[static_cast<std::size_t>(k)];
+    if (kept.what.number < 0 || kept.what.number <= known(event.actor).number) continue;
+    gain(event.actor, index, kept.what);
+    kept_since_[index] = kept.event;
+  }
 }
 
 bool Origins::is_source(int channel) const {
@@ -58,7 +84,15 @@ void Origins::follow(std::size_t index) {
       }
       return;
     }
+    case Kind::done: {
+      const Step* step = step_of(event);
+      if (step == nullptr || step->kind != Step::Kind::activity) return;
+      use(index);
+      for (const int k : step->writes) kept_[static_cast<std::size_t>(k)] = {known(event.actor), index};
+      return;
+    }
     case Kind::put: {
+      if (!device) use(index);
       puts_[message] = index;
       const int request = problem_.channels[static_cast<std::size_t>(event.subject)].answers;
       // A sample that answers a request is born when the device takes that.
@@ -82,6 +116,8 @@ void Origins::follow(std::size_t index) {
         // What a thread has read of a condition stays with it: a message tells only why it went on no sooner.
         const bool reads = requirement_.condition >= 0 && reads_[static_cast<std::size_t>(event.actor)];
         if (!reads || carried.number == known(event.actor).number) gain(event.actor, index, carried);
+        const int kept = problem_.channels[static_cast<std::size_t>(event.subject)].kept;
+        if (kept >= 0) kept_[static_cast<std::size_t>(kept)] = {carried, index};
         return;
       }
       const int answer = problem_.channels[static_cast<std::size_t>(event.subject)].answer;
@@ -94,6 +130,7 @@ void Origins::follow(std::size_t index) {
     case Kind::set: {
       const auto condition = static_cast<std::size_t>(event.subject);
       sets_[condition] = index;
+      use(index);
       if (event.subject == requirement_.condition) conditions_[condition] = birth(index);
       if (!requirement_.samples.empty()) conditions_[condition] = known(event.actor);
       return;
@@ -130,6 +167,11 @@ std::optional<Gained> Origins::gained(int thread, std::size_t before) const {
 std::optional<std::size_t> Origins::put_of(std::size_t take) const {
   const auto found = put_of_.find(take);
   return found == put_of_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<std::size_t> Origins::kept_since(std::size_t use) const {
+  const auto found = kept_since_.find(use);
+  return found == kept_since_.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::optional<std::size_t> Origins::set_of(std::size_t read) const {

@@ -20,7 +20,8 @@ struct Origin {
   int number = -1;  // in the order of birth; -1: nothing
 };
 
-/// What one thread got when, and by which event: a take, a read, or the beginning as a block.
+/// What one thread got when, and by which event: a take, a read, the beginning as a block, or the effect of a
+/// statement that uses what its module keeps of a message.
 struct Gained {
   std::size_t event = 0;
   Origin what;
@@ -35,6 +36,9 @@ class Origins {
   std::optional<Gained> gained(int thread, std::size_t before) const;
   /// The put of the message that event `take` takes.
   std::optional<std::size_t> put_of(std::size_t take) const;
+  /// The event that left the message, whose value the statement with event `use` got its sample from; nothing:
+  /// it got none from there.
+  std::optional<std::size_t> kept_since(std::size_t use) const;
   /// The set whose value event `read` reads; nothing: it dates from the start.
   std::optional<std::size_t> set_of(std::size_t read) const;
   /// The first birth after `born`.
@@ -47,6 +51,8 @@ class Origins {
   };
 
   void follow(std::size_t index);
+  const Step* step_of(const trace::Event& event) const;
+  void use(std::size_t index);
   void gain(int thread, std::size_t event, const Origin& what);
   Origin birth(std::size_t event);
   /// What the answer carries that its device gives now: it belongs to the oldest request that the device has
@@ -64,6 +70,9 @@ class Origins {
   std::map<std::pair<int, int>, std::size_t> puts_;
   // By channel: what the answers to the requests will carry that were taken and not answered yet.
   std::vector<std::deque<Origin>> requests_;
+  std::vector<Known> kept_;                   // by what modules keep, and the event that left it there
+  std::map<std::pair<int, int>, int> steps_;  // by thread and statement
+  std::map<std::size_t, std::size_t> kept_since_;
   std::vector<Origin> conditions_;
   std::vector<std::optional<std::size_t>> sets_;  // the last, by condition
   std::map<std::size_t, std::optional<std::size_t>> set_of_;

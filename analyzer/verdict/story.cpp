@@ -74,6 +74,7 @@ struct Story {
     const trace::Event& event = trace.events[gained.event];
     if (event.kind == Kind::block) return Known{event.actor, gained.event};
     if (event.kind == Kind::read) return since_set(gained.event, gained.what, out);
+    if (const auto left = origins.kept_since(gained.event)) return since_left(gained, *left, out);
     const auto put = origins.put_of(gained.event);
     if (!put) return std::nullopt;
     const trace::Event& putting = trace.events[*put];
@@ -85,6 +86,27 @@ struct Story {
                                     "takes the sample and gives " + message, -1));
     }
     return std::nullopt;
+  }
+
+  /// From where a thread left a message, to the statement of another that uses it.
+  std::optional<Known> since_left(const Gained& gained, std::size_t left, std::vector<Reason>& out) const {
+    const trace::Event& leaving = trace.events[left];
+    const trace::Event& using_it = trace.events[gained.event];
+    std::optional<Known> before = Known{leaving.actor, left};
+    if (leaving.kind == Kind::take) {
+      Nanoseconds from = leaving.time_ns;
+      before = source({left, gained.what}, from, out);
+      if (from < leaving.time_ns) narrator.tell(leaving.actor, from, leaving.time_ns, out);
+    }
+    if (leaving.time_ns < using_it.time_ns) {
+      out.push_back(narrator.reason(leaving.time_ns, using_it.time_ns, leaving.actor,
+                                    "got it by " + narrator.statement(leaving.statement).text +
+                                        "; it ages until " + narrator.statement(using_it.statement).text +
+                                        " uses it",
+                                    leaving.statement));
+      narrator.tell(leaving.actor, leaving.time_ns, using_it.time_ns, out.back().inside);
+    }
+    return before;
   }
 
   /// From the set of what a condition carries to its being read. Who set it to a sample knew that before.

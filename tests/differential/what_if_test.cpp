@@ -25,7 +25,7 @@ constexpr Duration nanosecond{1};
 constexpr int cap = 60;
 
 /// What all runs make of a requirement.
-enum class Kept { yes, no, not_known };
+enum class StillKept { yes, no, not_known };
 
 std::string in_nanoseconds(std::string text) {
   for (std::size_t at = 0; (at = text.find(" ms", at)) != std::string::npos;) text.replace(at, 3, " ns");
@@ -84,7 +84,7 @@ class Tight {
   std::unique_ptr<test::Skill> skill_;
 };
 
-Kept kept(const Tight& skill, const pan::Environment& environment, const Requirement& requirement) {
+StillKept kept(const Tight& skill, const pan::Environment& environment, const Requirement& requirement) {
   for (const test::Wanted& wanted : test::wanted(skill.network, environment)) {
     if (wanted.name != requirement.name) continue;
     test::AllRuns runs(skill.network, environment, wanted, nanosecond, cap);
@@ -94,9 +94,9 @@ Kept kept(const Tight& skill, const pan::Environment& environment, const Require
         wanted.kind == Kind::load    ? seen.load.work * 1'000'000'000 > requirement.limit * seen.load.time
         : wanted.kind == Kind::least ? seen.least >= 0 && seen.least < requirement.limit
                                      : seen.failed || seen.unanswered || seen.greatest > requirement.limit;
-    return broken ? Kept::no : seen.complete ? Kept::yes : Kept::not_known;
+    return broken ? StillKept::no : seen.complete ? StillKept::yes : StillKept::not_known;
   }
-  return Kept::not_known;
+  return StillKept::not_known;
 }
 
 /// A requirement that some run breaks, if one is seen.
@@ -104,7 +104,7 @@ std::string broken(const Tight& skill, const pan::Environment& environment) {
   const auto problem = skill.problem(environment);
   REQUIRE(problem);
   for (const Requirement& each : problem->requirements) {
-    if (kept(skill, environment, each) == Kept::no) return each.name;
+    if (kept(skill, environment, each) == StillKept::no) return each.name;
   }
   return "";
 }
@@ -141,9 +141,9 @@ TEST_CASE("with a slack no run breaks anything, and with a nanosecond more some 
       const Requirement& named = problem->requirements[slack.requirement.index()];
       INFO(named.name << " fails with " << slack.fails->count());
       const pan::Environment there = grown(skill, slack.figure, *slack.fails);
-      const Kept seen = kept(skill, there, named);
-      CHECK(seen != Kept::yes);
-      failed += seen == Kept::no ? 1 : 0;
+      const StillKept seen = kept(skill, there, named);
+      CHECK(seen != StillKept::yes);
+      failed += seen == StillKept::no ? 1 : 0;
     }
   }
   std::cout << held << " growths that hold, " << failed << " that fail, compared with all runs\n";
@@ -175,9 +175,9 @@ TEST_CASE("no run breaks a placement that meets everything, and some run breaks 
       const Requirement& named = problem->requirements[each.ruling.requirement.index()];
       INFO(named.name);
       const pan::Environment there = placed(skill.environment, each.threads);
-      const Kept seen = kept(skill, there, named);
-      CHECK(seen != Kept::yes);
-      refuted += seen == Kept::no ? 1 : 0;
+      const StillKept seen = kept(skill, there, named);
+      CHECK(seen != StillKept::yes);
+      refuted += seen == StillKept::no ? 1 : 0;
     }
   }
   std::cout << meet << " placements that meet everything, " << refuted

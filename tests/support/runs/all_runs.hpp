@@ -156,7 +156,9 @@ class AllRuns {
   void forget(int event);
   void has_read(int thread, int condition);
   void has_set(int thread, int condition);
-  void has_taken(int thread, int carried);
+  void has_taken(int thread, int channel);
+  void uses(int thread, const std::vector<pan::MessageId>& messages);
+  void keeps(int thread, pan::MessageId message, int carried);
   int sent_along(int thread) const;
   int has_occurred(int channel);
   int is_served(int request);

@@ -121,10 +121,26 @@ void AllRuns::has_set(int thread, int condition) {
   if (wanted_.of_samples()) s_.known[ix(condition)] = s_.threads[ix(thread)].carries;
 }
 
-void AllRuns::has_taken(int thread, int carried) {
+void AllRuns::has_taken(int thread, int channel) {
+  const int carried = s_.slots[ix(channel)].carries;
+  keeps(thread, network_.channels[ix(channel)].message, carried);
   int& carries = s_.threads[ix(thread)].carries;
   if (wanted_.kind == Wanted::Kind::response && carried >= 0) carries = carried;
   if (wanted_.of_samples()) carries = std::max(carries, carried);
+}
+
+/// Of a message without fields there is nothing to keep.
+void AllRuns::keeps(int thread, pan::MessageId message, int carried) {
+  if (wanted_.of_samples() && !network_.messages[message.index()].fields.empty())
+    s_.kept[{s_.threads[ix(thread)].module, message.value}] = carried;
+}
+
+void AllRuns::uses(int thread, const std::vector<pan::MessageId>& messages) {
+  Thread& of = s_.threads[ix(thread)];
+  for (const pan::MessageId message : messages) {
+    const auto found = s_.kept.find({of.module, message.value});
+    if (found != s_.kept.end()) of.carries = std::max(of.carries, found->second);
+  }
 }
 
 int AllRuns::sent_along(int thread) const {
@@ -233,6 +249,7 @@ void AllRuns::forget(State& state) const {
   std::vector<int*> carriers{&state.reference};
   for (Thread& thread : state.threads) carriers.push_back(&thread.carries);
   for (int& known : state.known) carriers.push_back(&known);
+  for (auto& [of, carries] : state.kept) carriers.push_back(&carries);
   for (Slot& slot : state.slots) {
     carriers.push_back(&slot.carries);
     carriers.push_back(&slot.serving_carries);

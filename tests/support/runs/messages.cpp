@@ -101,6 +101,7 @@ void AllRuns::send_done(int thread) {
   Thread& of = s_.threads[ix(thread)];
   if (of.status == Status::sending) of.status = Status::ready;  // and in no queue yet
   const int channel = std::get<Send>(node(of).content).channel.value;
+  uses(thread, {network_.channels[ix(channel)].message});
   if (discards(channel)) {
     answered_in_vain(channel);
     say(who(thread) + " discards");
@@ -141,7 +142,7 @@ void AllRuns::comes_to_its_queue(int thread) {
 }
 
 void AllRuns::take(int channel, int thread) {
-  if (thread >= 0) has_taken(thread, s_.slots[ix(channel)].carries);
+  if (thread >= 0) has_taken(thread, channel);
   if (!s_.slots[ix(channel)].answers) return;
   std::vector<Asked>& asked = s_.slots[ix(request_of_[ix(channel)])].asked;
   asked.erase(asked.begin());

@@ -68,6 +68,11 @@ std::string key(const State& state) {
   for (const Device& device : state.devices) key.add(device);
   key.add(state.conditions);
   for (int known : state.known) key.add(known);
+  for (const auto& [of, carries] : state.kept) {
+    key.add(of.first);
+    key.add(of.second);
+    key.add(carries);
+  }
   key.add(state.reference);
   for (int busy : state.busy) key.add(busy);
   key.add((state.counting ? 1 : 0) + (state.in_phase ? 2 : 0));

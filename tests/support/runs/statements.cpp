@@ -82,6 +82,7 @@ void AllRuns::effect(int thread) {
     const bool value = set->value ? *set->value : decisions_->pick(2) == 1;
     const std::uint32_t bit = 1U << set->condition.index();
     s_.conditions = value ? s_.conditions | bit : s_.conditions & ~bit;
+    if (!set->value) uses(thread, network_.conditions[set->condition.index()].from);
     has_set(thread, set->condition.value);
     measure(thread);
     proceed(thread, 0);
@@ -99,8 +100,11 @@ void AllRuns::effect(int thread) {
     proceed(thread, 0);
     return;
   }
-  if (std::holds_alternative<Perform>(content)) {
+  if (const auto* perform = std::get_if<Perform>(&content)) {
+    const Activity& activity = network_.activities[perform->activity.index()];
+    uses(thread, activity.reads);
     measure(thread);
+    for (const MessageId message : activity.writes) keeps(thread, message, of.carries);
     proceed(thread, 0);
     return;
   }
