@@ -371,10 +371,11 @@ int RealExecutive::schedule() {
   for (const ThreadSpec& thread : wiring_.threads) priorities.push_back(thread.priority);
   std::sort(priorities.begin(), priorities.end());
   priorities.erase(std::unique(priorities.begin(), priorities.end()), priorities.end());
+  const std::vector<int> cpus = permitted_cpus();
+  looks_out_ = wiring_.processors.size() <= cpus.size();
   if (!options_.real_time->fifo) return 0;
   std::vector<std::string>& lacking = report_.shortcomings;
 
-  const std::vector<int> cpus = permitted_cpus();
   const auto cpu_of = [&cpus](int processor) {  // the last ones first: the first one serves interrupts
     return cpus[cpus.size() - 1 - static_cast<std::size_t>(processor) % cpus.size()];
   };
@@ -403,7 +404,6 @@ int RealExecutive::schedule() {
   for (const Level& level : levels_.all())
     if (problem.empty()) problem = make_fifo(level.os_thread, rank(level.priority));
   fifo_ = problem.empty();
-  looks_out_ = fifo_ && wiring_.processors.size() <= cpus.size();
   if (fifo_) return top;
   for (const auto& thread : threads_) make_ordinary(thread->handle());
   lacking.push_back("SCHED_FIFO is not permitted (" + problem +
