@@ -132,6 +132,7 @@ class RequirementPlanner {
       made.most = requirement.limit;
       std::vector<std::size_t> about;
       std::visit([&](const auto& measure) { fill(measure, made, about); }, requirement.measure);
+      if (requirement.phase) made.measure = PlannedRequirement().measure;  // is not followed at run time
       add(std::move(made), about);
     }
     for (const pan::DeviceTiming& timing : plan_.environment.devices) demanded_answer(timing);

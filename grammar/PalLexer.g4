@@ -44,6 +44,7 @@ ENVIRONMENT   : E N V I R O N M E N T ;
 
 // These mean something in their places only; everywhere else they are names.
 ACTIVITY      : A C T I V I T Y ;
+AFTER         : A F T E R ;
 AGE           : A G E ;
 ANSWER        : A N S W E R ;
 AT            : A T ;
@@ -60,6 +61,7 @@ DEFAULT       : D E F A U L T ;
 DESCRIPTION   : D E S C R I P T I O N ;
 DRIVER        : D R I V E R ;
 DURATION      : D U R A T I O N ;
+DURING        : D U R I N G ;
 EACH          : E A C H ;
 ERROR         : E R R O R ;
 EVENT         : E V E N T ;

@@ -158,7 +158,7 @@ slot
   | CONTINGENCY NUMBER STRING ( METHOD name )?                                        # contingencySlot
   | PARAMETER name COLON type ( DEFAULT literal )? ( RANGE literal TO literal )? STRING?      # parameterSlot
   | COMPLETION NUMBER ( NORMAL | CONTINGENCY NUMBER | ERROR ) STRING?                 # completionSlot
-  | REQUIREMENT name COLON measure                                                    # requirementSlot
+  | REQUIREMENT name COLON measure phase?                                             # requirementSlot
   ;
 
 names : NONE | name ( COMMA name )* ;
@@ -178,6 +178,12 @@ measure
   | DURATION TO COMPLETION NUMBER AT MOST duration                                    # completionTime
   | LOAD OF ( EACH PROCESSOR | name ) AT MOST NUMBER PERCENT                          # load
   | BUSY PERIOD OF ( EACH PROCESSOR | name ) AT MOST duration                         # busyPeriod
+  ;
+
+// The part of a run that a requirement is about: behind a statement, or in the loop around one.
+phase
+  : AFTER step                                                                        # afterPhase
+  | DURING REPEAT OF step                                                             # duringPhase
   ;
 
 // A condition, or what a device measures.
@@ -249,8 +255,8 @@ name
   ;
 
 contextual
-  : ACTIVITY | AGE | ANSWER | AT | BETWEEN | BOOLEAN | BUSY | COLLECTING | COMPLETION | CONTROLLER
-  | COORDINATOR | COST | DATA | DEFAULT | DESCRIPTION | DRIVER | DURATION | EACH | ERROR | EVENT | EVERY
+  : ACTIVITY | AFTER | AGE | ANSWER | AT | BETWEEN | BOOLEAN | BUSY | COLLECTING | COMPLETION | CONTROLLER
+  | COORDINATOR | COST | DATA | DEFAULT | DESCRIPTION | DRIVER | DURATION | DURING | EACH | ERROR | EVENT | EVERY
   | FIRST | FOREVER | FRAMES | GENERIC | IN | INTEGER | INTERVAL | JITTER | LATENCY | LEAST | LOAD | LOSS | METHOD
   | MODEL | MODULE | MOST | NEVER | NONPREEMPTIVE | NORMAL | NOTHING | OF | ON | PARAMETER | PERIOD | PHASE | PLACE
   | POSTCONDITION | PRECONDITION | PRIORITY | PROCESSOR | PROCESSORS | PROTOCOL | RANGE | REACTION | READ

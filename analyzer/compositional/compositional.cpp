@@ -39,7 +39,7 @@ bool says_nothing(const Bound& bound, const Verdict& verdict) {
   return verdict.measure == Measure::load && bound.sum.value() >= second && verdict.limit.count() < second;
 }
 
-void judge(const Bound& bound, Verdict& verdict) {
+void judge(const Bound& bound, const Requirement& requirement, Verdict& verdict) {
   if (!bound.known() || says_nothing(bound, verdict)) {
     verdict.explanation = "The compositional analysis has no bound: " + bound.why + ".";
     return;
@@ -49,6 +49,8 @@ void judge(const Bound& bound, Verdict& verdict) {
   verdict.state = kept ? Is::holds : Is::undecided;
   verdict.explanation = std::string("Compositional bound: no run ") +
                         (verdict.at_least ? "falls below" : "exceeds") + " it, but no run need come near it.";
+  if (requirement.phase.limits())
+    verdict.explanation += " It covers the whole run, also what is not " + requirement.phase.text + ".";
 }
 
 /// Every step whose time some requirement may ask for.
@@ -93,7 +95,7 @@ Analysis analyze_compositionally(const Problem& skill, const Options& options) {
         const Requirement& requirement = problem.requirements[r];
         const Bound bound = bound_of(view, requirement);
         const Bound known = bound.known() ? bound : until_left(view, endurance, requirement, bound_of);
-        judge(known, analysis.verdicts[r]);
+        judge(known, requirement, analysis.verdicts[r]);
         if (options.addends && analysis.verdicts[r].bound && requirement.measure != Measure::loss)
           analysis.verdicts[r].addends = breakdown_of(view, known.sum);
       }
@@ -104,7 +106,7 @@ Analysis analyze_compositionally(const Problem& skill, const Options& options) {
     const Sum whole(1'000'000'000, {Term::Kind::said, -1, -1, -1, refusal});
     for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
       const bool load = problem.requirements[r].measure == Measure::load;
-      judge({load ? whole : Sum::unbounded(), refusal}, analysis.verdicts[r]);
+      judge({load ? whole : Sum::unbounded(), refusal}, problem.requirements[r], analysis.verdicts[r]);
     }
   }
   if (options.clock) analysis.statistics.seconds = options.clock() - begun;

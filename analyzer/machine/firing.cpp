@@ -113,6 +113,7 @@ void Firing::effect(int thread) {
 void Firing::finish(int thread, int next) {
   emit(Kind::done, thread);
   if (state_.ended) return;
+  has_done(thread);
   if (state_of(thread).cancelled) {
     stop(thread);
   } else {

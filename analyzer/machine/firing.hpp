@@ -150,6 +150,7 @@ class Firing {
   void has_taken(int thread, std::uint8_t carries);
   std::uint8_t sent_along(int thread) const;
   std::uint8_t sampled(int request);
+  std::uint8_t new_sample();
   std::uint8_t occurred(int channel);
   bool awaits_response(int channel) const;
   std::uint8_t new_event();
@@ -159,6 +160,18 @@ class Firing {
   void start_tracking();
   void track_busy(bool was_busy);
   bool watched_busy() const;
+  void measure_now(int thread);
+  std::uint8_t now() const { return static_cast<std::uint8_t>(old_observers_ + phases_begun_); }
+
+  // The part of a run that is measured (firing_phase.cpp).
+  bool limited() const { return watch_.phase.limits(); }
+  bool counts() const { return !limited() || state_.in_phase; }
+  bool changes_phase(const Due& due) const;
+  bool phase_may_change() const;
+  void has_done(int thread);
+  void follow_phase();
+  void begin_phase();
+  void end_phase();
 
   // Losses (firing_losses.cpp).
   bool counts_losses(int device) const;
@@ -200,6 +213,7 @@ class Firing {
   Outcome& outcome_;
   State& state_;
   int old_observers_;
+  int phases_begun_ = 0;  // by this event: what comes after each is later than what came before
   std::vector<int> pending_origin_;
   std::vector<int> queued_;  // threads that became ready
   std::vector<Due> due_;

@@ -59,6 +59,7 @@ void Firing::forget(int thread) {
 
 /// Whether nothing else that is due notices when it happens.
 bool Firing::orderless(const Due& due) const {
+  if (phase_may_change()) return false;
   if (due.what == Due::What::go_on) return keeps_processor(due) && !may_be_stopped(due);
   if (due.what == Due::What::serve) {
     const std::vector<int>& requests = problem_.devices[static_cast<std::size_t>(due.who)].requests;
@@ -111,6 +112,7 @@ bool Firing::may_be_stopped(const Due& due) const {
 /// The queue that a thread comes to, if that is all that happens.
 std::optional<std::pair<int, int>> Firing::only_queue(const Due& due) const {
   if (due.what != Due::What::queue && due.what != Due::What::go_on) return std::nullopt;
+  if (changes_phase(due)) return std::nullopt;
   if (due.what == Due::What::go_on) {
     if (state_of(due.who).status == Status::running || state_of(due.who).cancelled) return std::nullopt;
     const Step::Kind after = problem_.steps[static_cast<std::size_t>(due.next)].kind;
@@ -138,7 +140,7 @@ std::vector<std::size_t> Firing::rivals_of_due() const {
   const auto begins_to_wait = [this](std::size_t i) {
     const Due& due = due_[i];
     return due.what == Due::What::go_on && state_of(due.who).status == Status::running &&
-           !state_of(due.who).cancelled &&
+           !state_of(due.who).cancelled && !changes_phase(due) &&
            problem_.steps[static_cast<std::size_t>(due.next)].kind == Step::Kind::wait;
   };
   const bool apart = rivals.size() == 2 && ((queues(rivals[0]) && begins_to_wait(rivals[1])) ||

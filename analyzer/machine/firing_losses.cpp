@@ -35,8 +35,9 @@ bool Firing::arrives(int device, const DeviceState::Served& served) const {
 /// into its slot carries how many came after it.
 void Firing::occurrence(int device, bool lost) {
   if (!counts_losses(device)) return;
-  outcome_.passed = true;
   state_.counting = true;
+  if (!counts()) return;
+  outcome_.passed = true;
   const std::uint64_t all = (std::uint64_t{1} << remembered(watch_.in)) - 1;
   state_.lost = (state_.lost << 1U | (lost ? 1U : 0U)) & all;
   for (std::size_t c = 0; c < state_.slots.size(); ++c) {

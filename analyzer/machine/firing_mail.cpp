@@ -291,8 +291,10 @@ void Firing::device_service(int device) {
   for (std::size_t i = 0; i < of.requests.size(); ++i) {
     if (!served[i]) continue;
     const int request = of.requests[i];
-    const std::uint8_t carries =
-        counts_losses(device) ? std::uint8_t{0} : std::exchange(slot(request).serving_carries, tag::none);
+    const std::uint8_t carries = !counts_losses(device)
+                                     ? std::exchange(slot(request).serving_carries, tag::none)
+                                 : counts() ? std::uint8_t{0}
+                                            : tag::none;
     due_.push_back({Due::What::answer, request, -1, carries});
   }
   if (std::holds_alternative<pan::RequestDevice>(of.behaviour)) due_.push_back({Due::What::serve, device});
@@ -324,7 +326,7 @@ void Firing::answer(int request, std::uint8_t carries) {
   } else if (slot(channel).fill != SlotState::Fill::empty) {
     discard(channel);
     emit_device(Kind::overrun, device, channel);
-    if (awaits_response(channel)) state_.failed = true;
+    if (awaits_response(channel) && counts()) state_.failed = true;
   } else {
     place(channel, -1, device, carries);
     message_available(channel);
@@ -337,7 +339,7 @@ void Firing::event_occurs(int device) {
   if (slot(channel).fill != SlotState::Fill::empty) {
     emit_device(Kind::overrun, device, channel);
     occurrence(device, true);
-    if (awaits_response(channel)) state_.failed = true;
+    if (awaits_response(channel) && counts()) state_.failed = true;
     return;
   }
   occurrence(device, false);

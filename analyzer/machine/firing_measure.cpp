@@ -1,4 +1,6 @@
 // What is carried along to be measured.
+#include <algorithm>
+
 #include "analyzer/machine/firing.hpp"
 
 namespace pal::analyzer {
@@ -10,7 +12,8 @@ constexpr std::size_t most_pending = 8;
 void Firing::start_tracking() {
   int number = 0;
   for (Pending pending : state_.pending) {
-    pending_origin_.push_back(pending == Pending::over ? Outcome::older_than_cap : number++);
+    const bool observed = pending == Pending::observed || pending == Pending::lost;
+    pending_origin_.push_back(observed ? number++ : Outcome::older_than_cap);
   }
 }
 
@@ -24,11 +27,17 @@ void Firing::measure_from(std::uint8_t observer, int step) {
   }
 }
 
-/// At the effect of the thread's statement.
+/// At the effect of the thread's statement. Of a phase it is asked as the thread goes on.
 void Firing::measure(int thread) {
+  if (!limited()) measure_now(thread);
+}
+
+void Firing::measure_now(int thread) {
   const int step = state_of(thread).step;
   if (watch_.kind == Watch::Kind::nothing || !watch_.at[static_cast<std::size_t>(step)]) return;
-  outcome_.passed = true;
+  const bool counted = counts();
+  outcome_.passed = outcome_.passed || counted;
+  if (!counted && watch_.kind != Watch::Kind::response) return;
   const std::uint8_t carries = state_of(thread).carries;
   switch (watch_.kind) {
     case Watch::Kind::age:
@@ -42,14 +51,20 @@ void Firing::measure(int thread) {
       return;
     case Watch::Kind::response:
       if (carries == tag::none) return;
-      outcome_.measured_steps.push_back(step);
-      outcome_.measured.push_back(pending_origin_[carries]);
-      if (carries != 0) state_.failed = true;  // an older one is still unanswered
+      if (state_.pending[carries] != Pending::outside) {
+        outcome_.measured_steps.push_back(step);
+        outcome_.measured.push_back(pending_origin_[carries]);
+        // An older one is still unanswered.
+        const auto older = state_.pending.begin() + carries;
+        const bool waits = std::any_of(state_.pending.begin(), older,
+                                       [](Pending pending) { return pending != Pending::outside; });
+        if (waits) state_.failed = true;
+      }
       forget_event(carries);
       return;
     case Watch::Kind::interval:
       if (state_.reference != tag::none) measure_from(state_.reference, step);
-      state_.reference = static_cast<std::uint8_t>(old_observers_);
+      state_.reference = now();
       return;
     default:
       return;
@@ -58,6 +73,7 @@ void Firing::measure(int thread) {
 
 void Firing::has_completed(int thread, int code) {
   if (watch_.kind != Watch::Kind::duration || watch_.code != code) return;
+  if (!counts()) return;
   outcome_.passed = true;
   measure_from(state_.reference, state_of(thread).step);
 }
@@ -79,7 +95,7 @@ void Firing::track_busy(bool was_busy) {
   if (pauses && (busy || state_.ended)) stop_timer(machine_.pause_timer());
   if (was_busy || !busy) return;
   outcome_.passed = true;
-  if (!pauses) state_.reference = static_cast<std::uint8_t>(old_observers_);
+  if (!pauses) state_.reference = now();
 }
 
 void Firing::has_read(int thread, int condition) {
@@ -93,7 +109,7 @@ void Firing::has_read(int thread, int condition) {
 
 void Firing::has_set(int thread, int condition) {
   if (watch_.kind == Watch::Kind::age && watch_.condition == condition) {
-    state_.condition_carries = static_cast<std::uint8_t>(old_observers_);
+    state_.condition_carries = now();
   }
   if (watch_.kind == Watch::Kind::sample) {
     state_.known[static_cast<std::size_t>(condition)] = state_of(thread).carries;
@@ -112,23 +128,26 @@ std::uint8_t Firing::sent_along(int thread) const {
   return along ? state_of(thread).carries : tag::none;
 }
 
+/// A sample that is taken now. With the first that counts a reaction begins.
+std::uint8_t Firing::new_sample() {
+  if (watch_.reaction && limited()) state_.counting = true;
+  if (watch_.reaction && counts() && state_.reference == tag::none) state_.reference = now();
+  return now();
+}
+
 /// What the answer to a request will carry: the event of the request, or a sample that is taken now.
 std::uint8_t Firing::sampled(int request) {
   if (watch_.kind == Watch::Kind::response) return slot(request).carries;
   if (watch_.kind != Watch::Kind::sample) return tag::none;
   if (!watch_.samples[static_cast<std::size_t>(channel_of(request).answer)]) return tag::none;
-  const auto now = static_cast<std::uint8_t>(old_observers_);
-  if (watch_.reaction && state_.reference == tag::none) state_.reference = now;
-  return now;
+  return new_sample();
 }
 
 /// What the message of a device's event carries, if no response to it is awaited.
 std::uint8_t Firing::occurred(int channel) {
-  if (watch_.kind == Watch::Kind::loss && counts_losses(channel_of(channel).sender_device)) return 0;
+  if (counts_losses(channel_of(channel).sender_device)) return counts() ? std::uint8_t{0} : tag::none;
   if (watch_.kind == Watch::Kind::sample && watch_.samples[static_cast<std::size_t>(channel)]) {
-    const auto now = static_cast<std::uint8_t>(old_observers_);
-    if (watch_.reaction && state_.reference == tag::none) state_.reference = now;
-    return now;
+    return new_sample();
   }
   return tag::none;
 }
@@ -144,8 +163,8 @@ std::uint8_t Firing::new_event() {
     outcome_.too_many = true;
     return tag::none;
   }
-  state_.pending.push_back(Pending::observed);
-  pending_origin_.push_back(Outcome::born_now);
+  state_.pending.push_back(counts() ? Pending::observed : Pending::outside);
+  pending_origin_.push_back(counts() ? Outcome::born_now : Outcome::older_than_cap);
   return static_cast<std::uint8_t>(state_.pending.size() - 1);
 }
 

@@ -8,9 +8,9 @@ namespace pal::analyzer {
 /// At time 0 every module becomes ready; those that share a queue may come in any order.
 void Firing::begin() {
   if (watch_.kind == Watch::Kind::age) state_.condition_carries = 0;
-  if (watch_.kind == Watch::Kind::duration || (watch_.kind == Watch::Kind::age && watch_.reaction)) {
-    state_.reference = 0;
-  }
+  const bool begins =
+      watch_.kind == Watch::Kind::duration || (watch_.kind == Watch::Kind::age && watch_.reaction);
+  if (begins && !limited()) state_.reference = 0;
   for (std::size_t d = 0; d < problem_.devices.size(); ++d) {
     const auto* frames = std::get_if<pan::FrameDevice>(&problem_.devices[d].behaviour);
     if (frames == nullptr) continue;
@@ -86,6 +86,7 @@ void Firing::reach(int thread, int step) {
   state_of(thread).step = static_cast<std::int16_t>(step);
   state_of(thread).begun = false;
   state_of(thread).choice = ThreadState::no_choice;
+  follow_phase();
   switch (step_of(thread).kind) {
     case Step::Kind::end:
       end(thread);
@@ -187,6 +188,7 @@ void Firing::end(int thread) {
   leave_processor(thread);
   ThreadState off;
   state_of(thread) = off;
+  follow_phase();
   if (thread_of(thread).parent >= 0) hand_over(thread, thread_of(thread).parent);
   if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent, false);
 }
@@ -267,10 +269,15 @@ void Firing::stop(int thread) {
   emit(Kind::cancel, thread);
   stop_waiting(thread);
   leave_processor(thread);
+  const bool goes_on = std::any_of(due_.begin(), due_.end(), [thread](const Due& due) {
+    return due.what == Due::What::go_on && due.who == thread;
+  });
+  if (goes_on && limited()) measure_now(thread);
   state_of(thread).status = Status::off;
   forget(thread);
   const std::vector<int> freed = abandon(thread);
   state_of(thread) = {};
+  follow_phase();
   for (int channel : freed) admit_later(channel);
   if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent, true);
 }

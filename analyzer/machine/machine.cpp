@@ -95,7 +95,7 @@ void pass_cap(State& state, const Watch& watch, int number) {
   if (watch.kind == Watch::Kind::response) {
     int at = 0;
     for (Pending& pending : state.pending) {
-      if (pending == Pending::over) continue;
+      if (pending == Pending::over || pending == Pending::outside) continue;
       if (at++ == number) {
         pending = Pending::over;
         return;

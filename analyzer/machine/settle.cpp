@@ -140,12 +140,13 @@ void Firing::settle_response() {
   std::vector<Pending> pending;
   bool after_lost = false;  // of several that are lost one after the other the first stands for all
   for (std::size_t i = 0; i < state_.pending.size(); ++i) {
-    if (!carried[i] && after_lost) continue;
+    const bool outside = state_.pending[i] == Pending::outside;
+    if (!carried[i] && (after_lost || outside)) continue;
     after_lost = !carried[i];
-    const bool over = state_.pending[i] == Pending::over;
-    if (!over) outcome_.origin.push_back(pending_origin_[i]);
+    const bool observed = !outside && state_.pending[i] != Pending::over;
+    if (observed) outcome_.origin.push_back(pending_origin_[i]);
     moved[i] = static_cast<std::uint8_t>(pending.size());
-    pending.push_back(over ? Pending::over : carried[i] ? Pending::observed : Pending::lost);
+    pending.push_back(!observed ? state_.pending[i] : carried[i] ? Pending::observed : Pending::lost);
   }
   const auto move = [&moved](std::uint8_t& carries) {
     if (carries != tag::none) carries = moved[carries];

@@ -102,7 +102,8 @@ struct DeviceState {
 };
 
 /// An event without a response, in the order of birth. An event that is lost is carried by nothing any more.
-enum class Pending : std::uint8_t { observed, lost, over };
+/// One outside of the phase that is measured is only carried: it has no observer.
+enum class Pending : std::uint8_t { observed, lost, over, outside };
 
 struct State {
   std::vector<ThreadState> threads;
@@ -115,7 +116,8 @@ struct State {
   std::vector<std::uint8_t> known;     // samples: by condition
   std::uint8_t reference = tag::none;  // the instant from which the next value is measured
   std::uint64_t lost = 0;              // losses: the last occurrences by bit, the latest first; 1: lost
-  bool counting = false;               // losses: the device has served something
+  bool counting = false;               // losses: the device has served something; samples in a phase: also
+  bool in_phase = false;               // what happens now is measured, if only a phase is
   std::uint8_t observers = 0;
   std::vector<Pending> pending;
   bool ended = false;
@@ -157,6 +159,7 @@ struct StateHash {
     for (std::uint8_t k : state.known) mix(static_cast<std::uint64_t>(k) + 300);
     mix(state.lost << 9U | static_cast<std::uint64_t>(state.reference) << 1U |
         static_cast<std::uint64_t>(state.counting ? 1 : 0));
+    mix(state.in_phase ? 1 : 0);
     for (Pending p : state.pending) mix(static_cast<std::uint64_t>(p) + 77);
     return static_cast<std::size_t>(hash);
   }

@@ -144,6 +144,9 @@ Watch watch_of(const Problem& problem, const Requirement& requirement, int proce
   watch.limit = requirement.limit;
   watch.at = requirement.at;
   watch.at.resize(problem.steps.size());
+  watch.phase = requirement.phase;
+  if (!watch.phase.after.empty()) watch.phase.after.resize(problem.steps.size());
+  if (!watch.phase.during.empty()) watch.phase.during.resize(problem.steps.size());
   watch.counts.assign(problem.steps.size(), false);
   watch.read_ahead.assign(problem.steps.size(), false);
   switch (requirement.measure) {

@@ -27,6 +27,7 @@ struct Watch {
   bool least = false;         // interval: the least is asked for
   Nanoseconds limit = 0;
   std::vector<bool> at;  // by step
+  Phase phase;           // by step; not limited: the whole run
 
   /// While something is measured the value grows; a value that is never measured is unbounded.
   bool grows() const {

@@ -56,6 +56,7 @@ class Compiler {
     std::map<std::int32_t, int> done;  // step of each node that has one
     std::function<int()> after;
     int depth = 0;
+    int call = -1;  // of a body that is executed: in Problem::calls
   };
 
   /// A step that is known and not yet filled, or one that stands in for the beginning of a body.
@@ -78,6 +79,7 @@ class Compiler {
       }
       Step made;
       made.statement = statement(next.place->module, next.node);
+      made.call = next.place->call;
       fill(*next.place, body(*next.place)[next.node], made);
       step(next.step) = std::move(made);
     }
@@ -159,6 +161,8 @@ class Compiler {
     inner->module = execute.module.index();
     inner->thread = inner->runner = place.thread;
     inner->depth = place.depth + 1;
+    inner->call = static_cast<int>(problem_.calls.size());
+    problem_.calls.push_back({static_cast<int>(place.module), index_of(place, node), place.call});
     const NodeId next = node.out.front();
     inner->after = [this, &place, next] { return step_at(place, next); };
     Place& kept = *inner;

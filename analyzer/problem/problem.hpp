@@ -34,6 +34,7 @@ struct Step {
   enum class Kind { wait, send, set, read, test, activity, complete, fork, end };
   Kind kind = Kind::end;
   int statement = -1;  // in Problem::statements; -1: none
+  int call = -1;       // in Problem::calls: the Execute whose body this stands in; -1: none
   Range cost;          // of a wait: of its receive
   Range give_up_cost;  // wait with a limit: of the test that gives up
 
@@ -98,16 +99,33 @@ struct Statement {
   int source_node = -1;
 };
 
+/// An Execute that one thread runs, at one place of its flow.
+struct Call {
+  int source_module = -1;  // in the network: where the Execute stands
+  int source_node = -1;
+  int outer = -1;  // the call in whose body that is; -1: none
+};
+
+/// The part of a run that counts (docs/reference/timing.md), by step. Without steps it is the whole run.
+struct Phase {
+  std::vector<bool> after;   // from when one of these is first done
+  std::vector<bool> during;  // while a thread is at one of these
+  std::string text;          // "after TXM( motion to MC1 ) in SM1"
+
+  bool limits() const { return !after.empty() || !during.empty(); }
+};
+
 /// A requirement, its statements as a set of steps.
 struct Requirement {
   enum class Measure { age, response, load, reaction, interval, loss, duration, busy };
   std::string name;
   Measure measure = Measure::age;
-  int condition = -1;           // age, reaction: of a condition
-  std::vector<int> samples;     // age, reaction: of a device: its channels
-  std::vector<int> events;      // response: channels, of one message from one party
-  int device = -1;              // loss, and of samples: the device; response: the device, if one sends
-  std::vector<bool> at;         // age, response, reaction, interval: by step
+  int condition = -1;        // age, reaction: of a condition
+  std::vector<int> samples;  // age, reaction: of a device: its channels
+  std::vector<int> events;   // response: channels, of one message from one party
+  int device = -1;           // loss, and of samples: the device; response: the device, if one sends
+  std::vector<bool> at;      // age, response, reaction, interval: by step
+  Phase phase;
   std::vector<int> processors;  // load, busy
   int in = 1;                   // loss: at most `limit` of so many in a row
   int code = 0;                 // duration: of the completion
@@ -129,6 +147,7 @@ struct Problem {
   std::vector<Device> devices;
   std::vector<std::string> conditions;
   std::vector<Statement> statements;
+  std::vector<Call> calls;
   std::vector<Requirement> requirements;
   Range within_processor;    // latency of a message to a thread on the sender's processor
   Range between_processors;  // and to one on another

@@ -59,6 +59,7 @@ class ProblemBuilder final : public TimesAndPlaces {
 
   // What is required (problem_requirements.cpp).
   std::vector<bool> steps_at(const std::vector<pan::StatementRef>& at, const pan::Requirement& requirement);
+  std::vector<bool> steps_in(const std::vector<pan::StatementRef>& loops) const;
   void requirements();
   void require(Requirement made);
   void demanded_answer(int device);

@@ -1,4 +1,6 @@
 // What is required of a problem.
+#include <algorithm>
+
 #include "analyzer/problem/problem_builder.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
@@ -28,12 +30,39 @@ std::vector<bool> ProblemBuilder::steps_at(const std::vector<StatementRef>& at,
   return steps;
 }
 
+/// The steps of loops, and of what is executed in them.
+std::vector<bool> ProblemBuilder::steps_in(const std::vector<StatementRef>& loops) const {
+  const auto within = [&](int module, int node) {
+    return std::any_of(loops.begin(), loops.end(), [&](const StatementRef& loop) {
+      const Node& repeat = network_.modules[loop.module.index()].body[loop.node];
+      return module == loop.module.value && node > loop.node.value && node <= repeat.mate.value;
+    });
+  };
+  std::vector<bool> steps(problem_.steps.size());
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    const Step& step = problem_.steps[s];
+    if (step.statement < 0) continue;
+    const Statement& known = problem_.statements[static_cast<std::size_t>(step.statement)];
+    steps[s] = within(known.source_module, known.source_node);
+    for (int c = step.call; c >= 0 && !steps[s]; c = problem_.calls[static_cast<std::size_t>(c)].outer) {
+      const Call& call = problem_.calls[static_cast<std::size_t>(c)];
+      steps[s] = within(call.source_module, call.source_node);
+    }
+  }
+  return steps;
+}
+
 void ProblemBuilder::requirements() {
   for (const pan::Requirement& requirement : network_.requirements) {
     Requirement made;
     made.name = requirement.name;
     made.limit = requirement.limit.count();
     made.where = requirement.where;
+    if (requirement.phase) made.phase.text = requirement.phase->text;
+    if (requirement.phase && !requirement.phase->after.empty())
+      made.phase.after = steps_at(requirement.phase->after, requirement);
+    if (requirement.phase && !requirement.phase->during.empty())
+      made.phase.during = steps_in(requirement.phase->during);
     std::visit([&](const auto& each) { measure(each, requirement, std::move(made)); }, requirement.measure);
   }
   for (std::size_t d = 0; d < problem_.devices.size(); ++d) demanded_answer(static_cast<int>(d));

@@ -42,6 +42,7 @@ void Referee::reach(int thread, int step) {
   of.gives_up = of.withdrawn = of.acted = of.told = false;
   of.claim = -1;
   of.reads.clear();
+  monitor_.reaches(thread, step);
   const Step& at = step_of(thread);
   if (at.kind == Step::Kind::end) {
     release(thread);

@@ -18,10 +18,12 @@ RequirementMonitor::RequirementMonitor(const Problem& problem, const Requirement
       paused_(problem.processors.size(), -1),
       working_(problem.processors.size()),
       occurrence_(problem.channels.size(), none) {
+  if (requirement != nullptr && requirement->phase.limits()) phase_ = &requirement->phase;
+  if (phase_ != nullptr) at_.assign(problem.threads.size(), none);
   if (requirement == nullptr || requirement->condition < 0) return;
   // Until the first set, what a condition says dates from the start.
   conditions_[static_cast<std::size_t>(requirement->condition)] = birth();
-  reference_ = 0;
+  if (phase_ == nullptr) reference_ = 0;
 }
 
 bool RequirementMonitor::of_condition(int condition) const {
@@ -44,6 +46,7 @@ bool RequirementMonitor::is_event(int channel) const {
 int RequirementMonitor::birth() {
   births_.push_back(now_);
   answered_.push_back(false);
+  uncounted_.push_back(!counts());
   return static_cast<int>(births_.size()) - 1;
 }
 
@@ -58,11 +61,54 @@ void RequirementMonitor::begins(int block, int parent) {
 
 void RequirementMonitor::ends(int index) {
   thread(index) = none;
+  if (phase_ == nullptr) return;
+  at_[static_cast<std::size_t>(index)] = none;
+  follow_loops();
+}
+
+void RequirementMonitor::reaches(int index, int step) {
+  if (phase_ == nullptr) return;
+  at_[static_cast<std::size_t>(index)] = step;
+  follow_loops();
 }
 
 void RequirementMonitor::passes(int index, int step) {
+  judge(index, step);
+  const bool begins = phase_ != nullptr && !phase_->after.empty() && !in_phase_;
+  if (begins && phase_->after[static_cast<std::size_t>(step)]) phase_begins();
+}
+
+void RequirementMonitor::follow_loops() {
+  if (phase_->during.empty()) return;
+  const bool within = std::any_of(at_.begin(), at_.end(), [this](int step) {
+    return step != none && phase_->during[static_cast<std::size_t>(step)];
+  });
+  if (within && !in_phase_) phase_begins();
+  if (!within && in_phase_) phase_ends();
+}
+
+/// What has been known by now reflects nothing that changes from now on.
+void RequirementMonitor::phase_begins() {
+  in_phase_ = true;
+  begun_ = now_;
+  const bool knows = sampled_ || (requirement_->condition >= 0);
+  if (is(Measure::reaction) && knows) reference_ = birth();
+}
+
+/// What has not come to its end does not count.
+void RequirementMonitor::phase_ends() {
+  in_phase_ = false;
+  uncounted_.assign(births_.size(), true);
+  reference_ = none;
+  last_pass_.reset();
+  lost_.clear();
+  std::fill(occurrence_.begin(), occurrence_.end(), none);
+}
+
+void RequirementMonitor::judge(int index, int step) {
   if (requirement_ == nullptr || requirement_->at.empty()) return;
   if (!requirement_->at[static_cast<std::size_t>(step)]) return;
+  if (!counts() && !is(Measure::response)) return;
   switch (requirement_->measure) {
     case Measure::age:
       if (thread(index) != none) show(births_[static_cast<std::size_t>(thread(index))], step);
@@ -83,10 +129,11 @@ void RequirementMonitor::passes(int index, int step) {
 void RequirementMonitor::respond(int index, int step) {
   const int event = thread(index);
   if (event == none || answered_[static_cast<std::size_t>(event)]) return;
-  for (int earlier = 0; earlier < event; ++earlier) {
-    if (!answered_[static_cast<std::size_t>(earlier)]) failed_ = true;
-  }
   answered_[static_cast<std::size_t>(event)] = true;
+  if (uncounted_[static_cast<std::size_t>(event)]) return;
+  for (std::size_t earlier = 0; earlier < static_cast<std::size_t>(event); ++earlier) {
+    if (!answered_[earlier] && !uncounted_[earlier]) failed_ = true;
+  }
   show(births_[static_cast<std::size_t>(event)], step);
 }
 
@@ -98,7 +145,7 @@ void RequirementMonitor::react(int index, int step) {
 }
 
 void RequirementMonitor::completes(int, int step, int code) {
-  if (is(Measure::duration) && requirement_->code == code) show(0, step);
+  if (is(Measure::duration) && requirement_->code == code && counts()) show(begun_, step);
 }
 
 void RequirementMonitor::skill_ends() {
@@ -165,7 +212,8 @@ void RequirementMonitor::serves(int request, bool first) {
   if (!is_sample(answer)) return;
   carried =
       first || births_.empty() || births_.back() != now_ ? birth() : static_cast<int>(births_.size()) - 1;
-  if (reference_ == none) reference_ = carried;
+  sampled_ = true;
+  if (reference_ == none && counts()) reference_ = carried;
 }
 
 void RequirementMonitor::is_due(int request) {
@@ -175,24 +223,25 @@ void RequirementMonitor::is_due(int request) {
 void RequirementMonitor::event(int device, int of, bool lost) {
   const bool responds = is_event(of);
   if (lost) {
-    failed_ = failed_ || responds;
+    failed_ = failed_ || (responds && counts());
     occurrence(device, true);
     return;
   }
   channel(of) = responds || is_sample(of) ? birth() : none;
-  if (is_sample(of) && reference_ == none) reference_ = channel(of);
-  occurrence_[static_cast<std::size_t>(of)] = static_cast<int>(lost_.size());
+  sampled_ = sampled_ || is_sample(of);
+  if (is_sample(of) && reference_ == none && counts()) reference_ = channel(of);
+  occurrence_[static_cast<std::size_t>(of)] = counts() ? static_cast<int>(lost_.size()) : none;
   occurrence(device, false);
 }
 
 void RequirementMonitor::answers(int of, bool lost) {
   if (lost) {
-    failed_ = failed_ || is_event(of);
+    failed_ = failed_ || (is_event(of) && counts());
     return;
   }
   const auto request = static_cast<std::size_t>(problem_.channels[static_cast<std::size_t>(of)].answers);
   channel(of) = is_event(of) ? birth() : due_[request];
-  occurrence_[static_cast<std::size_t>(of)] = static_cast<int>(lost_.size());
+  occurrence_[static_cast<std::size_t>(of)] = counts() ? static_cast<int>(lost_.size()) : none;
 }
 
 void RequirementMonitor::served(int device, bool lost) {
@@ -200,11 +249,13 @@ void RequirementMonitor::served(int device, bool lost) {
 }
 
 void RequirementMonitor::frame_for_nobody(int device) {
-  if (!lost_.empty()) occurrence(device, true);
+  if (occurred_) occurrence(device, true);
 }
 
 void RequirementMonitor::occurrence(int device, bool lost) {
   if (!is(Measure::loss) || requirement_->device != device) return;
+  occurred_ = true;
+  if (!counts()) return;
   lost_.push_back(lost);
   show_losses();
 }
@@ -241,7 +292,7 @@ std::optional<Nanoseconds> RequirementMonitor::growing_since() const {
   switch (requirement_->measure) {
     case Measure::response:
       for (std::size_t event = 0; event < births_.size(); ++event) {
-        if (!answered_[event]) return births_[event];
+        if (!answered_[event] && !uncounted_[event]) return births_[event];
       }
       return std::nullopt;
     case Measure::reaction:

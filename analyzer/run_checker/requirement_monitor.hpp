@@ -21,6 +21,7 @@ class RequirementMonitor {
   // Threads.
   void begins(int block, int parent);
   void ends(int thread);
+  void reaches(int thread, int step);
   void passes(int thread, int step);
   void completes(int thread, int step, int code);
   void sets(int thread, int condition);
@@ -59,6 +60,11 @@ class RequirementMonitor {
   bool is_sample(int channel) const;
   bool is_event(int channel) const;
   int birth();
+  void judge(int thread, int step);
+  bool counts() const { return !phase_ || in_phase_; }
+  void follow_loops();
+  void phase_begins();
+  void phase_ends();
   int& thread(int index) { return threads_[static_cast<std::size_t>(index)]; }
   int& channel(int index) { return channels_[static_cast<std::size_t>(index)]; }
   void show(Nanoseconds born, int step);
@@ -71,20 +77,28 @@ class RequirementMonitor {
   const Requirement* requirement_;
   BusyFrom busy_from_;
   Nanoseconds now_ = 0;
+  const Phase* phase_ = nullptr;  // what is measured, if it is not the whole run
+  bool in_phase_ = false;
+  std::vector<int> at_;  // of a phase: the step that each thread is at
   std::vector<Nanoseconds> births_;
-  std::vector<bool> answered_;   // events
-  std::vector<int> threads_;     // the birth that each carries
-  std::vector<int> channels_;    // and each message
-  std::vector<int> serving_;     // and the answer to each request that is being served
-  std::vector<int> due_;         // … to each that has been
+  std::vector<bool> answered_;  // events
+  std::vector<bool>
+      uncounted_;              // events that were put outside of the phase, or awaited a response as it ended
+  std::vector<int> threads_;   // the birth that each carries
+  std::vector<int> channels_;  // and each message
+  std::vector<int> serving_;   // and the answer to each request that is being served
+  std::vector<int> due_;       // … to each that has been
   std::vector<int> conditions_;  // and each condition
   int reference_ = none;         // reactions: the latest birth that a statement has reflected
+  bool sampled_ = false;         // reactions: there was a sample
+  Nanoseconds begun_ = 0;        // durations: when they began
   std::optional<Nanoseconds> last_pass_;
   std::vector<std::vector<Nanoseconds>>
       busy_since_;                   // by processor; several, with pauses of no length between
   std::vector<Nanoseconds> paused_;  // by processor: when it had nothing to do last; -1: never
   std::vector<bool> working_;        // by processor
   std::vector<bool> lost_;           // by occurrence
+  bool occurred_ = false;            // there was one
   std::vector<int> occurrence_;      // of the message in each channel
   std::vector<Measured> measured_;
   bool failed_ = false;

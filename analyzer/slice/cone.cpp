@@ -92,7 +92,7 @@ class Finder {
   void seed() {
     keep_if(Hold::strong, [this](const ThreadTalk& talk) {
       return std::any_of(talk.steps.begin(), talk.steps.end(),
-                         [this](int step) { return watch_.at[at(step)]; });
+                         [this](int step) { return watch_.at[at(step)] || is_of_phase(step); });
     });
     if (requirement_.device >= 0) keep_device(requirement_.device);
     if (watch_.kind == Watch::Kind::loss) keep_channels_of(requirement_.device);
@@ -107,6 +107,13 @@ class Finder {
       }
     }
     if (watch_.kind == Watch::Kind::response || watch_.kind == Watch::Kind::sample) carriers();
+  }
+
+  /// Whether it begins or ends the part of a run that is measured.
+  bool is_of_phase(int step) const {
+    const Phase& phase = watch_.phase;
+    return (!phase.after.empty() && phase.after[at(step)]) ||
+           (!phase.during.empty() && phase.during[at(step)]);
   }
 
   /// Channels and conditions by which what is measured may come to a statement of the requirement: from where

@@ -119,7 +119,8 @@ std::string measured_text(const Problem& problem, const Requirement& requirement
       return statement_at(problem, measured) + " was decided on a value of " +
              known_name(problem, requirement) + " that is then " + value + " old";
     case Requirement::Measure::reaction:
-      return "what changes in the world just after " + known_name(problem, requirement) + " at " +
+      return "what changes in the world just after " +
+             (requirement.phase.limits() ? "" : known_name(problem, requirement) + " at ") +
              milliseconds(measured.born) + " is first reflected by " + statement_at(problem, measured) +
              ", " + value + " later";
     case Requirement::Measure::interval:
@@ -137,11 +138,7 @@ std::string measured_text(const Problem& problem, const Requirement& requirement
   return {};
 }
 
-}  // namespace
-
-std::string nothing_measured(const Requirement& requirement, bool passed) {
-  if (requirement.measure == Requirement::Measure::load)
-    return "every run ends, and a load is that of the long run";
+std::string nothing_in_run(const Requirement& requirement, bool passed) {
   if (!passed) {
     return requirement.measure == Requirement::Measure::loss ? "the device never sends anything in any run"
                                                              : "no run ever gets there";
@@ -158,6 +155,15 @@ std::string nothing_measured(const Requirement& requirement, bool passed) {
     default:
       return "no run gets there because of the event";
   }
+}
+
+}  // namespace
+
+std::string nothing_measured(const Requirement& requirement, bool passed) {
+  if (requirement.measure == Requirement::Measure::load)
+    return "every run ends, and a load is that of the long run";
+  const std::string text = nothing_in_run(requirement, passed);
+  return requirement.phase.limits() ? text + " " + requirement.phase.text : text;
 }
 
 std::string explanation(const Problem& problem, const Requirement& requirement, const Verdict& verdict) {

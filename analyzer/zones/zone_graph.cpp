@@ -40,7 +40,9 @@ bool around(const ZoneClass& outer, const ZoneClass& inner, ZoneGraph::Merging m
 
 bool anything_grows(const State& state, const Watch& watch) {
   if (!watch.grows()) return false;
-  return watch.kind == Watch::Kind::response ? !state.pending.empty() : state.reference != tag::none;
+  if (watch.kind != Watch::Kind::response) return state.reference != tag::none;
+  return std::any_of(state.pending.begin(), state.pending.end(),
+                     [](Pending pending) { return pending != Pending::outside; });
 }
 
 /// Whether nothing ever has to happen: no timer is left, or only those of sporadic events.

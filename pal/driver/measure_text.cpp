@@ -38,10 +38,7 @@ std::string processor_text(const analyzer::Problem& problem, const analyzer::Req
   return problem.processors[static_cast<std::size_t>(requirement.processors.front())].name;
 }
 
-}  // namespace
-
-std::string measure_text(const analyzer::Problem& problem, std::size_t index) {
-  const analyzer::Requirement& requirement = problem.requirements[index];
+std::string whole_run_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
   switch (requirement.measure) {
     case Measure::age:
       return "age of " + known_text(problem, requirement) + " at " + statements_text(problem, requirement);
@@ -66,6 +63,14 @@ std::string measure_text(const analyzer::Problem& problem, std::size_t index) {
       break;
   }
   return "load of " + processor_text(problem, requirement);
+}
+
+}  // namespace
+
+std::string measure_text(const analyzer::Problem& problem, std::size_t index) {
+  const analyzer::Requirement& requirement = problem.requirements[index];
+  const std::string text = whole_run_text(problem, requirement);
+  return requirement.phase.limits() ? text + ", " + requirement.phase.text : text;
 }
 
 std::string short_measure_text(const analyzer::Problem& problem, std::size_t index) {

@@ -184,6 +184,10 @@ void dump_requirement(const Network& network, const Requirement& requirement, st
   const bool own_limit = std::holds_alternative<Passes>(requirement.measure) ||
                          std::holds_alternative<Loss>(requirement.measure);
   if (!own_limit) out << " at most " << requirement.limit.count() << " ns";
+  if (requirement.phase && !requirement.phase->after.empty())
+    out << " after" << step_list(network, requirement.phase->after);
+  if (requirement.phase && !requirement.phase->during.empty())
+    out << " during" << step_list(network, requirement.phase->during);
   out << '\n';
 }
 

@@ -68,10 +68,18 @@ struct BusyPeriod {
 
 using Measure = std::variant<Response, Age, Reaction, Passes, Loss, Completing, Load, BusyPeriod>;
 
+/// The part of each run that is measured (docs/reference/timing.md).
+struct Phase {
+  std::vector<StatementRef> after;   // from when one of these is first done
+  std::vector<StatementRef> during;  // or while a thread is in one of these loops, named by their REPEAT
+  std::string text;                  // "after TXM( motion to MC1 ) in SM1"
+};
+
 struct Requirement {
   std::string name;
   Measure measure;
   Duration limit{};
+  std::optional<Phase> phase;  // without: the whole run
   SourceSpan where;
 };
 

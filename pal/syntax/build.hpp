@@ -66,6 +66,8 @@ class Builder {
 
   // requirements: build_requirement.cpp
   std::optional<Requirement> requirement(Parser::RequirementSlotContext* context);
+  std::optional<Requirement> measured(Requirement result, Parser::MeasureContext* measure);
+  std::optional<Phase> phase(Parser::PhaseContext* context);
   std::optional<Requirement> passes(Requirement result, Parser::StepContext* at,
                                     Parser::DurationContext* least, Parser::DurationContext* most);
   Requirement::Loss loss(Parser::LossContext* context);

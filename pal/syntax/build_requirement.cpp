@@ -11,10 +11,33 @@
 namespace pal::syntax {
 
 std::optional<Requirement> Builder::requirement(Parser::RequirementSlotContext* context) {
-  Requirement result;
-  result.name = name(context->name());
-  result.where = span(context);
-  auto* measure = context->measure();
+  Requirement written;
+  written.name = name(context->name());
+  written.where = span(context);
+  auto built = measured(std::move(written), context->measure());
+  if (!built || context->phase() == nullptr) return built;
+  built->phase = phase(context->phase());
+  if (!built->phase) return std::nullopt;
+  return built;
+}
+
+std::optional<Phase> Builder::phase(Parser::PhaseContext* context) {
+  Phase made;
+  made.where = span(context);
+  Parser::StepContext* named = nullptr;
+  if (auto* c = dynamic_cast<Parser::AfterPhaseContext*>(context)) named = c->step();
+  if (auto* c = dynamic_cast<Parser::DuringPhaseContext*>(context)) {
+    made.kind = Phase::Kind::during;
+    named = c->step();
+  }
+  auto built = step(named);
+  if (!built) return std::nullopt;
+  made.step = std::move(*built);
+  return made;
+}
+
+/// The requirement with its measure and limit.
+std::optional<Requirement> Builder::measured(Requirement result, Parser::MeasureContext* measure) {
   if (auto* c = dynamic_cast<Parser::ResponseContext*>(measure)) {
     auto to = step(c->step());
     if (!to) return std::nullopt;

@@ -44,6 +44,11 @@ std::string text_of(const Known& known) {
   return spelling(sample.message) + " FROM " + spelling(sample.from);
 }
 
+std::string text_of(const std::optional<Phase>& phase) {
+  if (!phase) return {};
+  return (phase->kind == Phase::Kind::after ? " AFTER " : " DURING REPEAT OF ") + text_of(phase->step);
+}
+
 /// A measure with its limit.
 struct MeasureText {
   Duration limit;
@@ -88,7 +93,7 @@ struct MeasureText {
 
 std::string requirement_text(const Requirement& requirement) {
   return "REQUIREMENT " + requirement.name.text + " : " +
-         std::visit(MeasureText{requirement.limit}, requirement.measure);
+         std::visit(MeasureText{requirement.limit}, requirement.measure) + text_of(requirement.phase);
 }
 
 }  // namespace pal::syntax

@@ -135,6 +135,15 @@ struct Known {
   std::variant<Name, Sample> of;
 };
 
+/// The part of each run that a requirement is about: what comes after a statement, or while a thread is in
+/// the innermost loop around one.
+struct Phase {
+  enum class Kind { after, during };
+  Kind kind = Kind::after;
+  Step step;
+  SourceSpan where;
+};
+
 struct Requirement {
   struct Response {
     MessageName event;
@@ -173,6 +182,7 @@ struct Requirement {
   Name name;
   std::variant<Response, Age, Reaction, Passes, Loss, Completing, Load, BusyPeriod> measure;
   Duration limit{};  // of a load: nanoseconds of work in a second; of passes and losses: nothing
+  std::optional<Phase> phase;
   SourceSpan where;
 };
 

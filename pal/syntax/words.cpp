@@ -105,6 +105,8 @@ bool may_begin_line(const PlacedToken& before, const PlacedToken& here) {
     case Parser::PRIORITY:
     case Parser::AT:
     case Parser::IN:
+    case Parser::AFTER:
+    case Parser::DURING:
       return true;
     case Parser::FROM:
     case Parser::TO:

@@ -10,11 +10,11 @@
 #include "operations/debugger.hpp"
 #include "operations/load.hpp"
 #include "operations/step_log.hpp"
-#include "pal/support/render.hpp"
 #include "sim/program/cell_runner.hpp"
 #include "sim/program/command_line.hpp"
 #include "sim/program/fault_file.hpp"
 #include "sim/program/needed_tool.hpp"
+#include "sim/program/refused_operation.hpp"
 
 namespace pal::workcell {
 namespace {
@@ -32,11 +32,7 @@ operations::Program checked_program(const std::string& file, const std::vector<C
   for (const Check& check : checks)
     if (program && !diagnostics.has_errors()) check(*program, diagnostics);
   if (program && !diagnostics.has_errors()) return std::move(*program);
-  render_text(diagnostics.sorted(), sources, error);
-  const bool unreadable = sources.size() == 0;
-  throw Failure(unreadable ? ExitStatus::usage : ExitStatus::wrong_specification, file,
-                unreadable ? "it cannot be read" : "the operation has errors, so nothing moved",
-                "pal operation check shows them all");
+  throw refused_operation(file, diagnostics, sources, error);
 }
 
 void check_tools(const operations::Program& program, const std::vector<KnownSkill>& known,

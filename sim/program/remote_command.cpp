@@ -7,12 +7,12 @@
 
 #include "operations/load.hpp"
 #include "operations/step_log.hpp"
-#include "pal/support/render.hpp"
 #include "runtime/run_control.hpp"
 #include "runtime_system/announcement.hpp"
 #include "runtime_system/client.hpp"
 #include "sim/program/command_line.hpp"
 #include "sim/program/interrupt.hpp"
+#include "sim/program/refused_operation.hpp"
 
 namespace pal::workcell {
 namespace {
@@ -25,13 +25,7 @@ std::string files_of(const std::string& main, std::ostream& error) {
   SourceManager sources;
   Diagnostics diagnostics;
   const auto program = operations::load(DiskFileSystem(), sources, main, diagnostics);
-  if (!program || diagnostics.has_errors()) {
-    render_text(diagnostics.sorted(), sources, error);
-    const bool unreadable = sources.size() == 0;
-    throw Failure(unreadable ? ExitStatus::usage : ExitStatus::wrong_specification, main,
-                  unreadable ? "it cannot be read" : "the operation has errors, so nothing moved",
-                  "pal operation check shows them all");
-  }
+  if (!program || diagnostics.has_errors()) throw refused_operation(main, diagnostics, sources, error);
   Json json{{"main", main}, {"files", Json::object()}};
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const FileId file(i);

@@ -21,12 +21,72 @@ class RequirementBuilder {
       : names_(names), network_(network), diagnostics_(diagnostics), bodies_known_(names.all_known()) {}
 
   void build(const syntax::Requirement& written) {
-    if (auto measure = std::visit([&](const auto& m) { return build_measure(m); }, written.measure)) {
-      network_.requirements.push_back({written.name.text, std::move(*measure), written.limit, written.where});
+    auto measure = std::visit([&](const auto& m) { return build_measure(m); }, written.measure);
+    std::optional<pan::Phase> phase;
+    if (written.phase) {
+      phase = build_phase(*written.phase);
+      if (!phase || (measure && !fits(*written.phase, *measure))) return;
     }
+    if (!measure) return;
+    network_.requirements.push_back(
+        {written.name.text, std::move(*measure), written.limit, std::move(phase), written.where});
   }
 
  private:
+  std::optional<pan::Phase> build_phase(const syntax::Phase& written) {
+    const std::vector<pan::StatementRef> named = statements(written.step);
+    if (named.empty()) return std::nullopt;
+    pan::Phase phase;
+    phase.text = (written.kind == syntax::Phase::Kind::after ? "after " : "during the loop of ") +
+                 text_of(written.step) + (written.step.in ? " in " + written.step.in->name.text : "");
+    if (written.kind == syntax::Phase::Kind::after) {
+      phase.after = named;
+      return phase;
+    }
+    for (const pan::StatementRef& each : named) {
+      const auto loop = loop_around(each);
+      const auto same = [&loop](const pan::StatementRef& known) {
+        return known.module == loop->module && known.node == loop->node;
+      };
+      if (loop && std::none_of(phase.during.begin(), phase.during.end(), same)) phase.during.push_back(*loop);
+    }
+    if (!phase.during.empty()) return phase;
+    diagnostics_.report(Code::PAL0822, written.step.where,
+                        "this statement is in no loop of its module, so no REPEAT is meant",
+                        "name a statement between a REPEAT and its UNTIL, or write AFTER");
+    return std::nullopt;
+  }
+
+  /// The REPEAT of the innermost loop around a statement. The nodes of a body stand in the order of the text.
+  std::optional<pan::StatementRef> loop_around(const pan::StatementRef& statement) const {
+    const pan::Graph& body = network_.modules[statement.module.index()].body;
+    for (std::size_t n = statement.node.index(); n-- > 0;) {
+      const pan::Node& node = body.nodes[n];
+      if (std::holds_alternative<pan::Loop>(node.content) && node.mate.index() > statement.node.index())
+        return pan::StatementRef{statement.module, pan::NodeId(n)};
+    }
+    return std::nullopt;
+  }
+
+  /// Whether what is measured can lie in such a part of a run; reports if not.
+  bool fits(const syntax::Phase& phase, const pan::Measure& measure) {
+    const bool load = std::holds_alternative<pan::Load>(measure);
+    if (load || std::holds_alternative<pan::BusyPeriod>(measure)) {
+      diagnostics_.report(Code::PAL0823, phase.where,
+                          std::string(load ? "a load" : "a busy period") +
+                              " is of a processor, whatever its threads are at: it has no phase",
+                          "leave this out, or measure a RESPONSE or an INTERVAL in the phase");
+      return false;
+    }
+    if (std::holds_alternative<pan::Completing>(measure) && phase.kind == syntax::Phase::Kind::during) {
+      diagnostics_.report(Code::PAL0823, phase.where,
+                          "a duration lasts until the skill completes, not while a loop is run",
+                          "write AFTER and the statement from which the duration counts");
+      return false;
+    }
+    return true;
+  }
+
   std::optional<pan::Measure> build_measure(const syntax::Requirement::Load& load) {
     return pan::Load{load.processor ? load.processor->text : std::string()};
   }

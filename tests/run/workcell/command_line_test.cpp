@@ -329,3 +329,11 @@ TEST_CASE("figures of a distribution") {
         "     0.0 to    1.0 N |##                             2\n"
         "     1.0 to    2.0 N |##                             2\n");
 }
+
+TEST_CASE("an operation that cannot be read is reported once, with the reason") {
+  const Answer answer = workcell({"operation", "run", "no-such.op.json"});
+  CHECK(answer.status == ExitStatus::usage);
+  CHECK(answer.error ==
+        "workcell: error: operation: cannot read 'no-such.op.json': no such file\n"
+        "  hint: check the name and whether the file may be read\n");
+}

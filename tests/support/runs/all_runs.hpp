@@ -137,6 +137,13 @@ class AllRuns {
   void event(int process);
   void occurs(int process);
 
+  // The part of a run that counts (phases.cpp).
+  bool in_question() const { return !wanted_.limited() || s_.in_phase; }
+  void has_done(int thread);
+  void follow_loops();
+  void phase_begins();
+  void phase_ends();
+
   // What is measured (measures.cpp).
   void begin_measuring();
   int birth();
@@ -144,6 +151,7 @@ class AllRuns {
   void record(std::int64_t value);
   void grow(int time);
   void measure(int thread);
+  void weigh(int thread);
   void respond(Thread& of);
   void forget(int event);
   void has_read(int thread, int condition);

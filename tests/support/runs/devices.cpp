@@ -36,7 +36,7 @@ void AllRuns::occurs(int process) {
   const int carries = lost ? -1 : has_occurred(channel);
   occurrence(process, lost);
   put(channel, -1, process, carries);
-  if (!lost) s_.slots[ix(channel)].later = counts(process) ? 0 : -1;
+  if (!lost) s_.slots[ix(channel)].later = counts(process) && in_question() ? 0 : -1;
   if (!lost) offer(channel);
 }
 
@@ -145,7 +145,7 @@ void AllRuns::answers(int process, int request) {
   const bool lost = s_.slots[ix(channel)].full;
   put(channel, -1, process, carries);
   if (lost) return;
-  s_.slots[ix(channel)].later = counts(process) ? 0 : -1;
+  s_.slots[ix(channel)].later = counts(process) && in_question() ? 0 : -1;
   offer(channel);
 }
 

@@ -15,6 +15,7 @@ constexpr std::size_t most_births = 12;
 
 void AllRuns::begin_measuring() {
   if (wanted_.of_condition()) s_.known[ix(wanted_.condition)] = birth();
+  if (wanted_.limited()) return;
   if (wanted_.kind == Wanted::Kind::reaction || wanted_.kind == Wanted::Kind::duration) {
     if (s_.births.empty()) birth();
     s_.reference = 0;
@@ -35,7 +36,7 @@ void AllRuns::record(std::int64_t value) {
 
 /// Time passes. What does not end, although it can, has no bound; what ends in another way does not count.
 void AllRuns::grow(int time) {
-  for (int& age : s_.births) age = std::min(cap_, age + time);
+  for (int& age : s_.births) age = age < 0 ? age : std::min(cap_, age + time);
   for (int& busy : s_.busy) {
     if (time > 0 && busy < -1) busy = -1;
     if (busy < 0) continue;
@@ -48,8 +49,13 @@ void AllRuns::grow(int time) {
 }
 
 void AllRuns::measure(int thread) {
+  if (!wanted_.limited()) weigh(thread);
+}
+
+void AllRuns::weigh(int thread) {
   Thread& of = s_.threads[ix(thread)];
   if (wanted_.at.count(of.at.back()) == 0) return;
+  if (!in_question() && wanted_.kind != Wanted::Kind::response) return;
   switch (wanted_.kind) {
     case Wanted::Kind::age:
     case Wanted::Kind::sample_age:
@@ -77,8 +83,12 @@ void AllRuns::measure(int thread) {
 /// The event that the thread carries is answered; none that came before may be left.
 void AllRuns::respond(Thread& of) {
   if (of.carries < 0) return;
-  record(s_.births[ix(of.carries)]);
-  if (of.carries > 0) s_.failed = true;
+  const int waited = s_.births[ix(of.carries)];
+  if (waited >= 0) {
+    record(waited);
+    const auto before = s_.births.begin();
+    s_.failed = s_.failed || std::any_of(before, before + of.carries, [](int age) { return age >= 0; });
+  }
   forget(of.carries);
 }
 
@@ -124,7 +134,9 @@ int AllRuns::sent_along(int thread) const {
 
 int AllRuns::sample() {
   const int made = birth();
-  if (wanted_.kind == Wanted::Kind::sample_reaction && s_.reference < 0) s_.reference = made;
+  if (wanted_.kind != Wanted::Kind::sample_reaction) return made;
+  if (wanted_.limited()) s_.counting = true;
+  if (s_.reference < 0 && in_question()) s_.reference = made;
   return made;
 }
 
@@ -144,7 +156,8 @@ int AllRuns::is_served(int request) {
 }
 
 void AllRuns::has_completed(int code) {
-  if (wanted_.kind == Wanted::Kind::duration && wanted_.code == code) record(s_.births.front());
+  if (wanted_.kind == Wanted::Kind::duration && wanted_.code == code && in_question())
+    record(s_.births[ix(s_.reference)]);
 }
 
 int AllRuns::error_code() const {
@@ -176,6 +189,7 @@ bool AllRuns::counts(int process) const {
 void AllRuns::occurrence(int process, bool lost) {
   if (!counts(process)) return;
   s_.counting = true;
+  if (!in_question()) return;
   s_.lost.push_back(lost);
   for (Slot& slot : s_.slots) {
     if (slot.later >= 0) ++slot.later;
@@ -235,7 +249,7 @@ void AllRuns::forget(State& state) const {
   std::vector<int> number(state.births.size(), -1);
   for (std::size_t b = 0; b < state.births.size(); ++b) {
     const bool lost_before = !kept.empty() && kept.back() == cap_ + 1;
-    if (!carried[b] && (!remembers_lost || lost_before)) continue;
+    if (!carried[b] && (!remembers_lost || lost_before || state.births[b] < 0)) continue;
     number[b] = static_cast<int>(kept.size());
     kept.push_back(carried[b] ? state.births[b] : cap_ + 1);
   }

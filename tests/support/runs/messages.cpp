@@ -19,7 +19,7 @@ void AllRuns::put(int channel, int thread, int process, int carries) {
   Slot& slot = s_.slots[ix(channel)];
   if (process >= 0 && slot.full) {
     say(processes_[ix(process)].name + " overruns");
-    if (wanted_.events.count(channel) != 0) s_.failed = true;
+    if (wanted_.events.count(channel) != 0 && in_question()) s_.failed = true;
     answered_in_vain(channel);
     return;
   }
@@ -27,7 +27,11 @@ void AllRuns::put(int channel, int thread, int process, int carries) {
       network_.messages[network_.channels[ix(channel)].message.index()].name);
   slot.full = true;
   slot.claimed = -1;
-  slot.carries = wanted_.events.count(channel) != 0 ? birth() : carries;
+  slot.carries = carries;
+  if (wanted_.events.count(channel) != 0) {
+    slot.carries = birth();
+    if (!in_question()) s_.births.back() = -1;
+  }
   slot.near = slot.far = -1;
   slot.from = thread < 0 ? -1 : s_.threads[ix(thread)].processor;
   slot.answers = answered_next(channel).has_value();

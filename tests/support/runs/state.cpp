@@ -70,7 +70,7 @@ std::string key(const State& state) {
   for (int known : state.known) key.add(known);
   key.add(state.reference);
   for (int busy : state.busy) key.add(busy);
-  key.add(state.counting ? 1 : 0);
+  key.add((state.counting ? 1 : 0) + (state.in_phase ? 2 : 0));
   key.add(static_cast<int>(state.lost.size()));
   for (bool lost : state.lost) key.add(lost ? 1 : 0);
   for (int age : state.births) key.add(age);

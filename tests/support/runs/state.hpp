@@ -80,11 +80,12 @@ struct State {
   std::vector<Device> devices;
   std::uint32_t conditions = 0;
   std::vector<int> known;   // by condition: what a read gives; index into births
-  std::vector<int> births;  // of what is measured: how long ago, the earliest first
+  std::vector<int> births;  // of what is measured: how long ago, the earliest first; -1: it does not count
   int reference = -1;       // of reactions and intervals: from which birth the next value counts
   std::vector<int> busy;  // by processor: for how long it has been; -1: it is idle; below: since this instant
   std::vector<bool> lost;  // loss: the last occurrences, the latest last
-  bool counting = false;
+  bool counting = false;   // loss: there was an occurrence; reaction to samples: a sample
+  bool in_phase = false;
   bool ended = false;
   bool failed = false;
 };

@@ -148,6 +148,7 @@ void AllRuns::admits(int thread, std::vector<int> channels) {
 /// The effect is over: the thread goes on to what follows, or stops if it was cancelled.
 void AllRuns::proceed(int thread, std::size_t out) {
   if (s_.ended) return;
+  has_done(thread);
   if (s_.threads[ix(thread)].cancelled) {
     stop(thread);
     return;

@@ -13,6 +13,7 @@ void AllRuns::reach(int thread) {
   of.begun = false;
   of.claim = -1;
   of.gives_up = of.withdrawn = false;
+  follow_loops();
   const auto& content = node(of).content;
   if (std::holds_alternative<Fork>(content)) {
     begin_blocks(thread);
@@ -69,6 +70,7 @@ void AllRuns::finished(int thread) {
   release(thread);
   const int parent = s_.threads[ix(thread)].parent;
   s_.threads[ix(thread)] = Thread{};
+  follow_loops();
   if (parent < 0) return;
   hand_over(thread, parent);
   block_over(parent, false);
@@ -184,6 +186,7 @@ void AllRuns::stop(int thread) {
     if (belongs_to(static_cast<int>(c), thread)) left.push_back(static_cast<int>(c));
   }
   s_.threads[ix(thread)] = Thread{};
+  follow_loops();
   std::vector<int> all_freed;
   any_order(left, [&](int which) {
     if (which >= 0) {

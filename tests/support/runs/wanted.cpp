@@ -38,6 +38,13 @@ class Wishes {
   void add(const Requirement& requirement) {
     made_ = {};
     made_.name = requirement.name;
+    if (requirement.phase) {
+      made_.after = places(requirement.phase->after);
+      for (const StatementRef& loop : requirement.phase->during) {
+        const NodeId until = network_.modules[loop.module.index()].body[loop.node].mate;
+        made_.loops.insert({loop.module.value, {loop.node.value, until.value}});
+      }
+    }
     std::visit(*this, requirement.measure);
   }
 

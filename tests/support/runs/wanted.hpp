@@ -36,6 +36,11 @@ struct Wanted {
   int in = 1;                        // loss
   int code = 0;                      // duration
   std::vector<int> processors;       // busy, load
+  // What counts comes after one of these is done first, or while a thread is in one of these loops.
+  std::set<std::pair<int, int>> after;                  // module, node
+  std::set<std::pair<int, std::pair<int, int>>> loops;  // module, nodes of REPEAT and UNTIL
+
+  bool limited() const { return !after.empty() || !loops.empty(); }
 
   bool of_condition() const { return kind == Kind::age || kind == Kind::reaction; }
   bool of_samples() const { return kind == Kind::sample_age || kind == Kind::sample_reaction; }
