@@ -134,6 +134,14 @@ class World {
   /// In real time the world is advanced at least this often, whatever happens; max(): only for events.
   virtual Time beat() { return Time::max(); }
 
+  /// In real time: whether one thread moves the world without the kernel's lock. Such a world and the run
+  /// reach each other by DeviceHost::post and by wake() alone; its devices never wait for each other's
+  /// threads. wait_until() then waits for the wall clock.
+  virtual bool apart() const { return false; }
+  /// Something is to be done in the world before the instant that wait_until() waits for: it returns soon.
+  /// From any thread; only of a world that is apart.
+  virtual void wake() {}
+
   /// The run was held from outside and goes on; what passed meanwhile in the world's own time does not count.
   virtual void resumed() {}
 };

@@ -1,6 +1,7 @@
 // The devices of a run.
 #pragma once
 
+#include <atomic>
 #include <deque>
 #include <span>
 #include <vector>
@@ -34,8 +35,12 @@ class Devices {
   void act(int device, const std::function<void()>& action);
   /// Each, whatever comes of the others.
   void close();
+  /// Whose code is being called, as another thread sees it; empty: nobody's.
+  std::string at_work() const;
 
  private:
+  class AtWork;
+
   DeviceLink& link(int device) { return links_[static_cast<std::size_t>(device)]; }
   const DeviceLink& link(int device) const { return links_[static_cast<std::size_t>(device)]; }
   void fail(int device);
@@ -43,6 +48,7 @@ class Devices {
   Journal& journal_;
   Promises& promises_;
   std::deque<DeviceLink> links_;
+  std::atomic<int> at_work_ = -1;
 };
 
 }  // namespace pal::runtime

@@ -13,11 +13,26 @@ namespace pal::runtime {
 
 namespace {
 
+/// "; there are gauge, axis"
+std::string names_of(std::span<Device* const> devices) {
+  std::string names;
+  for (const Device* device : devices) names += (names.empty() ? "" : ", ") + device->name();
+  return names.empty() ? "; no device was given" : "; there are " + names;
+}
+
+/// What goes that way through the ports: "; it sends tock", "; it takes nothing".
+std::string messages_of(const std::vector<PortSpec>& ports, bool to_device) {
+  std::string messages;
+  for (const PortSpec& port : ports)
+    if (port.to_device == to_device) messages += (messages.empty() ? "" : ", ") + port.message;
+  return (to_device ? "; it takes " : "; it sends ") + (messages.empty() ? "nothing" : messages);
+}
+
 Connection connect(const Wiring& wiring, std::string_view name, std::span<Device* const> devices) {
   const auto found = std::find_if(devices.begin(), devices.end(),
                                   [&](const Device* device) { return device->name() == name; });
   const std::string called(name);
-  if (found == devices.end()) throw std::runtime_error("there is no device " + called);
+  if (found == devices.end()) throw std::runtime_error("there is no device " + called + names_of(devices));
   Connection connection{*found, std::vector<int>((*found)->ports().size(), -1)};
   const std::vector<PortSpec>& ports = (*found)->ports();
   for (std::size_t c = 0; c < wiring.channels.size(); ++c) {
@@ -28,11 +43,12 @@ Connection connect(const Wiring& wiring, std::string_view name, std::span<Device
     const auto port = std::find_if(ports.begin(), ports.end(), [&](const PortSpec& candidate) {
       return candidate.message == channel.message && candidate.to_device == to;
     });
-    const std::string differs = port == ports.end() ? "" : difference(channel.fields, port->fields);
-    if (port == ports.end() || !differs.empty()) {
+    const std::string differs =
+        port == ports.end() ? messages_of(ports, to) : difference(channel.fields, port->fields);
+    if (!differs.empty()) {
       throw std::runtime_error("device " + called + (to ? " does not take " : " does not send ") +
                                std::string(channel.message) + " with " + in_words(channel.fields) +
-                               (differs.empty() ? "" : ": " + differs));
+                               (port == ports.end() ? "" : ": ") + differs);
     }
     connection.channels[static_cast<std::size_t>(port - ports.begin())] = static_cast<int>(c);
   }

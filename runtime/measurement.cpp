@@ -32,7 +32,7 @@ void Measurement::begin_run() {
 /// Its ports are matched with the channels when it is first seen in a run.
 Measurement::KnownDevice& Measurement::known(const Device& device) {
   for (KnownDevice& each : devices_) {
-    if (each.device == &device) return each;
+    if (each.device == &device && each.name == device.name()) return each;
   }
   for (KnownDevice& each : devices_) {
     if (each.name != device.name()) continue;

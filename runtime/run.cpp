@@ -15,7 +15,7 @@ void run_by(Executive& executive, Kernel& kernel) {
   } catch (...) {
     kernel.journal.fail("the run: " + what_was_thrown());
   }
-  kernel.devices.close();
+  executive.close_devices(kernel);
 }
 
 }  // namespace

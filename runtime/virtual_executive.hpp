@@ -23,6 +23,8 @@ class VirtualExecutive final : public Executive {
 
   /// From the start of the skill to its end.
   void run(Kernel& kernel);
+  /// The run is over.
+  static void close_devices(Kernel& kernel) { kernel.devices.close(); }
 
   Time latency(const Interval& interval) override { return costs_.draw(interval); }
   void need_processor(Thread& thread, const Interval& time) override {

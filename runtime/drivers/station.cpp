@@ -1,8 +1,11 @@
 #include "runtime/drivers/station.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <stdexcept>
 
+#include "runtime/drivers/apart.hpp"
+#include "runtime/real_time/clock.hpp"
 #include "runtime/thrown.hpp"
 
 namespace pal::runtime {
@@ -55,6 +58,62 @@ class Station::RunWorld final : public World {
 
  private:
   Station& station_;
+};
+
+/// The same for a run in real time: one thread moves physics, timeline and devices, apart from the kernel.
+class Station::WorldApart final : public World {
+ public:
+  explicit WorldApart(Station& station) : station_(station), letters_([this] { wake(); }) {
+    for (Device* device : station.devices_) {
+      apart_.emplace_back(*device, station.timeline_, station.begun_, letters_);
+      devices_.push_back(&apart_.back());
+    }
+  }
+  std::span<Device* const> devices() const { return devices_; }
+
+  bool apart() const override { return true; }
+  void advance_to(Time when) override {
+    keep_in_step(when);
+    while (letters_.read(when, letter_)) {
+      station_.pass_to(std::max(station_.begun_ + letter_.when, station_.timeline_.now()));
+      letter_.device->take(letter_);
+    }
+    station_.pass_to(station_.begun_ + when);
+  }
+  Time next_event() override {
+    const Time next = station_.timeline_.next();
+    return next == Timeline::never ? Time::max() : next - station_.begun_;
+  }
+  Time beat() override { return station_.options_.physics_grain; }
+  Time wait_until(Time when) override {
+    if (!letters_.empty()) return when;
+    if (station_.pace_ != nullptr)
+      return station_.pace_->wait_until(station_.begun_ + when) - station_.begun_;
+    sleeper_.sleep_until(origin_ + when);
+    return when;
+  }
+  void wake() override {
+    if (station_.pace_ != nullptr) {
+      station_.pace_->wake();
+    } else {
+      sleeper_.wake();
+    }
+  }
+
+ private:
+  /// The run's clock is the monotonic one from some instant on. The pace is set by the first call.
+  void keep_in_step(Time when) {
+    if (origin_ == Time::max() && station_.pace_ != nullptr) station_.pace_->resumed(station_.begun_ + when);
+    origin_ = std::min(origin_, monotonic_now() - when);
+  }
+
+  Station& station_;
+  Sleeper sleeper_;
+  Letters letters_;
+  Letters::Letter letter_;
+  std::deque<DeviceApart> apart_;
+  std::vector<Device*> devices_;
+  Time origin_ = Time::max();
 };
 
 Station::Station(World& physics, Pace* pace, StationOptions options)
@@ -150,6 +209,10 @@ Outcome Station::run(Skill& skill, std::span<const ParameterValue> parameters,
     go_to(begun_ - Time(1), options.run.control);
   } catch (...) {
     return refused(skill, what_was_thrown());
+  }
+  if (options.run.real_time) {
+    WorldApart world(*this);
+    return Dispatcher(world.devices(), world).run(skill, parameters, options.run);
   }
   RunWorld world(*this);
   return Dispatcher(devices_, world).run(skill, parameters, options.run);

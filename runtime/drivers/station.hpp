@@ -22,6 +22,8 @@ class Pace {
   virtual Time wait_until(Time when) = 0;
   /// Station time stood still at `now` and goes on from here.
   virtual void resumed([[maybe_unused]] Time now) {}
+  /// From any thread: wait_until() returns soon.
+  virtual void wake() {}
 };
 
 struct StationOptions {
@@ -59,6 +61,8 @@ class Station {
   /// Readies the devices, runs the skill from its time 0 to its end, closes the sessions. A device in trouble
   /// refuses the skill before it begins, with the reason. Never throws because of skill, devices or physics.
   /// While a skill runs, a call from inside a device is refused.
+  /// In real time (RunOptions::real_time) the calling thread moves the physics and the devices by the wall
+  /// clock, without the kernel's lock; a pace must be one of real time (a factor of 1).
   Outcome run(Skill& skill, std::span<const ParameterValue> parameters = {},
               const SessionOptions& options = {});
 
@@ -70,6 +74,7 @@ class Station {
 
  private:
   class RunWorld;
+  class WorldApart;
 
   void pass_to(Time when);
   void go_to(Time when, const RunControl* control = nullptr);

@@ -39,6 +39,9 @@ class KernelLock {
     ::pthread_mutex_unlock(&mutex_);
   }
 
+  /// While it is held: the hold is measured from now on.
+  void measure_from_now() { since_.store(monotonic_now().count(), std::memory_order_relaxed); }
+
   /// Whether the calling thread has it.
   bool mine() const { return owner_.load(std::memory_order_relaxed) == ::pthread_self(); }
   /// Since when it has been held, as another thread sees it; 0: it is free.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace pal::runtime {
 
@@ -56,6 +57,7 @@ void Levels::need_processor(Thread& thread) {
 }
 
 void Levels::leave(Thread& thread) {
+  level_of(thread).without_time = 0;
   Processor& processor = of(thread);
   if (processor.running != &thread) {
     std::erase(processor.ready, &thread);
@@ -84,7 +86,7 @@ void Levels::interrupt(Processor& processor) {
   enqueue(processor, thread);
 }
 
-void Levels::start(Processor& processor, Thread& thread, std::vector<Sleeper*>& woken) {
+void Levels::start(Processor& processor, Thread& thread, std::vector<Doorbell*>& called) {
   thread.control.state = State::running;
   thread.control.begun = true;
   processor.running = &thread;
@@ -94,12 +96,23 @@ void Levels::start(Processor& processor, Thread& thread, std::vector<Sleeper*>& 
   assert(level.work == nullptr || level.work == &thread);
   if (level.work == nullptr) level.ticks = 0;
   level.work = &thread;
-  if (!level.asleep) return;
-  level.asleep = false;
-  woken.push_back(&level.sleeper);
+  if (processor.looks_out != nullptr && processor.looks_out != &level)
+    processor.looks_out->aside.store(true, std::memory_order_relaxed);
+  if (!std::exchange(level.waits, false)) return;
+  called.push_back(&level.bell);
 }
 
-void Levels::dispatch(Processor& processor, std::vector<Sleeper*>& woken) {
+bool Levels::may_look_out(Level& level) {
+  Processor& processor = processors_[static_cast<std::size_t>(level.processor)];
+  if (processor.running != nullptr || !processor.ready.empty()) return false;
+  const Level* other = processor.looks_out;
+  if (other != nullptr && other != &level && !other->aside.load(std::memory_order_relaxed)) return false;
+  level.aside.store(false, std::memory_order_relaxed);
+  processor.looks_out = &level;
+  return true;
+}
+
+void Levels::dispatch(Processor& processor, std::vector<Doorbell*>& called) {
   std::vector<Thread*>& ready = processor.ready;
   const auto first = [&ready]() -> Thread& {
     Thread& thread = *ready.back();
@@ -107,13 +120,13 @@ void Levels::dispatch(Processor& processor, std::vector<Sleeper*>& woken) {
     return thread;
   };
   if (processor.running == nullptr) {
-    if (!ready.empty()) start(processor, first(), woken);
+    if (!ready.empty()) start(processor, first(), called);
   } else if (processor.spec->preemptive && !ready.empty() &&
              ready.back()->control.spec->priority > processor.running->control.spec->priority) {
     interrupt(processor);
-    start(processor, first(), woken);
+    start(processor, first(), called);
   } else if (!processor.working) {
-    start(processor, *processor.running, woken);
+    start(processor, *processor.running, called);
   }
   announce(processor);
 }
@@ -129,11 +142,11 @@ void Levels::announce(Processor& processor) {
   processor.arrived.clear();
 }
 
-void Levels::dispatch(std::vector<Sleeper*>& woken) {
+void Levels::dispatch(std::vector<Doorbell*>& called) {
   for (Processor& processor : processors_) {
     if (!processor.changed) continue;
     processor.changed = false;
-    dispatch(processor, woken);
+    dispatch(processor, called);
   }
 }
 

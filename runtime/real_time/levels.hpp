@@ -3,13 +3,14 @@
 
 #include <pthread.h>
 
+#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <vector>
 
 #include "pal/runtime/thread.hpp"
 #include "runtime/journal.hpp"
-#include "runtime/real_time/clock.hpp"
+#include "runtime/real_time/doorbell.hpp"
 
 namespace pal::runtime {
 
@@ -18,11 +19,14 @@ namespace pal::runtime {
 struct Level {
   int processor = 0;
   int priority = 0;  // of PAL; the greatest, where it is for all
-  Sleeper sleeper;
-  bool asleep = false;
-  Thread* work = nullptr;   // whose statement it has begun and not finished
-  pthread_t os_thread{};    // once it runs
-  std::uint32_t ticks = 0;  // of the watchdog, while that statement had its processor
+  Doorbell bell;
+  bool waits = false;               // at its bell
+  std::atomic<bool> aside = false;  // another level of its processor has work: it is not to look out
+  Thread* work = nullptr;           // whose statement it has begun and not finished
+  pthread_t os_thread{};            // once it runs
+  std::uint32_t inside = 0;         // statements since it came into the kernel
+  std::uint32_t without_time = 0;   // statements since it waited or took time
+  std::uint32_t ticks = 0;          // of the watchdog, while that statement had its processor
 };
 
 /// Gives processors to threads by the rules of docs/reference/execution-model.md, as the Scheduler of virtual
@@ -37,9 +41,17 @@ class Levels {
   void need_processor(Thread& thread);
   /// The thread blocks or ends: its processor is free for others.
   void leave(Thread& thread);
-  /// Gives the processors to the threads that should have them now. Adds to `woken` the levels that have
-  /// something to do and sleep; they must be woken.
-  void dispatch(std::vector<Sleeper*>& woken);
+  /// Gives the processors to the threads that should have them now. Adds to `called` the bells of levels that
+  /// wait and have something to do; they must be rung.
+  void dispatch(std::vector<Doorbell*>& called);
+
+  /// The level is about to wait. Whether its processor has nothing else to do: then it may look out for its
+  /// next statement before it sleeps, until `aside`.
+  bool may_look_out(Level& level);
+  void looked_out(Level& level) {
+    Level*& looks = processors_[static_cast<std::size_t>(level.processor)].looks_out;
+    if (looks == &level) looks = nullptr;
+  }
 
   /// Whether the level's statement has its processor at present.
   bool has_processor(const Level& level) const {
@@ -60,6 +72,7 @@ class Levels {
     std::vector<Thread*> ready;    // in their order: the last one goes first
     std::vector<Thread*> arrived;  // became ready since the last dispatch
     bool changed = false;
+    Level* looks_out = nullptr;
   };
   const Processor& of(const Thread& thread) const {
     return processors_[static_cast<std::size_t>(thread.control.spec->processor)];
@@ -70,8 +83,8 @@ class Levels {
   Level& level_of(const Thread& thread) { return *level_of_[static_cast<std::size_t>(thread.control.index)]; }
   void enqueue(Processor& processor, Thread& thread);
   void interrupt(Processor& processor);
-  void start(Processor& processor, Thread& thread, std::vector<Sleeper*>& woken);
-  void dispatch(Processor& processor, std::vector<Sleeper*>& woken);
+  void start(Processor& processor, Thread& thread, std::vector<Doorbell*>& called);
+  void dispatch(Processor& processor, std::vector<Doorbell*>& called);
   void announce(Processor& processor);
 
   Journal& journal_;

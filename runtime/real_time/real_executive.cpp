@@ -14,6 +14,12 @@ constexpr std::size_t queue_room = 4096;
 // SCHED_FIFO has 1 to 99. Below: what else is urgent on the machine. Above: time, the world, the watchdog.
 constexpr int least_fifo = 10;
 constexpr int most_priorities = 80;
+// So many statements without hand-written code may follow one another before others get the kernel.
+constexpr std::uint32_t most_statements_inside = 16;
+// So many statements that take no time by the environment may follow one another without a wait.
+constexpr std::uint32_t most_statements_without_time = 100'000;
+// A world that is apart is moved by so much at a time.
+constexpr Time stride = std::chrono::milliseconds(10);
 
 }  // namespace
 
@@ -26,7 +32,7 @@ RealExecutive::RealExecutive(Clock& clock, Journal& journal, World& world, const
       options_(options),
       queue_(queue_room),
       levels_(journal, wiring) {
-  woken_.reserve(levels_.all().size() + 2);
+  called_.reserve(levels_.all().size());
   report_.statements.resize(wiring.statements.size());
 }
 
@@ -73,39 +79,65 @@ void RealExecutive::advance_world() {
 /// Everybody who can comes to the next statement, and processors are given to those who should have them.
 void RealExecutive::go_on() {
   kernel_->settle();
-  if (!journal_.over()) levels_.dispatch(woken_);
+  if (!journal_.over()) levels_.dispatch(called_);
+}
+
+/// The level's next statement follows without leaving the kernel, unless somebody is to be woken or it has
+/// been in for long.
+void RealExecutive::go_on_inside(Level& level) {
+  const bool nobody = called_.empty() && !timer_.called && !world_alarm_.called;
+  if (nobody && ++level.inside < most_statements_inside) {
+    set(std::max(now(), monotonic_now() - origin_));
+    return;
+  }
+  exit();
+  level.inside = 0;
+  enter();
 }
 
 void RealExecutive::exit() {
   go_on();
   if (journal_.over() && !std::exchange(told_, true)) {
     for (Level& level : levels_.all())
-      if (std::exchange(level.asleep, false)) woken_.push_back(&level.sleeper);
+      if (std::exchange(level.waits, false)) called_.push_back(&level.bell);
     wake(timer_);
     wake(world_alarm_);
+    over_.store(true, std::memory_order_relaxed);
+    if (world_.apart()) world_.wake();
   }
   if (timer_.asleep && kernel_->promises.next() < timer_.until) wake(timer_);
   if (moving_ && world_alarm_.asleep && world_.next_event() < world_alarm_.until) wake(world_alarm_);
   // Woken when the lock is free: they would only wait for it.
-  std::array<Sleeper*, 16> later{};
+  std::array<Doorbell*, 16> later{};
   std::size_t count = 0;
-  for (Sleeper* each : woken_) {
+  for (Doorbell* each : called_) {
     if (count < later.size()) {
       later[count++] = each;
     } else {
-      each->wake();
+      each->ring();
     }
   }
-  woken_.clear();
+  called_.clear();
+  const bool timer = std::exchange(timer_.called, false);
+  const bool world = std::exchange(world_alarm_.called, false);
   lock_.unlock();
-  for (std::size_t i = 0; i < count; ++i) later[i]->wake();
+  for (std::size_t i = 0; i < count; ++i) later[i]->ring();
+  if (timer) timer_.sleeper.wake();
+  if (world) world_alarm_.sleeper.wake();
 }
 
 void RealExecutive::sleep(Level& level) {
-  level.asleep = true;
+  level.waits = true;
+  level.inside = 0;
+  const bool looks_out = looks_out_ && levels_.may_look_out(level);
   exit();
-  level.sleeper.sleep();
+  if (looks_out) {
+    level.bell.look_out(monotonic_now() + options_.real_time->look_out, level.aside);
+    level.aside.store(true, std::memory_order_relaxed);
+  }
+  level.bell.wait();
   enter();
+  if (looks_out) levels_.looked_out(level);
 }
 
 void RealExecutive::sleep(Alarm& alarm, Time until) {
@@ -122,7 +154,7 @@ void RealExecutive::sleep(Alarm& alarm, Time until) {
 }
 
 void RealExecutive::wake(Alarm& alarm) {
-  if (std::exchange(alarm.asleep, false)) woken_.push_back(&alarm.sleeper);
+  if (std::exchange(alarm.asleep, false)) alarm.called = true;
 }
 
 // The threads.
@@ -155,26 +187,38 @@ void RealExecutive::serve(Level& level) {
 
 void RealExecutive::perform(Level& level) {
   Thread& thread = *level.work;
-  Time used{};
-  if (thread.control.claimed >= 0) {  // takes a message: nothing of it was written by hand
-    set(std::max(now(), monotonic_now() - origin_));
-    note(thread.control.operation->statement(), Time::zero());
-  } else {
-    used = compute(thread);
-  }
+  const Time used = compute(level);
   go_on();
   // Whoever was interrupted has its effect when it has its processor again.
   while (!journal_.over() && !levels_.has_processor(level)) sleep(level);
   if (journal_.over()) return;
+  if (goes_round(level)) {
+    journal_.fail("the skill goes on and on without taking time" + kernel_->who_waits());
+    return;
+  }
   levels_.finish(level);
   kernel_->promises.took(thread, used);
   kernel_->finish(thread);
 }
 
-/// What was written by hand, outside the kernel.
-Time RealExecutive::compute(Thread& thread) {
+/// By the environment no time passes in what the level does.
+bool RealExecutive::goes_round(Level& level) const {
+  const auto statement = static_cast<std::size_t>(level.work->control.operation->statement());
+  if (wiring_.statements[statement].cost.worst > Time::zero()) level.without_time = 0;
+  return ++level.without_time > most_statements_without_time;
+}
+
+/// What was written by hand, outside the kernel. Of a statement without it nothing is measured: reading the
+/// processor time may take longer than the statement.
+Time RealExecutive::compute(Level& level) {
+  Thread& thread = *level.work;
   const int statement = thread.control.operation->statement();
-  const bool by_hand = thread.control.operation->by_hand();
+  if (!thread.control.operation->by_hand()) {
+    go_on_inside(level);
+    if (thread.control.claimed < 0) thread.control.operation->compute();
+    note(statement, Time::zero());
+    return Time::zero();
+  }
   exit();
   const Time begun = thread_time();
   std::string thrown;
@@ -186,7 +230,7 @@ Time RealExecutive::compute(Thread& thread) {
     thrown = what_was_thrown();
   }
   const Time used = thread_time() - begun;
-  if (by_hand && !threw && options_.work != nullptr) options_.work->worked(statement, used);
+  if (!threw && options_.work != nullptr) options_.work->worked(statement, used);
   enter();
   note(statement, used);
   if (threw) journal_.fail(thread, thrown);
@@ -242,6 +286,21 @@ void RealExecutive::happen(const Event& event) {
   }
 }
 
+/// From outside.
+void RealExecutive::move_apart() {
+  for (Time reached{}; !over_.load(std::memory_order_relaxed);) {
+    const Time begun = monotonic_now();
+    const Time target = begun - origin_;
+    reached = std::min(target, reached + stride);
+    in_world_.store(begun.count(), std::memory_order_relaxed);
+    world_.advance_to(reached);
+    in_world_.store(0, std::memory_order_relaxed);
+    if (reached < target) continue;
+    const Time beat = world_.beat();
+    world_.wait_until(std::min(world_.next_event(), beat == Time::max() ? beat : target + beat));
+  }
+}
+
 void RealExecutive::move_world() {
   enter();
   while (!journal_.over()) {
@@ -256,7 +315,7 @@ void RealExecutive::move_world() {
 
 void RealExecutive::run(Kernel& kernel) {
   kernel_ = &kernel;
-  moving_ = world_.beat() != Time::max() || world_.next_event() != Time::max();
+  moving_ = !world_.apart() && (world_.beat() != Time::max() || world_.next_event() != Time::max());
   const LockedMemory memory(options_.real_time->lock_memory);
   if (!memory.problem().empty())
     report_.shortcomings.push_back("memory is not locked (" + memory.problem() +
@@ -268,9 +327,11 @@ void RealExecutive::run(Kernel& kernel) {
     const ScopedFifo urgent(fifo_ ? top + 2 : 0);
     origin_ = monotonic_now();
     kernel.start();
+    lock_.measure_from_now();  // until here nobody else was there
     exit();
     start_watchdog(top + 3);
-    guarded("the run", [this] { move_world(); });
+    guarded("the world", [this] { world_.apart() ? move_apart() : move_world(); });
+    in_world_.store(0, std::memory_order_relaxed);
     wait_for_levels();
   } catch (...) {
     // Those threads that there are find the run over.
@@ -279,6 +340,12 @@ void RealExecutive::run(Kernel& kernel) {
     exit();
   }
   threads_.clear();
+}
+
+void RealExecutive::close_devices(Kernel& kernel) {
+  in_closing_.store(monotonic_now().count(), std::memory_order_relaxed);
+  kernel.devices.close();
+  in_closing_.store(0, std::memory_order_relaxed);
   watchdog_.wake();
   dog_.reset();
   report_.longest_hold = lock_.longest();
@@ -304,10 +371,11 @@ int RealExecutive::schedule() {
   for (const ThreadSpec& thread : wiring_.threads) priorities.push_back(thread.priority);
   std::sort(priorities.begin(), priorities.end());
   priorities.erase(std::unique(priorities.begin(), priorities.end()), priorities.end());
+  const std::vector<int> cpus = permitted_cpus();
+  looks_out_ = wiring_.processors.size() <= cpus.size();
   if (!options_.real_time->fifo) return 0;
   std::vector<std::string>& lacking = report_.shortcomings;
 
-  const std::vector<int> cpus = permitted_cpus();
   const auto cpu_of = [&cpus](int processor) {  // the last ones first: the first one serves interrupts
     return cpus[cpus.size() - 1 - static_cast<std::size_t>(processor) % cpus.size()];
   };

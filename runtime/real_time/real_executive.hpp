@@ -30,7 +30,9 @@ class RealExecutive final : public Executive {
 
   /// Runs the skill from its start to its end. If some code does not return, ends the process instead.
   void run(Kernel& kernel);
-  /// Of a run that is over.
+  /// The run is over. If closing does not return, ends the process.
+  void close_devices(Kernel& kernel);
+  /// Of a run that is over, its devices closed.
   RealTimeReport take_report() { return std::move(report_); }
 
   /// There is no latency but that of the machine.
@@ -48,6 +50,7 @@ class RealExecutive final : public Executive {
   struct Alarm {
     Sleeper sleeper;
     bool asleep = false;
+    bool called = false;  // is to be woken when the kernel is free
     Time until{};
   };
 
@@ -55,6 +58,7 @@ class RealExecutive final : public Executive {
   void serve(Level& level);
   void keep_time();
   void move_world();
+  void move_apart();
   void watch();
   void guarded(const char* whose, const std::function<void()>& body);
 
@@ -62,13 +66,14 @@ class RealExecutive final : public Executive {
   void enter();
   void exit();
   void go_on();
+  void go_on_inside(Level& level);
   void sleep(Level& level);
   void sleep(Alarm& alarm, Time until);
   void wake(Alarm& alarm);
   void advance_world();
 
   void perform(Level& level);
-  Time compute(Thread& thread);
+  Time compute(Level& level);
   void happen(const Event& event);
   void note(int statement, Time used);
 
@@ -76,6 +81,8 @@ class RealExecutive final : public Executive {
   void look();
   void look_for_deadlock();
   [[noreturn]] void end_process(const std::string& why);
+  void look_for_hangs();
+  bool goes_round(Level& level) const;
   void wait_for_levels();
 
   void start_threads();
@@ -90,14 +97,18 @@ class RealExecutive final : public Executive {
   KernelLock lock_;
   EventQueue queue_;
   Levels levels_;
-  std::vector<Sleeper*> woken_;
+  std::vector<Doorbell*> called_;  // are to be rung when the kernel is free
   Alarm timer_, world_alarm_;
   Sleeper ended_, watchdog_, closed_;
+  // Since when they are called without the lock (monotonic); 0: they are not.
+  std::atomic<Time::rep> in_world_ = 0, in_closing_ = 0;
+  std::atomic<bool> over_ = false;  // as a world that is apart sees it
   Time origin_{};
-  bool moving_ = false;  // something moves in the world by itself
+  bool moving_ = false;  // something moves in the world by itself, with the lock
   bool told_ = false;    // everybody has been woken for the end
   std::atomic<bool> hung_ = false;
   bool fifo_ = false;
+  bool looks_out_ = false;  // each processor has a CPU of its own
   std::vector<std::unique_ptr<OsThread>> threads_;
   std::unique_ptr<OsThread> dog_;
   RealTimeReport report_;

@@ -35,16 +35,38 @@ void RealExecutive::start_watchdog(int priority) {
 }
 
 void RealExecutive::watch() {
-  const Time hang_timeout = options_.real_time->hang_timeout;
   for (Time next = monotonic_now() + tick; !watchdog_.sleep_until(next); next += tick) {
-    const Time since = lock_.since();
-    if (since != Time::zero() && monotonic_now() - since > hang_timeout)
-      end_process("a device or the world has not returned for " + in_seconds(monotonic_now() - since));
+    look_for_hangs();
     if (!lock_.try_lock()) continue;
     set(std::max(now(), monotonic_now() - origin_));
     look();
     exit();
   }
+}
+
+/// From outside.
+void RealExecutive::look_for_hangs() {
+  const Time hang_timeout = options_.real_time->hang_timeout;
+  const Time now = monotonic_now();
+  const auto for_too_long = [now](Time since, Time limit) {
+    return since != Time::zero() && now - since > limit;
+  };
+  const Time held = lock_.since(), in_world(in_world_.load(std::memory_order_relaxed)),
+             closing(in_closing_.load(std::memory_order_relaxed));
+  const auto device = [this] { return kernel_->devices.at_work(); };
+  if (for_too_long(closing, hang_timeout + for_closing)) {
+    say("pal: closing device " + device() + " has not returned for " + in_seconds(now - closing) +
+        "\n  DEVICES MAY NOT BE CLOSED; the process ends, because nothing else stops code that does not "
+        "return\n");
+    ::_exit(options_.real_time->hang_status);
+  }
+  if (for_too_long(in_world, hang_timeout))
+    end_process("the world with its devices has not returned for " + in_seconds(now - in_world));
+  if (for_too_long(held, hang_timeout))
+    end_process((!device().empty() ? "device " + device()
+                 : moving_         ? "the world"
+                                   : "what has the kernel") +
+                " has not returned for " + in_seconds(now - held));
 }
 
 /// From inside.
@@ -73,7 +95,7 @@ void RealExecutive::look() {
 /// Nobody is at work, nothing is due, and nobody waits for a device: one that is waited for may still answer.
 void RealExecutive::look_for_deadlock() {
   const bool idle = !journal_.over() && levels_.idle() && queue_.empty() &&
-                    world_.next_event() == Time::max() && !kernel_->awaits_device();
+                    (world_.apart() || world_.next_event() == Time::max()) && !kernel_->awaits_device();
   if (idle) journal_.fail("nothing is left to happen" + kernel_->who_waits());
 }
 

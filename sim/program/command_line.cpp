@@ -123,6 +123,10 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
           ->excludes(app.get_option("--time"));
   // Who looks on would hold up the arm, which waits for nobody.
   for (CLI::Option* looks : {video, live}) real_time->excludes(looks);
+  app.add_option("--limit", command.limit, "seconds of the skill's time after which it is ended")
+      ->type_name("SECONDS")
+      ->check(number_within(0.001, 3600))
+      ->capture_default_str();
   app.add_flag("--control", command.control,
                "reads commands from the standard input: step, go, pause, break MODULE:LINE, where, stop")
       ->excludes(sweep)
@@ -137,8 +141,7 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
                  "what carries the bytes of devices' lines; the run is the same with each")
       ->check(CLI::IsMember({"process", "pty", "tcp"}))
       ->capture_default_str()
-      ->excludes(sweep)
-      ->excludes(real_time);
+      ->excludes(sweep);
 }
 
 void describe_serve_port(CLI::App& app, ServePortCommand& command, std::vector<std::string>& folders) {

@@ -40,6 +40,7 @@ struct RunCommand {
   std::string after;                         // a skill that is run before; empty: none
   double paced = 0;                          // station seconds a second of real time; 0: as fast as can be
   bool real_time = false;                    // the skill runs by the wall clock
+  double limit = 600;                        // s; a skill that takes longer is ended
   bool control = false;                      // paused, stepped and stopped by commands on the standard input
   std::string faults;                        // a file of faults on demand; empty: nothing goes wrong
   std::string on_broken_promise = "report";  // or contingency, stop

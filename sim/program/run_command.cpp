@@ -108,6 +108,7 @@ Session make_session(const RunCommand& command, const runtime::Skill& skill,
   if (command.seed_given && command.sweep == 0) session.machine_seed = command.seed;
   if (command.phase >= 0) session.phase = runtime::Time(static_cast<std::int64_t>(command.phase * 1e6));
   session.picture = command.picture && !command.output.empty();
+  session.limit = runtime::Time(static_cast<std::int64_t>(command.limit * 1e9));
   if (command.video) session.video = command.output + "/run.mp4";
   return session;
 }

@@ -9,6 +9,8 @@ namespace pal::workcell {
 namespace {
 
 constexpr runtime::Time rest = std::chrono::milliseconds(400);
+// Events of a run in real time, 16 MB: a trace that had to grow would hold the kernel for milliseconds.
+constexpr std::size_t real_time_trace = 1U << 19U;
 
 void run_before(sim::Cell& cell, const Session& session) {
   if (!session.before) return;
@@ -99,7 +101,9 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   options.on_broken_promise = session.on_broken_promise;
   options.slow = session.slow;
   options.live = session.live;
+  options.horizon = session.limit;
   options.real_time = session.real_time;
+  if (session.real_time) options.trace_capacity = real_time_trace;
   result.outcome = cell.run(skill, session.parameters, options);
   result.phase = cell.phase();
   result.controller = cell.val_driver().last_error();

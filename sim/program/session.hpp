@@ -41,7 +41,8 @@ struct Session {
   runtime::Pace* pace = nullptr;
   std::function<std::unique_ptr<runtime::Carrier>()> carrier{};
   runtime::RunControl* control = nullptr;
-  std::optional<runtime::RealTime> real_time{};  // of the skill; nothing: virtual time
+  runtime::Time limit = runtime::RunOptions().horizon;  // of the skill's time
+  std::optional<runtime::RealTime> real_time{};         // of the skill; nothing: virtual time
   std::vector<sim::PlannedFault> faults{};
   runtime::Measurement* measurement = nullptr;  // of the skill, over all its runs; null: nothing is measured
   std::vector<runtime::SlowStatement> slow{};   // statements that take longer than is declared

@@ -7,6 +7,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/serial_port.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
@@ -212,6 +213,13 @@ Time Outside::wait_until(Time when) {
 void Outside::resumed(Time now) {
   parts_->begun = parts_->wall_origin = Clock::now();
   parts_->station_origin = now;
+}
+
+void Outside::wake() {
+  asio::post(parts_->context, [parts = parts_.get()] {
+    const Time now = parts->station_now();
+    parts->arrived = std::min(parts->arrived.value_or(now), now);
+  });
 }
 
 std::unique_ptr<OutsideLink> Outside::open_pseudo_terminal(Timeline& timeline) {

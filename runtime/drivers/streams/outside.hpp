@@ -23,7 +23,7 @@ class OutsideLink : public Link {
 
 /// Virtual time in step with the wall clock: at a factor of 2 two seconds of station time pass in one. If the
 /// process falls behind, station time catches up as fast as it can, and nothing is left out. For one thread
-/// only.
+/// only, but for wake().
 class Outside final : public Pace {
  public:
   /// Contract: factor > 0.
@@ -35,6 +35,7 @@ class Outside final : public Pace {
   /// Returns after 50 ms of real time at the latest, so that a waiting caller can be stopped.
   Time wait_until(Time when) override;
   void resumed(Time now) override;
+  void wake() override;
 
   // Links; they use the timeline and this until they are destroyed. Each throws std::runtime_error with the
   // system's reason when it cannot be opened.

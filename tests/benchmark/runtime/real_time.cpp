@@ -43,7 +43,7 @@ runtime::RunOptions real_time(bool fifo) {
 }
 
 /// Nanoseconds of one round trip; what the run reports of itself goes into `report`.
-double by_skill(bool fifo, runtime::RealTimeReport& report) {
+double by_skill(bool fifo, Time look_out, runtime::RealTimeReport& report) {
   test::WrittenSkill skill;
   const int p = skill.processor("P");
   const int q = skill.processor("Q");
@@ -69,7 +69,9 @@ double by_skill(bool fifo, runtime::RealTimeReport& report) {
       co_await t.send(send, answer);
     }
   });
-  const runtime::Outcome outcome = test::run(skill, {}, real_time(fifo));
+  runtime::RunOptions options = real_time(fifo);
+  options.real_time->look_out = look_out;
+  const runtime::Outcome outcome = test::run(skill, {}, options);
   if (outcome.code != 0) throw std::runtime_error(outcome.reason);
   report = *outcome.real_time;
   return static_cast<double>((ended - begun).count()) / round_trips;
@@ -127,20 +129,23 @@ void say(const runtime::RealTimeReport& report) {
 }
 
 void compare(int rounds) {
-  std::vector<double> rows[4];
+  constexpr Time look_out = runtime::RealTime().look_out;
+  std::vector<double> rows[5];
   runtime::RealTimeReport report;
   for (int round = -1; round < rounds; ++round) {  // the first one warms up
-    const double values[] = {by_condition_variable(true), by_skill(true, report),
-                             by_condition_variable(false), by_skill(false, report)};
-    for (std::size_t i = 0; i < 4 && round >= 0; ++i) rows[i].push_back(values[i]);
-    if (round + 1 == rounds) by_skill(true, report);
+    const double values[] = {by_condition_variable(true), by_skill(true, look_out, report),
+                             by_skill(true, Time::zero(), report), by_condition_variable(false),
+                             by_skill(false, look_out, report)};
+    for (std::size_t i = 0; i < 5 && round >= 0; ++i) rows[i].push_back(values[i]);
+    if (round + 1 == rounds) by_skill(true, look_out, report);
   }
   const char* names[] = {"mutex and condition variable, SCHED_FIFO, pinned", "a skill, SCHED_FIFO, pinned",
+                         "a skill that sleeps at once (look_out 0), the same",
                          "mutex and condition variable, ordinary threads", "a skill, ordinary threads"};
   std::printf("%-52s %9s %6s\n", "one round trip between two processors", "us", "ratio");
-  for (std::size_t i = 0; i < 4; ++i)
+  for (std::size_t i = 0; i < 5; ++i)
     std::printf("%-52s %9.2f %6.2f\n", names[i], median(rows[i]) * 1e-3,
-                median(rows[i]) / median(rows[i / 2 * 2]));
+                median(rows[i]) / median(rows[i < 3 ? 0 : 3]));
   say(report);
 }
 

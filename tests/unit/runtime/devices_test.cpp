@@ -280,7 +280,7 @@ TEST_CASE("a skill does not begin without its devices") {
   Reader bench;
   bench.skill.thread("A", bench.p, 1, [&](Thread& t) -> Task { co_await t.complete(bench.end, 0); });
   SECTION("missing") {
-    CHECK(run(bench.skill).reason == "there is no device sensor");
+    CHECK(run(bench.skill).reason == "there is no device sensor; no device was given");
   }
   SECTION("with other fields") {
     ScriptedDevice other("sensor", {{"request x", true, {}}, {"x", false, {{"fz", "N"}}}});

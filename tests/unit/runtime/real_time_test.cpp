@@ -337,6 +337,21 @@ TEST_CASE("real time: a deadlock is found, and says who waits") {
         "nothing is left to happen: A at receive (written.pal:1), B at receive (written.pal:1)");
 }
 
+TEST_CASE("real time: a skill that goes on and on without taking time is ended") {
+  WrittenSkill skill;
+  const int p = skill.processor("P");
+  const int test = skill.statement("test");
+  const int again = skill.condition("again");
+  skill.thread("A", p, 1, [=](Thread& t) -> Task {
+    for (;;) co_await t.test(test, again);
+  });
+  auto options = real_time();
+  options.trace = runtime::TraceMode::none;
+  const auto outcome = run(skill, {}, options);
+  CHECK(outcome.fault);
+  CHECK(outcome.reason == "the skill goes on and on without taking time: A at test (written.pal:1)");
+}
+
 TEST_CASE("real time: what the world throws ends the skill; it is advanced while an activity runs") {
   struct Moving final : runtime::World {
     void advance_to(runtime::Time when) override {

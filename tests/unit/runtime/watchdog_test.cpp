@@ -126,7 +126,7 @@ TEST_CASE("watchdog: a device that does not return is found as well, and the dev
   });
   CAPTURE(ended.said);
   CHECK(ended.status == 71);
-  CHECK(ended.said.find("sensor closed\npal: a device or the world has not returned for ") == 0);
+  CHECK(ended.said.find("sensor closed\npal: device sensor has not returned for ") == 0);
 }
 
 TEST_CASE("watchdog: the process ends also if closing does not return, and says so") {
@@ -140,6 +140,18 @@ TEST_CASE("watchdog: the process ends also if closing does not return, and says 
   CAPTURE(ended.said);
   CHECK(ended.status == 71);
   CHECK(ended.said.find("THE DEVICES COULD NOT BE CLOSED") != std::string::npos);
+}
+
+TEST_CASE("watchdog: closing that does not return after a good end of the skill ends the process, too") {
+  const Ended ended = in_a_child([] {
+    Acting acting;
+    Telling device;
+    device.stuck = true;
+    acting.run(device);
+  });
+  CAPTURE(ended.said);
+  CHECK(ended.status == 71);
+  CHECK(ended.said.find("sensor closed\npal: closing device sensor has not returned for ") == 0);
 }
 
 TEST_CASE("real time: without the right to SCHED_FIFO a skill runs, and its outcome says so once") {
