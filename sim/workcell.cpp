@@ -59,7 +59,8 @@ struct Workcell::Parts {
       : physics(scene),
         tool(flange_to_tip_of(physics.loaded().tool)),
         motion(start_joints(physics, options.raise), alter_period, tool),
-        sensing(machine_of(options, physics)),
+        machine(machine_of(options, physics)),
+        sensing(machine),
         keep_log(options.keep_log) {
     if (keep_log) log.reserve(static_cast<std::size_t>(options.log_room / physics_step));
     physics.place(motion.at(runtime::Time::zero()).position);
@@ -167,6 +168,7 @@ struct Workcell::Parts {
   Physics physics;
   Pose tool;  // from the flange to the tip
   MotionController motion;
+  MachineOptions machine;
   JointSensing sensing;
   JointServos servos;
   GripperServo gripper;
@@ -277,6 +279,10 @@ const std::map<std::string, Pose>& Workcell::locations() const {
 
 const std::map<std::string, Eigen::Vector3d>& Workcell::fixed_sensors() const {
   return parts_->physics.loaded().sensors;
+}
+
+const MachineOptions& Workcell::machine() const {
+  return parts_->machine;
 }
 
 ToolKind Workcell::tool_kind() const {

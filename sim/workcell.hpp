@@ -112,6 +112,8 @@ class Workcell final : public runtime::World {
   const std::map<std::string, Eigen::Vector3d>& fixed_sensors() const;
 
   ToolKind tool_kind() const;
+  /// As the scene says, unless the options do.
+  const MachineOptions& machine() const;
   /// From the flange to the tip.
   Pose flange_to_tip() const;
   /// Newton per metre, of the tool's compliant pad alone; 0 for other tools.

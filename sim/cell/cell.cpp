@@ -20,9 +20,10 @@
 namespace pal::sim {
 namespace {
 
-ForceTorqueEmulatorOptions sensor_options(const CellOptions& cell) {
+ForceTorqueEmulatorOptions sensor_options(const CellOptions& cell, const MachineOptions& machine) {
   ForceTorqueEmulatorOptions options;
   options.seed = cell.seed;
+  if (!machine.noise) options.force_noise = options.torque_noise = 0, options.z_step = 1;
   if (cell.times == runtime::CostPolicy::worst) options.shortest_conversion = options.longest_conversion;
   if (cell.times == runtime::CostPolicy::best) options.longest_conversion = options.shortest_conversion;
   return options;
@@ -119,7 +120,7 @@ struct Cell::Parts {
   }
 
   void attach_force_torque(const CellOptions& options) {
-    const ForceTorqueEmulatorOptions sensor = sensor_options(options);
+    const ForceTorqueEmulatorOptions sensor = sensor_options(options, workcell.machine());
     force_torque.emplace(
         station.timeline(), sensor.line, through(options),
         [&](runtime::Link& link) {
@@ -149,8 +150,11 @@ struct Cell::Parts {
     range_finder.emplace(
         station.timeline(), runtime::range_finder::line, through(options),
         [&](runtime::Link& link) {
+          RangeFinderEmulatorOptions finder;
+          finder.seed = options.seed;
+          if (!workcell.machine().noise) finder.error_scale = 0;
           return std::make_unique<RangeFinderEmulator>(station.timeline(), link, range_view(workcell),
-                                                       RangeFinderEmulatorOptions{.seed = options.seed});
+                                                       finder);
         },
         [&](runtime::Link& link) {
           return std::make_unique<runtime::RangeFinderDriver>(station.timeline(), link);

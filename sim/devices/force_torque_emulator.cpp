@@ -21,12 +21,11 @@ constexpr int conversions_of_a_bias = 16;
 struct Axis {
   double range;   // N or N*m
   double counts;  // a unit
-  int step;       // counts
 };
-constexpr Axis across{65, 20, 1};
-constexpr Axis along{65, 20, 2};  // z is half as fine
-constexpr Axis about{5, 333.33, 1};
-constexpr std::array<Axis, 6> axis{across, across, along, about, about, about};
+constexpr Axis force_axis{65, 20};
+constexpr Axis torque_axis{5, 333.33};
+constexpr std::array<Axis, 6> axis{force_axis, force_axis, force_axis, torque_axis, torque_axis, torque_axis};
+constexpr std::size_t z_axis = 2;
 
 }  // namespace
 
@@ -201,8 +200,8 @@ ForceTorqueEmulator::Reading ForceTorqueEmulator::read() {
     for (const Values& bias : biases_) value -= bias[i];
     const double inside = std::clamp(value, -range, range);
     reading.overload = reading.overload || inside != value;
-    const double steps = inside * axis[i].counts / axis[i].step;
-    reading.counts[i] = axis[i].step * static_cast<int>(std::lround(steps));
+    const int step = i == z_axis ? options_.z_step : 1;
+    reading.counts[i] = step * static_cast<int>(std::lround(inside * axis[i].counts / step));
   }
   return reading;
 }

@@ -29,6 +29,7 @@ struct ForceTorqueEmulatorOptions {
   // torques.
   double force_noise = 0.05;    // N
   double torque_noise = 0.003;  // N*m
+  int z_step = 2;               // counts: the force along z is half as fine as the others
 };
 
 /// Speaks the protocol of docs/workcell/force-torque.md: CV, CD A, CD B, SB, SU, SZ, QR, QS, an empty line,

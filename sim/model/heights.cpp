@@ -54,11 +54,14 @@ Heights surface_heights(const Thing& thing) {
   const double height = thing.one("height"), length = thing.one("length"), swing = thing.one("swing");
   const double fall = std::tan(radians(thing.one("slope"))), step = thing.one("step");
   const std::vector<double>& size = thing.all("size");
-  return sampled(
-      thing, cells_in_eighths(size[1], across), cells_in_eighths(size[0], along), [&](double x, double y) {
-        const double seam = swing * std::sin(tau * x / (1.7 * length));
-        return 0.5 * height * std::sin(tau * x / length) - fall * std::abs(y - seam) - (y < seam ? step : 0);
-      });
+  const int rows = cells_in_eighths(size[1], across);
+  // A step takes one row of cells. The nearer side ends at the points that are nearest to the seam.
+  const double nearest = 0.5 * size[1] / (rows - 1);
+  return sampled(thing, rows, cells_in_eighths(size[0], along), [&](double x, double y) {
+    const double seam = swing * std::sin(tau * x / (1.7 * length));
+    return 0.5 * height * std::sin(tau * x / length) - fall * std::abs(y - seam) -
+           (y < seam - nearest ? step : 0);
+  });
 }
 
 Heights coarser(const Heights& fine) {

@@ -87,13 +87,14 @@ class SceneReader {
     if (first == "location") return read_location();
     if (first == "sensor") return read_sensor();
     if (first == "machine") return read_machine();
+    if (first == "sensors") return read_sensors();
     if (first == "no") return read_no();
     const auto& kinds = thing_kinds();
     const auto kind =
         std::find_if(kinds.begin(), kinds.end(), [&](const ThingKind& known) { return known.name == first; });
     if (kind != kinds.end()) return read_thing(*kind);
-    std::vector<std::string> names{"about",    "tool",   "start",   "configuration",
-                                   "location", "sensor", "machine", "no table"};
+    std::vector<std::string> names{"about",  "tool",    "start",   "configuration", "location",
+                                   "sensor", "machine", "sensors", "no table"};
     for (const ThingKind& known : kinds) names.emplace_back(known.name);
     fail("'" + first + "' is not something that a scene has", "a line begins with " + joined_words(names));
   }
@@ -195,10 +196,16 @@ class SceneReader {
 
   void read_machine() {
     only_once("machine");
-    const std::string hint = "write machine exact, or machine seed NUMBER";
+    const std::string hint =
+        "write machine exact, machine without counts, machine without play, or machine seed NUMBER";
     const std::string word = at_ < words_.size() ? words_[at_++].text : "";
     if (word == "exact") {
-      scene_.machine = MachineOptions::exact();
+      scene_.machine.encoders = scene_.machine.backlash = false;
+    } else if (word == "without") {
+      const std::string what = at_ < words_.size() ? words_[at_++].text : "";
+      if (what != "counts" && what != "play")
+        fail("'" + what + "' is not something that a machine can be without", hint);
+      (what == "counts" ? scene_.machine.encoders : scene_.machine.backlash) = false;
     } else if (word == "seed") {
       const std::string text = at_ < words_.size() ? words_[at_++].text : "";
       std::uint64_t seed = 0;
@@ -209,6 +216,14 @@ class SceneReader {
     } else {
       fail("'" + word + "' is not something that the machine can be", hint);
     }
+    nothing_left();
+  }
+
+  void read_sensors() {
+    only_once("sensors");
+    if (at_ >= words_.size() || words_[at_++].text != "exact")
+      fail("the sensors can only be exact", "write sensors exact");
+    scene_.machine.noise = false;
     nothing_left();
   }
 

@@ -2,6 +2,9 @@
 
 #include <filesystem>
 #include <sstream>
+#include <string_view>
+#include <utility>
+#include <variant>
 
 #include "pal/driver/proof_chart.hpp"
 #include "sim/program/failure.hpp"
@@ -9,12 +12,36 @@
 namespace pal::workcell {
 namespace {
 
-std::string in_folders(const std::string& file, const std::vector<std::string>& folders) {
-  std::error_code ignored;
-  for (const std::string& folder : folders) {
-    const std::filesystem::path path = std::filesystem::path(folder) / file;
-    if (std::filesystem::exists(path, ignored)) return path.string();
+// What the project calls the folder of the skills: charts and messages name their files by it, wherever the
+// project lies or is installed.
+constexpr std::string_view project_folder = "skills_pal/";
+
+/// The disk, with the skills' folder under the project's name for it.
+class SkillFiles final : public DiskFileSystem {
+ public:
+  explicit SkillFiles(std::string folder) : folder_(std::move(folder)) {}
+
+  std::variant<std::string, FileError> read(const std::string& path, std::size_t most) const override {
+    return DiskFileSystem::read(on_disk(path), most);
   }
+  std::string identity(const std::string& path) const override {
+    return DiskFileSystem::identity(on_disk(path));
+  }
+
+ private:
+  std::string on_disk(const std::string& path) const {
+    if (!path.starts_with(project_folder)) return path;
+    return folder_ + "/" + path.substr(project_folder.size());
+  }
+
+  std::string folder_;
+};
+
+/// The first of the folders that has the skill's PAL.
+std::string folder_with(const std::string& file, const std::vector<std::string>& folders) {
+  std::error_code ignored;
+  for (const std::string& folder : folders)
+    if (std::filesystem::exists(std::filesystem::path(folder) / file, ignored)) return folder;
   throw Failure(ExitStatus::usage, file, "the PAL of the skill is not there, so nothing can be proved of it",
                 "run with --no-proof, or install the skills beside the program");
 }
@@ -25,12 +52,13 @@ std::vector<Promise> promises(const KnownSkill& skill, const std::vector<std::st
                               const trace::Trace& run) {
   std::vector<Promise> result;
   if (skill.pal_file.empty()) return result;
-  const DiskFileSystem files;
+  const SkillFiles files(folder_with(skill.pal_file, folders));
   std::ostringstream out, err;
   driver::Session session;
   driver::Selection selection;
-  selection.files = {in_folders(skill.pal_file, folders)};
-  selection.environments = {in_folders(skill.environment_file, folders)};
+  const std::string folder(project_folder);
+  selection.files = {folder + skill.pal_file};
+  selection.environments = {folder + skill.environment_file};
   selection.skill = skill.name;
   const driver::Console console{out, err, files};
   const bool chosen = driver::read(selection, console, session);

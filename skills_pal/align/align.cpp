@@ -120,7 +120,7 @@ class Method final : public SM1Activities {
 
 std::unique_ptr<runtime::Skill> align_skill() {
   return make_align(std::make_unique<Method>(), std::make_unique<SurfaceLineSensor<LS2Activities>>(),
-                    std::make_unique<AlterController<MC1Activities>>());
+                    std::make_unique<AlterController<MC1Activities>>(Late::hold));
 }
 
 }  // namespace pal::skills

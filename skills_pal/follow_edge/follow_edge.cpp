@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <memory>
+#include <utility>
 
 #include "follow_edge_skill.hpp"
 #include "skills_pal/follow_edge/edge_map.hpp"
@@ -44,6 +46,8 @@ void refuse_short_history(double history, double track) {
 
 class Method final : public SM1Activities {
  public:
+  explicit Method(std::shared_ptr<const MotionCount> obeyed) : obeyed_(std::move(obeyed)) {}
+
   void start(const Parameters& parameters) override {
     refuse_short_history(parameters.history, parameters.track);
     parameters_ = parameters;
@@ -51,7 +55,9 @@ class Method final : public SM1Activities {
     map_.start(parameters.history);
     goal_ = Eigen::Isometry3d::Identity();
     poses_.fill(goal_);
-    gone_ = 0;
+    gone_ = last_way_ = 0;
+    goal_before_ = goal_;
+    given_ = 0;
     last_at_ = -1;
     unseen_ = 0;
     strays_ = 0;
@@ -59,6 +65,7 @@ class Method final : public SM1Activities {
   }
 
   Motion track(const Edge& edge) override {
+    take_back_what_was_dropped();
     clock_.tick();
     if (edge.at > last_at_) {
       last_at_ = edge.at;
@@ -66,9 +73,12 @@ class Method final : public SM1Activities {
     }
     Motion motion = parameters_.literal ? about_the_edge(law_.take(), way()) : towards_edge();
     if (!parameters_.literal) motion.dx = way();
-    gone_ += way();
+    last_way_ = way();
+    gone_ += last_way_;
     if (parameters_.distance * 10 - gone_ < 1e-9) gone_ = parameters_.distance * 10;
+    goal_before_ = goal_;
     goal_ = goal_ * moved_by(motion);
+    ++given_;
     poses_[static_cast<std::size_t>(clock_.cycle()) % poses_.size()] = goal_;
     return motion;
   }
@@ -82,6 +92,15 @@ class Method final : public SM1Activities {
   bool decide_pc_end() override { return gone_ >= parameters_.distance * 10; }
 
  private:
+  // LS2 has the processor for up to 4 ms. A motion that is ready too late for its request is not made.
+  void take_back_what_was_dropped() {
+    if (given_ == obeyed_->load()) return;
+    given_ = obeyed_->load();
+    goal_ = goal_before_;
+    gone_ -= last_way_;
+    poses_[static_cast<std::size_t>(clock_.cycle()) % poses_.size()] = goal_;
+  }
+
   // Where the tool was at an instant: the motion given at request k is made from request k + 1 to k + 2.
   Eigen::Isometry3d pose_at(double instant) const {
     sensing::ToolMotion motion;
@@ -160,13 +179,17 @@ class Method final : public SM1Activities {
 
   static double limited(double value, double most) { return std::clamp(value, -most, most); }
 
+  std::shared_ptr<const MotionCount> obeyed_;
   Parameters parameters_;
   CycleClock clock_;
   EdgeMap map_;
   Eigen::Isometry3d goal_ =
       Eigen::Isometry3d::Identity();         // where all motions lead, from where the skill began
   std::array<Eigen::Isometry3d, 16> poses_;  // the same after the motion of each cycle
+  Eigen::Isometry3d goal_before_ = Eigen::Isometry3d::Identity();  // without the last motion
   double gone_ = 0;
+  double last_way_ = 0;  // mm along the edge, of the last motion
+  int given_ = 0;        // motions, without those that were dropped
   double last_at_ = -1;
   int unseen_ = 0;  // profiles without an edge, one after the other
   int strays_ = 0;  // profiles with another edge, one after the other
@@ -176,8 +199,9 @@ class Method final : public SM1Activities {
 }  // namespace
 
 std::unique_ptr<runtime::Skill> follow_edge_skill() {
-  return make_follow_edge(std::make_unique<Method>(), std::make_unique<EdgeSensor<LS2Activities>>(),
-                          std::make_unique<AlterController<MC1Activities>>());
+  auto obeyed = std::make_shared<MotionCount>(0);
+  return make_follow_edge(std::make_unique<Method>(obeyed), std::make_unique<EdgeSensor<LS2Activities>>(),
+                          std::make_unique<AlterController<MC1Activities>>(Late::hold, obeyed));
 }
 
 }  // namespace pal::skills

@@ -12,16 +12,27 @@ constexpr double depth_gain = 0.7;
 constexpr double rise_gain = 0.25;
 // Part of the missing way that is gone in a cycle.
 constexpr double way_sliding = 0.5;
-// While the tool stands, the arm comes to rest where its encoders have whole counts, 0.04 to 0.05 mm apart at
-// the tool: a small motion is answered by a jump or not at all. So near the target one motion is made at a
-// time, and its effect is looked at; a force that is good enough is left alone.
+// While the tool stands, the arm comes to rest where its encoders have whole counts: heights that are up to
+// 0.1 mm apart at the tool. A small motion is answered by a jump or not at all. So near the target one motion
+// is made at a time, a try, and its effect is looked at; a force that is good enough is left alone.
 constexpr double way_standing = 0.2;
-constexpr double way_standing_near = 0.6;
-constexpr double near = 0.8;     // N: greater errors are taken away without looking
-constexpr double good = 0.1;     // N: a smaller error is good enough
-constexpr double hold = 0.25;    // N: and is left alone until it is greater than this
-constexpr int blind_cycles = 3;  // after a motion: it is on its way, and the arm comes to rest
-constexpr int look_cycles = 4;   // whose forces are averaged
+constexpr double near = 0.8;      // N: greater errors are taken away without looking
+constexpr double good = 0.04;     // N: a smaller error is good enough, at first
+constexpr double hold = 0.17;     // N: and is left alone until it is greater than this
+constexpr double modesty = 0.15;  // each leap over the target makes so much more of `good` good enough
+constexpr int blind_cycles = 4;   // after a motion: it is on its way, and the arm comes to rest
+constexpr int look_cycles = 8;    // whose forces are averaged
+// Parts of the way to the target that a try goes. They differ, as equal ones lead to and fro between two
+// places.
+constexpr double least_part = 0.3;
+constexpr double most_part = 0.9;
+// A try that stays on its side of the target makes the next one longer: the surface is softer than assumed.
+constexpr double longer = 1.3;
+constexpr double longest = 3;
+// After a leap over the target the tool leans by up to this much, deg. At 151 mm from the tip to the wrist
+// other counts of the joints carry the wrist then, and their heights lie between the ones that were tried.
+constexpr double most_lean = 0.03;
+constexpr double golden = 0.6180339887;  // its multiples, without their whole parts, are spread evenly
 
 constexpr double contact = 0.3;        // N: less is noise
 constexpr double certain = 1.0;        // N: the tool is in contact without doubt
@@ -68,10 +79,27 @@ double ForceRegulator::standing(double force, double missing) {
   if (looked_ < blind_cycles + look_cycles) return 0;
   const double error = seen_;
   look_again();
-  holds_ = std::abs(error) <= (holds_ ? hold : good);
-  if (!holds_) return way_standing_near * error / stiffness_;
+  const double enough = good * (1 + modesty * leaps_);
+  holds_ = std::abs(error) <= (holds_ ? std::max(hold, enough) : enough);
+  if (!holds_) return attempt(error);
   looked_ = blind_cycles;  // nothing is on its way
   return 0;
+}
+
+double ForceRegulator::attempt(double error) {
+  ++tries_;
+  if (error * tried_ < 0) {
+    ++leaps_;
+    reach_ = 1;
+    const double lean = most_lean * (2 * std::fmod(golden * leaps_, 1.0) - 1);
+    turn_ = lean - leaning_;
+    leaning_ = lean;
+  } else if (tried_ != 0) {
+    reach_ = std::min(longer * reach_, longest);
+  }
+  tried_ = error;
+  const double part = least_part + (most_part - least_part) * std::fmod(golden * tries_, 1.0);
+  return part * reach_ * error / stiffness_;
 }
 
 void ForceRegulator::look_again() {
@@ -82,6 +110,7 @@ void ForceRegulator::look_again() {
 double ForceRegulator::next(double force, bool sliding) {
   if (!sliding) learn(force);
   observe(force, sliding);
+  turn_ = 0;
   const double soon = depth_ + given_ + rise_;
   const double missing = target_ / stiffness_ - soon;
   const double motion =

@@ -15,6 +15,10 @@ namespace pal::skills {
 /// changes of the force is due to it. What is learned stays within three times and a third of what
 /// was given: half of the way keeps the loop stable as long as the surface is less than three times as stiff
 /// as assumed, and a sponge is stiffer for fast motions than for slow ones.
+///
+/// While the tool stands, the joints rest at whole counts of their encoders only. Near the target the
+/// regulator tries one place after the other, and leans the tool by hundredths of a degree to find places in
+/// between. What counts as good enough grows with the places that were tried in vain.
 class ForceRegulator {
  public:
   /// `target` in N; `stiffness` in N/mm as far as it is known; no motion is greater than `most`, mm.
@@ -22,6 +26,8 @@ class ForceRegulator {
 
   /// The next motion, mm towards the surface. `force`: the newest, N. `sliding`: the surface may rise.
   double next(double force, bool sliding);
+  /// The turn about the tool's Y axis that goes with that motion, deg. 0 while the tool slides.
+  double turn() const { return turn_; }
   /// A motion that something else decided on at this request, mm, with the force that was known, N.
   void follow(double force, double motion);
 
@@ -34,6 +40,7 @@ class ForceRegulator {
  private:
   void learn(double force);
   double standing(double force, double missing);
+  double attempt(double error);
   void look_again();
   void observe(double force, bool sliding);
   void remember(double force, double motion);
@@ -51,6 +58,12 @@ class ForceRegulator {
   bool holds_ = false;
   int looked_ = 0;   // cycles since the last motion near the target
   double seen_ = 0;  // N, the mean error that was seen since
+  int tries_ = 0;
+  int leaps_ = 0;       // tries that led over the target
+  double reach_ = 1;    // how much longer a try is than the learned stiffness says
+  double tried_ = 0;    // N, the error at the last try; 0: there was none
+  double leaning_ = 0;  // deg, the sum of all turns
+  double turn_ = 0;     // deg
 };
 
 }  // namespace pal::skills

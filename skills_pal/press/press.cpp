@@ -58,6 +58,7 @@ class Method final : public SM1Activities {
           "the force does not stay in its band: the band may be too narrow for this surface");
     Motion motion;
     motion.dz = regulator_.next(force.value, false);
+    motion.ry = regulator_.turn();
     return motion;
   }
 
@@ -91,7 +92,7 @@ class Method final : public SM1Activities {
 std::unique_ptr<runtime::Skill> press_skill() {
   auto approach = std::make_shared<Approach>();
   return make_press(std::make_unique<Method>(approach), std::make_unique<ZForceSensor<LS1Activities>>(),
-                    std::make_unique<AlterController<MC1Activities>>(),
+                    std::make_unique<AlterController<MC1Activities>>(Late::refuse),
                     std::make_unique<Retreat<CM1Activities>>(approach),
                     std::make_unique<LiftOff<CM2Activities>>());
 }

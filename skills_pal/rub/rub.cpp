@@ -45,6 +45,7 @@ class Method final : public SM1Activities {
     Motion motion;
     const double step = parameters_.band_rule ? parameters_.speed : start_slowly(force.value);
     motion.dz = parameters_.band_rule ? band_rule(force.value) : regulator_.next(force.value, sliding_ > 0);
+    motion.ry = regulator_.turn();
     // The end is set, not summed up to: sums of steps miss it by a rounding error.
     const double distance = parameters_.distance * 10;
     const double part = std::min(step, distance - gone_);
@@ -117,7 +118,7 @@ class Method final : public SM1Activities {
 
 std::unique_ptr<runtime::Skill> rub_skill() {
   return make_rub(std::make_unique<Method>(), std::make_unique<ZForceSensor<LS1Activities>>(),
-                  std::make_unique<AlterController<MC1Activities>>(),
+                  std::make_unique<AlterController<MC1Activities>>(Late::refuse),
                   std::make_unique<LiftOff<CM2Activities>>());
 }
 

@@ -66,7 +66,7 @@ class Method final : public SM1Activities {
 
 std::unique_ptr<runtime::Skill> standoff_skill() {
   return make_standoff(std::make_unique<Method>(), std::make_unique<NearestPointSensor<LS2Activities>>(),
-                       std::make_unique<AlterController<MC1Activities>>());
+                       std::make_unique<AlterController<MC1Activities>>(Late::hold));
 }
 
 }  // namespace pal::skills

@@ -22,7 +22,7 @@ std::unique_ptr<runtime::Skill> touch_skill() {
   auto approach = std::make_shared<Approach>();
   return touch::make_touch(std::make_unique<Method>(approach),
                            std::make_unique<ZForceSensor<touch::LS1Activities>>(),
-                           std::make_unique<AlterController<touch::MC1Activities>>(),
+                           std::make_unique<AlterController<touch::MC1Activities>>(Late::refuse),
                            std::make_unique<Retreat<touch::CM1Activities>>(approach));
 }
 

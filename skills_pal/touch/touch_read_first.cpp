@@ -12,7 +12,7 @@ std::unique_ptr<runtime::Skill> touch_read_first_skill() {
   auto approach = std::make_shared<Approach>();
   return order::make_touch_read_first(std::make_unique<Advance<order::SM1Activities>>(approach),
                                       std::make_unique<ZForceSensor<order::LS1Activities>>(),
-                                      std::make_unique<AlterController<order::MC1Activities>>(),
+                                      std::make_unique<AlterController<order::MC1Activities>>(Late::refuse),
                                       std::make_unique<Retreat<order::CM1Activities>>(approach));
 }
 

@@ -52,6 +52,28 @@ TEST_CASE("touch: the forearm hits a bar before the tool meets anything, complet
   CHECK(stands_still(read_first));
 }
 
+TEST_CASE(
+    "touch, rub: a motion that comes too late ends the skill with its error, not with a step miscounted") {
+  // Line 55 of touch.pal and 75 of rub.pal: the read that a motion is decided on. Its motions are dropped.
+  const std::vector<runtime::ParameterValue> near{{"reach", 10}};
+  const auto late = run(
+      {.skill = "touch", .scene = "nothing", .parameters = near, .fault = "at 300 ms SM1:55 takes 40 ms"});
+  CAPTURE(late.outcome.reason);
+  CHECK(end_of(late.outcome) == "touch 2");
+  CHECK(late.outcome.reason.find("a step is missing") != std::string::npos);
+  CHECK(way_along_z(late) > 3);  // what it had gone after 300 ms at 20 mm/s: it goes neither on nor back
+  CHECK(way_along_z(late) < 8);
+  CHECK(stands_still(late));
+  const auto rub = run({.skill = "rub",
+                        .scene = "touch",
+                        .parameters = {{"distance", 2}},
+                        .raise = -14,
+                        .fault = "at 2 s SM1:75 takes 40 ms"});
+  CAPTURE(rub.outcome.reason);
+  CHECK(end_of(rub.outcome) == "rub 2");
+  CHECK(stands_still(rub));
+}
+
 TEST_CASE("touch says that nothing was met only when the tool does not press") {
   // The plate is 15 mm below. At these reaches the last motion ends below, on and in it.
   for (const double reach : {14.5, 15.0, 15.2, 15.4, 15.6, 16.0, 17.0}) {

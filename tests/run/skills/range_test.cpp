@@ -120,4 +120,3 @@ TEST_CASE("follow-edge: the edge ends on the way, completion 1, and the tool sta
   CHECK(gone < 110);
   CHECK((result.log.back().tool - result.log[result.log.size() - 100].tool).norm() < 1e-5);
 }
-

@@ -1,49 +1,22 @@
 // The regulator of press and rub on a surface like a spring, without an arm.
-#include "skills_pal/modules/force_regulator.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <deque>
-#include <numbers>
 
 #include "runtime/skill.hpp"
 #include "skills_pal/modules/approach.hpp"
 #include "skills_pal/modules/looking.hpp"
 #include "skills_pal/modules/overload.hpp"
+#include "tests/run/skills/support/spring_surface.hpp"
 
 using namespace pal::skills;
+using namespace pal::test;
 
 namespace {
 
 constexpr double target = 5;  // N
 
-constexpr int cycles = 400, landed = 80;
-
-struct Surface {
-  double stiffness = 10;  // N/mm
-  double slope = 0;       // mm a cycle, once the tool slides
-  double waves = 0;       // the same, as the greatest slope of waves of 128 cycles
-};
-
-/// The greatest error of the force, N, once the tool has slid for 40 cycles. The force that is known at a
-/// request is `cycles_old` cycles old; a motion is made from the next request to the one after it.
-double greatest_error(const Surface& surface, double assumed, int cycles_old) {
-  ForceRegulator regulator;
-  regulator.start(target, assumed, 0.8);
-  double depth = 0, given = 0, greatest = 0;
-  std::deque<double> forces(static_cast<std::size_t>(cycles_old) + 1, 0.0);
-  for (int i = 0; i < cycles; ++i) {
-    const bool sliding = i >= landed;
-    const double force = surface.stiffness * std::max(0.0, depth);
-    forces.push_back(force);
-    forces.pop_front();
-    if (i >= landed + 40) greatest = std::max(greatest, std::abs(force - target));
-    const double motion = regulator.next(forces.front(), sliding);
-    const double rise = surface.slope + surface.waves * std::cos(2 * std::numbers::pi * i / 128.0);
-    depth += given + (sliding ? rise : 0);
-    given = motion;
-  }
-  return greatest;
+double greatest_error(const SpringSurface& surface, double assumed, int cycles_old) {
+  return regulated_errors(surface, assumed, cycles_old, [] { return 0.0; }).greatest;
 }
 
 }  // namespace
@@ -56,7 +29,7 @@ TEST_CASE("the force comes to the target on surfaces from a third to three times
 }
 
 TEST_CASE("a force that is a cycle older makes the regulator oscillate: why its age is a requirement") {
-  const Surface waves{20, 0, 0.05};  // 1 mm up and down in 100 mm, at 28 mm/s
+  const SpringSurface waves{20, 0, 0.05};  // 1 mm up and down in 100 mm, at 28 mm/s
   CHECK(greatest_error(waves, 11, 0) < 0.5);
   CHECK(greatest_error(waves, 11, 1) > 5);  // the tool leaves the surface
 }

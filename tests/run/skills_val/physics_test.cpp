@@ -53,15 +53,13 @@ TEST_CASE(
   // them.
   const double held = shop.middle("part").z();
   shop.cell().workcell().gripper_open();
-  double after_15_ms = 0, gone_after = 0;  // mm, ms
+  double gone_after = 0;  // ms
   for (int ms = 1; ms <= 200 && gone_after == 0; ++ms) {
     shop.cell().rest(1ms);
     const double fallen = held - shop.middle("part").z();
-    if (ms == 15) after_15_ms = fallen;
     if (fallen > 35) gone_after = ms;
   }
-  CHECK(after_15_ms < 1.2);
-  REQUIRE(gone_after > 0);
+  CHECK(gone_after > 80);  // fresh-grip
 
   // So slow that a part which slips out as soon as it was felt is gone when the lift is decided on: the skill
   // does not see it.
@@ -87,7 +85,6 @@ TEST_CASE(
   REQUIRE(late.run("pick-at-location").code == 0);
   ProvedBounds bounds("place-at-location", slower);
   CHECK(bounds.fails("prompt"));
-  CHECK(bounds.fails("fresh-force"));
   const std::size_t begun = late.cell().workcell().log().size();
   CHECK(run_slower(late, "place-at-location", slower, bounds).code == 0);
   const double longer = longest_rest(std::span(late.cell().workcell().log()).subspan(begun)) - pause;

@@ -56,6 +56,7 @@ TEST_CASE("scene files: what they say") {
   CHECK(scene.configuration == Configuration{.righty = false, .above = false, .flip = false});
   CHECK(scene.machine.seed == 7);
   CHECK(scene.machine.encoders);
+  CHECK(scene.machine.noise);
   CHECK_FALSE(scene.table);
   REQUIRE(scene.locations.size() == 1);
   CHECK(scene.locations[0].name == "PART_2");
@@ -100,6 +101,9 @@ TEST_CASE("scene files: what is wrong has its line, its cause and a way out") {
   CHECK(second_line("configuration sideways") == "my.scene:2: 'sideways' is not a configuration of the arm");
   CHECK(second_line("machine seed -1") ==
         "my.scene:2: '-1' is not a seed, which is a whole number from 0 on");
+  CHECK(second_line("machine without motors") ==
+        "my.scene:2: 'motors' is not something that a machine can be without");
+  CHECK(second_line("sensors blind") == "my.scene:2: the sensors can only be exact");
   CHECK(second_line("no chairs") == "my.scene:2: only the table can be left out");
   CHECK(second_line("location part 1 2 3") == "my.scene:2: 'part' is not a name of VAL");
   CHECK(second_line("location PART 1 2") == "my.scene:2: the location has too few figures");

@@ -48,14 +48,15 @@ std::vector<Figure> measure_follow_edge() {
       const double length = std::sqrt(lengths / count), turn = std::sqrt(turns / count);
       const double most_length = speed <= 10 ? 0.25 : 0.4, most_turn = speed <= 10 ? 2.5 : 3.5;
       figures.push_back(
-          {"follow-edge",
-           fmt::format("{}, {} mm/s, scene {}, seeds 1 to 3",
-                       literal ? "the thesis's law" : "by the map of the edge", speed, scene),
-           literal ? "reported" : fmt::format("<= {} mm rms, <= {}° rms", most_length, most_turn),
-           count == 0 ? std::string("the edge is lost in the first 90 mm")
-                      : fmt::format("{:.2f} mm rms, {:.1f}° rms{}", length, turn,
-                                    ended ? "" : "; did not end with 0"),
-           literal || (ended && length <= most_length && turn <= most_turn), bounds.greatest_part()});
+          observed({"follow-edge",
+                    fmt::format("{}, {} mm/s, scene {}, seeds 1 to 3",
+                                literal ? "the thesis's law" : "by the map of the edge", speed, scene),
+                    literal ? "reported" : fmt::format("<= {} mm rms, <= {}° rms", most_length, most_turn),
+                    count == 0 ? std::string("the edge is lost in the first 90 mm")
+                               : fmt::format("{:.2f} mm rms, {:.1f}° rms{}", length, turn,
+                                             ended ? "" : "; did not end with 0"),
+                    literal || (ended && length <= most_length && turn <= most_turn)},
+                   bounds));
     }
   }
   return figures;

@@ -1,5 +1,6 @@
 // bench_skills [SKILL…]: measures the skills in physics and prints the table of docs/skills.md. Ends with 1
-// if a figure is not reached.
+// if a figure is not reached. bench_skills causes: prints what becomes of figures without one of their
+// causes.
 #include <algorithm>
 #include <array>
 #include <exception>
@@ -7,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "tests/run/skills/bench/causes.hpp"
 #include "tests/run/skills/bench/table.hpp"
 
 int main(int count, char** arguments) {
@@ -26,6 +28,10 @@ int main(int count, char** arguments) {
                                Bench{"palletize", measure_palletize}};
   const std::span wanted(arguments + 1, static_cast<std::size_t>(count - 1));
   try {
+    if (wanted.size() == 1 && wanted[0] == std::string_view("causes")) {
+      write_causes(std::cout);
+      return 0;
+    }
     std::vector<Figure> figures;
     for (const Bench& bench : benches) {
       const auto named = [&](const char* name) { return name == bench.skill; };

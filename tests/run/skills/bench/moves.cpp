@@ -75,12 +75,11 @@ Figure straight(const std::string& skill, bool relative, const std::string& mach
   bool ended = true;
   const Errors errors = four_lines(changed.scene(), relative, bounds, ended);
   const double most = machine == "exact" ? end : end + play;
-  return {skill,
-          fmt::format("four lines at 0.25 m/s, machine {}", machine),
-          fmt::format("line <= {} mm, end <= {:.2f} mm after 150 ms", line, most),
-          fmt::format("line {:.3f} mm, end {:.3f} mm", errors.line, errors.end),
-          ended && errors.line <= line && errors.end <= most,
-          bounds.greatest_part()};
+  return observed({skill, fmt::format("four lines at 0.25 m/s, machine {}", machine),
+                   fmt::format("line <= {} mm, end <= {:.2f} mm after 150 ms", line, most),
+                   fmt::format("line {:.3f} mm, end {:.3f} mm", errors.line, errors.end),
+                   ended && errors.line <= line && errors.end <= most},
+                  bounds);
 }
 
 Figure joint(const std::string& machine) {
@@ -96,12 +95,10 @@ Figure joint(const std::string& machine) {
     worst = std::max(worst, errors_of(shop.log(), shop.location(location)).end);
   }
   const double most = machine == "exact" ? end : end + play;
-  return {"move-to-location",
-          fmt::format("320 mm and back twice at 100 %, machine {}", machine),
-          fmt::format("end <= {:.2f} mm after 150 ms", most),
-          fmt::format("end {:.3f} mm", worst),
-          ended && worst <= most,
-          bounds.greatest_part()};
+  return observed({"move-to-location", fmt::format("320 mm and back twice at 100 %, machine {}", machine),
+                   fmt::format("end <= {:.2f} mm after 150 ms", most), fmt::format("end {:.3f} mm", worst),
+                   ended && worst <= most},
+                  bounds);
 }
 
 }  // namespace

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "sim/random.hpp"
 #include "tests/run/skills/bench/table.hpp"
 #include "tests/run/skills/support/physical_run.hpp"
 #include "tests/run/skills/support/proved_bounds.hpp"
+#include "tests/run/skills/support/spring_surface.hpp"
 
 namespace pal::test {
 
@@ -58,13 +61,25 @@ Figure measure(const Slide& slide) {
       "reported",
       fmt::format("{:.1f} % in band, rms {:.2f} N, {:.1f} to {:.1f} N{}", part, rms, least, greatest,
                   ended ? "" : "; did not end with 0"),
-      true,
-      bounds.greatest_part()};
+      true};
   if (slide.rms_to_reach > 0) {
     figure.to_reach = fmt::format("100 % in band, rms <= {} N", slide.rms_to_reach);
     figure.reached = ended && inside == count && rms <= slide.rms_to_reach;
   }
-  return figure;
+  return observed(std::move(figure), bounds);
+}
+
+/// Surfaces of 20 N/mm in all cannot be had with the tool: its pad alone has 20 N/mm. So the regulator is
+/// measured on a spring, with the sensor's noise and counts, without an arm.
+Figure on_a_spring(const char* what, const SpringSurface& surface) {
+  constexpr double noise = 0.05, step = 0.1;  // N, of the force-torque sensor along z
+  sim::Random random(1, 0);
+  const ForceErrors errors =
+      regulated_errors(surface, 11, 0, [&] { return step * std::round(noise * random.normal() / step); });
+  constexpr double most = 1.2;
+  return {"rub", fmt::format("regulator alone, 28.0 mm/s, a spring of {} N/mm, {}", surface.stiffness, what),
+          fmt::format("rms <= {} N", most),
+          fmt::format("rms {:.2f} N, at most {:.2f} N off", errors.rms, errors.greatest), errors.rms <= most};
 }
 
 }  // namespace
@@ -83,6 +98,12 @@ std::vector<Figure> measure_rub() {
     figures.push_back(measure({"sponge", fast, vertical, band_rule, reach, 6}));
     figures.push_back(measure({"slope-up", 0.2, vertical, band_rule, reach}));
   }
+  constexpr double slope = 0.14;                                    // mm in 28 ms: 5 mm/s
+  constexpr double wave = 2 * std::numbers::pi * 1 / (100 / fast);  // the same, of 1 mm up and down in 100 mm
+  figures.push_back(on_a_spring("flat", {20, 0, 0}));
+  figures.push_back(on_a_spring("slope of 5 mm/s", {20, slope, 0}));
+  figures.push_back(on_a_spring("waves of ±1 mm, 100 mm long", {20, 0, wave, 100 / fast}));
+  figures.push_back(on_a_spring("slope of 5 mm/s and waves of ±1 mm", {20, slope, wave, 100 / fast}));
   return figures;
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/run/skills/support/proved_bounds.hpp"
+
 namespace pal::test {
 
 struct Figure {
@@ -14,9 +16,18 @@ struct Figure {
   std::string measured;  // "rms 0.04 N"
   bool reached = true;
   double of_bound = 0;  // worst observed over proved, of any requirement
+  AlterCycles alter{};
 };
 
-/// Markdown. True if all were reached and nothing was measured beyond what was proved.
+/// What was measured of the runs that `bounds` observed.
+inline Figure observed(Figure figure, const ProvedBounds& bounds) {
+  figure.of_bound = bounds.greatest_part();
+  figure.alter = bounds.alter();
+  return figure;
+}
+
+/// Markdown. True if all were reached, nothing was measured beyond what was proved, and no ALTER cycle was
+/// missed.
 bool write(const std::vector<Figure>& figures, std::ostream& out);
 
 // One function a skill; each runs its scenes and prints nothing.

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "skills_pal/registry.hpp"
+#include "tests/run/skills/support/workshop.hpp"
 
 namespace pal::test {
 
@@ -19,13 +20,20 @@ workcell::SessionResult run(const PhysicalRun& wanted) {
   std::unique_ptr<runtime::Skill> skill = skills::make_skill(wanted.skill);
   if (!skill) throw std::runtime_error("there is no skill " + wanted.skill);
   workcell::Session session;
-  session.scene = scene(wanted.scene);
+  std::optional<ChangedScene> changed;
+  if (!wanted.lines.empty()) changed.emplace(wanted.scene, wanted.lines);
+  session.scene = changed ? changed->scene() : scene(wanted.scene);
   session.parameters = wanted.parameters;
   session.seed = wanted.seed;
   session.phase = wanted.phase;
   session.raise = wanted.raise;
-  if (!wanted.fault.empty())
-    session.faults = std::get<std::vector<sim::PlannedFault>>(sim::read_faults(wanted.fault));
+  const auto faults = std::get<std::vector<sim::PlannedFault>>(sim::read_faults(wanted.fault));
+  for (const sim::PlannedFault& fault : faults) {
+    if (fault.kind == sim::PlannedFault::Kind::takes)
+      session.slow.push_back({fault.device, fault.statement, fault.by, fault.at});
+    else
+      session.faults.push_back(fault);
+  }
   if (wanted.slower) skill = slow_down(std::move(skill), *wanted.slower);
   return workcell::run_session(*skill, session);
 }

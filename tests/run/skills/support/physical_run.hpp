@@ -18,7 +18,8 @@ struct PhysicalRun {
   std::optional<runtime::Time> phase{};  // of ALTER; by the seed if not given
   double raise = 0;                      // of the start, mm
   std::optional<Slower> slower{};        // than in workcell.pal
-  std::string fault{};                   // of the line to a device: "at 500 ms range-finder unplug"
+  std::string fault{};                   // as in a file of faults: "at 500 ms range-finder unplug"
+  std::string lines{};                   // more lines of the scene: "machine exact"
 };
 
 /// Throws sim::SceneError; std::runtime_error if there is no such skill.

@@ -29,32 +29,59 @@ class SlowerDisk final : public DiskFileSystem {
   std::optional<Slower> slower_;
 };
 
-driver::Proof prove(const std::string& name, const std::optional<Slower>& slower, std::size_t most_states) {
-  for (const skills::RegisteredSkill& skill : skills::registered_skills()) {
-    if (skill.name != name) continue;
-    const std::string folder = PAL_SOURCE_DIR "/skills_pal/";
-    const SlowerDisk files(slower);
-    std::ostringstream out, err;
-    driver::Session session;
-    driver::Selection selection;
-    selection.files = {folder + std::string(skill.pal_file)};
-    selection.environments = {folder + std::string(skill.environment_file)};
-    if (!driver::read(selection, {out, err, files}, session))
-      throw std::runtime_error(name + ": " + err.str());
-    auto proofs = driver::prove(session, {.max_states = most_states});
-    if (proofs.size() != 1) throw std::runtime_error(name + " is not one skill in one workcell");
-    return std::move(proofs.front());
+/// The disk, with a skill that is written in another way.
+class RewrittenDisk final : public DiskFileSystem {
+ public:
+  RewrittenDisk(std::string pal_file, Rewritten rewritten)
+      : pal_file_(std::move(pal_file)), rewritten_(std::move(rewritten)) {}
+
+  std::variant<std::string, FileError> read(const std::string& path, std::size_t most) const override {
+    auto text = DiskFileSystem::read(path, most);
+    if (!path.ends_with(pal_file_)) return text;
+    std::string& pal = std::get<0>(text);
+    const std::size_t at = pal.find(rewritten_.from);
+    if (at == std::string::npos) throw std::runtime_error(path + " has no " + rewritten_.from);
+    pal.replace(at, rewritten_.from.size(), rewritten_.to);
+    return text;
   }
+
+ private:
+  std::string pal_file_;
+  Rewritten rewritten_;
+};
+
+const skills::RegisteredSkill& registered(const std::string& name) {
+  for (const skills::RegisteredSkill& skill : skills::registered_skills())
+    if (skill.name == name) return skill;
   throw std::runtime_error("there is no skill " + name);
+}
+
+driver::Proof prove(const std::string& name, const FileSystem& files, std::size_t most_states) {
+  const skills::RegisteredSkill& skill = registered(name);
+  const std::string folder = PAL_SOURCE_DIR "/skills_pal/";
+  std::ostringstream out, err;
+  driver::Session session;
+  driver::Selection selection;
+  selection.files = {folder + std::string(skill.pal_file)};
+  selection.environments = {folder + std::string(skill.environment_file)};
+  if (!driver::read(selection, {out, err, files}, session)) throw std::runtime_error(name + ": " + err.str());
+  auto proofs = driver::prove(session, {.max_states = most_states});
+  if (proofs.size() != 1) throw std::runtime_error(name + " is not one skill in one workcell");
+  return std::move(proofs.front());
 }
 
 }  // namespace
 
 ProvedBounds::ProvedBounds(const std::string& skill, const std::optional<Slower>& slower,
                            std::size_t most_states)
-    : proof_(prove(skill, slower, most_states)) {}
+    : proof_(prove(skill, SlowerDisk(slower), most_states)) {}
+
+ProvedBounds::ProvedBounds(const std::string& skill, const Rewritten& rewritten)
+    : proof_(prove(skill, RewrittenDisk(std::string(registered(skill).pal_file), rewritten),
+                   driver::ProofLimits{}.max_states)) {}
 
 void ProvedBounds::observe(const trace::Trace& run) {
+  alter_.count(run);
   for (std::size_t i = 0; i < proof_.analysis.verdicts.size(); ++i) {
     const analyzer::Verdict& verdict = proof_.analysis.verdicts[i];
     if (!verdict.bound || !driver::shows_in_runs(proof_.problem.requirements[i])) continue;

@@ -7,9 +7,16 @@
 
 #include "pal/driver/proof.hpp"
 #include "runtime/trace/trace.hpp"
+#include "tests/run/skills/support/alter_cycles.hpp"
 #include "tests/run/skills/support/slower.hpp"
 
 namespace pal::test {
+
+/// A part of the skill's PAL that is written in another way.
+struct Rewritten {
+  std::string from;
+  std::string to;
+};
 
 class ProvedBounds {
  public:
@@ -17,6 +24,9 @@ class ProvedBounds {
   /// wrong. That a requirement fails is often found in the first of `most_states`, a bound is not.
   explicit ProvedBounds(const std::string& skill, const std::optional<Slower>& slower = std::nullopt,
                         std::size_t most_states = driver::ProofLimits{}.max_states);
+
+  /// Proves the skill with its PAL rewritten. Throws std::runtime_error if `from` is not in it.
+  ProvedBounds(const std::string& skill, const Rewritten& rewritten);
 
   /// Measures the skill's requirements in a run of it.
   void observe(const trace::Trace& run);
@@ -30,6 +40,8 @@ class ProvedBounds {
   const std::map<std::string, Worst>& worst() const { return worst_; }
   /// The greatest part of its bound that a requirement came to; 0 if none was measured.
   double greatest_part() const;
+  /// Of all runs that were observed.
+  const AlterCycles& alter() const { return alter_; }
   bool all_hold() const;
   /// Whether the requirement of this name fails; one that is undecided does not.
   bool fails(const std::string& requirement) const;
@@ -37,6 +49,7 @@ class ProvedBounds {
  private:
   driver::Proof proof_;
   std::map<std::string, Worst> worst_;
+  AlterCycles alter_;
 };
 
 }  // namespace pal::test
