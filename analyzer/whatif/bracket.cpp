@@ -118,13 +118,13 @@ void Bracket::hear(Nanoseconds extra, const Ruling& ruling) {
 }
 
 /// Down to the least growth with which a known run fails: replays only.
-void Bracket::sharpen(Judge& judge, const Effort& effort) {
+void Bracket::sharpen(RequirementChecker& checker, const Effort& effort) {
   Nanoseconds low = holds_;
   while (*fails_ - low > 1 && !effort.over()) {
     const Nanoseconds half = middle(low, *fails_);
-    const auto problem = judge.problem(growth_.by(half));
+    const auto problem = checker.problem(growth_.by(half));
     const RequirementId refuted =
-        problem ? judge.refuted(*problem, requirements_, effort.stop) : RequirementId();
+        problem ? checker.refuted(*problem, requirements_, effort.stop) : RequirementId();
     if (refuted.valid()) {
       hear(half, {Is::fails, refuted, {}});
     } else {
@@ -133,7 +133,8 @@ void Bracket::sharpen(Judge& judge, const Effort& effort) {
   }
 }
 
-void Bracket::narrow(Judge& judge, const Effort& effort, Precision precision, Nanoseconds ceiling) {
+void Bracket::narrow(RequirementChecker& checker, const Effort& effort, Precision precision,
+                     Nanoseconds ceiling) {
   if (requirements_.empty()) return;
   if (effort.classes > classes_) undecided_.reset();
   classes_ = effort.classes;
@@ -142,8 +143,8 @@ void Bracket::narrow(Judge& judge, const Effort& effort, Precision precision, Na
   while (!effort.over()) {
     const auto extra = next(tolerance(precision), ceiling, effort.classes > 0);
     if (!extra) return;
-    const auto problem = judge.problem(growth_.by(*extra));
-    const Ruling ruling = problem ? judge.ask(*problem, requirements_, effort) : Ruling{};
+    const auto problem = checker.problem(growth_.by(*extra));
+    const Ruling ruling = problem ? checker.ask(*problem, requirements_, effort) : Ruling{};
     const bool at_failure = fails_ && *extra == *fails_ - 1;
     ++asked_;
     if (ruling.state == Is::undecided && effort.over()) {
@@ -153,7 +154,7 @@ void Bracket::narrow(Judge& judge, const Effort& effort, Precision precision, Na
       return;
     }
     hear(*extra, ruling);
-    if (ruling.state == Is::fails) sharpen(judge, effort);
+    if (ruling.state == Is::fails) sharpen(checker, effort);
     next_to_failure_ = !at_failure || (ruling.state == Is::fails && *fails_ < *extra);
   }
 }

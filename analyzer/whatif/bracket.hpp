@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "analyzer/whatif/growth.hpp"
-#include "analyzer/whatif/judge.hpp"
+#include "analyzer/whatif/requirement_checker.hpp"
 
 namespace pal::analyzer {
 
@@ -32,7 +32,7 @@ class Bracket {
   /// Narrows until holding and failing are as near to each other as is wanted, below `ceiling`, which need
   /// not be asked, or until the effort is over. What this effort cannot decide is asked again by a greater
   /// one only.
-  void narrow(Judge& judge, const Effort& effort, Precision precision, Nanoseconds ceiling);
+  void narrow(RequirementChecker& checker, const Effort& effort, Precision precision, Nanoseconds ceiling);
 
   /// Nothing is left to be asked below `ceiling`, unless with more effort.
   bool exhausted(Nanoseconds ceiling) const;
@@ -45,7 +45,7 @@ class Bracket {
   Nanoseconds step_up(Nanoseconds from, Nanoseconds ceiling);
   Nanoseconds middle(Nanoseconds low, Nanoseconds high) const;
   void hear(Nanoseconds extra, const Ruling& ruling);
-  void sharpen(Judge& judge, const Effort& effort);
+  void sharpen(RequirementChecker& checker, const Effort& effort);
 
   const Growth& growth_;
   const RequirementIds requirements_;

@@ -52,13 +52,13 @@ std::vector<std::size_t> likenesses(const pan::Network& network, const pan::Envi
 
 class PlacementSearch {
  public:
-  PlacementSearch(int processors, const pan::Environment& environment, Judge& judge,
+  PlacementSearch(int processors, const pan::Environment& environment, RequirementChecker& checker,
                   const PlacementOptions& options)
-      : environment_(environment), judge_(judge), options_(options) {
+      : environment_(environment), checker_(checker), options_(options) {
     found_.processors = processors;
     while (static_cast<int>(environment_.processors.size()) < processors) add_processor(environment_);
     for (const pan::Processor& each : environment_.processors) found_.names.push_back(each.name);
-    like_ = likenesses(judge.network(), environment_);
+    like_ = likenesses(checker.network(), environment_);
     used_.resize(environment_.processors.size());
   }
 
@@ -74,7 +74,7 @@ class PlacementSearch {
  private:
   bool enough() {
     if (options_.first_is_enough && !found_.meet.empty()) return true;
-    if (found_.tried < options_.most && !judge_.stopped()) return false;
+    if (found_.tried < options_.most && !checker_.stopped()) return false;
     found_.complete = false;
     return true;
   }
@@ -140,8 +140,8 @@ class PlacementSearch {
   void attempt() {
     ++found_.tried;
     place(environment_, threads_);
-    const auto problem = judge_.problem(environment_);
-    const Ruling ruling = problem ? judge_.ask(*problem, requirements_) : Ruling{};
+    const auto problem = checker_.problem(environment_);
+    const Ruling ruling = problem ? checker_.ask(*problem, requirements_) : Ruling{};
     if (ruling.state == Is::fails) {
       found_.refuted.push_back({threads_, ruling});
       ++found_.broken[ruling.requirement.index()];
@@ -151,7 +151,7 @@ class PlacementSearch {
   }
 
   pan::Environment environment_;
-  Judge& judge_;
+  RequirementChecker& checker_;
   const PlacementOptions& options_;
   std::vector<std::size_t> like_;  // by processor
   std::vector<int> used_;          // by processor: threads
@@ -167,23 +167,23 @@ pan::Environment placed(pan::Environment environment, const std::vector<ThreadPl
   return environment;
 }
 
-Placements placements_on(int processors, const pan::Environment& environment, Judge& judge,
+Placements placements_on(int processors, const pan::Environment& environment, RequirementChecker& checker,
                          const PlacementOptions& options) {
-  const auto problem = judge.problem(environment);
+  const auto problem = checker.problem(environment);
   if (!problem) return {};
-  return PlacementSearch(processors, environment, judge, options).run(*problem);
+  return PlacementSearch(processors, environment, checker, options).run(*problem);
 }
 
-std::vector<Placements> fewest_processors(const pan::Environment& environment, Judge& judge,
+std::vector<Placements> fewest_processors(const pan::Environment& environment, RequirementChecker& checker,
                                           const PlacementOptions& options) {
   std::vector<Placements> all;
-  const auto problem = judge.problem(environment);
+  const auto problem = checker.problem(environment);
   if (!problem) return all;
   PlacementOptions one = options;
   one.first_is_enough = true;
   for (int processors = 1; processors <= static_cast<int>(problem->threads.size()); ++processors) {
-    all.push_back(placements_on(processors, environment, judge, one));
-    if (!all.back().meet.empty() || judge.stopped()) break;
+    all.push_back(placements_on(processors, environment, checker, one));
+    if (!all.back().meet.empty() || checker.stopped()) break;
   }
   return all;
 }

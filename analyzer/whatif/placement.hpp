@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analyzer/whatif/ids.hpp"
-#include "analyzer/whatif/judge.hpp"
+#include "analyzer/whatif/requirement_checker.hpp"
 
 namespace pal::analyzer {
 
@@ -49,13 +49,13 @@ pan::Environment placed(pan::Environment environment, const std::vector<ThreadPl
 
 /// On exactly `processors` of those of the environment, whichever they are; where it has fewer, on these and
 /// more like its last.
-Placements placements_on(int processors, const pan::Environment& environment, Judge& judge,
+Placements placements_on(int processors, const pan::Environment& environment, RequirementChecker& checker,
                          const PlacementOptions& options);
 
 /// One processor, two, … up to one a thread, until some placement meets everything. The last of the answer is
 /// the least number that does, if one was found; that fewer do not is proved where those before are complete
 /// and have nothing undecided.
-std::vector<Placements> fewest_processors(const pan::Environment& environment, Judge& judge,
+std::vector<Placements> fewest_processors(const pan::Environment& environment, RequirementChecker& checker,
                                           const PlacementOptions& options);
 
 }  // namespace pal::analyzer

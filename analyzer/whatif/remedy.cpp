@@ -7,7 +7,7 @@
 #include <set>
 
 #include "analyzer/whatif/figures.hpp"
-#include "analyzer/whatif/judge.hpp"
+#include "analyzer/whatif/requirement_checker.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -138,10 +138,10 @@ class RemedySearch {
     return problem;
   }
 
-  Judge& judge_of(const pan::Network& network) {
-    auto& judge = judges_[&network];
-    if (!judge) judge = std::make_unique<Judge>(network, options_);
-    return *judge;
+  RequirementChecker& judge_of(const pan::Network& network) {
+    auto& checker = judges_[&network];
+    if (!checker) checker = std::make_unique<RequirementChecker>(network, options_);
+    return *checker;
   }
 
   /// Keeps the changes if everything holds with them.
@@ -215,7 +215,7 @@ class RemedySearch {
   const NetworkOf& network_of_;
   const Options& options_;
   const RemedyOptions& how_;
-  std::map<const pan::Network*, std::unique_ptr<Judge>> judges_;
+  std::map<const pan::Network*, std::unique_ptr<RequirementChecker>> judges_;
   Remedies made_;
 };
 

@@ -51,7 +51,7 @@ class FigureSearch {
         loads_(growth_, requirements_that(problem, true), true) {}
 
   /// A growth that bounds alone show to hold, the greatest or nearly so.
-  void bound(Judge& judge, const RequirementIds& all, const Effort& effort) {
+  void bound(RequirementChecker& checker, const RequirementIds& all, const Effort& effort) {
     const Nanoseconds most = growth_.most();
     Nanoseconds holds = 0;
     Nanoseconds open = most + 1;
@@ -60,20 +60,20 @@ class FigureSearch {
       const bool looking = open > most;
       const Nanoseconds extra =
           looking ? (most - holds <= step ? most : holds + step) : holds + (open - holds) / 2;
-      const auto problem = judge.problem(growth_.by(extra));
-      (problem && judge.bounded(*problem, all) ? holds : open) = extra;
+      const auto problem = checker.problem(growth_.by(extra));
+      (problem && checker.bounded(*problem, all) ? holds : open) = extra;
       if (step < most / 100) step *= 100;
     }
     if (holds == 0) return;
-    const auto problem = judge.problem(growth_.by(holds));
-    if (!problem || judge.has_zeno_run(*problem)) return;
+    const auto problem = checker.problem(growth_.by(holds));
+    if (!problem || checker.has_zeno_run(*problem)) return;
     timed_.hold(holds);
     loads_.hold(holds);
   }
 
-  void narrow(Judge& judge, const Effort& effort, Precision precision) {
-    timed_.narrow(judge, effort, precision, ceiling_of(loads_));
-    loads_.narrow(judge, effort, precision, ceiling_of(timed_));
+  void narrow(RequirementChecker& checker, const Effort& effort, Precision precision) {
+    timed_.narrow(checker, effort, precision, ceiling_of(loads_));
+    loads_.narrow(checker, effort, precision, ceiling_of(timed_));
   }
 
   bool exact() const { return holds() == growth_.most() || (fails() && *fails() - holds() == 1); }
@@ -123,16 +123,16 @@ class FigureSearch {
 /// All figures, round by round.
 class Rounds {
  public:
-  Rounds(std::vector<Slack>& slacks, Judge& judge, const SlackObserver& observer)
-      : slacks_(slacks), judge_(judge), observer_(observer) {}
+  Rounds(std::vector<Slack>& slacks, RequirementChecker& checker, const SlackObserver& observer)
+      : slacks_(slacks), checker_(checker), observer_(observer) {}
 
   void add(std::unique_ptr<FigureSearch> search) { searches_.push_back(std::move(search)); }
 
   void run(const RequirementIds& all) {
-    for (std::size_t number = 0; settled_ < slacks_.size() && !judge_.stopped(); ++number) {
-      const Round round = round_of(number, judge_.options());
+    for (std::size_t number = 0; settled_ < slacks_.size() && !checker_.stopped(); ++number) {
+      const Round round = round_of(number, checker_.options());
       for (std::size_t n = 0; n < slacks_.size(); ++n) {
-        if (!searches_[n] || judge_.stopped()) continue;
+        if (!searches_[n] || checker_.stopped()) continue;
         turn(n, round, number == 0 ? &all : nullptr);
       }
     }
@@ -147,9 +147,9 @@ class Rounds {
   /// `bounded`: first what bounds show of these.
   void turn(std::size_t n, const Round& round, const RequirementIds* bounded) {
     FigureSearch& search = *searches_[n];
-    const Effort effort = effort_of(round, judge_.options());
-    if (bounded != nullptr) search.bound(judge_, *bounded, effort);
-    search.narrow(judge_, effort, round.classes == 0 ? Precision::rough : Precision::exact);
+    const Effort effort = effort_of(round, checker_.options());
+    if (bounded != nullptr) search.bound(checker_, *bounded, effort);
+    search.narrow(checker_, effort, round.classes == 0 ? Precision::rough : Precision::exact);
     const bool settled = search.exact() || (round.last_classes && search.exhausted());
     if (settled) {
       search.tell(slacks_[n]);
@@ -161,7 +161,7 @@ class Rounds {
   }
 
   std::vector<Slack>& slacks_;
-  Judge& judge_;
+  RequirementChecker& checker_;
   const SlackObserver& observer_;
   std::vector<std::unique_ptr<FigureSearch>> searches_;  // by slack; null: settled
   std::size_t settled_ = 0;
@@ -172,14 +172,14 @@ class Rounds {
 constexpr std::size_t rounds_of_now = 5;
 
 /// What holds as things are.
-Ruling ruling_now(Judge& judge, const Problem& problem, const RequirementIds& all) {
+Ruling ruling_now(RequirementChecker& checker, const Problem& problem, const RequirementIds& all) {
   for (std::size_t number = 0;; ++number) {
-    const Round round = round_of(number, judge.options());
-    const Effort effort = effort_of(round, judge.options());
-    const Ruling now = judge.ask(problem, all, effort);
+    const Round round = round_of(number, checker.options());
+    const Effort effort = effort_of(round, checker.options());
+    const Ruling now = checker.ask(problem, all, effort);
     const bool last =
-        (round.last_classes && !effort.over()) || (judge.options().deadline && number + 1 == rounds_of_now);
-    if (now.state != Is::undecided || last || judge.stopped()) return now;
+        (round.last_classes && !effort.over()) || (checker.options().deadline && number + 1 == rounds_of_now);
+    if (now.state != Is::undecided || last || checker.stopped()) return now;
   }
 }
 
@@ -187,8 +187,8 @@ Ruling ruling_now(Judge& judge, const Problem& problem, const RequirementIds& al
 
 std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& environment,
                           const Options& options, const SlackObserver& observer) {
-  Judge judge(network, options);
-  const auto problem = judge.problem(environment);
+  RequirementChecker checker(network, options);
+  const auto problem = checker.problem(environment);
   if (!problem) return {};
 
   std::vector<Slack> all;
@@ -201,7 +201,7 @@ std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& e
   all.push_back({"", {Duration(0), Duration(together.longest())}, {}, {}, false, {}, false});
 
   const RequirementIds everything = requirements_of(*problem);
-  const Ruling now = ruling_now(judge, *problem, everything);
+  const Ruling now = ruling_now(checker, *problem, everything);
   if (now.state != Is::holds) {
     for (Slack& slack : all) {
       slack.requirement = now.requirement;
@@ -209,7 +209,7 @@ std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& e
     }
     return all;
   }
-  Rounds rounds(all, judge, observer);
+  Rounds rounds(all, checker, observer);
   for (const Slack& slack : all) {
     rounds.add(std::make_unique<FigureSearch>(
         environment, slack.figure.empty() ? names : std::vector<std::string>{slack.figure}, *problem));

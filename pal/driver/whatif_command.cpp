@@ -88,15 +88,15 @@ class Question {
   }
 
   void place(const pan::Network& skill, const pan::Environment& environment, WhatIfAnswer& answer) {
-    analyzer::Judge judge(skill, analysis_);
+    analyzer::RequirementChecker checker(skill, analysis_);
     analyzer::PlacementOptions how;
     how.priorities = options_.priorities;
     answer.fewest = *options_.place == 0;
     answer.priorities = options_.priorities;
     if (answer.fewest) {
-      answer.placements = analyzer::fewest_processors(environment, judge, how);
+      answer.placements = analyzer::fewest_processors(environment, checker, how);
     } else {
-      answer.placements = {analyzer::placements_on(*options_.place, environment, judge, how)};
+      answer.placements = {analyzer::placements_on(*options_.place, environment, checker, how)};
     }
     if (!options_.witness.empty())
       answer.witnesses = filed_witnesses_of(answer.placements, skill, environment, analysis_);

@@ -160,11 +160,11 @@ TEST_CASE("no run breaks a placement that meets everything, and some run breaks 
     const Tight skill(seed);
     const auto problem = skill.problem(skill.environment);
     if (skill.network.requirements.empty() || !problem || problem->threads.size() > 4) continue;
-    Judge judge(skill.network, few_states());
+    RequirementChecker checker(skill.network, few_states());
     PlacementOptions how;
     how.priorities = seed % 2 == 0;
     how.most = 8;
-    const Placements on = placements_on(1 + static_cast<int>(seed % 3), skill.environment, judge, how);
+    const Placements on = placements_on(1 + static_cast<int>(seed % 3), skill.environment, checker, how);
     CHECK(on.tried == on.meet.size() + on.refuted.size() + on.undecided.size());
     INFO("seed " << seed << "\n" << skill.text);
     for (const Placed& each : on.meet) {
@@ -202,9 +202,9 @@ TEST_CASE("a run refutes a skill of more threads than can be explored, and the r
   Problem problem = test::problem_of(test::pairs_of_drivers(140));
   for (Requirement& each : problem.requirements) each.limit = 4'000'000;
   const pan::Network network;
-  Judge judge(network, Options());
+  RequirementChecker checker(network, Options());
   // Every second one may be interrupted and takes 6 ms then.
-  const Ruling ruling = judge.ask(problem, requirements_of(problem));
+  const Ruling ruling = checker.ask(problem, requirements_of(problem));
   CHECK(ruling.state == Verdict::State::fails);
   CHECK(ruling.requirement.index() % 2 == 0);
   problem.requirements = {problem.requirements[ruling.requirement.index()]};
@@ -220,6 +220,6 @@ TEST_CASE("no run refutes a skill that has more threads than can be followed") {
   for (Requirement& each : problem.requirements) each.limit = 4'000'000;
   problem.requirements = {problem.requirements.front()};
   const pan::Network network;
-  Judge judge(network, Options());
-  CHECK(judge.ask(problem, requirements_of(problem)).state == Verdict::State::undecided);
+  RequirementChecker checker(network, Options());
+  CHECK(checker.ask(problem, requirements_of(problem)).state == Verdict::State::undecided);
 }

@@ -52,10 +52,10 @@ const std::string slow_clocks =
     "  TIME heavy OF SM1 : 5 ms\n  TIME light OF LS1 : 1 ms\n";
 
 std::vector<Placements> fewest(const test::Skill& skill, bool priorities) {
-  Judge judge(skill.specification.skills.front(), Options());
+  RequirementChecker checker(skill.specification.skills.front(), Options());
   PlacementOptions how;
   how.priorities = priorities;
-  return fewest_processors(skill.specification.environments.front(), judge, how);
+  return fewest_processors(skill.specification.environments.front(), checker, how);
 }
 
 int processor_of(const Placed& placed, const std::string& thread) {
@@ -95,14 +95,14 @@ TEST_CASE("of processors that are alike it does not matter which has what") {
   const auto skill =
       two_loops("  REQUIREMENT soon : RESPONSE FROM tick OF MC1 TO heavy IN SM1 AT MOST 5 ms\n",
                 "  PROCESSOR P0\n  PROCESSOR P1\n  PROCESSOR P2 NONPREEMPTIVE\n" + slow_clocks);
-  Judge judge(skill->specification.skills.front(), Options());
+  RequirementChecker checker(skill->specification.skills.front(), Options());
   PlacementOptions how;
   // On P0 and P1; on one of them and P2, either way.
-  CHECK(placements_on(2, skill->specification.environments.front(), judge, how).tried == 3);
+  CHECK(placements_on(2, skill->specification.environments.front(), checker, how).tried == 3);
   how.priorities = true;
   // On one that is preemptive or on P2: either first, or equal.
-  CHECK(placements_on(1, skill->specification.environments.front(), judge, how).tried == 6);
-  CHECK(placements_on(3, skill->specification.environments.front(), judge, how).tried == 0);
+  CHECK(placements_on(1, skill->specification.environments.front(), checker, how).tried == 6);
+  CHECK(placements_on(3, skill->specification.environments.front(), checker, how).tried == 0);
 }
 
 // One after the other, each waits for the other at most once: 2 ms. Of two that have an order the last waits

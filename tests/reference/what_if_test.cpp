@@ -326,8 +326,8 @@ TEST_CASE("figure 3.6 needs two processors only if one of them is kept busy by r
   how.priorities = true;
   for (const pan::Environment& environment : skill->specification.environments) {
     INFO(environment.name);
-    Judge judge(skill->specification.skills.front(), few_states());
-    const auto all = fewest_processors(environment, judge, how);
+    RequirementChecker checker(skill->specification.skills.front(), few_states());
+    const auto all = fewest_processors(environment, checker, how);
     REQUIRE(all.size() == (environment.name == "reading" ? 2 : 1));
     CHECK_FALSE(all.back().meet.empty());
     if (environment.name != "reading") continue;

@@ -26,10 +26,10 @@ TEST_CASE("once time is up no more runs of refuted placements are looked for") {
   const auto skill = read_first();
   const pan::Network& network = skill->specification.skills.front();
   const pan::Environment& environment = skill->specification.environments.front();
-  Judge judge(network, Options());
+  RequirementChecker checker(network, Options());
   PlacementOptions how;
   how.most = 20;
-  const std::vector<Placements> all{placements_on(2, environment, judge, how)};
+  const std::vector<Placements> all{placements_on(2, environment, checker, how)};
   REQUIRE(all.front().refuted.size() == 20);
   CHECK(driver::filed_witnesses_of(all, network, environment, {}).size() == 20);
 

@@ -28,13 +28,13 @@ struct Effort {
   bool over() const { return stop && stop(); }
 };
 
-/// Keeps the runs that refuted something: one that still breaks its requirement with the new figures spares
-/// the exploration. What decides quickly is asked of all requirements first: bounds, single runs, some
-/// classes, slices, all classes. The requirement that failed last is asked first, and the first that fails
-/// ends the asking.
-class Judge {
+/// Decides whether requirements hold with other figures. It keeps the runs that refuted something: one that
+/// still breaks its requirement with the new figures spares the exploration. What decides quickly is asked of
+/// all requirements first: bounds, single runs, some classes, slices, all classes. The requirement that
+/// failed last is asked first, and the first that fails ends the asking.
+class RequirementChecker {
  public:
-  Judge(const pan::Network& network, const Options& options)
+  RequirementChecker(const pan::Network& network, const Options& options)
       : network_(network), options_(options), workers_(options.threads) {}
 
   /// Nothing: the environment is no model (a time is too long, …).
@@ -64,12 +64,12 @@ class Judge {
     Witness witness;
   };
   /// A question on its way: what each requirement came to by now, in the order of asking.
-  struct Hearing;
+  struct Progress;
 
   RequirementIds in_order(const RequirementIds& requirements) const;
-  void explore(const Problem& problem, Hearing& hearing, const Effort& effort);
-  void explore(const Problem& problem, Hearing& hearing, const Options& options);
-  Ruling ruling_of(const Problem& problem, Hearing hearing, const Effort& effort);
+  void explore(const Problem& problem, Progress& progress, const Effort& effort);
+  void explore(const Problem& problem, Progress& progress, const Options& options);
+  Ruling ruling_of(const Problem& problem, Progress progress, const Effort& effort);
   void remember(RequirementId requirement, std::optional<Witness> witness);
 
   const pan::Network& network_;

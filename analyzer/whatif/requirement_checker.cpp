@@ -1,4 +1,4 @@
-#include "analyzer/whatif/judge.hpp"
+#include "analyzer/whatif/requirement_checker.hpp"
 
 #include <algorithm>
 
@@ -31,7 +31,7 @@ bool contains(const RequirementIds& all, RequirementId one) {
 
 }  // namespace
 
-struct Judge::Hearing {
+struct RequirementChecker::Progress {
   RequirementIds order;
   std::vector<Decision> decisions;    // by order
   std::vector<std::size_t> explored;  // by order: classes
@@ -49,13 +49,13 @@ struct Judge::Hearing {
   }
 };
 
-std::optional<Problem> Judge::problem(const pan::Environment& environment) const {
+std::optional<Problem> RequirementChecker::problem(const pan::Environment& environment) const {
   Diagnostics ignored;
   return make_problem(network_, environment, ignored);
 }
 
-RequirementId Judge::refuted(const Problem& problem, const RequirementIds& requirements,
-                             const std::function<bool()>& stop) {
+RequirementId RequirementChecker::refuted(const Problem& problem, const RequirementIds& requirements,
+                                          const std::function<bool()>& stop) {
   for (const Refutation& known : refutations_) {
     if (stop && stop()) return {};
     if (contains(requirements, known.requirement) && refutes(problem, known.requirement, known.witness, stop))
@@ -64,17 +64,17 @@ RequirementId Judge::refuted(const Problem& problem, const RequirementIds& requi
   return {};
 }
 
-bool Judge::bounded(const Problem& problem, const RequirementIds& requirements) const {
+bool RequirementChecker::bounded(const Problem& problem, const RequirementIds& requirements) const {
   const std::vector<Verdict> bounds = bounds_of(problem, requirements, options_);
   return std::all_of(bounds.begin(), bounds.end(),
                      [](const Verdict& bound) { return bound.state == Is::holds; });
 }
 
-bool Judge::has_zeno_run(const Problem& problem) {
+bool RequirementChecker::has_zeno_run(const Problem& problem) {
   return find_zeno_run(problem, {options_.max_states, options_.stop, {}, &workers_}).found.has_value();
 }
 
-RequirementIds Judge::in_order(const RequirementIds& requirements) const {
+RequirementIds RequirementChecker::in_order(const RequirementIds& requirements) const {
   RequirementIds order;
   for (const RequirementId r : failed_) {
     if (contains(requirements, r)) order.push_back(r);
@@ -85,7 +85,7 @@ RequirementIds Judge::in_order(const RequirementIds& requirements) const {
   return order;
 }
 
-void Judge::remember(RequirementId requirement, std::optional<Witness> witness) {
+void RequirementChecker::remember(RequirementId requirement, std::optional<Witness> witness) {
   std::erase(failed_, requirement);
   failed_.insert(failed_.begin(), requirement);
   if (!witness) return;
@@ -93,42 +93,42 @@ void Judge::remember(RequirementId requirement, std::optional<Witness> witness) 
   if (refutations_.size() > most_refutations) refutations_.pop_back();
 }
 
-void Judge::explore(const Problem& problem, Hearing& hearing, const Options& options) {
-  for (std::size_t k = 0; k < hearing.order.size() && !hearing.failing(); ++k) {
+void RequirementChecker::explore(const Problem& problem, Progress& progress, const Options& options) {
+  for (std::size_t k = 0; k < progress.order.size() && !progress.failing(); ++k) {
     if (options.stop && options.stop()) return;
-    const std::size_t classes = classes_for(problem, hearing.order[k], options.max_states);
-    if (!hearing.open(k) || classes <= hearing.explored[k]) continue;
-    hearing.decisions[k] = decide_by_exploration(problem, hearing.order[k], options, workers_);
-    hearing.explored[k] = classes;
+    const std::size_t classes = classes_for(problem, progress.order[k], options.max_states);
+    if (!progress.open(k) || classes <= progress.explored[k]) continue;
+    progress.decisions[k] = decide_by_exploration(problem, progress.order[k], options, workers_);
+    progress.explored[k] = classes;
   }
 }
 
-void Judge::explore(const Problem& problem, Hearing& hearing, const Effort& effort) {
+void RequirementChecker::explore(const Problem& problem, Progress& progress, const Effort& effort) {
   Options options = options_;
   options.stop = effort.stop;
   options.max_states = std::min(effort.classes, few_classes);
-  explore(problem, hearing, options);
+  explore(problem, progress, options);
   if (effort.classes <= few_classes) return;
   options.max_states = effort.classes;
-  for (std::size_t k = 0; k < hearing.order.size() && !hearing.failing(); ++k) {
+  for (std::size_t k = 0; k < progress.order.size() && !progress.failing(); ++k) {
     if (effort.over()) return;
-    if (hearing.open(k)) hearing.decisions[k] = decide_by_slice(problem, hearing.order[k], options);
-    if (hearing.open(k) && !effort.over())
-      hearing.decisions[k] = decide_by_runs(problem, hearing.order[k], effort.classes, effort.stop);
+    if (progress.open(k)) progress.decisions[k] = decide_by_slice(problem, progress.order[k], options);
+    if (progress.open(k) && !effort.over())
+      progress.decisions[k] = decide_by_runs(problem, progress.order[k], effort.classes, effort.stop);
   }
-  explore(problem, hearing, options);
+  explore(problem, progress, options);
 }
 
-Ruling Judge::ruling_of(const Problem& problem, Hearing hearing, const Effort& effort) {
-  const auto failing = hearing.failing();
+Ruling RequirementChecker::ruling_of(const Problem& problem, Progress progress, const Effort& effort) {
+  const auto failing = progress.failing();
   Ruling ruling{failing ? Is::fails : Is::holds, {}, {}};
   bool known = true;
-  for (std::size_t k = 0; k < hearing.order.size(); ++k) {
-    const Decision& decision = hearing.decisions[k];
+  for (std::size_t k = 0; k < progress.order.size(); ++k) {
+    const Decision& decision = progress.decisions[k];
     const bool says = failing ? k == *failing : decision.state == Is::undecided;
     if (says && !ruling.requirement.valid()) {
       ruling.state = decision.state;
-      ruling.requirement = hearing.order[k];
+      ruling.requirement = progress.order[k];
     }
     if (decision.excess) ruling.excess = std::max(ruling.excess.value_or(*decision.excess), *decision.excess);
     known = known && decision.excess;
@@ -136,33 +136,34 @@ Ruling Judge::ruling_of(const Problem& problem, Hearing hearing, const Effort& e
   }
   if (!known) ruling.excess.reset();
   // Where time stands still nothing holds, and what has no end by then is not measured.
-  const bool of_all_time = ruling.state == Is::holds || (failing && hearing.decisions[*failing].grows);
+  const bool of_all_time = ruling.state == Is::holds || (failing && progress.decisions[*failing].grows);
   if (of_all_time) {
     const ZenoSearch look = find_zeno_run(problem, {options_.max_states, effort.stop, {}, &workers_});
     if (look.found || (!look.excluded && effort.over()))
-      return {Is::undecided, hearing.order.empty() ? RequirementId() : hearing.order.front(), {}};
+      return {Is::undecided, progress.order.empty() ? RequirementId() : progress.order.front(), {}};
   }
-  if (failing) remember(hearing.order[*failing], std::move(hearing.decisions[*failing].witness));
+  if (failing) remember(progress.order[*failing], std::move(progress.decisions[*failing].witness));
   return ruling;
 }
 
-Ruling Judge::ask(const Problem& problem, const RequirementIds& requirements, const Effort& effort) {
+Ruling RequirementChecker::ask(const Problem& problem, const RequirementIds& requirements,
+                               const Effort& effort) {
   if (const RequirementId broken = refuted(problem, requirements, effort.stop); broken.valid())
     return {Is::fails, broken, {}};
-  Hearing hearing;
-  hearing.order = in_order(requirements);
-  hearing.decisions.resize(hearing.order.size());
-  hearing.explored.resize(hearing.order.size());
-  const std::vector<Verdict> bounds = bounds_of(problem, hearing.order, options_);
-  for (std::size_t k = 0; k < hearing.order.size() && !hearing.failing(); ++k) {
+  Progress progress;
+  progress.order = in_order(requirements);
+  progress.decisions.resize(progress.order.size());
+  progress.explored.resize(progress.order.size());
+  const std::vector<Verdict> bounds = bounds_of(problem, progress.order, options_);
+  for (std::size_t k = 0; k < progress.order.size() && !progress.failing(); ++k) {
     if (effort.over()) break;
-    hearing.decisions[k] = decide_quickly(problem, hearing.order[k], bounds[k], effort.stop);
+    progress.decisions[k] = decide_quickly(problem, progress.order[k], bounds[k], effort.stop);
   }
-  if (!hearing.decided() && effort.classes > 0) explore(problem, hearing, effort);
-  return ruling_of(problem, std::move(hearing), effort);
+  if (!progress.decided() && effort.classes > 0) explore(problem, progress, effort);
+  return ruling_of(problem, std::move(progress), effort);
 }
 
-Ruling Judge::ask(const Problem& problem, const RequirementIds& requirements) {
+Ruling RequirementChecker::ask(const Problem& problem, const RequirementIds& requirements) {
   return ask(problem, requirements, {options_.max_states, options_.stop});
 }
 

@@ -1,4 +1,4 @@
-#include "analyzer/whatif/judge.hpp"
+#include "analyzer/whatif/requirement_checker.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -10,13 +10,13 @@ using namespace pal;
 using namespace pal::analyzer;
 using Is = Verdict::State;
 
-TEST_CASE("without exploration a judge decides by bounds and single runs") {
+TEST_CASE("without exploration requirements are decided by bounds and single runs") {
   const auto holds = test::sound_skill(test::two_chains("7 ms"));
-  Judge one(holds->specification.skills.front(), Options());
+  RequirementChecker one(holds->specification.skills.front(), Options());
   CHECK(one.ask(*holds->problem, requirements_of(*holds->problem), {0, {}}).state == Is::holds);
 
   const auto fails = test::sound_skill(test::two_chains("1 ms"));
-  Judge other(fails->specification.skills.front(), Options());
+  RequirementChecker other(fails->specification.skills.front(), Options());
   const Ruling ruling = other.ask(*fails->problem, requirements_of(*fails->problem), {0, {}});
   CHECK(ruling.state == Is::fails);
   CHECK(ruling.requirement == RequirementId(0));
@@ -24,22 +24,22 @@ TEST_CASE("without exploration a judge decides by bounds and single runs") {
 
 TEST_CASE("a run that refuted something refutes it again with other figures") {
   const auto skill = test::sound_skill(test::two_chains("6 ms"));
-  Judge judge(skill->specification.skills.front(), Options());
+  RequirementChecker checker(skill->specification.skills.front(), Options());
   const RequirementIds all = requirements_of(*skill->problem);
-  CHECK_FALSE(judge.refuted(*skill->problem, all, {}).valid());
-  REQUIRE(judge.ask(*skill->problem, all).state == Is::fails);
+  CHECK_FALSE(checker.refuted(*skill->problem, all, {}).valid());
+  REQUIRE(checker.ask(*skill->problem, all).state == Is::fails);
   pan::Environment longer = skill->specification.environments.front();
   REQUIRE(change(longer, "heavy = 5..6 ms").empty());
-  CHECK(judge.refuted(*judge.problem(longer), all, {}) == RequirementId(0));
+  CHECK(checker.refuted(*checker.problem(longer), all, {}) == RequirementId(0));
   pan::Environment shorter = skill->specification.environments.front();
   REQUIRE(change(shorter, "heavy = 1 ms").empty());
-  CHECK_FALSE(judge.refuted(*judge.problem(shorter), all, {}).valid());
+  CHECK_FALSE(checker.refuted(*checker.problem(shorter), all, {}).valid());
 }
 
-TEST_CASE("a judge whose time is over says nothing") {
+TEST_CASE("requirements stay undecided when the time is over") {
   const auto skill = test::sound_skill(test::two_chains("6 ms"));
-  Judge judge(skill->specification.skills.front(), Options());
+  RequirementChecker checker(skill->specification.skills.front(), Options());
   const Ruling ruling =
-      judge.ask(*skill->problem, requirements_of(*skill->problem), {1'000'000, [] { return true; }});
+      checker.ask(*skill->problem, requirements_of(*skill->problem), {1'000'000, [] { return true; }});
   CHECK(ruling.state == Is::undecided);
 }
