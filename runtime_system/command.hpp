@@ -1,4 +1,4 @@
-// What a client may ask for. Both doors make these, so that both mean the same.
+// What a client may ask for. Both protocols make these, so that both mean the same.
 #pragma once
 
 #include <cstddef>

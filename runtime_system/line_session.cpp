@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "runtime_system/rights.hpp"
+#include "runtime_system/access.hpp"
 #include "runtime_system/session.hpp"
 
 namespace pal::runtime_system {
@@ -53,8 +53,8 @@ std::string subject(const operations::Step& step) {
 
 class LineSession final : public Session {
  public:
-  LineSession(Lobby& lobby, Mouth mouth)
-      : lobby_(lobby), mouth_(std::move(mouth)), alive_(std::make_shared<bool>(true)) {}
+  LineSession(SessionContext& context, SessionOutput output)
+      : context_(context), output_(std::move(output)), alive_(std::make_shared<bool>(true)) {}
   ~LineSession() override {
     *alive_ = false;
     go();
@@ -86,7 +86,7 @@ class LineSession final : public Session {
   }
   void show(const std::shared_ptr<const Telemetry>& telemetry) override {
     if (!looks()) return;
-    mouth_.show([telemetry](std::uint64_t) {
+    output_.send_sample([telemetry](std::uint64_t) {
       std::string text = ">";
       for (const double figure : telemetry->force) text += fmt::format("{:8.2f}", figure).substr(0, 8);
       return text + "\r\n";
@@ -99,7 +99,7 @@ class LineSession final : public Session {
  private:
   bool uploading() const { return upload_.has_value(); }
   void go() {
-    if (client_) lobby_.desk.leave(*client_);
+    if (client_) context_.desk.leave(*client_);
     client_.reset();
     waiting_ = showing_ = show_this_ = watching_ = false;
   }
@@ -118,12 +118,12 @@ class LineSession final : public Session {
     if (verb == "token") return token(words);
     if (!client_) {
       complain("say 'token' and the token first");
-      return mouth_.hang_up();
+      return output_.close();
     }
     if (verb == "bye") {
       go();
       acknowledge(0);
-      return mouth_.hang_up();
+      return output_.close();
     }
     if (verb == "why") return tell(why_);
     if (verb == "state") return tell_state();
@@ -147,18 +147,18 @@ class LineSession final : public Session {
     if (verb == "from" && words.size() == 2) return ask(PutToken{words[1]});
     if (verb == "break" && (words.size() == 2 || words.size() == 3)) return set_breakpoint(words);
     if (verb == "set" && words.size() == 4) return set_parameter(words);
-    const auto skill = lobby_.desk.skills().find(verb);
-    if (skill == lobby_.desk.skills().end()) return complain(fmt::format("no skill or command '{}'", verb));
+    const auto skill = context_.desk.skills().find(verb);
+    if (skill == context_.desk.skills().end()) return complain(fmt::format("no skill or command '{}'", verb));
     run_skill(skill->second, words);
   }
 
   void token(const Words& words) {
     if (client_) return complain("the token has been shown");
-    if (words.size() < 2 || !same_token(words[1], lobby_.token)) {
+    if (words.size() < 2 || !same_token(words[1], context_.token)) {
       complain("this is not the token");
-      return mouth_.hang_up();
+      return output_.close();
     }
-    client_ = lobby_.desk.enter(words.size() > 2 ? words[2].substr(0, 60) : "a line");
+    client_ = context_.desk.enter(words.size() > 2 ? words[2].substr(0, 60) : "a line");
     acknowledge(0);
   }
 
@@ -218,7 +218,7 @@ class LineSession final : public Session {
   void run(RunOperation::How how) {
     if (waiting_) return complain("an operation runs; pause or stop it first");
     waiting_ = true;
-    lobby_.desk.ask(*client_, RunOperation{how}, in_turn([this](const Reply& reply) {
+    context_.desk.ask(*client_, RunOperation{how}, in_turn([this](const Reply& reply) {
       const auto* refusal = std::get_if<Refusal>(&reply);
       if (refusal == nullptr) return;
       waiting_ = false;
@@ -228,7 +228,7 @@ class LineSession final : public Session {
   void ask(Command command, bool show = false) {
     if (show) show_this_ = true;
     const bool skill = std::holds_alternative<RunSkill>(command);
-    lobby_.desk.ask(*client_, std::move(command), in_turn([this, skill](const Reply& reply) {
+    context_.desk.ask(*client_, std::move(command), in_turn([this, skill](const Reply& reply) {
       if (skill) show_this_ = false;
       if (const auto* refusal = std::get_if<Refusal>(&reply)) return complain(refusal->message);
       const auto& result = std::get<Done>(reply).result;
@@ -238,12 +238,13 @@ class LineSession final : public Session {
     }));
   }
   Answerer in_turn(std::function<void(const Reply&)> use) {
-    return [alive = std::weak_ptr(alive_), turn = lobby_.in_turn, use = std::move(use)](const Reply& reply) {
-      turn([alive, use, reply] {
-        const auto still = alive.lock();
-        if (still && *still) use(reply);
-      });
-    };
+    return
+        [alive = std::weak_ptr(alive_), turn = context_.in_turn, use = std::move(use)](const Reply& reply) {
+          turn([alive, use, reply] {
+            const auto still = alive.lock();
+            if (still && *still) use(reply);
+          });
+        };
   }
 
   void set(const Words& words, bool& what) {
@@ -253,14 +254,14 @@ class LineSession final : public Session {
     acknowledge(0);
   }
   void tell_state() {
-    const Status status = lobby_.desk.status(*client_);
+    const Status status = context_.desk.status(*client_);
     tell(fmt::format("{} {} {} at {} code {} steps {} controls {}", name(status.activity),
                      status.operation.empty() ? "-" : status.operation, operations::name(status.state),
                      status.token.empty() ? "-" : status.token, status.last_code, status.steps,
                      status.holder.empty() ? "-" : status.holder));
   }
   void tell_skills() {
-    for (const auto& [name, skill] : lobby_.desk.skills()) {
+    for (const auto& [name, skill] : context_.desk.skills()) {
       std::string text = name;
       for (const pan::Parameter& parameter : skill.parameters) text += " " + parameter.name;
       tell(text);
@@ -268,7 +269,7 @@ class LineSession final : public Session {
     acknowledge(0);
   }
   void tell_sensors() {
-    for (const auto& [name, sensor] : lobby_.desk.sensors())
+    for (const auto& [name, sensor] : context_.desk.sensors())
       tell(sensor.unit.empty() ? name : name + " " + sensor.unit);
     acknowledge(0);
   }
@@ -304,11 +305,11 @@ class LineSession final : public Session {
   void say(std::string text) {
     for (char& each : text)
       if (static_cast<unsigned char>(each) < ' ') each = ' ';
-    mouth_.say(std::move(text) + "\r\n");
+    output_.send(std::move(text) + "\r\n");
   }
 
-  Lobby& lobby_;
-  Mouth mouth_;
+  SessionContext& context_;
+  SessionOutput output_;
   std::shared_ptr<bool> alive_;
   std::optional<ClientId> client_;
   std::string line_, why_, upload_name_;
@@ -322,8 +323,8 @@ class LineSession final : public Session {
 
 }  // namespace
 
-std::unique_ptr<Session> line_session(Lobby& lobby, Mouth mouth) {
-  return std::make_unique<LineSession>(lobby, std::move(mouth));
+std::unique_ptr<Session> line_session(SessionContext& context, SessionOutput output) {
+  return std::make_unique<LineSession>(context, std::move(output));
 }
 
 }  // namespace pal::runtime_system

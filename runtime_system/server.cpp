@@ -17,7 +17,7 @@
 #include <thread>
 #include <vector>
 
-#include "runtime_system/private/doors.hpp"
+#include "runtime_system/private/connections.hpp"
 #include "runtime_system/private/terminal.hpp"
 
 namespace pal::runtime_system {
@@ -32,7 +32,7 @@ using boost::system::error_code;
 constexpr std::size_t most_waiting = 10'000;
 constexpr std::size_t most_samples = 64;
 
-tcp::acceptor open_door(asio::io_context& io, const std::string& address, std::uint16_t port) {
+tcp::acceptor listen_at(asio::io_context& io, const std::string& address, std::uint16_t port) {
   error_code problem;
   const auto where = asio::ip::make_address(address == "localhost" ? "127.0.0.1" : address, problem);
   if (problem) throw std::runtime_error(fmt::format("'{}' is no address", address));
@@ -62,11 +62,11 @@ struct Waiting {
 struct Server::Parts {
   explicit Parts(ServerOptions the_options)
       : options(std::move(the_options)),
-        web(open_door(io, options.address, options.port)),
+        web(listen_at(io, options.address, options.port)),
         signals(io),
         glance(io) {
-    options.doors.port = web.local_endpoint().port();
-    if (options.line_port) lines.emplace(open_door(io, options.address, *options.line_port));
+    options.access.port = web.local_endpoint().port();
+    if (options.line_port) lines.emplace(listen_at(io, options.address, *options.line_port));
     if (options.line_terminal) {
       OpenTerminal opened = open_pseudo_terminal();
       terminal.emplace(io, opened.descriptor);
@@ -78,9 +78,11 @@ struct Server::Parts {
 
   void start(Desk& the_desk, bool with_signals) {
     desk = &the_desk;
-    lobby.emplace(Lobby{the_desk, history, options.token,
-                        [this](std::function<void()> action) { asio::post(io, std::move(action)); }});
-    hall.emplace(Hall{io, *lobby, options.outbox, options.admit_within, options.idle});
+    context.emplace(SessionContext{the_desk, history, options.token, [this](std::function<void()> action) {
+                                     asio::post(io, std::move(action));
+                                   }});
+    connection_context.emplace(
+        ConnectionContext{io, *context, options.outbox, options.admit_within, options.idle});
     if (with_signals) {
       signals.add(SIGINT);
       signals.add(SIGTERM);
@@ -91,8 +93,8 @@ struct Server::Parts {
     see_who_looks();
     accept_web();
     if (lines) accept_line();
-    if (terminal) enter(line_client(*hall, std::move(*terminal)));
-    if (serial) enter(line_client(*hall, std::move(*serial)));
+    if (terminal) enter(line_connection(*connection_context, std::move(*terminal)));
+    if (serial) enter(line_connection(*connection_context, std::move(*serial)));
     thread = std::thread([this] { io.run(); });
   }
 
@@ -103,7 +105,7 @@ struct Server::Parts {
       web.close(ignored);
       if (lines) lines->close(ignored);
       signals.cancel(ignored);
-      for (const Entrance& client : clients) client->leave();
+      for (const ConnectionPointer& client : clients) client->leave();
       io.stop();
     });
     thread.join();
@@ -120,7 +122,8 @@ struct Server::Parts {
       const std::size_t most = options.most_clients;
       // Who comes too late is told so; not everybody who comes by the hundred.
       if (!problem && clients.size() < 2 * most)
-        enter(web_client(*hall, options.doors, std::move(socket), clients.size() >= most));
+        enter(web_socket_connection(*connection_context, options.access, std::move(socket),
+                                    clients.size() >= most));
       accept_web();
     });
   }
@@ -131,7 +134,7 @@ struct Server::Parts {
       if (!problem) socket.set_option(asio::socket_base::keep_alive(true), ignored);
       forget_gone();
       if (!problem && clients.size() < options.most_clients) {
-        enter(line_client(*hall, std::move(socket)));
+        enter(line_connection(*connection_context, std::move(socket)));
       } else if (!problem) {
         socket.non_blocking(true, ignored);
         asio::write(socket, asio::buffer(no_room), ignored);
@@ -140,11 +143,11 @@ struct Server::Parts {
     });
   }
   void forget_gone() {
-    clients.erase(
-        std::remove_if(clients.begin(), clients.end(), [](const Entrance& each) { return each->gone(); }),
-        clients.end());
+    clients.erase(std::remove_if(clients.begin(), clients.end(),
+                                 [](const ConnectionPointer& each) { return each->gone(); }),
+                  clients.end());
   }
-  void enter(const Entrance& client) {
+  void enter(const ConnectionPointer& client) {
     clients.push_back(client);
     client->start();
   }
@@ -173,7 +176,7 @@ struct Server::Parts {
       history.add(event);
       for_each([&](Session& session) { session.happened(event); });
     }
-    for (const Entrance& client : clients) client->lose(taken.lost);
+    for (const ConnectionPointer& client : clients) client->lose(taken.lost);
     for (const auto& telemetry : taken.telemetry)
       for_each([&](Session& session) { session.show(telemetry); });
     for (const auto& [time, profile] : taken.profiles)
@@ -190,7 +193,7 @@ struct Server::Parts {
   }
   template <class Use>
   void for_each(const Use& use) {
-    for (const Entrance& client : clients)
+    for (const ConnectionPointer& client : clients)
       if (Session* session = client->session()) use(*session);
   }
 
@@ -204,9 +207,9 @@ struct Server::Parts {
   asio::steady_timer glance;
   Desk* desk = nullptr;
   History history;
-  std::optional<Lobby> lobby;
-  std::optional<Hall> hall;
-  std::vector<Entrance> clients;
+  std::optional<SessionContext> context;
+  std::optional<ConnectionContext> connection_context;
+  std::vector<ConnectionPointer> clients;
   std::thread thread;
 
   std::mutex mutex;
@@ -231,7 +234,7 @@ void Server::stop() {
 }
 
 std::uint16_t Server::port() const {
-  return static_cast<std::uint16_t>(parts_->options.doors.port);
+  return static_cast<std::uint16_t>(parts_->options.access.port);
 }
 
 std::optional<std::uint16_t> Server::line_port() const {

@@ -1,4 +1,5 @@
-// The doors: a WebSocket, and lines over TCP, a pseudo-terminal or a serial port. One thread of its own.
+// The server: it listens at a WebSocket, and for lines over TCP, a pseudo-terminal or a serial port. One
+// thread of its own.
 #pragma once
 
 #include <chrono>
@@ -7,10 +8,10 @@
 #include <optional>
 #include <string>
 
+#include "runtime_system/access.hpp"
 #include "runtime_system/desk.hpp"
 #include "runtime_system/event.hpp"
 #include "runtime_system/outbox.hpp"
-#include "runtime_system/rights.hpp"
 #include "runtime_system/telemetry.hpp"
 
 namespace pal::runtime_system {
@@ -23,7 +24,7 @@ struct ServerOptions {
   std::string line_serial;                 // lines over this serial port; empty: none
   unsigned baud = 9600;                    // of the serial port
   std::string token;
-  Doors doors;  // its port is filled in
+  AccessRules access;  // its port is filled in
   std::size_t most_clients = 16;
   std::chrono::milliseconds admit_within = std::chrono::seconds(10);  // from coming to showing the token
   std::chrono::milliseconds idle =
@@ -35,7 +36,7 @@ struct ServerOptions {
 /// thread.
 class Server final : public EventSink, public TelemetrySink {
  public:
-  /// Opens all doors, behind which nobody answers yet. Throws std::runtime_error with the system's reason.
+  /// Opens all ports; nobody is answered before start(). Throws std::runtime_error with the system's reason.
   explicit Server(ServerOptions options);
   /// As stop().
   ~Server() override;

@@ -1,4 +1,4 @@
-// One client at one of the two doors, without its socket: text in, text out.
+// The dialogue with one client by one of the two protocols, without its socket: text in, text out.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 namespace pal::runtime_system {
 
 /// What all sessions share.
-struct Lobby {
+struct SessionContext {
   Desk& desk;
   const History& history;
   std::string token;
@@ -23,14 +23,14 @@ struct Lobby {
   std::function<void(std::function<void()>)> in_turn;
 };
 
-/// How a session talks back. They must not throw, nor call the session.
-struct Mouth {
+/// Where a session's texts go. These functions must not throw, nor call the session.
+struct SessionOutput {
   /// Answers and events: never left out.
-  std::function<void(std::string)> say;
+  std::function<void(std::string)> send;
   /// Telemetry; the text is made when it is sent.
-  std::function<void(std::function<std::string(std::uint64_t dropped)>)> show;
-  /// No more is read from this client; what was said is still sent.
-  std::function<void()> hang_up;
+  std::function<void(std::function<std::string(std::uint64_t dropped)>)> send_sample;
+  /// No more is read from this client; what was sent before still reaches it.
+  std::function<void()> close;
 };
 
 /// One thread only. Its end is the client's going.
@@ -49,9 +49,9 @@ class Session {
   virtual bool looks() const = 0;
 };
 
-/// JSON-RPC 2.0 (docs/reference/protocols.md). Lobby and mouth outlive it.
-std::unique_ptr<Session> json_session(Lobby& lobby, Mouth mouth);
+/// JSON-RPC 2.0 (docs/reference/protocols.md). The context and what the output calls outlive it.
+std::unique_ptr<Session> json_session(SessionContext& context, SessionOutput output);
 /// The lines of the thesis (appendix A). Likewise.
-std::unique_ptr<Session> line_session(Lobby& lobby, Mouth mouth);
+std::unique_ptr<Session> line_session(SessionContext& context, SessionOutput output);
 
 }  // namespace pal::runtime_system

@@ -27,13 +27,13 @@ runtime_system::ServerOptions server_options(const ServeCommand& command) {
   options.line_terminal = command.line_terminal;
   options.line_serial = command.line_serial;
   options.baud = command.baud;
-  options.doors.hosts.insert(options.doors.hosts.end(), command.hosts.begin(), command.hosts.end());
-  options.doors.origins = command.origins;
+  options.access.hosts.insert(options.access.hosts.end(), command.hosts.begin(), command.hosts.end());
+  options.access.origins = command.origins;
   options.token = runtime_system::make_token();
   return options;
 }
 
-std::unique_ptr<runtime_system::Server> open_doors(const runtime_system::ServerOptions& options) {
+std::unique_ptr<runtime_system::Server> open_server(const runtime_system::ServerOptions& options) {
   try {
     return std::make_unique<runtime_system::Server>(options);
   } catch (const std::exception& problem) {
@@ -84,8 +84,8 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
     if (!log_file) throw Failure(ExitStatus::usage, "--log " + command.log, "it cannot be written");
   }
   operations::StepLog log(log_file);
-  const runtime_system::ServerOptions doors = server_options(command);
-  const auto server = open_doors(doors);
+  const runtime_system::ServerOptions options = server_options(command);
+  const auto server = open_server(options);
 
   std::optional<runtime::Outside> wall;
   sim::CellOptions options;
@@ -113,7 +113,7 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   server->start(desk, true);
   const std::string path =
       command.announcement.empty() ? runtime_system::default_announcement() : command.announcement;
-  const Announced announced(path, {command.address, server->port(), doors.token});
+  const Announced announced(path, {command.address, server->port(), options.token});
   tell_doors(command, scene, *server, path, out);
   while (!desk.ended()) {
     if (desk.work()) continue;

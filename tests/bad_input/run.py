@@ -1,4 +1,5 @@
-"""Runs `pal` on extreme and broken inputs: run.py PAL [WORD] (only inputs whose description has the word).
+"""Runs `pal` on extreme and broken inputs: run.py PAL [WORD | PART OF]. With WORD only inputs whose description has
+it; with two numbers a part of them: every OF-th, from the PART-th on.
 
 Each runs in a process of its own that may take so much memory and time and no more, and must end by itself with the
 status and the findings that its input asks for.
@@ -53,11 +54,14 @@ def run(pal, command, an_input):
 
 def main():
     pal = sys.argv[1]
-    word = sys.argv[2] if len(sys.argv) > 2 else ""
-    good = True
-    for command, an_input in INPUTS:
-        if word not in an_input.__doc__:
-            continue
+    chosen = INPUTS
+    if len(sys.argv) == 4:
+        part, of = int(sys.argv[2]), int(sys.argv[3])
+        chosen = INPUTS[part - 1::of]
+    elif len(sys.argv) == 3:
+        chosen = [(command, each) for command, each in INPUTS if sys.argv[2] in each.__doc__]
+    good = bool(chosen)
+    for command, an_input in chosen:
         line, right = run(pal, command, an_input)
         print(line, flush=True)
         good = good and right

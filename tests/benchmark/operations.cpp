@@ -137,7 +137,7 @@ std::string in_the_cell(std::size_t steps, bool telling) {
 /// A served cell whose simulation's processor time is measured.
 class ServedCell {
  public:
-  ServedCell() : server_(doors()) {
+  ServedCell() : server_(server_options()) {
     sim::CellOptions options;
     options.keep_log = false;
     options.watch = [this](sim::Workcell& cell) {
@@ -181,7 +181,7 @@ class ServedCell {
   }
 
  private:
-  static runtime_system::ServerOptions doors() {
+  static runtime_system::ServerOptions server_options() {
     runtime_system::ServerOptions result;
     result.token = "token";
     return result;

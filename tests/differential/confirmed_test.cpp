@@ -80,12 +80,9 @@ void say(const Tally& tally) {
   CHECK(tally.events > 0);
 }
 
-}  // namespace
-
-TEST_CASE("the referee confirms every run shown for skills of every kind, and explanations add up") {
-  const std::uint64_t first = setting("PAL_SEED", 1);
+void expect_confirmed_kinds(test::Part part) {
   Tally tally;
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 20); ++seed) {
+  for (const std::uint64_t seed : test::seeds(1, 20, part)) {
     const int mistakes = static_cast<int>(seed / test::kinds().size() % 4);
     expect_sound(test::Mutant(seed, test::skill_of_any_kind(seed), test::has_meaning).text(mistakes), seed,
                  tally);
@@ -93,13 +90,47 @@ TEST_CASE("the referee confirms every run shown for skills of every kind, and ex
   say(tally);
 }
 
-TEST_CASE("the referee confirms every run shown for kept skills, and explanations add up") {
+void expect_confirmed_kept_skills(test::Part part) {
   const std::vector<std::string> all = test::kept_skills();
-  const std::uint64_t first = setting("PAL_SEED", 0);
   Tally tally;
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", all.size()); ++seed) {
+  for (const std::uint64_t seed : test::seeds(0, all.size(), part)) {
     const int mistakes = static_cast<int>(seed / all.size() % 5);
     expect_sound(test::Mutant(seed, all[seed % all.size()], test::has_meaning).text(mistakes), seed, tally);
   }
   say(tally);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the referee confirms every run shown for skills of every kind, and explanations add up, part 1 of 5") {
+  expect_confirmed_kinds({1, 5});
+}
+
+TEST_CASE(
+    "the referee confirms every run shown for skills of every kind, and explanations add up, part 2 of 5") {
+  expect_confirmed_kinds({2, 5});
+}
+
+TEST_CASE(
+    "the referee confirms every run shown for skills of every kind, and explanations add up, part 3 of 5") {
+  expect_confirmed_kinds({3, 5});
+}
+
+TEST_CASE(
+    "the referee confirms every run shown for skills of every kind, and explanations add up, part 4 of 5") {
+  expect_confirmed_kinds({4, 5});
+}
+
+TEST_CASE(
+    "the referee confirms every run shown for skills of every kind, and explanations add up, part 5 of 5") {
+  expect_confirmed_kinds({5, 5});
+}
+
+TEST_CASE("the referee confirms every run shown for kept skills, and explanations add up, part 1 of 2") {
+  expect_confirmed_kept_skills({1, 2});
+}
+
+TEST_CASE("the referee confirms every run shown for kept skills, and explanations add up, part 2 of 2") {
+  expect_confirmed_kept_skills({2, 2});
 }

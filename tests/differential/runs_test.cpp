@@ -112,12 +112,11 @@ void say(const RunTally& tally) {
   CHECK(tally.skills > 0);
 }
 
-/// Of so many skills, if no other number is set.
-void expect_all_sound(std::uint64_t rounds, const std::function<std::string(std::uint64_t)>& text) {
-  const std::uint64_t first = setting("PAL_SEED", 1);
+/// Of so many skills, if no other number is set, or of a part of them.
+void expect_all_sound(std::uint64_t rounds, const std::function<std::string(std::uint64_t)>& text,
+                      test::Part part = {}) {
   RunTally tally;
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", rounds); ++seed)
-    expect_sound(text(seed), seed, tally);
+  for (const std::uint64_t seed : test::seeds(1, rounds, part)) expect_sound(text(seed), seed, tally);
   say(tally);
 }
 
@@ -125,19 +124,41 @@ std::string cell(std::uint64_t seed, int longest) {
   return test::RandomCell(seed, longest, static_cast<int>(seed % 3), test::RandomCell::Asks::all).text();
 }
 
-}  // namespace
-
-TEST_CASE("no run that follows the execution model exceeds a bound") {
+void expect_sound_cells(test::Part part) {
   const int longest = static_cast<int>(setting("PAL_LONGEST", 4));
-  expect_all_sound(60, [longest](std::uint64_t seed) { return cell(seed, longest); });
+  expect_all_sound(
+      60, [longest](std::uint64_t seed) { return cell(seed, longest); }, part);
 }
 
-TEST_CASE("no run of a skill with mistakes exceeds a bound") {
-  expect_all_sound(40, [](std::uint64_t seed) {
+void expect_sound_with_mistakes(test::Part part) {
+  const auto with_mistakes = [](std::uint64_t seed) {
     const auto accepts = [](const std::string& text) { return test::any_skill(text)->problem.has_value(); };
     const std::string right = seed % 2 == 0 ? test::TimedSkill(seed).text() : cell(seed, 4);
     return test::Mutant(seed, right, accepts).text(1 + static_cast<int>(seed % 5));
-  });
+  };
+  expect_all_sound(40, with_mistakes, part);
+}
+
+}  // namespace
+
+TEST_CASE("no run that follows the execution model exceeds a bound, part 1 of 2") {
+  expect_sound_cells({1, 2});
+}
+
+TEST_CASE("no run that follows the execution model exceeds a bound, part 2 of 2") {
+  expect_sound_cells({2, 2});
+}
+
+TEST_CASE("no run of a skill with mistakes exceeds a bound, part 1 of 3") {
+  expect_sound_with_mistakes({1, 3});
+}
+
+TEST_CASE("no run of a skill with mistakes exceeds a bound, part 2 of 3") {
+  expect_sound_with_mistakes({2, 3});
+}
+
+TEST_CASE("no run of a skill with mistakes exceeds a bound, part 3 of 3") {
+  expect_sound_with_mistakes({3, 3});
 }
 
 TEST_CASE("no run in which devices do not answer exceeds a bound") {

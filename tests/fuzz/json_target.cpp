@@ -2,18 +2,19 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "tests/fuzz/door.hpp"
+#include "tests/fuzz/fuzzed_session.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  pal::fuzz::Door door(pal::runtime_system::json_session);
+  pal::fuzz::FuzzedSession dialogue(pal::runtime_system::json_session);
   std::string_view rest(reinterpret_cast<const char*>(data), size);
   if (!rest.empty() && rest.front() == '+') {
     rest.remove_prefix(1);
-    door.give(R"({"jsonrpc": "2.0", "method": "hello", "params": {"token": ")" + door.lobby.token + "\"}}");
+    dialogue.give(R"({"jsonrpc": "2.0", "method": "hello", "params": {"token": ")" + dialogue.context.token +
+                  "\"}}");
   }
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
-    door.give(rest.substr(0, end));
+    dialogue.give(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   return 0;

@@ -1,16 +1,16 @@
-// Any bytes at the door of lines. An input that begins with '+' has shown the token before.
+// Any bytes as lines. An input that begins with '+' has shown the token before.
 #include <cstddef>
 #include <cstdint>
 
-#include "tests/fuzz/door.hpp"
+#include "tests/fuzz/fuzzed_session.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  pal::fuzz::Door door(pal::runtime_system::line_session);
+  pal::fuzz::FuzzedSession dialogue(pal::runtime_system::line_session);
   std::string_view rest(reinterpret_cast<const char*>(data), size);
   if (!rest.empty() && rest.front() == '+') {
     rest.remove_prefix(1);
-    door.give("token " + door.lobby.token + "\r");
+    dialogue.give("token " + dialogue.context.token + "\r");
   }
-  for (std::size_t i = 0; i < rest.size(); i += 7) door.give(rest.substr(i, 7));
+  for (std::size_t i = 0; i < rest.size(); i += 7) dialogue.give(rest.substr(i, 7));
   return 0;
 }

@@ -1,5 +1,5 @@
 # Installs pal into an empty folder, and builds and runs a project with it that knows nothing else.
-# -DFROM= install (cmake --install) or packages (cpack, dpkg-deb), -DBUILD= the build tree, -DSKILL= the project, -DPROGRAM= what it
+# -DFROM= install (cmake --install) or packages (those that pack.cmake made), -DBUILD= the build tree, -DSKILL= the project, -DPROGRAM= what it
 # builds, -DWORK= a folder to do it in, -DGENERATOR=, -DCOMPILER=, -DFLAGS=
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -8,23 +8,18 @@ function(run)
   endif()
 endfunction()
 
-file(REMOVE_RECURSE "${WORK}")
-if(FROM STREQUAL packages)
-  run(${CMAKE_CPACK_COMMAND} -G DEB --config "${BUILD}/CPackConfig.cmake" -B "${WORK}/packages"
-      -D "CPACK_COMPONENTS_ALL=tools\;development")
-  file(GLOB packages "${WORK}/packages/*.deb")
-  list(LENGTH packages count)
-  if(NOT count EQUAL 2)
-    message(FATAL_ERROR "cpack made ${count} packages, not 2: ${packages}")
-  endif()
+if(FROM STREQUAL install)
+  file(REMOVE_RECURSE "${WORK}")
+  set(prefix "${WORK}/root")
+  run(${CMAKE_COMMAND} --install "${BUILD}" --prefix "${prefix}" --component tools)
+  run(${CMAKE_COMMAND} --install "${BUILD}" --prefix "${prefix}" --component development)
+else()
+  file(REMOVE_RECURSE "${WORK}/root" "${WORK}/build")
+  file(GLOB packages "${WORK}/packages/*/*.deb")
   foreach(package IN LISTS packages)
     run(dpkg-deb --extract "${package}" "${WORK}/root")
   endforeach()
   set(prefix "${WORK}/root/usr")
-else()
-  set(prefix "${WORK}/root")
-  run(${CMAKE_COMMAND} --install "${BUILD}" --prefix "${prefix}" --component tools)
-  run(${CMAKE_COMMAND} --install "${BUILD}" --prefix "${prefix}" --component development)
 endif()
 
 # What is installed is public: each header stands alone, below pal/, and no other is there.

@@ -22,6 +22,7 @@ target_link_libraries(blink PRIVATE pal::skill_blink)
 ")
 file(WRITE "${WORK}/blink/careless.cpp" "int careless(double x, int y) { int x2 = (int)x; return x2; }\n")
 run(${CMAKE_COMMAND} -G "${GENERATOR}" -S "${WORK}/blink" -B "${WORK}/build" "-DPAL_PROGRAM=${PAL}"
+    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=20
     "-DPAL_WARNINGS_AS_ERRORS=ON" "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
 run(${CMAKE_COMMAND} --build "${WORK}/build")
 run("${WORK}/build/blink")

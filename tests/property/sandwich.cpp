@@ -130,10 +130,10 @@ void say(const Tally& tally) {
 
 Tally compare_by_chance(std::uint64_t rounds, std::size_t states,
                         const std::function<std::string(std::uint64_t)>& text_of,
-                        const std::function<std::unique_ptr<Skill>(const std::string&)>& skill_of) {
+                        const std::function<std::unique_ptr<Skill>(const std::string&)>& skill_of,
+                        Part part) {
   Tally tally;
-  const std::uint64_t first = setting("PAL_SEED", 1);
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", rounds); ++seed) {
+  for (const std::uint64_t seed : seeds(1, rounds, part)) {
     const std::string text = text_of(seed);
     INFO("seed " << seed << "\n" << text);
     const auto skill = skill_of(text);

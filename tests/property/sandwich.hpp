@@ -8,6 +8,7 @@
 #include <string>
 
 #include "analyzer/problem/problem.hpp"
+#include "tests/support/setting.hpp"
 #include "tests/support/skill.hpp"
 
 namespace pal::test {
@@ -33,11 +34,12 @@ void expect_sandwich(const analyzer::Problem& problem, std::uint64_t seed, std::
 /// Prints it; something must have been compared.
 void say(const Tally& tally);
 
-/// Compares PAL_ROUNDS programs, or `rounds`, from PAL_SEED on, or 1. `skill_of` makes a skill of the text
-/// that `text_of` has for a seed; without a problem it is passed over.
+/// Compares PAL_ROUNDS programs, or `rounds`, from PAL_SEED on, or 1, or a part of them. `skill_of` makes a
+/// skill of the text that `text_of` has for a seed; without a problem it is passed over.
 Tally compare_by_chance(std::uint64_t rounds, std::size_t states,
                         const std::function<std::string(std::uint64_t)>& text_of,
-                        const std::function<std::unique_ptr<Skill>(const std::string&)>& skill_of);
+                        const std::function<std::unique_ptr<Skill>(const std::string&)>& skill_of,
+                        Part part = {});
 
 /// Whether so many rounds from the first seed on are what is made, so that it is known how much they compare.
 bool usual(std::uint64_t rounds);

@@ -9,8 +9,8 @@ using Json = nlohmann::json;
 
 namespace {
 
-struct Web : test::Booth {
-  Web() : Booth(json_session) {}
+struct Web : test::SessionFixture {
+  Web() : SessionFixture(json_session) {}
   std::vector<Json> messages(const std::vector<std::string>& texts) {
     std::vector<Json> result;
     for (const std::string& text : texts) result.push_back(Json::parse(text));

@@ -7,8 +7,8 @@ using Said = std::vector<std::string>;
 
 namespace {
 
-struct Line : test::Booth {
-  Line() : Booth(line_session) {}
+struct Line : test::SessionFixture {
+  Line() : SessionFixture(line_session) {}
   void enter() { REQUIRE(say("token secret\r") == Said{"#0\r\n"}); }
 };
 

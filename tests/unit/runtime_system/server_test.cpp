@@ -1,4 +1,4 @@
-// The doors with real sockets on this machine, and clients that mean ill.
+// The server with real sockets on this machine, and clients that mean ill.
 #include "runtime_system/server.hpp"
 
 #include <arpa/inet.h>
@@ -100,7 +100,7 @@ class Raw {
 
 }  // namespace
 
-TEST_CASE("both doors run the same skills") {
+TEST_CASE("clients of both protocols run the same skills") {
   Served served;
   const auto web = served.enter("web");
   CHECK(Json::parse(web->call("skill.run", R"({"skill": "quick", "parameters": {"code": 3}})"))["code"] == 3);
@@ -180,7 +180,7 @@ TEST_CASE("a client without token or rights moves nothing and is disconnected") 
   CHECK_NOTHROW(served.enter("another"));  // and the server lives
 }
 
-TEST_CASE("who comes when the server is full is told so, at both doors") {
+TEST_CASE("a client that comes when the server is full is told so, by both protocols") {
   ServerOptions few = options();
   few.line_terminal = false;
   few.most_clients = 1;

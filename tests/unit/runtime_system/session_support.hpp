@@ -7,14 +7,16 @@
 namespace pal::test {
 
 /// A desk, a history and one session, all in one thread: the cell works when it is told to.
-struct Booth : runtime_system::EventSink {
-  using Make = std::unique_ptr<runtime_system::Session> (*)(runtime_system::Lobby&, runtime_system::Mouth);
+struct SessionFixture : runtime_system::EventSink {
+  using Make = std::unique_ptr<runtime_system::Session> (*)(runtime_system::SessionContext&,
+                                                            runtime_system::SessionOutput);
 
-  explicit Booth(Make make) : make_(make) { open(); }
+  explicit SessionFixture(Make make) : make_(make) { open(); }
   void open() {
     hung_up = false;
-    session = make_(lobby, {[this](std::string text) { said.push_back(std::move(text)); },
-                            [this](auto sample) { said.push_back(sample(0)); }, [this] { hung_up = true; }});
+    session =
+        make_(context, {[this](std::string text) { said.push_back(std::move(text)); },
+                        [this](auto sample) { said.push_back(sample(0)); }, [this] { hung_up = true; }});
   }
   void happened(const runtime_system::Event& event) override {
     history.add(event);
@@ -43,7 +45,8 @@ struct Booth : runtime_system::EventSink {
   runtime_system::History history;
   std::vector<runtime_system::Event> waiting;
   runtime_system::Desk desk{cell, clockwork_skills(), *this};
-  runtime_system::Lobby lobby{desk, history, "secret", [](const std::function<void()>& action) { action(); }};
+  runtime_system::SessionContext context{desk, history, "secret",
+                                         [](const std::function<void()>& action) { action(); }};
   std::vector<std::string> said;
   bool hung_up = false;
   std::unique_ptr<runtime_system::Session> session;

@@ -1,4 +1,4 @@
-#include "runtime_system/rights.hpp"
+#include "runtime_system/access.hpp"
 
 #include <fmt/format.h>
 #include <sys/random.h>
@@ -37,18 +37,18 @@ bool same_token(std::string_view given, std::string_view token) {
   return difference == 0;
 }
 
-bool host_allowed(std::string_view host, const Doors& doors) {
-  return std::any_of(doors.hosts.begin(), doors.hosts.end(), [&](const std::string& allowed) {
-    return same_name(host, allowed) || same_name(host, fmt::format("{}:{}", allowed, doors.port));
+bool host_allowed(std::string_view host, const AccessRules& rules) {
+  return std::any_of(rules.hosts.begin(), rules.hosts.end(), [&](const std::string& allowed) {
+    return same_name(host, allowed) || same_name(host, fmt::format("{}:{}", allowed, rules.port));
   });
 }
 
-bool origin_allowed(std::string_view origin, const Doors& doors) {
+bool origin_allowed(std::string_view origin, const AccessRules& rules) {
   if (origin.empty()) return true;
   const auto listed = [&](const std::string& allowed) { return same_name(origin, allowed); };
-  if (std::any_of(doors.origins.begin(), doors.origins.end(), listed)) return true;
-  return std::any_of(doors.hosts.begin(), doors.hosts.end(), [&](const std::string& host) {
-    return same_name(origin, fmt::format("http://{}:{}", host, doors.port));
+  if (std::any_of(rules.origins.begin(), rules.origins.end(), listed)) return true;
+  return std::any_of(rules.hosts.begin(), rules.hosts.end(), [&](const std::string& host) {
+    return same_name(origin, fmt::format("http://{}:{}", host, rules.port));
   });
 }
 

@@ -14,7 +14,7 @@ std::string make_token();
 bool same_token(std::string_view given, std::string_view token);
 
 /// Hosts are names or addresses without a port; IPv6 in brackets: "localhost", "[::1]", "cell.example".
-struct Doors {
+struct AccessRules {
   /// What a client may have called this machine (the Host field). A page of another site whose name was
   /// pointed at this machine comes with its own name, and is refused.
   std::vector<std::string> hosts{"localhost", "127.0.0.1", "[::1]"};
@@ -25,9 +25,9 @@ struct Doors {
 };
 
 /// `host` is a Host field: a host, with or without the server's port.
-bool host_allowed(std::string_view host, const Doors& doors);
+bool host_allowed(std::string_view host, const AccessRules& rules);
 /// `origin` is an Origin field, which browsers send, and programs do not: empty is allowed.
-bool origin_allowed(std::string_view origin, const Doors& doors);
+bool origin_allowed(std::string_view origin, const AccessRules& rules);
 /// An address of this machine that others cannot reach.
 bool is_loopback(const std::string& address);
 

@@ -2,7 +2,7 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
 
-#include "runtime_system/private/doors.hpp"
+#include "runtime_system/private/connections.hpp"
 
 namespace pal::runtime_system {
 namespace {
@@ -11,12 +11,13 @@ namespace asio = boost::asio;
 using boost::system::error_code;
 
 template <class Stream>
-class LineClient final : public ClientAtDoor {
+class LineConnection final : public Connection {
  public:
   // A socket goes with its client, a terminal stays.
   static constexpr bool stays = std::is_same_v<Stream, asio::posix::stream_descriptor>;
 
-  LineClient(Hall& hall, Stream stream) : ClientAtDoor(hall), stream_(std::move(stream)), again_(hall.io) {}
+  LineConnection(ConnectionContext& connection_context, Stream stream)
+      : Connection(connection_context), stream_(std::move(stream)), again_(connection_context.io) {}
 
   void start() override {
     begin_session();
@@ -29,10 +30,12 @@ class LineClient final : public ClientAtDoor {
     error_code ignored;
     stream_.close(ignored);
   }
-  std::shared_ptr<LineClient> here() { return std::static_pointer_cast<LineClient>(shared_from_this()); }
+  std::shared_ptr<LineConnection> here() {
+    return std::static_pointer_cast<LineConnection>(shared_from_this());
+  }
 
   void begin_session() {
-    session_ = line_session(hall_.lobby, mouth());
+    session_ = line_session(context_.context, output());
     if (!stays) admit_soon();
   }
   void read() {
@@ -68,7 +71,7 @@ class LineClient final : public ClientAtDoor {
     begin_session();
   }
   void close() override {
-    asio::post(hall_.io, [self = here()] {
+    asio::post(context_.io, [self = here()] {
       if (self->gone()) return;
       if (!stays) return self->leave();
       self->session_.reset();
@@ -84,12 +87,14 @@ class LineClient final : public ClientAtDoor {
 
 }  // namespace
 
-Entrance line_client(Hall& hall, asio::ip::tcp::socket socket) {
-  return std::make_shared<LineClient<asio::ip::tcp::socket>>(hall, std::move(socket));
+ConnectionPointer line_connection(ConnectionContext& connection_context, asio::ip::tcp::socket socket) {
+  return std::make_shared<LineConnection<asio::ip::tcp::socket>>(connection_context, std::move(socket));
 }
 
-Entrance line_client(Hall& hall, asio::posix::stream_descriptor line) {
-  return std::make_shared<LineClient<asio::posix::stream_descriptor>>(hall, std::move(line));
+ConnectionPointer line_connection(ConnectionContext& connection_context,
+                                  asio::posix::stream_descriptor line) {
+  return std::make_shared<LineConnection<asio::posix::stream_descriptor>>(connection_context,
+                                                                          std::move(line));
 }
 
 }  // namespace pal::runtime_system

@@ -1,4 +1,4 @@
-// One client with its socket: what both doors share.
+// One client with its socket: what both protocols share.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -13,20 +13,21 @@
 namespace pal::runtime_system {
 
 /// What clients need of the server.
-struct Hall {
+struct ConnectionContext {
   boost::asio::io_context& io;
-  Lobby& lobby;
+  SessionContext& context;
   OutboxLimits outbox;
   std::chrono::milliseconds admit_within, idle;
 };
 
 /// Lives as long as an operation on its socket is under way, or the server holds it.
-class ClientAtDoor : public std::enable_shared_from_this<ClientAtDoor> {
+class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  explicit ClientAtDoor(Hall& hall) : hall_(hall), outbox_(hall.outbox), admission_(hall.io) {}
-  virtual ~ClientAtDoor() = default;
-  ClientAtDoor(const ClientAtDoor&) = delete;
-  ClientAtDoor& operator=(const ClientAtDoor&) = delete;
+  explicit Connection(ConnectionContext& connection_context)
+      : context_(connection_context), outbox_(connection_context.outbox), admission_(connection_context.io) {}
+  virtual ~Connection() = default;
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
 
   virtual void start() = 0;
   bool gone() const { return gone_; }
@@ -52,7 +53,7 @@ class ClientAtDoor : public std::enable_shared_from_this<ClientAtDoor> {
   /// All has been said that was to be said before hanging up.
   virtual void close() = 0;
 
-  Mouth mouth() {
+  SessionOutput output() {
     return {[this](std::string text) { say(std::move(text)); },
             [this](Outbox::Sample sample) {
               outbox_.put_sample(std::move(sample));
@@ -64,7 +65,7 @@ class ClientAtDoor : public std::enable_shared_from_this<ClientAtDoor> {
             }};
   }
   void admit_soon() {
-    admission_.expires_after(hall_.admit_within);
+    admission_.expires_after(context_.admit_within);
     admission_.async_wait([weak = weak_from_this()](const boost::system::error_code& problem) {
       const auto self = weak.lock();
       if (!problem && self && self->session_ && !self->session_->admitted()) self->leave();
@@ -80,12 +81,12 @@ class ClientAtDoor : public std::enable_shared_from_this<ClientAtDoor> {
   }
   /// It has not read for so long that something would be left out.
   virtual void overflow() { leave(); }
-  void forget_what_waits() { outbox_ = Outbox(hall_.outbox); }
+  void forget_what_waits() { outbox_ = Outbox(context_.outbox); }
   bool closing() const { return closing_; }
   /// After close(): the next client may come by the same line.
   void stay_open() { closing_ = false; }
 
-  Hall& hall_;
+  ConnectionContext& context_;
   std::unique_ptr<Session> session_;
 
  private:
@@ -93,7 +94,7 @@ class ClientAtDoor : public std::enable_shared_from_this<ClientAtDoor> {
     if (closing_) return;
     if (outbox_.put(std::move(text))) return pump();
     // Not from inside the session, which is at work.
-    boost::asio::post(hall_.io, [self = shared_from_this()] { self->overflow(); });
+    boost::asio::post(context_.io, [self = shared_from_this()] { self->overflow(); });
   }
   void pump() {
     if (writing_ || gone_) return;
@@ -112,6 +113,6 @@ class ClientAtDoor : public std::enable_shared_from_this<ClientAtDoor> {
   bool writing_ = false, closing_ = false, gone_ = false;
 };
 
-using Entrance = std::shared_ptr<ClientAtDoor>;
+using ConnectionPointer = std::shared_ptr<Connection>;
 
 }  // namespace pal::runtime_system

@@ -39,13 +39,14 @@ class Counting final : public operations::SkillRunner {
   bool stopped_ = false;
 };
 
-class Door final : public runtime_system::EventSink {
+class FuzzedSession final : public runtime_system::EventSink {
  public:
-  using Make = std::unique_ptr<runtime_system::Session> (*)(runtime_system::Lobby&, runtime_system::Mouth);
+  using Make = std::unique_ptr<runtime_system::Session> (*)(runtime_system::SessionContext&,
+                                                            runtime_system::SessionOutput);
 
-  explicit Door(Make make)
-      : session(make(lobby, {[](const std::string&) {}, [](const auto& sample) { sample(0); },
-                             [this] { hung_up = true; }})) {
+  explicit FuzzedSession(Make make)
+      : session(make(context, {[](const std::string&) {}, [](const auto& sample) { sample(0); },
+                               [this] { hung_up = true; }})) {
     runner.desk = &desk;
   }
   void happened(const runtime_system::Event& event) override {
@@ -88,8 +89,8 @@ class Door final : public runtime_system::EventSink {
   runtime_system::History history;
   std::vector<runtime_system::Event> waiting;
   runtime_system::Desk desk{runner, skills(), *this, options()};
-  runtime_system::Lobby lobby{desk, history, "0123456789abcdef0123456789abcdef",
-                              [](const std::function<void()>& action) { action(); }};
+  runtime_system::SessionContext context{desk, history, "0123456789abcdef0123456789abcdef",
+                                         [](const std::function<void()>& action) { action(); }};
   bool hung_up = false, was_admitted = false;
   std::unique_ptr<runtime_system::Session> session;
 };

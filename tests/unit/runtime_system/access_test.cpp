@@ -1,4 +1,4 @@
-#include "runtime_system/rights.hpp"
+#include "runtime_system/access.hpp"
 
 #include <sys/stat.h>
 
@@ -22,24 +22,24 @@ TEST_CASE("a token is the whole token") {
 }
 
 TEST_CASE("only this machine's names and its own pages come in, unless others are named") {
-  Doors doors;
-  doors.port = 7400;
-  CHECK(host_allowed("localhost:7400", doors));
-  CHECK(host_allowed("LOCALHOST", doors));
-  CHECK(host_allowed("[::1]:7400", doors));
-  CHECK_FALSE(host_allowed("", doors));
-  CHECK_FALSE(host_allowed("localhost:7401", doors));
-  CHECK_FALSE(host_allowed("evil.example:7400", doors));
-  CHECK_FALSE(host_allowed("127.0.0.1.evil.example", doors));
-  CHECK(origin_allowed("", doors));
-  CHECK(origin_allowed("http://127.0.0.1:7400", doors));
-  CHECK_FALSE(origin_allowed("null", doors));
-  CHECK_FALSE(origin_allowed("http://127.0.0.1:8000", doors));
-  CHECK_FALSE(origin_allowed("https://evil.example", doors));
-  doors.origins = {"http://127.0.0.1:8000"};
-  doors.hosts.push_back("cell.example");
-  CHECK(origin_allowed("http://127.0.0.1:8000", doors));
-  CHECK(host_allowed("cell.example:7400", doors));
+  AccessRules rules;
+  rules.port = 7400;
+  CHECK(host_allowed("localhost:7400", rules));
+  CHECK(host_allowed("LOCALHOST", rules));
+  CHECK(host_allowed("[::1]:7400", rules));
+  CHECK_FALSE(host_allowed("", rules));
+  CHECK_FALSE(host_allowed("localhost:7401", rules));
+  CHECK_FALSE(host_allowed("evil.example:7400", rules));
+  CHECK_FALSE(host_allowed("127.0.0.1.evil.example", rules));
+  CHECK(origin_allowed("", rules));
+  CHECK(origin_allowed("http://127.0.0.1:7400", rules));
+  CHECK_FALSE(origin_allowed("null", rules));
+  CHECK_FALSE(origin_allowed("http://127.0.0.1:8000", rules));
+  CHECK_FALSE(origin_allowed("https://evil.example", rules));
+  rules.origins = {"http://127.0.0.1:8000"};
+  rules.hosts.push_back("cell.example");
+  CHECK(origin_allowed("http://127.0.0.1:8000", rules));
+  CHECK(host_allowed("cell.example:7400", rules));
 }
 
 TEST_CASE("others cannot read the token's file, and a file that they could read is not trusted") {

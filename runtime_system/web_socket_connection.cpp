@@ -4,7 +4,7 @@
 #include <boost/beast/websocket.hpp>
 #include <optional>
 
-#include "runtime_system/private/doors.hpp"
+#include "runtime_system/private/connections.hpp"
 
 namespace pal::runtime_system {
 namespace {
@@ -19,16 +19,17 @@ constexpr std::size_t largest_header = 8192;
 constexpr std::size_t largest_hello = 1024;
 constexpr std::size_t largest_message = (std::size_t{1} << 20) + 65536;
 
-class WebClient final : public ClientAtDoor {
+class WebSocketConnection final : public Connection {
  public:
-  WebClient(Hall& hall, const Doors& doors, asio::ip::tcp::socket socket, bool full)
-      : ClientAtDoor(hall), doors_(doors), stream_(std::move(socket)), full_(full) {}
+  WebSocketConnection(ConnectionContext& connection_context, const AccessRules& rules,
+                      asio::ip::tcp::socket socket, bool full)
+      : Connection(connection_context), rules_(rules), stream_(std::move(socket)), full_(full) {}
 
   void start() override {
     parser_.emplace();
     parser_->header_limit(largest_header);
     parser_->body_limit(std::uint64_t{0});
-    beast::get_lowest_layer(stream_).expires_after(hall_.admit_within);
+    beast::get_lowest_layer(stream_).expires_after(context_.admit_within);
     http::async_read(stream_.next_layer(), buffer_, *parser_,
                      [self = here()](beast::error_code problem, std::size_t) {
                        if (problem) return self->leave();
@@ -41,27 +42,29 @@ class WebClient final : public ClientAtDoor {
     beast::error_code ignored;
     beast::get_lowest_layer(stream_).socket().close(ignored);
   }
-  std::shared_ptr<WebClient> here() { return std::static_pointer_cast<WebClient>(shared_from_this()); }
+  std::shared_ptr<WebSocketConnection> here() {
+    return std::static_pointer_cast<WebSocketConnection>(shared_from_this());
+  }
 
   void on_request() {
     const auto& request = parser_->get();
     const auto text = [](beast::string_view view) { return std::string_view(view.data(), view.size()); };
     if (!websocket::is_upgrade(request))
       return respond(http::status::upgrade_required, "This is a WebSocket that talks JSON-RPC 2.0.\n");
-    if (!host_allowed(text(request[http::field::host]), doors_))
+    if (!host_allowed(text(request[http::field::host]), rules_))
       return respond(http::status::forbidden, "This host is not allowed; --allow-host allows it.\n");
-    if (!origin_allowed(text(request[http::field::origin]), doors_))
+    if (!origin_allowed(text(request[http::field::origin]), rules_))
       return respond(http::status::forbidden, "This origin is not allowed; --allow-origin allows it.\n");
     if (full_)
       return respond(http::status::service_unavailable, "The server has as many clients as it takes.\n");
     beast::get_lowest_layer(stream_).expires_never();
-    stream_.set_option(websocket::stream_base::timeout{hall_.admit_within, hall_.idle, true});
+    stream_.set_option(websocket::stream_base::timeout{context_.admit_within, context_.idle, true});
     stream_.read_message_max(largest_hello);
     stream_.text(true);
     stream_.async_accept(request, [self = here()](beast::error_code problem) {
       if (problem) return self->leave();
       self->parser_.reset();
-      self->session_ = json_session(self->hall_.lobby, self->mouth());
+      self->session_ = json_session(self->context_.context, self->output());
       self->admit_soon();
       self->read();
     });
@@ -98,13 +101,13 @@ class WebClient final : public ClientAtDoor {
   void close() override { close(websocket::close_code::policy_error); }
   void close(websocket::close_code why) {
     // From outside the session, which is at work.
-    asio::post(hall_.io, [self = here(), why] {
+    asio::post(context_.io, [self = here(), why] {
       if (self->gone() || std::exchange(self->closed_, true)) return;
       self->stream_.async_close(why, [self](beast::error_code) { self->leave(); });
     });
   }
 
-  const Doors& doors_;
+  const AccessRules& rules_;
   websocket::stream<beast::tcp_stream> stream_;
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
@@ -115,8 +118,9 @@ class WebClient final : public ClientAtDoor {
 
 }  // namespace
 
-Entrance web_client(Hall& hall, const Doors& doors, boost::asio::ip::tcp::socket socket, bool full) {
-  return std::make_shared<WebClient>(hall, doors, std::move(socket), full);
+ConnectionPointer web_socket_connection(ConnectionContext& connection_context, const AccessRules& rules,
+                                        boost::asio::ip::tcp::socket socket, bool full) {
+  return std::make_shared<WebSocketConnection>(connection_context, rules, std::move(socket), full);
 }
 
 }  // namespace pal::runtime_system
