@@ -60,7 +60,7 @@ class Announced {
   std::string path_;
 };
 
-void tell_doors(const ServeCommand& command, const sim::Scene& scene, const runtime_system::Server& server,
+void tell_addresses(const ServeCommand& command, const sim::Scene& scene, const runtime_system::Server& server,
                 const std::string& announcement, std::ostream& out) {
   out << fmt::format("serving scene {}; Ctrl-C ends it\n", scene.name)
       << fmt::format("  JSON-RPC at ws://{}:{}\n", command.address, server.port());
@@ -84,8 +84,8 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
     if (!log_file) throw Failure(ExitStatus::usage, "--log " + command.log, "it cannot be written");
   }
   operations::StepLog log(log_file);
-  const runtime_system::ServerOptions options = server_options(command);
-  const auto server = open_server(options);
+  const runtime_system::ServerOptions offered = server_options(command);
+  const auto server = open_server(offered);
 
   std::optional<runtime::Outside> wall;
   sim::CellOptions options;
@@ -113,8 +113,8 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   server->start(desk, true);
   const std::string path =
       command.announcement.empty() ? runtime_system::default_announcement() : command.announcement;
-  const Announced announced(path, {command.address, server->port(), options.token});
-  tell_doors(command, scene, *server, path, out);
+  const Announced announced(path, {command.address, server->port(), offered.token});
+  tell_addresses(command, scene, *server, path, out);
   while (!desk.ended()) {
     if (desk.work()) continue;
     if (command.paced > 0) {
