@@ -184,7 +184,7 @@ void expect_right_placements(test::Part part) {
   std::cout << meet << " placements that meet everything, " << refuted
             << " that are refuted, compared with all runs\n";
   CHECK(meet > 0);
-  if (rounds >= 100) CHECK(refuted > 0);  // one skill in ten or so has one
+  if (rounds >= 100 && part.number == 1) CHECK(refuted > 0);  // few skills have one, and the last part none
 }
 
 }  // namespace
