@@ -151,17 +151,19 @@ std::vector<trace::StatementName> statements_of(const Proof& proof, std::size_t 
 }
 
 bool shows_in_runs(const analyzer::Requirement& requirement) {
-  return requirement.measure == Measure::response ||
-         (requirement.measure == Measure::age && requirement.samples.empty());
+  return !requirement.phase.limits() &&
+         (requirement.measure == Measure::response ||
+          (requirement.measure == Measure::age && requirement.samples.empty()));
 }
 
 std::optional<trace::Occurrence> longest_in(const trace::Trace& run, const Proof& proof, std::size_t index) {
   const analyzer::Requirement& requirement = proof.problem.requirements[index];
+  if (!shows_in_runs(requirement)) return std::nullopt;
   const auto at = statements_of(proof, index);
   std::vector<trace::Occurrence> all;
-  if (requirement.measure == Measure::age && requirement.samples.empty()) {
+  if (requirement.measure == Measure::age) {
     all = trace::ages(run, proof.problem.conditions[static_cast<std::size_t>(requirement.condition)], at);
-  } else if (requirement.measure == Measure::response) {
+  } else {
     const int channel = requirement.events.front();
     all = trace::responses(run, analyzer::sender_name(proof.problem, channel),
                            proof.problem.channels[static_cast<std::size_t>(channel)].message, at)
