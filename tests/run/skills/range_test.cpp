@@ -14,6 +14,19 @@ double standoff(const sim::Sample& at, const Eigen::Vector3d& point, const Eigen
   return normal.dot(point - at.tool * 1e3) / normal.dot(axis);
 }
 
+/// Requests of ALTER that the skill had no motion for, after its first motion.
+int motions_not_made(const trace::Trace& run) {
+  bool moves = false;
+  int count = 0;
+  for (const trace::Event& event : run.events) {
+    if (event.kind != trace::Kind::done) continue;
+    const std::string& text = run.statements[static_cast<std::size_t>(event.statement)].text;
+    moves = moves || text == "obey";
+    if (moves && text == "hold") ++count;
+  }
+  return count;
+}
+
 }  // namespace
 
 TEST_CASE("standoff comes to the distance, from above and from below, completion 0") {
@@ -88,6 +101,25 @@ TEST_CASE("follow-edge goes the distance, completion 0") {
   CAPTURE(result.outcome.reason);
   CHECK(end_of(result.outcome) == "follow-edge 0");
   CHECK((result.log.back().tool - result.log.front().tool).x() * 1e3 == Approx(30).margin(3));
+}
+
+TEST_CASE("follow-edge makes up for motions that came too late, and goes the distance") {
+  // Line 72 of follow_edge.pal is `track`. So slow, its motion is late whenever LS2 is at work.
+  const auto end_with = [](const std::string& fault, int& not_made) {
+    const auto result = run({.skill = "follow-edge",
+                             .scene = "seam",
+                             .parameters = {{"distance", 6}, {"track", 0.6}},
+                             .fault = fault});
+    CAPTURE(result.outcome.reason);
+    CHECK(end_of(result.outcome) == "follow-edge 0");
+    not_made = motions_not_made(result.outcome.trace);
+    return Eigen::Vector3d(1e3 * result.log.back().tool);
+  };
+  int usually = 0, slowly = 0;
+  const Eigen::Vector3d usual = end_with("", usually);
+  const Eigen::Vector3d slow = end_with("at 0 ms SM1:72 takes 3.6 ms", slowly);
+  CHECK(slowly >= usually + 5);  // 3 mm of the way
+  CHECK((slow - usual).norm() < 0.5);
 }
 
 TEST_CASE("follow-edge refuses a history in which it would see too little of the edge") {
