@@ -205,8 +205,8 @@ class Finder {
     for (const int channel : from.sends) {
       if (to.waits.contains(arrival(channel))) return true;
     }
-    const bool keeps = std::any_of(from.keeps.begin(), from.keeps.end(),
-                                   [&to](int kept) { return to.uses.contains(kept); });
+    const bool keeps =
+        std::any_of(from.keeps.begin(), from.keeps.end(), [&to](int kept) { return to.uses.contains(kept); });
     if (samples && keeps) return true;
     return samples && std::any_of(from.sets.begin(), from.sets.end(), [&](int condition) {
              return to.reads.contains(condition) && !is_known(condition, thread);

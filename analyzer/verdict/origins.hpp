@@ -36,8 +36,8 @@ class Origins {
   std::optional<Gained> gained(int thread, std::size_t before) const;
   /// The put of the message that event `take` takes.
   std::optional<std::size_t> put_of(std::size_t take) const;
-  /// The event that left the message, whose value the statement with event `use` got its sample from; nothing:
-  /// it got none from there.
+  /// The event that left the message, whose value the statement with event `use` got its sample from;
+  /// nothing: it got none from there.
   std::optional<std::size_t> kept_since(std::size_t use) const;
   /// The set whose value event `read` reads; nothing: it dates from the start.
   std::optional<std::size_t> set_of(std::size_t read) const;

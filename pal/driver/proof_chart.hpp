@@ -24,8 +24,8 @@ std::optional<std::size_t> most_interesting(const Proof& proof);
 /// The statements that requirement `index` is about, by their names in traces.
 std::vector<trace::StatementName> statements_of(const Proof& proof, std::size_t index);
 
-/// Whether longest_in can measure a requirement in a trace: an age of a condition, or a response, of the whole
-/// run.
+/// Whether longest_in can measure a requirement in a trace: an age of a condition, or a response, of the
+/// whole run.
 bool shows_in_runs(const analyzer::Requirement& requirement);
 
 /// The longest interval of requirement `index` (an age or a response) in a trace of the same skill; nothing

@@ -60,8 +60,9 @@ class Announced {
   std::string path_;
 };
 
-void tell_addresses(const ServeCommand& command, const sim::Scene& scene, const runtime_system::Server& server,
-                const std::string& announcement, std::ostream& out) {
+void tell_addresses(const ServeCommand& command, const sim::Scene& scene,
+                    const runtime_system::Server& server, const std::string& announcement,
+                    std::ostream& out) {
   out << fmt::format("serving scene {}; Ctrl-C ends it\n", scene.name)
       << fmt::format("  JSON-RPC at ws://{}:{}\n", command.address, server.port());
   if (const auto port = server.line_port()) out << fmt::format("  lines at {}:{}\n", command.address, *port);

@@ -13,8 +13,8 @@ namespace pal::skills {
 ///
 /// The surface's stiffness is learned while the tool lands: then the surface cannot rise, and what a motion
 /// changes of the force is due to it. What is learned stays within three times and a third of what
-/// was given. A sponge is stiffer for fast motions than for slow ones. Going half of the way keeps the loop stable
-/// as long as the surface is less than three times as stiff as assumed.
+/// was given. A sponge is stiffer for fast motions than for slow ones. Going half of the way keeps the loop
+/// stable as long as the surface is less than three times as stiff as assumed.
 ///
 /// While the tool stands, the joints rest at whole counts of their encoders only. Near the target the
 /// regulator tries one place after the other, and leans the tool by hundredths of a degree to find places in

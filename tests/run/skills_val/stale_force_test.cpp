@@ -33,9 +33,7 @@ class Carrying final : public Lowering<SM1Activities, Command, asked_for> {
 // Answers with what was felt when it was asked the last time: before the last step.
 class FeltBefore final : public LS1Activities {
  public:
-  Zforce extract_z(const Wrench& wrench) override {
-    return std::exchange(last_, sensor_.extract_z(wrench));
-  }
+  Zforce extract_z(const Wrench& wrench) override { return std::exchange(last_, sensor_.extract_z(wrench)); }
 
  private:
   ZForceSensor<LS1Activities> sensor_;

@@ -80,7 +80,7 @@ struct State {
   std::vector<Slot> slots;
   std::vector<Device> devices;
   std::uint32_t conditions = 0;
-  std::vector<int> known;   // by condition: what a read gives; index into births
+  std::vector<int> known;                   // by condition: what a read gives; index into births
   std::map<std::pair<int, int>, int> kept;  // by module and message: index into births; -1: none
   std::vector<int> births;  // of what is measured: how long ago, the earliest first; -1: it does not count
   int reference = -1;       // of reactions and intervals: from which birth the next value counts
