@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <utility>
 
-#include "place_at_location_skill.hpp"
-#include "skills_pal/modules/lower.hpp"
+#include "skills_pal/modules/z_force.hpp"
+#include "skills_pal/place_at_location/by_sensor.hpp"
 #include "tests/run/skills/support/physical_run.hpp"
 #include "tests/run/skills/support/workshop.hpp"
 
@@ -16,20 +16,6 @@ namespace {
 using namespace pal::skills;
 using namespace pal::skills::place_at_location;
 
-runtime::Text asked_for(const Parameters& parameters) {
-  return parameters.location;
-}
-
-class Carrying final : public Lowering<SM1Activities, Command, asked_for> {
- public:
-  using Lowering::Lowering;
-  void list_carry() override {
-    begin_above();
-    list().begin();
-    list().set_speed(parameters().speed).add(Verb::approach, parameters().location, parameters().approach);
-  }
-};
-
 // Answers with what was felt when it was asked the last time: before the last step.
 class FeltBefore final : public LS1Activities {
  public:
@@ -39,13 +25,6 @@ class FeltBefore final : public LS1Activities {
   ZForceSensor<LS1Activities> sensor_;
   Zforce last_;
 };
-
-std::unique_ptr<runtime::Skill> placing_by(std::unique_ptr<LS1Activities> force) {
-  auto list = std::make_shared<Carrying::List>();
-  return make_listing<Carrying, SM2Activities, SM3Activities>(
-      make_place_at_location, list, std::move(force), std::make_unique<GripSensor<LS3Activities>>(),
-      std::make_unique<LiftAgain<CM4Activities, Command, asked_for>>(list));
-}
 
 struct Taken {
   int code = 0;
@@ -59,7 +38,7 @@ Taken at_a_taken_place(std::unique_ptr<LS1Activities> force) {
       shop.run("pick-at-location", {text("location", "PART1"), {.name = "approach", .value = 100}}).code ==
       0);
   const Vector3d stood = shop.middle("part 2"), held = shop.middle("part 1") - shop.tip();
-  const auto skill = placing_by(std::move(force));
+  const auto skill = place_at_location_by(std::move(force));
   const std::vector<runtime::ParameterValue> parameters{text("location", "PART2"),
                                                         {.name = "approach", .value = 100}};
   Taken taken;
