@@ -94,9 +94,12 @@ class ExecutionError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// ready: nothing has run. paused: between two skills. stopped: a skill was cut off; if somebody resumes, it
-/// runs again from its beginning. ended: by an EXIT. failed: nobody handled a code, or the cell could not be
-/// readied. In each of these states the robot is at rest.
+/// In all states but `running` the robot is at rest:
+/// - ready: nothing has run;
+/// - paused: between two skills;
+/// - stopped: a skill was cut off, and runs again from its beginning if the operation is resumed;
+/// - ended: by an EXIT;
+/// - failed: no icon handled a code, or the cell could not be readied.
 enum class ExecutionState { ready, running, paused, stopped, ended, failed };
 const char* name(ExecutionState state);
 

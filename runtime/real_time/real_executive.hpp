@@ -19,8 +19,8 @@
 
 namespace pal::runtime {
 
-/// Runs a skill with these threads of the operating system, the most urgent first: the watchdog; one that
-/// keeps time; the caller's own, which moves the world; and one for each level. Hand-written code runs
+/// Runs a skill with threads of the operating system. The most urgent is the watchdog. Then come one that
+/// keeps time, the caller's own, which moves the world, and one for each level. Hand-written code runs
 /// without the kernel's lock, everything else with it.
 class RealExecutive final : public Executive {
  public:

@@ -20,8 +20,9 @@ struct StatementName {
   friend bool operator==(const StatementName&, const StatementName&) = default;
 };
 
-/// Ages of `condition` at each effect of a statement of `at`, in order of time: from the set whose value the
-/// thread had last read (time 0 if there was none) to the effect. Effects before any read have no age.
+/// Ages of `condition` at each effect of a statement of `at`, in order of time. An age is the time from the
+/// set whose value the thread had last read (time 0 if there was none) to the effect. Effects before any read
+/// have no age.
 std::vector<Occurrence> ages(const Trace& trace, const std::string& condition,
                              const std::vector<StatementName>& at);
 
