@@ -91,8 +91,8 @@ void explain_frame(const analyzer::Problem& problem, int device, const chart::Lo
   analyzer::Narrator(problem, shown.run).tell(late->actor, before, late->time_ns, shown.reasons);
 }
 
-/// Of a message that found its slot full: how much later the one before it was taken, and what its receiver
-/// did since that had come.
+/// Of a message that found its slot full: how much later the one before it was taken. Also what the receiver
+/// had done since that one came.
 void explain_overrun(const analyzer::Problem& problem, const Event& overrun, LossRun& shown) {
   const auto& events = shown.run.events;
   const auto take = std::find_if(events.begin(), events.end(), [&](const Event& event) {

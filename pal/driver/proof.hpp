@@ -62,9 +62,9 @@ void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& 
 /// Searches a few classes for such a run, adds the finding, and returns whether there is one.
 bool look_for_zeno_run(const analyzer::Problem& problem, Session& session);
 
-/// Adds a finding for every requirement that fails or is undecided. It says where the requirement stands,
-/// which statement uses a value of which age or answers how late, and what the time was spent on: the longest
-/// parts, or the `whole_story`.
+/// Adds a finding for every requirement that fails or is undecided. It says where the requirement stands, and
+/// which statement uses a value of which age or answers how late. It also says what the time was spent on:
+/// the longest parts, or the `whole_story`.
 void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& session);
 
 }  // namespace pal::driver

@@ -117,7 +117,7 @@ TEST_CASE("the order of answers is not explored if the waiting threads do not in
   CHECK(analysis.verdicts.front().bound == Duration(14'002'000));
 }
 
-TEST_CASE("a skill that can begin in more orders than can be tried is given up") {
+TEST_CASE("a skill that can begin in too many orders is given up") {
   // Twelve modules come to one queue: in 12! orders.
   std::string names;
   std::string bodies;

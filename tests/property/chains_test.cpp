@@ -22,7 +22,7 @@ TEST_CASE("a system of chains has the same bounds built directly and read from P
   }
 }
 
-TEST_CASE("bounds of chains are at or under those of the holistic analysis") {
+TEST_CASE("bounds of chains do not exceed those of the holistic analysis") {
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
     const test::ChainSystem system = test::random_chains(seed, test::benchmark_shape(seed));
     const auto holistic = test::holistic(system);

@@ -75,8 +75,8 @@ struct Automata {
   std::vector<bool> unknown;  // by condition
 };
 
-/// Whether other threads may be cancelled at the instant at which this thread, a block, ends: its siblings,
-/// or those of a block that ends with it.
+/// Whether other threads may be cancelled at the instant at which this thread, a block, ends. These are its
+/// siblings, or those of a block that ends with it.
 bool end_may_cancel(const Automata& automata, std::size_t thread);
 
 /// Automata with more steps are too large to explore, and are incomplete.

@@ -1,4 +1,4 @@
-// make_skills FOLDER COUNT UNITS: so many skills by chance as C++, in so many files to compile.
+// make_skills FOLDER COUNT UNITS: writes COUNT random skills as C++, in UNITS files to compile.
 #include <cstdlib>
 #include <fstream>
 #include <iostream>

@@ -129,7 +129,7 @@ TEST_CASE("range finder: who asked before a scan begins gets it, 76 ms later", "
   CHECK(cell.rays == 2 * 255);
 }
 
-TEST_CASE("range finder: no profile is lost if the next is asked for in the pause", "[range-finder]") {
+TEST_CASE("range finder: no profile is lost if the next one is requested in the pause", "[range-finder]") {
   Cell cell;
   cell.driver.receive(request_profile, {});
   std::size_t seen = 0;
