@@ -243,7 +243,7 @@ void Executor::leave_with(const SkillResult& result) {
        fmt::format("'{}' ended with code {}, which nobody handles: {}", token(), last_code_, result.reason));
 }
 
-/// A delay or a wait that is not over; it begins anew when somebody resumes.
+/// A delay or a wait that is not over; it begins anew after a resume.
 void Executor::cut_off(Step& step) {
   const bool paused =
       !stop_.load(std::memory_order_relaxed) && pause_.exchange(false, std::memory_order_relaxed);

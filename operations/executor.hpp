@@ -142,7 +142,7 @@ class Executor {
   ExecutionState state() const { return state_; }
   /// Where the token is: before this icon, or in it while it runs; after the end, at the EXIT.
   std::string token() const;
-  /// Why it halted: a breakpoint, a code that nobody handles, …
+  /// Why it halted: a breakpoint, a code that no icon handles, …
   const std::string& reason() const { return reason_; }
   int last_code() const { return last_code_; }
   std::size_t steps() const { return steps_; }

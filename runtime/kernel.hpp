@@ -93,7 +93,7 @@ class Kernel {
 
  private:
   Skill& skill_;
-  WorkObserver* work_;  // null: nobody measures
+  WorkObserver* work_;  // null: none
   std::deque<Thread> threads_;
 };
 

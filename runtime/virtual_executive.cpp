@@ -96,7 +96,7 @@ bool VirtualExecutive::go_to(Time when, const Kernel& kernel) {
   return !journal_.over() && now() == when;
 }
 
-// Somebody asks for more than an end: holds the run for as long as it is to be held.
+// More than an end was asked for. Holds the run for as long as it is to be held.
 void VirtualExecutive::obey(RunControl& control, Kernel& kernel) {
   const bool any = !queue_.empty();
   const Time next =

@@ -10,7 +10,7 @@
 
 namespace pal::runtime_system {
 
-/// Who has the controls now; empty: nobody.
+/// The client that has the controls now; empty: none.
 struct ControlsChanged {
   std::string holder;
 };

@@ -116,7 +116,7 @@ struct Server::Parts {
     web.async_accept([this](const error_code& problem, tcp::socket socket) {
       if (problem == asio::error::operation_aborted) return;
       error_code ignored;
-      // Answers are short, and somebody waits for them.
+      // Answers are short, and a client waits for them.
       if (!problem) socket.set_option(tcp::no_delay(true), ignored);
       forget_gone();
       const std::size_t most = options.most_clients;

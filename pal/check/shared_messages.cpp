@@ -47,7 +47,7 @@ class Finder {
       const std::vector<MessageUse> all =
           uses_of(pan::ModuleId(m), 0, module.body.nodes.size(), runner, runner, entered);
       for (const auto& [write, other] : found_) {
-        // What nobody reads is not kept.
+        // A message that no statement reads is not kept.
         const bool kept = std::any_of(all.begin(), all.end(), [&id = write.message](const MessageUse& use) {
           return use.message == id && !use.writes;
         });

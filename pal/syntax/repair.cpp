@@ -49,7 +49,7 @@ bool stands_for_many(std::size_t type) {
   return type == Parser::NAME || type == Parser::NUMBER || type == Parser::STRING;
 }
 
-/// A reserved word or a sign; of a name nobody can say which is meant.
+/// A reserved word or a sign. Of a name it is unknown which is meant.
 bool is_word(std::size_t type) {
   return !stands_for_many(type) && !spelling_of_type(type).empty();
 }

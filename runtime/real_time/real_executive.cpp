@@ -82,7 +82,7 @@ void RealExecutive::go_on() {
   if (!journal_.over()) levels_.dispatch(called_);
 }
 
-/// The level's next statement follows without leaving the kernel, unless somebody is to be woken or it has
+/// The level's next statement follows without leaving the kernel, unless a thread is to be woken or it has
 /// been in for long.
 void RealExecutive::go_on_inside(Level& level) {
   const bool nobody = called_.empty() && !timer_.called && !world_alarm_.called;
@@ -327,7 +327,7 @@ void RealExecutive::run(Kernel& kernel) {
     const ScopedFifo urgent(fifo_ ? top + 2 : 0);
     origin_ = monotonic_now();
     kernel.start();
-    lock_.measure_from_now();  // until here nobody else was there
+    lock_.measure_from_now();  // until here no other thread was there
     exit();
     start_watchdog(top + 3);
     guarded("the world", [this] { world_.apart() ? move_apart() : move_world(); });

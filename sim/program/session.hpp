@@ -37,7 +37,7 @@ struct Session {
   std::string video{};               // the file; empty: none
   std::ostream* progress = nullptr;  // where progress is shown; nullptr: nowhere
   bool terminal = false;             // progress is a line that is rewritten
-  /// Outlive the run; empty: time is virtual, bytes stay in the process, nobody stops the skill.
+  /// Outlive the run; empty: time is virtual, bytes stay in the process, the skill is not stopped.
   runtime::Pace* pace = nullptr;
   std::function<std::unique_ptr<runtime::Carrier>()> carrier{};
   runtime::RunControl* control = nullptr;

@@ -44,7 +44,7 @@ class Walks {
     }
   }
 
-  /// The moves of a thread by chance of those that can move.
+  /// The moves of a random thread of those that can move.
   std::vector<Move> next(const State& state) {
     std::vector<Move> result;
     const auto first = below(threads_);

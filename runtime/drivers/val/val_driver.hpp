@@ -105,7 +105,7 @@ class ValDriver final : public Driver, public LinkUser {
   std::vector<PortSpec> ports_;
   DeviceHost* host_ = nullptr;
   State state_ = State::unknown;
-  std::deque<Waiting> queue_;            // the first is under way if carries_out()
+  std::deque<Waiting> queue_;            // the first is carried out if carries_out()
   std::optional<val::Command> command_;  // that the skill has sent, and not asked an answer to
   std::string line_;                     // of the first
   std::string heard_;                    // since the line, or its Return, was sent
