@@ -55,7 +55,7 @@ ExecutionState Executor::step() {
 
 ExecutionState Executor::run(std::size_t steps) {
   if (state_ == ExecutionState::ended || state_ == ExecutionState::failed || steps == 0) return state_;
-  // Whoever asked for a stop before the first skill wants none to run; a later stop is dealt with in act().
+  // After a stop before the first skill none may run; a later stop is dealt with in act().
   if (state_ == ExecutionState::stopped) {
     stop_.store(false, std::memory_order_relaxed);
     runner_.allow();

@@ -21,7 +21,7 @@
 
 namespace pal::runtime {
 
-/// Not thread-safe: no two of its functions may run at once, whoever calls them.
+/// Not thread-safe: no two of its functions may run at once.
 class Kernel {
  public:
   /// All outlive the kernel. `connections`: one for each device of the skill's wiring, in its order.

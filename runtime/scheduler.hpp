@@ -1,4 +1,5 @@
-// The virtual processors: who runs where (docs/reference/execution-model.md, Threads and processors).
+// The virtual processors: which thread runs where (docs/reference/execution-model.md, Threads and
+// processors).
 #pragma once
 
 #include <cstdint>
@@ -33,7 +34,7 @@ class Scheduler {
   /// The thread blocks or ends: its processor is free for others.
   void leave(Thread& thread);
 
-  /// Gives the processors to those who should have them now.
+  /// Gives the processors to the threads that should have them now.
   void dispatch();
 
   /// The thread that has the processor; null: none.

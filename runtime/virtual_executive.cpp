@@ -162,7 +162,7 @@ void VirtualExecutive::step(Kernel& kernel) {
       happen(event, kernel);
     }
   }
-  // Coroutines go on one after the other; then the processors are given to those who should have them.
+  // Coroutines go on one after the other; then the processors are given to the threads that should have them.
   kernel.settle();
   if (!journal_.over()) scheduler_.dispatch();
 }

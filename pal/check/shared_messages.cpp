@@ -18,7 +18,7 @@ namespace {
 /// Of these there is an error already (PAL0730), or there will be: a skill has far fewer blocks.
 constexpr std::size_t most_blocks = 10'000;
 
-/// Who runs a body: a thread, and where the environment has it.
+/// What runs a body: a thread, and where the environment has it.
 struct Runner {
   std::string name;
   bool is_block = false;

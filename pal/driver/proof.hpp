@@ -27,7 +27,7 @@ struct ProofLimits {
   std::size_t max_states = 1'000'000;  // a requirement
   double seconds = 0;                  // of everything together; 0: as long as it takes
   std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();  // when they began
-  analyzer::AnalysisChoice analysis = analyzer::AnalysisChoice::thorough;  // who draws a run wants the worst
+  analyzer::AnalysisChoice analysis = analyzer::AnalysisChoice::thorough;  // a drawing needs the worst run
   unsigned threads = 0;                                                    // at work; 0: one a core
   bool peak_memory = false;                                                // count it
   bool addends = false;                                                    // find what adds up to bounds

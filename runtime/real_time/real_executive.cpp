@@ -76,7 +76,8 @@ void RealExecutive::advance_world() {
   }
 }
 
-/// Everybody who can comes to the next statement, and processors are given to those who should have them.
+/// Every thread that can comes to its next statement. Processors are given to the threads that should have
+/// them.
 void RealExecutive::go_on() {
   kernel_->settle();
   if (!journal_.over()) levels_.dispatch(called_);
@@ -189,7 +190,7 @@ void RealExecutive::perform(Level& level) {
   Thread& thread = *level.work;
   const Time used = compute(level);
   go_on();
-  // Whoever was interrupted has its effect when it has its processor again.
+  // An interrupted thread has its effect when it has its processor again.
   while (!journal_.over() && !levels_.has_processor(level)) sleep(level);
   if (journal_.over()) return;
   if (goes_round(level)) {

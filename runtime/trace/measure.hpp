@@ -32,7 +32,7 @@ struct Responses {
 };
 
 /// Responses to the message `message` that `sender`, a device or a module, puts, at the effects of the
-/// statements of `at`. A message that is withdrawn before anybody took it awaits no response.
+/// statements of `at`. A message that is withdrawn before it is taken awaits no response.
 Responses responses(const Trace& trace, const std::string& sender, const std::string& message,
                     const std::vector<StatementName>& at);
 

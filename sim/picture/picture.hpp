@@ -45,7 +45,7 @@ struct PictureOptions {
 struct Picture {
   std::optional<Image> image;
   std::string problem;   // what was tried and why it failed; empty with an image
-  std::string renderer;  // who drew it: "EGL" or "OSMesa"
+  std::string renderer;  // what drew it: "EGL" or "OSMesa"
 };
 
 /// Draws the workcell as it stands: the whole, and beside it a close-up of the contact. Adds time, force and

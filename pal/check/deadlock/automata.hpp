@@ -25,7 +25,7 @@ struct Step {
     set,       // condition; value or both
     latch,     // condition
     test,      // next[i]: guards[i] holds; of a loop the last one: no guard holds
-    enter,     // a module that is executed; passed by whoever gets there
+    enter,     // a module that is executed; passed by the thread that comes there
     fork,      // next[i]: first step of block i, then the join; passed likewise
     join,      // next[0]: when the blocks have ended or stopped; none: they never do
     end,       // of a block, or of a module

@@ -160,7 +160,7 @@ void Independence::add_users(const State& state, Use use, std::size_t index, std
   }
 }
 
-/// Those that may withdraw the request: its sender by giving up, or whoever may have its sender cancelled.
+/// Those that may withdraw the request: its sender by giving up, or a thread that may cancel its sender.
 void Independence::add_withdrawers(const State& state, std::size_t request, std::size_t thread,
                                    Threads& result) const {
   add_users(state, Use::withdraw, request, thread, result);
@@ -273,7 +273,7 @@ std::optional<Threads> Independence::disturbing_service(const State& state, std:
     }
     result |= disturbing_step(at, worker, true) | cancellers_[worker];
     at = std::move(next.front().state);
-    // Whoever was helped goes on as soon as it can.
+    // A thread that was helped goes on as soon as it can.
     if (at_work.size() > 1) {
       next.clear();
       moves_.of(at, at_work[at_work.size() - 2], next);
