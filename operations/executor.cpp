@@ -240,7 +240,7 @@ void Executor::leave_with(const SkillResult& result) {
   const auto way = route(operation(), icon(), last_code_, result.kind == SkillResult::Kind::normal);
   if (way) return go(*way);
   halt(ExecutionState::failed,
-       fmt::format("'{}' ended with code {}, which nobody handles: {}", token(), last_code_, result.reason));
+       fmt::format("'{}' ended with code {}, which no icon handles: {}", token(), last_code_, result.reason));
 }
 
 /// A delay or a wait that is not over; it begins anew after a resume.
@@ -343,7 +343,7 @@ void Executor::exit_operation() {
   if (last_code_ == 0) count_here();
   if (const auto way = route(operation(), icon(), last_code_, last_code_ == 0)) return go(*way);
   halt(ExecutionState::failed,
-       fmt::format("'{}' ended with code {}, which nobody handles", token(), last_code_));
+       fmt::format("'{}' ended with code {}, which no icon handles", token(), last_code_));
 }
 
 void Executor::halt(ExecutionState state, std::string reason) {

@@ -63,8 +63,8 @@ Plan plan_joint_motion(const Joints& from, const Joints& to, const MotionSpeed& 
 
 /// The tip stands at `tool` in the flange's frame. It goes in a straight line to `goal` in frame 0, while the
 /// tool turns evenly about one axis. The configuration stays. The whole path is checked. The motion is
-/// refused if a pose is out of reach, if a joint leaves its range, or if a joint would turn faster than it
-/// can (near a singularity).
+/// refused if a pose is out of reach, or if a joint leaves its range. Near a singularity it is refused if a
+/// joint would turn faster than it can.
 Plan plan_straight_motion(const Joints& from, const Pose& goal, const Pose& tool, const MotionSpeed& speed);
 
 }  // namespace pal::sim

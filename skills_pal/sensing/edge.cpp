@@ -180,10 +180,10 @@ class Search {
   }
 
   // How much of a point's spacing the nearer surface loses after such a wall. Seen from along the wall, it
-  // loses all of its first point. The more of the wall is seen, the sooner a point near the wall's upper end
-  // comes before it, from which the way to it is not too steep. So it loses 1 - tan(steepest) · tan(ray to
-  // wall), but not less than nothing. Where the wall ends is known to half a point, so that much of the angle
-  // is not counted.
+  // loses all of its first point. The more of the wall is seen, the nearer the ray before that point meets
+  // the wall's upper end. From there the way to the point is not too steep. So it loses 1 - tan(steepest) ·
+  // tan(ray to wall), but not less than nothing. Where the wall ends is known to half a point, so that much
+  // of the angle is not counted.
   static double lost_after(const Point& wall, const Point& first, double apart) {
     const double up = wall.z - first.z;
     const double across = std::abs(first.y - apart - wall.y + wall.y / wall.z * up);
