@@ -1,4 +1,4 @@
-// Programs that nobody would write, each with what docs/reference/execution-model.md says of it, worked out
+// Unusual programs, each with what docs/reference/execution-model.md says of it, worked out
 // by hand.
 #include "analyzer/analysis.hpp"
 #include "tests/differential/by_hand.hpp"
@@ -36,7 +36,8 @@ TEST_CASE("WITHIN 0 ms may miss the message of a sender that the thread itself h
 }
 
 TEST_CASE("a module's first blocks join their queues in any order with other modules") {
-  // SM1's block (3 ms), MC1 (1 ms) and nobody else are on P: c, from the start, is 4 ms old if MC1 was first.
+  // SM1's block (3 ms), MC1 (1 ms) and no other thread are on P: c, from the start, is 4 ms old if MC1 was
+  // first.
   CHECK(bound(program("hand/begins_with_blocks")) == 4);
 }
 

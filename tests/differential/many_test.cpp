@@ -1,4 +1,4 @@
-// Of one thing more than anybody would have.
+// Programs with very many of one thing.
 #include "analyzer/analysis.hpp"
 #include "tests/differential/by_hand.hpp"
 #include "tests/support/any_skill.hpp"

@@ -31,7 +31,7 @@ void set_both(Told& run) {
   run.say(Kind::block, "MC1", "WTM( m from SM1 )", "m");
 }
 
-/// The referee lets forty runs by chance pass.
+/// The referee lets forty random runs pass.
 void expect_simulated(const std::string& name) {
   const auto made = test::meaningful_skill(skill(name));
   const Watch nothing;
@@ -65,7 +65,7 @@ TEST_CASE("a test reads all its conditions at one instant") {
   set_both(before);
   CHECK(before.broken() == "");
 
-  // c2 is set after c1, so whoever reads TRUE of c2 reads TRUE of c1.
+  // c2 is set after c1, so a thread that reads TRUE of c2 reads TRUE of c1.
   Told between(skill("two_conditions"));
   start_both(between);
   between.say(Kind::read, "SM1", "CASE", "c1", 0);

@@ -1,4 +1,4 @@
-// Chains by chance: their bounds beside those of another analysis, and of their PAL text.
+// Random chains: their bounds beside those of another analysis, and of their PAL text.
 #include <catch2/catch.hpp>
 
 #include "analyzer/compositional/compositional.hpp"

@@ -70,7 +70,7 @@ class Walk {
       moves_.of(state, thread, after);
       REQUIRE_FALSE(after.empty());
       for (std::size_t t = 0; t < threads_; ++t) {
-        // One that was blocked and is then cancelled stops: nobody's move enables that but the cancelling.
+        // One that was blocked and is then cancelled stops: no move enables that but the cancelling.
         const bool stops = moves_.finishing(state, t) && !moves_.finishing(before, t);
         if (set.test(t) && !stops) compare(before, others, state, timely, t);
       }
@@ -115,7 +115,7 @@ class Walk {
     return result;
   }
 
-  /// The moves of a thread by chance, none of `but`, of those that can move.
+  /// The moves of a random thread, none of `but`, of those that can move.
   std::vector<Move> some(const State& state, const Threads& but) {
     std::vector<Move> result;
     const auto first = below(threads_);

@@ -26,7 +26,7 @@ namespace {
 
 constexpr Nanoseconds one_millisecond = 1'000'000;
 
-/// A skill by chance; every third one a timed one that is changed in a few places.
+/// A random skill; every third one a timed one that is changed in a few places.
 std::string program(std::uint64_t seed) {
   if (seed % 3 != 0) return test::RandomSkill(seed, 9).text();
   const auto sound = [](const std::string& text) { return test::skill_from_text(text)->problem.has_value(); };

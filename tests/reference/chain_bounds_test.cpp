@@ -1,4 +1,4 @@
-// Bounds of cause-effect chains, by numbers that can be reckoned by hand.
+// Bounds of cause-effect chains, by figures that can be worked out by hand.
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -103,7 +103,7 @@ TEST_CASE("a response does not include the jitter of its event") {
 
 TEST_CASE("a reader of lower priority reads no old value while the setter works") {
   // Below the setter the reader does not get between its release and its set: 10 from one release to the
-  // next, or to the first. With its priority, or where nobody is preempted, it may have been at work before.
+  // next, or to the first. With its priority, or without preemption, it may have been at work before.
   // Elsewhere it reads until the value is set again.
   expect_bounds(setter_and_reader("", "P1 PRIORITY 1"), {{10, 10}, {13, 10}});
   expect_bounds(setter_and_reader("", "P1 PRIORITY 2"), {{17, 14}, {20, 14}});

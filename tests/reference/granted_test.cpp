@@ -126,7 +126,7 @@ TEST_CASE("a job is as short as its block needs") {
 }
 
 TEST_CASE("a thread that may end before it has come home takes nothing") {
-  // If c does not hold LS1 ends at once, and nobody takes what SD2 sends.
+  // If c does not hold LS1 ends at once, and no thread takes what SD2 sends.
   expect_no_bound(granted("ended"));
 }
 

@@ -1,4 +1,4 @@
-// Bounds of what a thread is sent once while it is at work, by numbers that can be reckoned by hand.
+// Bounds of what a thread is sent once while it is at work, by figures that can be worked out by hand.
 #include <catch2/catch.hpp>
 #include <string>
 

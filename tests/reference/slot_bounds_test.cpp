@@ -1,4 +1,4 @@
-// Bounds where sends wait for their slots, by numbers that can be reckoned by hand.
+// Bounds where sends wait for their slots, by figures that can be worked out by hand.
 #include <catch2/catch.hpp>
 #include <string>
 

@@ -103,7 +103,7 @@ TEST_CASE("slack of rate monotonic drivers is what the time demand leaves, to th
     CHECK(with(*skill, name, *slack.holds) == Verdict::State::holds);
     CHECK(with(*skill, name, *slack.fails) == Verdict::State::fails);
   }
-  CHECK(of("SEND").unlimited);  // nobody sends
+  CHECK(of("SEND").unlimited);  // no statement sends
   // All together: 5 ms is the longest; the others grow in proportion, rounded up.
   const Slack together = of("");
   CHECK(together.exact());

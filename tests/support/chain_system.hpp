@@ -1,4 +1,4 @@
-// Distributed systems of event chains: described, drawn by chance, and as PAL and as the analyzer's model.
+// Distributed systems of event chains: described, drawn at random, and as PAL and as the analyzer's model.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Skills by chance in which a controller is sent commands that come once, and is at work when they come.
+// Random skills in which a controller is sent commands that come once, and is at work when they come.
 #pragma once
 
 #include <cstdint>

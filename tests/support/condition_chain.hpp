@@ -1,4 +1,4 @@
-// Cause-effect chains by chance whose stages talk by conditions alone.
+// Random cause-effect chains whose stages talk by conditions alone.
 #pragma once
 
 #include <cstdint>

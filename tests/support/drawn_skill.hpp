@@ -1,4 +1,4 @@
-// What skills by chance are put together from whose modules ask, serve and send.
+// The parts of random skills whose modules ask, serve and send.
 #pragma once
 
 #include <cstdint>

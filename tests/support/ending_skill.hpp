@@ -1,4 +1,4 @@
-// Skills by chance that end in the middle of what they do.
+// Random skills that end in the middle of what they do.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Skills by chance in which sends wait for their slots.
+// Random skills in which sends wait for their slots.
 #pragma once
 
 #include <cstdint>

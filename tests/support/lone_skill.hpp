@@ -1,4 +1,4 @@
-// Skills whose method has to do with nobody but devices.
+// Skills whose method talks with devices only.
 #pragma once
 
 #include <cstdint>

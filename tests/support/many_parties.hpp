@@ -1,4 +1,4 @@
-// Skills by chance in which many have to do with one message.
+// Random skills in which many threads send and take one message.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Skills that somebody meant otherwise: a few lines and figures of a right skill changed by chance.
+// Skills with mistakes: a few lines and figures of a right skill changed at random.
 #pragma once
 
 #include <algorithm>

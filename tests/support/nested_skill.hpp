@@ -1,4 +1,4 @@
-// Skills by chance whose modules take, ask and send in blocks within blocks.
+// Random skills whose modules take, ask and send in blocks within blocks.
 #pragma once
 
 #include <algorithm>

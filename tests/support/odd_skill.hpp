@@ -1,4 +1,4 @@
-// Skills by chance whose modules take what others send in the middle of their rounds, and give up.
+// Random skills whose modules take what others send in the middle of their rounds, and give up.
 #pragma once
 
 #include <cstdint>

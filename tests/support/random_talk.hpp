@@ -1,4 +1,4 @@
-// Small skills by chance whose modules talk in any order, so that many of them get stuck.
+// Small random skills whose modules talk in any order, so that many of them get stuck.
 #pragma once
 
 #include <cstdint>

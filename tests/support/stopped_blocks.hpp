@@ -1,4 +1,4 @@
-// Skills by chance whose blocks are stopped while others wait for what they have asked for.
+// Random skills whose blocks are stopped while others wait for what they have asked for.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Runs told by chance, event by event: whatever the referee lets pass, sense or nonsense.
+// Random runs, told event by event: whatever the referee lets pass, sense or nonsense.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Skills by chance that keep pace, so that there is something to say about each measure.
+// Random skills that keep pace, so that there is something to say about each measure.
 #pragma once
 
 #include <cstdint>

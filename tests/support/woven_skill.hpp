@@ -1,4 +1,4 @@
-// Skills by chance whose modules ask, serve and send in many ways at a time.
+// Random skills whose modules ask, serve and send in many ways at a time.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// pal simulate: runs by chance and by script.
+// pal simulate: random runs and runs by script.
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <filesystem>

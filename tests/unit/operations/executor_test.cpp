@@ -1,4 +1,4 @@
-// The token goes where the codes send it, and halts where somebody wants it to.
+// The token goes where the codes send it, and halts at breakpoints.
 #include <nlohmann/json.hpp>
 #include <sstream>
 

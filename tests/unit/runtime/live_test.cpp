@@ -1,4 +1,4 @@
-// Live events: a ring between a run and whoever looks on.
+// Live events: a ring between a run and its viewer.
 #include <catch2/catch.hpp>
 #include <thread>
 

@@ -104,7 +104,7 @@ TEST_CASE("VAL in the workcell: VAL opens ALTER, and TOOL sets the point that tu
   opener.open({.world = false, .cumulative = true}, done);
   cell.pass(500ms);
   CHECK(problem.empty());
-  CHECK(cell.alter.is_open() == false);  // nobody has answered it: it has ended itself
+  CHECK(cell.alter.is_open() == false);  // it was not answered, so it has ended itself
   opener.close(done);
   cell.pass(500ms);
   CHECK(problem.find("ALTER") == 0);

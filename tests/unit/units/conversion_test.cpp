@@ -18,7 +18,7 @@ struct Row {
 
 }  // namespace
 
-// Figures by chance; the expected ones are fractions of whole numbers of any size, rounded once, by Python's
+// Random figures; the expected ones are fractions of whole numbers of any size, rounded once, by Python's
 // integers.
 TEST_CASE("numbers convert to the nearest double") {
   const Row rows[] = {
