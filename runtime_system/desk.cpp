@@ -383,7 +383,7 @@ void Desk::ask(ClientId client, Command command, Answerer answer) {
       refusal = wrong(problem.what());
     }
   }
-  // Whoever has taken the answerer answers later.
+  // What has taken the answerer answers later.
   if (refusal) {
     answer(*refusal);
   } else if (answer) {

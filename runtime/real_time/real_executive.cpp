@@ -76,13 +76,14 @@ void RealExecutive::advance_world() {
   }
 }
 
-/// Everybody who can comes to the next statement, and processors are given to those who should have them.
+/// Every thread that can comes to its next statement. Processors are given to the threads that should have
+/// them.
 void RealExecutive::go_on() {
   kernel_->settle();
   if (!journal_.over()) levels_.dispatch(called_);
 }
 
-/// The level's next statement follows without leaving the kernel, unless somebody is to be woken or it has
+/// The level's next statement follows without leaving the kernel, unless a thread is to be woken or it has
 /// been in for long.
 void RealExecutive::go_on_inside(Level& level) {
   const bool nobody = called_.empty() && !timer_.called && !world_alarm_.called;
@@ -189,7 +190,7 @@ void RealExecutive::perform(Level& level) {
   Thread& thread = *level.work;
   const Time used = compute(level);
   go_on();
-  // Whoever was interrupted has its effect when it has its processor again.
+  // An interrupted thread has its effect when it has its processor again.
   while (!journal_.over() && !levels_.has_processor(level)) sleep(level);
   if (journal_.over()) return;
   if (goes_round(level)) {
@@ -327,7 +328,7 @@ void RealExecutive::run(Kernel& kernel) {
     const ScopedFifo urgent(fifo_ ? top + 2 : 0);
     origin_ = monotonic_now();
     kernel.start();
-    lock_.measure_from_now();  // until here nobody else was there
+    lock_.measure_from_now();  // until here no other thread was there
     exit();
     start_watchdog(top + 3);
     guarded("the world", [this] { world_.apart() ? move_apart() : move_world(); });

@@ -152,7 +152,7 @@ TEST_CASE("the bound is what trying every run gives") {
   CHECK(compared > 0);
 }
 
-TEST_CASE("no simulated run keeps a processor busier for long than what was proved") {
+TEST_CASE("no simulated run exceeds a proved load in the long run") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   const std::uint64_t rounds = setting("PAL_ROUNDS", 20);
   std::size_t proved = 0;
@@ -207,7 +207,7 @@ TEST_CASE("no simulated run keeps a processor busier for long than what was prov
   CHECK(exact > 0);
 }
 
-TEST_CASE("no unending run exceeds a bound by shares, whatever the common divisor of the times") {
+TEST_CASE("no unending run exceeds a bound by shares") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   const std::uint64_t rounds = setting("PAL_ROUNDS", 20);
   std::size_t proved = 0;

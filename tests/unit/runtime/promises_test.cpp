@@ -77,7 +77,7 @@ struct Asker {
 
 }  // namespace
 
-TEST_CASE("a device that keeps its promise to the nanosecond breaks none, and its trace has nothing of it") {
+TEST_CASE("a device that keeps its promise to the nanosecond breaks none") {
   Asker asker;
   const auto outcome = asker.go(OnBrokenPromise::stop);
   CHECK(outcome.code == 0);
@@ -132,7 +132,7 @@ TEST_CASE(
   CHECK(asker.sensor.closed == 1);
 }
 
-TEST_CASE("a device that never answers is noted when its time is over, before the deadlock is told") {
+TEST_CASE("a device that never answers is noted when its time is over") {
   Asker asker;
   asker.answer_times.clear();
   const auto outcome = asker.go();
@@ -187,7 +187,7 @@ TEST_CASE("policy contingency: a skill that has no answer, or throws, is stopped
   CHECK(outcome.reason.ends_with(why));
 }
 
-TEST_CASE("a statement that takes longer than its worst is noted with its line, from an instant on") {
+TEST_CASE("a statement that takes longer than its worst is noted with its line") {
   Asker asker;
   runtime::RunOptions options;
   options.slow = {{"M", 2, 40ms, 3ms}};  // the second line: receive
@@ -250,7 +250,7 @@ TEST_CASE("a device that serves one request at a time has its time for each") {
   CHECK(watch.due() == Time::max());
 }
 
-TEST_CASE("a frame comes a period and the time of its collection after the request at the latest") {
+TEST_CASE("a frame comes at most a period and its collection after the request") {
   DeviceWatch watch({.behaviour = Behaviour::frames, .period = 78ms, .answer = {76ms, 76ms}});
   watch.asked(0ms);
   CHECK(watch.due() == 154ms + 1ns);
@@ -319,7 +319,7 @@ RequirementSpec spec(Measure measure, int channel, int at) {
 
 }  // namespace
 
-TEST_CASE("a response that takes too long is seen when its limit is over, not when it comes") {
+TEST_CASE("a late response is seen when its limit is over, not when it comes") {
   Bell bell;
   RequirementSpec response = spec(Measure::response, 0, 1);
   response.most = 4ms;
