@@ -286,7 +286,7 @@ class Compiler {
     return made;
   }
 
-  int statement(std::size_t module, NodeId id) {
+  StatementId statement(std::size_t module, NodeId id) {
     const auto key = std::pair{module, id.value};
     const auto known = statements_.find(key);
     if (known != statements_.end()) return known->second;
@@ -301,8 +301,8 @@ class Compiler {
       made.file = sources_->name(node.where.file);
       made.line = sources_->line_column(node.where.file, node.where.begin).line;
     }
-    problem_.statements.push_back(std::move(made));
-    const int index = static_cast<int>(problem_.statements.size()) - 1;
+    const StatementId index = problem_.statements.push_back(std::move(made));
+
     statements_.emplace(key, index);
     return index;
   }
@@ -342,7 +342,7 @@ class Compiler {
   std::map<int, SourceSpan> executes_;  // by stand-in
   std::set<int> led_;
   std::map<std::tuple<int, std::size_t, std::size_t>, int> blocks_;  // by parent, module and number
-  std::map<std::pair<std::size_t, std::int32_t>, int> statements_;
+  std::map<std::pair<std::size_t, std::int32_t>, StatementId> statements_;
   std::map<std::pair<int, std::int32_t>, int> kept_;  // by module and message
 };
 

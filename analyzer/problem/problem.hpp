@@ -8,10 +8,12 @@
 #include <variant>
 #include <vector>
 
+#include "analyzer/problem/ids.hpp"
 #include "pal/pan/environment.hpp"
 #include "pal/pan/network.hpp"
 #include "pal/support/diagnostic.hpp"
 #include "pal/support/source.hpp"
+#include "pal/support/table.hpp"
 #include "pal/support/time.hpp"
 
 namespace pal::analyzer {
@@ -33,7 +35,7 @@ struct Range {
 struct Step {
   enum class Kind { wait, send, set, read, test, activity, complete, fork, end };
   Kind kind = Kind::end;
-  int statement = -1;  // in Problem::statements; -1: none
+  StatementId statement;
   int call = -1;       // in Problem::calls: the Execute whose body this stands in; -1: none
   Range cost;          // of a wait: of its receive
   Range give_up_cost;  // wait with a limit: of the test that gives up
@@ -155,7 +157,7 @@ struct Problem {
   std::vector<Channel> channels;
   std::vector<Device> devices;
   std::vector<std::string> conditions;
-  std::vector<Statement> statements;
+  Table<StatementId, Statement> statements;
   std::vector<Call> calls;
   std::vector<Kept> kept;
   std::vector<Requirement> requirements;

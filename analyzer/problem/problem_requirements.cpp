@@ -14,9 +14,9 @@ std::vector<bool> ProblemBuilder::steps_at(const std::vector<StatementRef>& at,
   bool any = false;
   for (const StatementRef& ref : at) {
     for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
-      const int statement = problem_.steps[s].statement;
-      if (statement < 0) continue;
-      const Statement& known = problem_.statements[static_cast<std::size_t>(statement)];
+      const StatementId statement = problem_.steps[s].statement;
+      if (!statement.valid()) continue;
+      const Statement& known = problem_.statements[statement];
       if (known.source_module == ref.module.value && known.source_node == ref.node.value)
         steps[s] = any = true;
     }
@@ -41,8 +41,8 @@ std::vector<bool> ProblemBuilder::steps_in(const std::vector<StatementRef>& loop
   std::vector<bool> steps(problem_.steps.size());
   for (std::size_t s = 0; s < steps.size(); ++s) {
     const Step& step = problem_.steps[s];
-    if (step.statement < 0) continue;
-    const Statement& known = problem_.statements[static_cast<std::size_t>(step.statement)];
+    if (!step.statement.valid()) continue;
+    const Statement& known = problem_.statements[step.statement];
     steps[s] = within(known.source_module, known.source_node);
     for (int c = step.call; c >= 0 && !steps[s]; c = problem_.calls[static_cast<std::size_t>(c)].outer) {
       const Call& call = problem_.calls[static_cast<std::size_t>(c)];

@@ -52,7 +52,8 @@ int RequirementMonitor::birth() {
 }
 
 void RequirementMonitor::show(Nanoseconds born, int step) {
-  const int statement = step < 0 ? -1 : problem_.steps[static_cast<std::size_t>(step)].statement;
+  const StatementId statement =
+      step < 0 ? StatementId{} : problem_.steps[static_cast<std::size_t>(step)].statement;
   measured_.push_back({now_ - born, born, now_, statement});
 }
 
@@ -299,7 +300,7 @@ void RequirementMonitor::show_losses() {
     for (std::size_t i = from; i < std::min(from + in, lost_.size()); ++i) lost += lost_[i] ? 1 : 0;
     most = std::max(most, lost);
   }
-  measured_.push_back({most, now_, now_, -1});
+  measured_.push_back({most, now_, now_, {}});
 }
 
 std::optional<Nanoseconds> RequirementMonitor::growing_since() const {

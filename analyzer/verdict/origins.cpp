@@ -28,7 +28,7 @@ Origins::Origins(const Problem& problem, const Requirement& requirement, const t
 
 /// The step of a thread's event, if samples are followed.
 const Step* Origins::step_of(const trace::Event& event) const {
-  const auto found = steps_.find({event.actor, event.statement});
+  const auto found = steps_.find({event.actor, StatementId::of(event.statement)});
   return found == steps_.end() ? nullptr : &problem_.steps[static_cast<std::size_t>(found->second)];
 }
 

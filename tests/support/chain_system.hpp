@@ -169,8 +169,7 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
     Statement of;
     of.module = module;
     of.text = text;
-    made.statements.push_back(std::move(of));
-    return static_cast<int>(made.statements.size()) - 1;
+    return made.statements.push_back(std::move(of));
   };
   for (std::size_t c = 0; c < system.chains.size(); ++c) {
     const ChainSystem::Chain& chain = system.chains[c];
