@@ -9,4 +9,10 @@ namespace pal::analyzer {
 /// In Problem::statements.
 using StatementId = Id<struct StatementTag>;
 
+/// In Problem::calls.
+using CallId = Id<struct CallTag>;
+
+/// In Problem::kept.
+using KeptId = Id<struct KeptTag>;
+
 }  // namespace pal::analyzer

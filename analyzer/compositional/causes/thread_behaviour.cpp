@@ -289,7 +289,7 @@ class Observer {
     made_.never_full.assign(problem_.channels.size(), false);
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
       const Channel& channel = problem_.channels[c];
-      made_.never_full[c] = channel.answer >= 0 || (channel.answers >= 0 && channel.sender_module >= 0);
+      made_.never_full[c] = channel.answer >= 0 || (channel.answers >= 0 && channel.sender_module.valid());
     }
   }
 
