@@ -98,17 +98,6 @@ class Schedule {
     return times;
   }
 
-  /// At the end `timer` has `left` to go.
-  void leave(int timer, Nanoseconds left) {
-    const Life& life = lives_[static_cast<std::size_t>(timer)];
-    if (!life.active || life.frozen) {
-      feasible_ = false;
-      return;
-    }
-    const Nanoseconds most = life.range.worst >= none ? none : life.range.worst + life.owed - left;
-    between(life.started, count_ - 1, life.range.best + life.owed - left, most);
-  }
-
  private:
   struct Life {
     bool active = false;
@@ -273,11 +262,9 @@ std::vector<ScriptedFiring> path_to(const ZoneGraph& graph, int target) {
 }  // namespace
 
 std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, const ZoneGraph& graph,
-                                                     int target,
-                                                     const std::vector<std::pair<int, Nanoseconds>>& left) {
+                                                     int target) {
   std::vector<ScriptedFiring> path = path_to(graph, target);
   Schedule schedule(machine, path, Schedule::Pin::worst);
-  for (const auto& [timer, time] : left) schedule.leave(timer, time);
   if (!schedule.feasible()) return std::nullopt;
   const auto times = schedule.solve(Schedule::Aim::any);
   if (!times) return std::nullopt;
@@ -335,7 +322,7 @@ std::optional<Witness> replay(const Machine& machine, const std::vector<Scripted
 
 std::optional<Witness> stuck_witness(const Machine& machine, const ZoneGraph& graph, int stuck,
                                      Nanoseconds value) {
-  const auto script = script_to(machine, graph, stuck, {});
+  const auto script = script_to(machine, graph, stuck);
   std::optional<Witness> made;
   if (script) made = replay(machine, *script, true);
   if (!made || !made->grows) return std::nullopt;

@@ -134,10 +134,9 @@ Decision load_decision(const Problem& problem, const Requirement& requirement, c
   const Watch nothing;
   const Machine machine(problem, nothing);
   ZoneGraph graph(machine, 0, true);
-  const Limits limits{options.max_states, options.stop, {}, &workers};
-  if (!graph.explore(limits)) return {};
+  if (!graph.explore({options.max_states, options.stop, {}, &workers})) return {};
   const Fraction limit{requirement.limit, 1'000'000'000};
-  const LoadDecision decision = decide_loads(machine, graph, requirement.processors, limit, limits);
+  const LoadDecision decision = decide_loads(machine, graph, requirement.processors, limit, options.stop);
   if (decision.state == Is::undecided) return {};
   return {decision.state, std::nullopt, per_second(decision.load) - requirement.limit};
 }
