@@ -52,7 +52,7 @@ void expect_run(const Requirement& requirement, const Verdict& verdict, const Si
 std::vector<Watch> watches_of(const Problem& problem, const Requirement& requirement) {
   if (requirement.measure != Requirement::Measure::busy) return {watch_of(problem, requirement)};
   std::vector<Watch> watches;
-  for (const int processor : requirement.processors)
+  for (const ProcessorId processor : requirement.processors)
     watches.push_back(watch_of(problem, requirement, processor));
   return watches;
 }
@@ -167,8 +167,8 @@ TEST_CASE("no simulated run exceeds a proved load in the long run") {
     const Machine machine(problem, nothing);
     ZoneGraph graph(machine, 0, true);
     if (!graph.explore({30'000, {}})) continue;
-    std::vector<int> processors;
-    for (std::size_t p = 0; p < problem.processors.size(); ++p) processors.push_back(static_cast<int>(p));
+    std::vector<ProcessorId> processors;
+    for (const ProcessorId p : problem.processors.ids()) processors.push_back(p);
     const std::vector<LoadBound> bounds = load_bounds(machine, graph, processors, {});
     for (const LoadBound& bound : bounds) {
       proved += bound.proved ? 1 : 0;
