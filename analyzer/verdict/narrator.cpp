@@ -10,7 +10,7 @@ using trace::Slice;
 namespace {
 
 /// By processor: who ran on it, in order. Two do not at one time.
-std::vector<std::vector<Slice>> running_on(const Problem& problem, const std::vector<Slice>& slices) {
+Table<ProcessorId, std::vector<Slice>> running_on(const Problem& problem, const std::vector<Slice>& slices) {
   Table<ProcessorId, std::vector<Slice>> by_processor(problem.processors.size());
   for (const Slice& slice : slices) {
     if (slice.state != trace::State::running || slice.to_ns == slice.from_ns) continue;
