@@ -18,7 +18,7 @@ using Kind = JsonValue::Kind;
 
 constexpr double longest_delay = 86'400;  // s
 
-/// The fields of an object, each asked for once; what nobody has asked for is reported.
+/// The fields of an object, each asked for once; a field that was not asked for is reported.
 class Fields {
  public:
   Fields(const JsonValue& object, Diagnostics& diagnostics)

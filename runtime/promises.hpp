@@ -58,7 +58,7 @@ class Promises final : public EventWatcher {
     std::int32_t broken = -1;  // in broken_
     Time measured{};
   };
-  /// Who has broken it, and where.
+  /// The party that has broken it, and where.
   struct Breach {
     std::size_t row = 0;
     Time measured{};

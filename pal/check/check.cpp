@@ -40,7 +40,7 @@ class Checker {
         result_.environments.push_back(checker::build_environment(*environment, diagnostics_));
       } else if (const auto* skill = std::get_if<syntax::SkillUnit>(&unit)) {
         const bool first = once(skills_, "skill", skill->name);
-        // Of two skills of one name nobody knows which is meant.
+        // Of two skills of one name it is unknown which is meant.
         if (first && !twice_.contains(skill->name.text)) {
           check_skill(index, *skill);
         } else {

@@ -154,7 +154,7 @@ struct OperationOptions {
   bool check = false;  // of the format: change nothing
 };
 /// Finds what is wrong with operations, what their skills need and the cell lacks, and how long each way
-/// takes. not_met: a requirement of a skill fails or is undecided.
+/// takes. The status not_met: a requirement of a skill fails or is undecided.
 ExitStatus check_operation(const OperationOptions& options, const Console& console);
 /// Tells an operation as a story.
 ExitStatus tell_operation(const OperationOptions& options, const Console& console);

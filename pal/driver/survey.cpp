@@ -30,8 +30,8 @@ bool further(const Requirement& requirement, Nanoseconds value, bool open, const
   return breaks == broken ? further(requirement, value, seen.extreme) : breaks;
 }
 
-/// Whether a value that grows at the end of `run` counts, however the run goes on: it is measured when the
-/// skill ends, or grows for ever. Where time stands still it does not.
+/// Whether a value that grows at the end of `run` counts, however the run goes on. It counts if it is
+/// measured when the skill ends, or grows for ever. Where time stands still it does not.
 bool counts(const Requirement& requirement, const KnownRun& run) {
   return run.still || (requirement.measure == Requirement::Measure::busy && !run.stands);
 }

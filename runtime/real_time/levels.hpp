@@ -30,8 +30,8 @@ struct Level {
 };
 
 /// Gives processors to threads by the rules of docs/reference/execution-model.md, as the Scheduler of virtual
-/// time does. It decides who begins a statement and who may have its effect. The operating system makes sure
-/// that an interrupted thread does not run meanwhile.
+/// time does. It decides which thread begins a statement and which may have its effect. The operating system
+/// makes sure that an interrupted thread does not run meanwhile.
 class Levels {
  public:
   /// All outlive the levels.

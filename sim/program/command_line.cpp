@@ -121,7 +121,7 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
           ->excludes(sweep)
           ->excludes(app.get_option("--paced"))
           ->excludes(app.get_option("--time"));
-  // Who looks on would hold up the arm, which waits for nobody.
+  // A video or a display would hold up the arm, which does not wait.
   for (CLI::Option* looks : {video, live}) real_time->excludes(looks);
   app.add_option("--limit", command.limit, "seconds of the skill's time after which it is ended")
       ->type_name("SECONDS")

@@ -6,7 +6,7 @@
 namespace pal::sim::val {
 namespace {
 
-// A motion has ended when the tip is so near to where it was told to be, or when it has had so long for it.
+// A motion has ended when the tip is so near to where it was told to be, or after so long.
 constexpr double near_enough = 0.1e-3;  // m
 constexpr runtime::Time long_enough = std::chrono::milliseconds(150);
 constexpr runtime::Time between_looks = std::chrono::milliseconds(2);

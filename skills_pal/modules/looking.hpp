@@ -11,8 +11,8 @@ struct Way {
   double rx = 0, ry = 0;
 };
 
-/// Cuts a way into steps of one ALTER cycle, and says when the tool has stood so long that what is seen now
-/// was scanned after it came to rest. Then it asks for so many looks as are to be averaged.
+/// Cuts a way into steps of one ALTER cycle. Then it waits until the tool has stood so long that a new
+/// profile was scanned at rest. Each such profile is a fresh look; the skill averages several.
 class Looking {
  public:
   /// mm and deg in a cycle.

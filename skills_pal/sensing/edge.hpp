@@ -37,7 +37,7 @@ struct EdgeOptions {
   std::optional<double> expected;
 };
 
-/// The edge, or nothing if there is none. Two lines are fitted to the points on either side of each place; an
+/// The edge, or nothing if there is none. Two lines are fitted to the points on either side of each place. An
 /// edge is where two lines explain the points clearly better than one does.
 std::optional<Edge> find_edge(const Profile& profile, const EdgeOptions& options = {});
 

@@ -153,7 +153,7 @@ TEST_CASE("each request that is withdrawn while it is being taken costs a receiv
   if (bound.bound) CHECK(bound.bound->count() >= 150'000'000);
 }
 
-TEST_CASE("a condition is as it was left by a block that was cancelled in the CONCURRENT before") {
+TEST_CASE("a condition keeps the value that a cancelled block gave it") {
   const Shown shown = show(program("left"));
   CHECK(shown.greatest > 300'000'000);
   if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
@@ -169,8 +169,8 @@ TEST_CASE("each branch on the way to a busy thread has a slot that fills") {
 }
 
 TEST_CASE("if jobs begin in several ways, a later job may overtake") {
-  // What SD1 sends by LS2 is there at once, and what it sends by LS1 10 ms later: at the same instant as what
-  // it sends by LS2 a period later, which SM1 may take first.
+  // What SD1 sends by LS2 is there at once, and what it sends by LS1 is there 10 ms later. At that instant
+  // the next message by LS2 comes as well, and SM1 may take it first.
   CHECK(test::exact_and_not_below(program("rounds_overtake")) > 20'000'000);
   CHECK(test::exact_and_not_below(program("reads_overtake")) > 20'000'000);
 }
@@ -215,7 +215,7 @@ TEST_CASE("a load whose turn has a thousand actions is found in time") {
   CHECK(analyze_exactly(*skill->problem).verdicts.front().state != Verdict::State::holds);
 }
 
-TEST_CASE("a module may have as many statements in a row as there may be in a skill") {
+TEST_CASE("all statements of a skill may stand in one row of one module") {
   // Calls within calls, one for each statement, did not find the room.
   std::string works;
   for (int n = 0; n < 28'000; ++n) works += "    short\n";
@@ -227,8 +227,8 @@ TEST_CASE("a module may have as many statements in a row as there may be in a sk
 }
 
 TEST_CASE("the compositional analysis asks whether to end at each segment") {
-  // Two thousand that share a processor take a minute, and five thousand in a row with two ways on from each
-  // a minute and a half.
+  // Two thousand segments that share a processor take a minute. Five thousand in a row, with two ways on from
+  // each, take a minute and a half.
   int asked = 0;
   Options options;
   options.stop = [&asked] { return ++asked > 20; };
@@ -287,7 +287,7 @@ TEST_CASE("the compositional analysis asks whether to end while it looks at ways
   CHECK(earliest([] { return true; }) == 0);
 }
 
-TEST_CASE("a request that a block takes may be answered at once when the block has ended") {
+TEST_CASE("a request that a block took may be answered as soon as the block ends") {
   // Every other answer needs 10 ms of work: SM1 works for 2 ms in every 12 ms, not for 1 ms in every 11 ms.
   const auto skill = test::meaningful_skill(program("in_turns"));
   const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
@@ -303,8 +303,8 @@ TEST_CASE("what follows an answer also follows if a block took its request") {
 
 TEST_CASE(
     "why there is no bound: a thread that comes to its statement in every job is not said to pass it by") {
-  // The sensor is asked as soon as the last value is filtered. As far as the bounds know rounds may come as
-  // fast as with the least filtering, and each take the most: nothing bounds when one is over.
+  // The sensor is asked as soon as the last value is filtered. As far as the bounds know, rounds may come as
+  // fast as with the least filtering, and each may take the most. So nothing bounds when one is over.
   const auto skill = test::meaningful_skill(program("polled"));
   const Analysis analysis = analyze_compositionally(*skill->problem);
   REQUIRE(analysis.verdicts.size() == 3);
@@ -325,7 +325,7 @@ TEST_CASE("why there is no bound: the thread that may skip its statement is name
   CHECK(why.find("SD1 need not come to it in every job") != std::string::npos);
 }
 
-TEST_CASE("why there is no bound: a block that passes its statement in every job may leave them") {
+TEST_CASE("no bound: a block that passes its statement in every job may leave its loop") {
   const auto skill = test::meaningful_skill(program("leaves"));
   const Analysis analysis = analyze_compositionally(*skill->problem);
   CHECK(analysis.verdicts.front().explanation.find("SM1.1 may leave its loop") != std::string::npos);
@@ -341,7 +341,7 @@ TEST_CASE("why there is no bound: the unbounded thread that keeps another waitin
   CHECK(std::any_of(analysis.verdicts.begin(), analysis.verdicts.end(), says));
 }
 
-TEST_CASE("what adds up to an age says whether the value waits for the first set or for the next") {
+TEST_CASE("the parts of an age say whether the first set or the next is awaited") {
   // Until the first set, 10 + 2 ms after the start at the latest, the value is as old as the skill. Later
   // there are 10 + 2 - 1 ms from a set to the next; if filtering may take no time, as many.
   const auto added_up = [](const std::string& text) {

@@ -150,7 +150,7 @@ TEST_CASE(
   CHECK(compared > 0);
 }
 
-TEST_CASE("a device that answers on request is a module on a processor of its own") {
+TEST_CASE("a device on request equals a module on a processor of its own") {
   // Both serve one request at a time, and answer those that were withdrawn in vain.
   const std::string device = test::program("served/by_device");
   const std::string module = test::program("served/by_module");

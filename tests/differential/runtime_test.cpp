@@ -1,4 +1,4 @@
-// The runtime against the analyzer: programs by chance, run as generated code would run them; every run keeps
+// The runtime against the analyzer: random programs, run as generated code would run them. Every run keeps
 // the rules, and measures no more than was proved.
 #include <catch2/catch.hpp>
 #include <iostream>
@@ -154,7 +154,7 @@ TEST_CASE("runs of the runtime keep the rules, and exceed no bound") {
   CHECK(traces > 0);
 }
 
-TEST_CASE("blocks of a CONCURRENT in an endless loop can end or not, as their flow says") {
+TEST_CASE("a CONCURRENT in an endless loop: the flow says which blocks can end") {
   const auto skill = test::any_skill(R"(MESSAGE tick : SIGNAL
 DEVICE robot
 SKILL s

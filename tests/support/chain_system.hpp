@@ -1,4 +1,4 @@
-// Distributed systems of event chains: described, drawn by chance, and as PAL and as the analyzer's model.
+// Distributed systems of event chains: described, drawn at random, and as PAL and as the analyzer's model.
 #pragma once
 
 #include <algorithm>
@@ -247,9 +247,9 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
   return made;
 }
 
-/// Requires everything else of the chains, too: how far apart and how near the works of the last stage are,
-/// how old the event is there and until it reacts to one, that none is lost, how long what the first stage
-/// sends is under way; and of the processors how long they are busy.
+/// Requires everything else of the chains, too. Of the last stage: the greatest and least interval, the age
+/// of the event's sample, and the reaction. Of the event: no loss. Of the first stage: the response to its
+/// message. Of the processors: the busy period.
 inline void require_more(analyzer::Problem& problem) {
   using Measure = analyzer::Requirement::Measure;
   const std::vector<analyzer::Requirement> responses = problem.requirements;

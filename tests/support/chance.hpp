@@ -1,4 +1,4 @@
-// What skills by chance are drawn with.
+// What random skills are drawn with.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace pal::test {
 
-/// Draws by chance. The same seed gives the same draws.
+/// Random draws. The same seed gives the same draws.
 class Chance {
  public:
   explicit Chance(std::uint64_t seed) : engine_(seed) {}

@@ -1,4 +1,4 @@
-// What skills by chance are put together from whose modules ask, serve and send.
+// The parts of random skills whose modules ask, serve and send.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace pal::test {
 
-/// A skill that is being drawn: its modules and who of them talks to whom, the statements that they are made
-/// of, what can be required of these, and the processors of its workcell. Each kind of skill draws from it
-/// what a round of a module is.
+/// A random skill that is being made. It has the modules, their channels and statements, the possible
+/// requirements, and the processors of the workcell. Each kind of skill makes the rounds of its modules from
+/// it.
 class DrawnSkill {
  protected:
   struct Trigger {

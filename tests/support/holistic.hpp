@@ -1,8 +1,8 @@
-// Holistic analysis, from the book: the baseline that the compositional analysis must be at or under.
+// Holistic analysis, from the book: the baseline that compositional bounds must not exceed.
 //
-// K. Tindell, J. Clark, Holistic schedulability analysis for distributed hard real-time systems, 1994, with
-// the jitter of a stage taken as what its predecessor's response varies by, and nothing known of offsets.
-// Shares no code with the analyzer.
+// K. Tindell, J. Clark, Holistic schedulability analysis for distributed hard real-time systems, 1994. The
+// jitter of a stage is the variation of its predecessor's response time. Nothing is known of offsets. Shares
+// no code with the analyzer.
 #pragma once
 
 #include <algorithm>

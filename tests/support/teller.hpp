@@ -1,4 +1,4 @@
-// Runs told by chance, event by event: whatever the referee lets pass, sense or nonsense.
+// Random runs, told event by event: whatever the referee lets pass, sense or nonsense.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 
 namespace pal::test {
 
-/// Tells runs of one problem. Of what might be said next something is drawn that breaks no rule yet, whether
-/// the skill could do it or not; time goes on a millisecond when the referee lets it. What no machine would
-/// do is tried as readily as what it does.
+/// Tells runs of one problem. The next event is a random one that breaks no rule yet, whether the skill could
+/// do it or not. Time goes on by a millisecond when the referee allows it. Events that no machine would make
+/// are as likely as others.
 class Teller {
  public:
   /// `empty`: a run of the problem without events.

@@ -1,5 +1,5 @@
 // What can happen next in a skill, without times (docs/reference/execution-model.md). Every wait that can
-// give up may do so at any moment. A device sends its events whenever somebody waits for them, and answers
+// give up may do so at any moment. A device sends its events whenever a thread waits for them, and answers
 // every request at some time.
 #pragma once
 

@@ -166,7 +166,7 @@ class RequirementBuilder {
     if (channels.empty()) {
       diagnostics_.report(
           Code::PAL0819, sample.message.where,
-          "nobody waits for " + quoted(network_.messages[message->index()].name) + " from " + from,
+          "no module waits for " + quoted(network_.messages[message->index()].name) + " from " + from,
           "name a message of a device that a module of the skill waits for");
       return std::nullopt;
     }
@@ -181,9 +181,9 @@ class RequirementBuilder {
     std::vector<pan::ChannelId> of = channels_of(*message, *sender);
     if (of.empty()) {
       diagnostics_.report(Code::PAL0803, response.event.where,
-                          "nobody waits for " + quoted(network_.messages[message->index()].name) + " from " +
-                              quoted(response.of.name.text),
-                          "name a message that somebody waits for");
+                          "no module waits for " + quoted(network_.messages[message->index()].name) +
+                              " from " + quoted(response.of.name.text),
+                          "name a message that a module waits for");
       return std::nullopt;
     }
     if (at.empty()) return std::nullopt;

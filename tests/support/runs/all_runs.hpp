@@ -1,6 +1,6 @@
-// What a skill does, read off docs/reference/execution-model.md once more: it walks the graphs of the modules
-// themselves and shares nothing with the analyzer, not even its steps. Whole units of time, every order,
-// every outcome. Slow and small.
+// What a skill does, written a second time from docs/reference/execution-model.md. It walks the graphs of the
+// modules themselves, and shares nothing with the analyzer, not even its steps. Whole units of time, every
+// order, every outcome. Slow and small.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The token goes where the codes send it, and halts where somebody wants it to.
+// The token goes where the codes send it, and halts at breakpoints.
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -37,7 +37,7 @@ TEST_CASE("a code that nobody handles ends the operation") {
     runner.codes = {0, 3};
     Executor executor(program_of(operation(looping)), runner);
     CHECK(executor.run() == ExecutionState::failed);
-    CHECK(executor.reason() == "'b' ended with code 3, which nobody handles: as told");
+    CHECK(executor.reason() == "'b' ended with code 3, which no icon handles: as told");
     CHECK(executor.token() == "b");
   }
   SECTION("a cell that is not ready runs nothing") {
