@@ -1,6 +1,8 @@
 #include "analyzer/exact/slice_bound.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <vector>
 
 #include "analyzer/exact/cap.hpp"
 #include "analyzer/slice/slice.hpp"
@@ -28,15 +30,27 @@ constexpr Attempt attempts[] = {{100'000, ZoneGraph::Merging::within}, {400'000,
 /// Classes in which the beginning of a skill is explored.
 constexpr std::size_t most_of_beginning = 60'000;
 
-bool is_loose_wait(const Problem& slice, const Step& step) {
-  return step.kind == Step::Kind::wait && std::any_of(step.channels.begin(), step.channels.end(), [&](int c) {
-           return slice.channels[static_cast<std::size_t>(c)].loose;
-         });
+/// A wait for somebody who is left out, or a send to one.
+bool is_loose(const Problem& slice, const Step& step) {
+  const bool talks = step.kind == Step::Kind::wait || step.kind == Step::Kind::send;
+  return talks && std::any_of(step.channels.begin(), step.channels.end(),
+                              [&](int c) { return slice.channels[static_cast<std::size_t>(c)].loose; });
 }
 
-/// The latest instant at which the whole problem is past `step`; nothing, if it was not found.
-std::optional<Nanoseconds> latest(const Problem& problem, int step, const Limits& limits,
-                                  Statistics& statistics) {
+/// Steps that lead to `step`.
+std::vector<bool> leading_to(const Problem& problem, int step) {
+  std::vector<bool> found(problem.steps.size());
+  for (std::size_t s = 0; s < found.size(); ++s) {
+    const std::vector<int>& next = problem.steps[s].next;
+    found[s] = std::find(next.begin(), next.end(), step) != next.end();
+  }
+  return found;
+}
+
+/// The longest time in the whole problem from reaching `step`, which comes once at most, until its thread is
+/// past it; nothing, if it was not found.
+std::optional<Nanoseconds> longest(const Problem& problem, int step, const Limits& limits,
+                                   Statistics& statistics) {
   const std::size_t all = problem.threads.size();
   Problem first = slice_of(problem,
                            {std::vector<bool>(all, true), std::vector<bool>(problem.devices.size(), true),
@@ -53,12 +67,14 @@ std::optional<Nanoseconds> latest(const Problem& problem, int step, const Limits
   first.steps.push_back(past);
   Requirement until;
   until.measure = Requirement::Measure::duration;
+  const std::vector<bool> before = leading_to(problem, step);
+  if (std::find(before.begin(), before.end(), true) != before.end()) until.phase.after = before;
   const SliceBound found = bound_in(first, until, cap_of(problem, 0), limits);
   statistics += found.statistics;
   return found.bound;
 }
 
-/// Says of waits at the beginning, for somebody who is left out, how long they last.
+/// Says of waits at the beginning, for somebody who is left out, and of sends to him, how long they last.
 void limit_beginning(const Problem& problem, Problem& slice, const Limits& limits, Statistics& statistics) {
   const std::vector<ThreadTalk> talk = talk_of(problem);
   for (std::size_t t = 0; t < talk.size(); ++t) {
@@ -66,8 +82,8 @@ void limit_beginning(const Problem& problem, Problem& slice, const Limits& limit
     if (thread.parent >= 0 || thread.left_out) continue;
     for (const int s : talk[t].beginning) {
       Step& step = slice.steps[static_cast<std::size_t>(s)];
-      if (!is_loose_wait(slice, step)) continue;
-      const auto found = latest(problem, s, limits, statistics);
+      if (!is_loose(slice, step)) continue;
+      const auto found = longest(problem, s, limits, statistics);
       if (!found) break;
       step.arrival.worst = std::max(*found, step.arrival.best);
     }
@@ -83,6 +99,7 @@ SliceBound bound_in(const Problem& slice, const Requirement& requirement, Nanose
   ZoneGraph graph(machine, cap, false, merging);
   SliceBound found;
   found.complete = graph.explore(limits);
+  found.beyond = graph.over_cap();
   found.statistics.states = graph.places().size();
   found.statistics.classes = graph.classes().size();
   // The least interval is bounded whatever the others are.
@@ -92,30 +109,79 @@ SliceBound bound_in(const Problem& slice, const Requirement& requirement, Nanose
   return found;
 }
 
+namespace {
+
+/// Explores the slices of a requirement, each first with values up to the limit alone: all that is greater is
+/// the same then. That decides, and takes fewer classes. How far beyond the limit it can go is looked at
+/// last.
+class SliceExplorer {
+ public:
+  SliceExplorer(const Problem& problem, const Requirement& requirement, const Options& options,
+                std::size_t classes)
+      : problem_(problem),
+        requirement_(requirement),
+        options_(options),
+        classes_(classes),
+        workers_(options.threads) {}
+
+  SliceBound run() {
+    const Nanoseconds all = cap_of(problem_, requirement_.limit);
+    const bool time = requirement_.measure != Requirement::Measure::loss && !requirement_.at_least;
+    if (time && requirement_.limit < all && (!explore_all(requirement_.limit, true) || decided()))
+      return best_;
+    explore_all(all, false);
+    return best_;
+  }
+
+ private:
+  /// With more and more that is as it is. False: one of the slices is too large.
+  bool explore_all(Nanoseconds cap, bool until_beyond) {
+    constexpr Relaxation relaxations[] = {{true, true}, {true, false}};
+    for (std::size_t r = 0; r < std::size(relaxations); ++r) {
+      if (r == slices_.size()) slices_.push_back(made(relaxations[r]));
+      if (!explore(slices_[r], cap, until_beyond)) return false;
+      if (decided()) break;
+    }
+    return true;
+  }
+
+  Problem made(Relaxation relaxation) {
+    Problem slice = slice_of(problem_, cone_of(problem_, requirement_), relaxation);
+    limit_beginning(problem_, slice, limits(most_of_beginning), best_.statistics);
+    return slice;
+  }
+
+  /// `until_beyond`: a value beyond the cap ends it.
+  bool explore(const Problem& slice, Nanoseconds cap, bool until_beyond) {
+    for (const Attempt& attempt : attempts) {
+      Limits until = limits(attempt.classes);
+      if (until_beyond) until.enough = [](const ZoneGraph& graph) { return graph.over_cap(); };
+      const SliceBound found = bound_in(slice, requirement_, cap, until, attempt.merging);
+      best_.statistics += found.statistics;
+      if (found.complete) best_.complete = true;
+      if (found.bound && nearer(requirement_, *found.bound, best_.bound)) best_.bound = found.bound;
+      if (found.complete || (until_beyond && found.beyond)) return true;
+    }
+    return false;
+  }
+
+  Limits limits(std::size_t classes) { return {std::min(classes_, classes), options_.stop, {}, &workers_}; }
+  bool decided() const { return best_.bound && within(requirement_, *best_.bound); }
+
+  const Problem& problem_;
+  const Requirement& requirement_;
+  const Options& options_;
+  std::size_t classes_;
+  Workers workers_;
+  std::vector<Problem> slices_;  // by relaxation
+  SliceBound best_;
+};
+
+}  // namespace
+
 SliceBound slice_bound(const Problem& problem, const Requirement& requirement, const Options& options,
                        std::size_t classes) {
-  SliceBound best;
-  const Cone cone = cone_of(problem, requirement);
-  const Nanoseconds cap = cap_of(problem, requirement.limit);
-  Workers workers(options.threads);
-  for (const Relaxation relaxation : {Relaxation{true, true}, Relaxation{true, false}}) {
-    Problem slice = slice_of(problem, cone, relaxation);
-    limit_beginning(problem, slice, {std::min(classes, most_of_beginning), options.stop, {}, &workers},
-                    best.statistics);
-    for (const Attempt& attempt : attempts) {
-      const SliceBound found =
-          bound_in(slice, requirement, cap, {std::min(classes, attempt.classes), options.stop, {}, &workers},
-                   attempt.merging);
-      best.statistics += found.statistics;
-      if (!found.complete) continue;
-      best.complete = true;
-      if (found.bound && nearer(requirement, *found.bound, best.bound)) best.bound = found.bound;
-      break;
-    }
-    // With less that is loose there is more to explore.
-    if (!best.complete || (best.bound && within(requirement, *best.bound))) break;
-  }
-  return best;
+  return SliceExplorer(problem, requirement, options, classes).run();
 }
 
 }  // namespace pal::analyzer

@@ -13,6 +13,7 @@ struct SliceBound {
   /// found within the limits.
   std::optional<Nanoseconds> bound;
   bool complete = false;  // all runs of the slice were seen
+  bool beyond = false;    // some value is greater than the cap
   Statistics statistics;
 };
 

@@ -106,6 +106,7 @@ class Firing {
   void stop_waiting(int thread);
   void effect_loose_wait(int thread, std::size_t branch);
   void effect_loose_send(int thread);
+  bool may_be_withdrawn(const Step& step, std::size_t branch) const;
 
   // Messages and devices (firing_mail.cpp).
   void place(int channel, int thread, int device, std::uint8_t carries);

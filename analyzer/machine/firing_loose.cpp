@@ -88,10 +88,16 @@ void Firing::loosened(int thread) {
   need_processor(thread);
 }
 
+/// Whether what the thread receives may be withdrawn meanwhile.
+bool Firing::may_be_withdrawn(const Step& step, std::size_t branch) const {
+  if (step.channels.empty()) return false;
+  const Channel& of = channel_of(step.channels[branch]);
+  return of.withdrawable && !(step.before_blocks && of.answers >= 0);
+}
+
 void Firing::effect_loose_wait(int thread, std::size_t branch) {
   const Step& step = step_of(thread);
-  const bool withdrawable = !step.channels.empty() && channel_of(step.channels[branch]).withdrawable;
-  if (withdrawable && choices_.pick(2) == 1) {
+  if (may_be_withdrawn(step, branch) && choices_.pick(2) == 1) {
     if (state_of(thread).cancelled) return stop(thread);
     return reach(thread, state_of(thread).step);
   }
@@ -102,13 +108,23 @@ void Firing::effect_loose_wait(int thread, std::size_t branch) {
   go_on_and_admit(thread, step.next[branch], {});
 }
 
+/// The slot is free, or becomes free later. If it does so within a limit, it may as well never do so: then
+/// nothing is left to end the send.
 void Firing::effect_loose_send(int thread) {
-  if (choices_.pick(2) == 0) return sent(thread, false);
+  constexpr int free = 0;
+  constexpr int never_free = 2;
+  const Nanoseconds longest = step_of(thread).arrival.worst;
+  const int found = choices_.pick(longest < Range::unbounded ? 3 : 2);
+  if (found == free) return sent(thread, false);
   if (state_of(thread).cancelled) return stop(thread);
   leave_processor(thread);
   state_of(thread).status = Status::sending;
   emit(Kind::block, thread, step_of(thread).channels.front());
-  start_timer(machine_.thread_timer(thread), {0, Range::unbounded});
+  if (found == never_free) {
+    state_of(thread).choice = ThreadState::for_ever;
+  } else {
+    start_timer(machine_.thread_timer(thread), {0, longest});
+  }
 }
 
 }  // namespace pal::analyzer

@@ -45,8 +45,11 @@ struct Step {
   std::vector<int> channels;
   std::optional<Nanoseconds> within;  // wait
   /// Only in slices, for a wait for a party that is left out: the time after reaching it within which a
-  /// message comes.
+  /// message comes. For a send to one: within the greatest the slot is free.
   Range arrival{0, Range::unbounded};
+  /// Only in slices, for a wait: comes once, before its module has blocks. So nobody withdraws an answer that
+  /// is received there.
+  bool before_blocks = false;
   int condition = -1;              // set, read
   std::vector<KeptId> uses;        // what an activity reads, a set is computed from, a send sends
   std::vector<KeptId> writes;      // what an activity writes

@@ -205,21 +205,24 @@ class Finder {
     for (const int channel : from.sends) {
       if (to.waits.contains(arrival(channel))) return true;
     }
-    const bool keeps = std::any_of(from.keeps.begin(), from.keeps.end(),
-                                   [&to](KeptId kept) { return to.uses.contains(kept); });
+    const bool keeps = std::any_of(from.keeps.begin(), from.keeps.end(), [&](KeptId kept) {
+      return to.uses.contains(kept) && !is_known(&ThreadTalk::keeps, kept, thread);
+    });
     if (samples && keeps) return true;
     return samples && std::any_of(from.sets.begin(), from.sets.end(), [&](int condition) {
-             return to.reads.contains(condition) && !is_known(condition, thread);
+             return to.reads.contains(condition) && !is_known(&ThreadTalk::sets, condition, thread);
            });
   }
 
-  /// Whether who reads the condition knows all that can be learned from it.
-  bool is_known(int condition, int reader) const {
+  /// Whether who reads a condition, or uses a message that its module keeps, knows all that can be learned
+  /// from it. `written`: what threads set, or keep.
+  template <class What>
+  bool is_known(std::set<What> ThreadTalk::*written, What what, int reader) const {
     return std::any_of(echoes_.begin(), echoes_.end(), [&](const auto& of) {
       if (!is_within(reader, of.first)) return false;
       for (std::size_t t = 0; t < talk_.size(); ++t) {
         const bool old = of.second[t] || static_cast<int>(t) == of.first;
-        if (!old && talk_[t].sets.contains(condition)) return false;
+        if (!old && (talk_[t].*written).contains(what)) return false;
       }
       return true;
     });
@@ -237,11 +240,11 @@ class Finder {
       keep_if(Hold::strong, [&from](const ThreadTalk& of) { return &of == &from; });
     if (watch_.kind != Watch::Kind::sample) return;
     for (const KeptId kept : from.keeps) {
-      if (!to.uses.contains(kept)) continue;
+      if (!to.uses.contains(kept) || is_known(&ThreadTalk::keeps, kept, thread)) continue;
       keep_if(Hold::strong, [kept](const ThreadTalk& of) { return of.keeps.contains(kept); });
     }
     for (const int condition : from.sets) {
-      if (!to.reads.contains(condition) || is_known(condition, thread)) continue;
+      if (!to.reads.contains(condition) || is_known(&ThreadTalk::sets, condition, thread)) continue;
       // Also who knows nothing: a set makes forgotten what an earlier one said.
       keep_if(Hold::strong, [condition](const ThreadTalk& of) { return of.sets.contains(condition); });
     }

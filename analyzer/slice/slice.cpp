@@ -27,6 +27,7 @@ class Slicer {
     for (std::size_t t = 0; t < made_.threads.size(); ++t) {
       if (cone_.threads[t]) {
         hold_waits(static_cast<int>(t));
+        note_beginning(static_cast<int>(t));
       } else {
         leave_out(made_.threads[t]);
       }
@@ -104,6 +105,11 @@ class Slicer {
       if (made_.channels[index_of(step.channels.front())].loose)
         made_.steps[index_of(s)].arrival.best = least_wait(whole_, talk_, thread, s);
     }
+  }
+
+  void note_beginning(int thread) {
+    if (whole_.threads[index_of(thread)].parent >= 0) return;
+    for (const int s : talk_[index_of(thread)].beginning) made_.steps[index_of(s)].before_blocks = true;
   }
 
   void leave_out(Thread& thread) {

@@ -176,4 +176,20 @@ Bounds sliced_bounds(const std::string& name) {
   return bounds;
 }
 
+Bounds proved_bounds(const std::string& name) {
+  const auto skill = meaningful_skill(program(name));
+  const Problem& problem = *skill->problem;
+  Options options;
+  options.threads = 1;
+  Bounds bounds;
+  for (const Requirement& requirement : problem.requirements) {
+    INFO(requirement.name);
+    CHECK_FALSE(cone_of(problem, requirement).whole());
+    const SliceBound found = slice_bound(problem, requirement, options, most_states);
+    CHECK(found.complete);
+    if (found.bound) bounds[requirement.name] = *found.bound / unit.count();
+  }
+  return bounds;
+}
+
 }  // namespace pal::test

@@ -25,4 +25,7 @@ Bounds explored_bounds(const std::string& name);
 /// must leave something out.
 Bounds sliced_bounds(const std::string& name);
 
+/// What the analysis proves by slices (slice_bound), each of which must leave something out.
+Bounds proved_bounds(const std::string& name);
+
 }  // namespace pal::test

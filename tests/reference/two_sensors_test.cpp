@@ -12,10 +12,15 @@ using namespace pal::analyzer;
 
 namespace {
 
-std::unique_ptr<test::Skill> seam_on(const std::string& workcell) {
+/// With the requirement of the file, or another one instead.
+std::unique_ptr<test::Skill> seam_on(const std::string& workcell, const std::string& requirement = {}) {
   const std::string folder = "tests/reference/two_sensors/";
-  return test::sound_skill(test::project_file(folder + "skill.pal") +
-                           test::project_file(folder + workcell + ".pal"));
+  std::string skill = test::project_file(folder + "skill.pal");
+  if (!requirement.empty()) {
+    const std::size_t from = skill.find("  REQUIREMENT");
+    skill.replace(from, skill.find('\n', from) - from, "  REQUIREMENT " + requirement);
+  }
+  return test::sound_skill(skill + test::project_file(folder + workcell + ".pal"));
 }
 
 std::vector<std::string> left_out(const Problem& problem) {
@@ -50,4 +55,17 @@ TEST_CASE("of a chain on the same processor only higher priorities are kept") {
   CHECK(verdict.state == VerdictState::holds);
   REQUIRE(verdict.bound);
   CHECK(*verdict.bound <= Duration(8'300'000));
+}
+
+// The method asks the probe once before its blocks begin, after the camera. By then the first sample is older
+// the longer the probe takes.
+TEST_CASE("of a chain that is asked before the blocks begin only how long that takes is kept") {
+  const auto skill =
+      seam_on("three", "picture-age : AGE OF picture FROM camera AT TXM( step to MC1 ) AT MOST 200 ms");
+  CHECK(left_out(*skill->problem) == std::vector<std::string>{"LS2", "SD2", "SM1.2", "probe"});
+  const Verdict verdict = analyze(*skill->problem, AnalysisChoice::automatic).verdicts.front();
+  CHECK(verdict.state == VerdictState::holds);
+  REQUIRE(verdict.bound);
+  CHECK(*verdict.bound <= Duration(169'650'000));
+  CHECK(verdict.statistics.classes < 100'000);
 }
