@@ -35,8 +35,8 @@ struct Range {
 struct Step {
   enum class Kind { wait, send, set, read, test, activity, complete, fork, end };
   Kind kind = Kind::end;
-  StatementId statement;
-  CallId call;         // the Execute whose body this stands in
+  StatementId statement{};
+  CallId call{};       // the Execute whose body this stands in
   Range cost;          // of a wait: of its receive
   Range give_up_cost;  // wait with a limit: of the test that gives up
 
@@ -61,7 +61,7 @@ struct Step {
 
 struct Thread {
   std::string name;
-  pan::ModuleId module;  // whose channels it uses
+  pan::ModuleId module{};  // whose channels it uses
   int processor = -1;
   int priority = 0;
   int parent = -1;        // of a block: the thread of its CONCURRENT
@@ -73,14 +73,14 @@ struct Thread {
 struct Channel {
   int sender_device = -1;    // -1: a module sends
   int receiver_device = -1;  // -1: a module receives
-  pan::ModuleId sender_module;
-  pan::ModuleId receiver_module;
+  pan::ModuleId sender_module{};
+  pan::ModuleId receiver_module{};
   int answer = -1;                       // of a request: channel of its answer
   int answers = -1;                      // of an answer: channel of the request
   bool served = false;                   // a request that its device answers
   std::vector<int> receiver_processors;  // of the threads that wait for it
   std::string message;
-  KeptId kept;  // who takes the message leaves it there; none: nobody uses it
+  KeptId kept{};  // who takes the message leaves it there; none: nobody uses it
   /// Only in slices: the party at one of its ends is left out. Its messages may come and go at any time.
   bool loose = false;
   bool withdrawable = false;  // loose: what somebody is about to take may be withdrawn
@@ -100,21 +100,21 @@ struct Statement {
   std::string file;
   int line = 0;
   SourceSpan where;
-  pan::ModuleId source_module;
-  pan::NodeId source_node;
+  pan::ModuleId source_module{};
+  pan::NodeId source_node{};
 };
 
 /// An Execute that one thread runs, at one place of its flow.
 struct Call {
-  pan::ModuleId source_module;  // where the Execute stands
-  pan::NodeId source_node;
-  CallId outer;  // the call in whose body that is
+  pan::ModuleId source_module{};  // where the Execute stands
+  pan::NodeId source_node{};
+  CallId outer{};  // the call in whose body that is
 };
 
 /// The value of a message that a module, with those that it executes, keeps for its statements.
 struct Kept {
-  pan::ModuleId module;
-  pan::MessageId message;
+  pan::ModuleId module{};
+  pan::MessageId message{};
 };
 
 /// The part of a run that counts (docs/reference/timing.md), by step. Without steps it is the whole run.

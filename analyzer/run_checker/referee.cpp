@@ -72,7 +72,8 @@ void Referee::handle(const Event& event) {
     drop(event);
     return;
   }
-  const auto passed = std::find(passed_.begin(), passed_.end(), std::pair(event.actor, event.statement));
+  const auto passed =
+      std::find(passed_.begin(), passed_.end(), std::pair(event.actor, StatementId::of(event.statement)));
   if (event.kind == Kind::block && event.subject < 0 && passed != passed_.end()) {
     passed_.erase(passed);
     return;

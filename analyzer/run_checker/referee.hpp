@@ -241,7 +241,7 @@ class Referee {
   std::vector<int> preempted_;  // by processor: who has just lost it to somebody who is still to start; -1
   std::vector<Queued> queue_;
   std::vector<bool> conditions_;
-  std::vector<std::pair<int, int>>
+  std::vector<std::pair<int, StatementId>>
       passed_;  // at this instant: threads and statements of CONCURRENTs that were over at once
 
   RequirementMonitor monitor_;
