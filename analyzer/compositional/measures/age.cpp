@@ -10,8 +10,8 @@ namespace {
 
 using Kind = Step::Kind;
 
-/// The statement's thread is gone through backwards to the reads of its job, and the threads that set are
-/// asked how long their sets can be apart. What was read in an earlier job is known_age_bound()'s matter.
+/// The statement's thread is gone through backwards to the reads of its segment, and the threads that set are
+/// asked how long their sets can be apart. What was read before is known_age_bound()'s matter.
 class Ageing {
  public:
   Ageing(const View& view, const Requirement& requirement)
@@ -40,11 +40,9 @@ class Ageing {
  private:
   int owner(int step) const { return view_.forest.segments.owner(step); }
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
-  const ThreadBehaviour& behaviour(int thread) const {
-    return view_.behaviours.threads[static_cast<std::size_t>(thread)];
+  const Segment& segment(int n) const {
+    return view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(n)]);
   }
-  const Node& node(int n) const { return view_.forest.nodes[static_cast<std::size_t>(n)]; }
-  const Segment& segment(int n) const { return view_.forest.segment_of(node(n)); }
 
   bool reads(int step) const {
     return (step_at(step).kind == Kind::read && step_at(step).condition == requirement_.condition) ||
@@ -56,14 +54,13 @@ class Ageing {
   }
 
   Sum at_statement(int statement) {
-    const int thread = owner(statement);
     Sum oldest;
     std::set<int> seen;
     std::vector<int> open;
     const auto leave = [&](int at) {
-      const Thread& of = problem_.threads[static_cast<std::size_t>(thread)];
-      const bool from_above = of.entry == at && of.parent >= 0 && somebody_reads_above(thread);
-      if (at == behaviour(thread).idle_wait || from_above) oldest = Sum::unbounded();
+      const Thread& thread = problem_.threads[static_cast<std::size_t>(owner(at))];
+      const bool waited = step_at(at).kind == Kind::wait || step_at(at).kind == Kind::fork;
+      if (waited || (thread.entry == at && thread.parent >= 0)) oldest = Sum::unbounded();
       const std::vector<int>& before = before_[static_cast<std::size_t>(at)];
       open.insert(open.end(), before.begin(), before.end());
     };
@@ -79,16 +76,6 @@ class Ageing {
     return oldest;
   }
 
-  bool somebody_reads_above(int thread) const {
-    for (int above = problem_.threads[static_cast<std::size_t>(thread)].parent; above >= 0;
-         above = problem_.threads[static_cast<std::size_t>(above)].parent) {
-      for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
-        if (owner(static_cast<int>(s)) == above && reads(static_cast<int>(s))) return true;
-      }
-    }
-    return false;
-  }
-
   /// From the set whose value `read` gets to the statement.
   Sum since_set(int read, int statement) {
     const Bound age = value_age(view_, requirement_.condition, owner(statement));
@@ -96,27 +83,18 @@ class Ageing {
     return age.sum + distance(read, statement);
   }
 
-  /// From the effect of a step to that of the statement, in one job.
+  /// From the effect of a step to that of the statement, in one segment.
   Sum distance(int from, int statement) {
     if (from == statement) return {};
-    // Nobody knows how long the blocks of a CONCURRENT between the two went on.
-    const auto anew = [this](int n) {
-      return view_.forest.sources[static_cast<std::size_t>(node(n).source)].kind == Source::Kind::joined;
-    };
     Sum longest;
-    for (int a : nodes_with(view_, from)) {
-      for (int b : nodes_with(view_, statement)) {
-        const Sum sooner = earliest(view_, a, from);
-        const Sum later = latest(view_, b, statement);
-        if (!later.bounded()) return later;
-        if (node(a).source != node(b).source && (anew(a) || anew(b))) return Sum::unbounded();
-        const bool same = view_.behaviours.job_start[static_cast<std::size_t>(a)] ==
-                          view_.behaviours.job_start[static_cast<std::size_t>(b)];
-        if (!same) continue;
-        const Sum all = later - sooner;
-        const bool at_once = a == b && !may_be_held(b, statement);
-        longest = greater(longest, at_once ? less(all, without_pause(a, from, statement)) : all);
-      }
+    const std::vector<int> nodes = nodes_with(view_, from);
+    for (int n : nodes_with(view_, statement)) {
+      if (std::find(nodes.begin(), nodes.end(), n) == nodes.end()) continue;
+      const Sum later = latest(view_, n, statement);
+      if (!later.bounded()) return later;
+      const Sum all = later - earliest(view_, n, from);
+      longest =
+          greater(longest, may_be_held(n, statement) ? all : less(all, without_pause(n, from, statement)));
     }
     return longest;
   }
