@@ -8,7 +8,7 @@
 #include <map>
 #include <numeric>
 
-#include "analyzer/load/positive_cycle.hpp"
+#include "analyzer/load/cycle_ratio.hpp"
 
 namespace pal::analyzer {
 namespace {
