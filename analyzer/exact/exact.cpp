@@ -224,9 +224,10 @@ class Analyzer {
       verdict.explanation = nothing_measured(requirement, true);
       return;
     }
-    const std::vector<LoadBound> bounds = load_bounds(machine, graph, requirement.processors, options_.stop);
+    const std::vector<LoadBound> bounds = load_bounds(machine, graph, requirement.processors, limits());
     std::string others;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
+      verdict.statistics.classes += bounds[i].states;
       others += (i == 0 ? "" : ", ") + processor_name(requirement.processors[i]) + " " + percent(bounds[i]);
     }
     const auto first = bounds.begin();

@@ -4,7 +4,7 @@
 #include <set>
 #include <tuple>
 
-#include "analyzer/load/positive_cycle.hpp"
+#include "analyzer/load/cycle_ratio.hpp"
 
 namespace pal::analyzer {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 #include <numeric>
 
-#include "analyzer/load/positive_cycle.hpp"
+#include "analyzer/load/cycle_ratio.hpp"
 #include "analyzer/runs/solver_context.hpp"
 
 namespace pal::analyzer {

@@ -89,6 +89,16 @@ std::optional<std::vector<Nanoseconds>> PathSchedule::by_differences(
   return times;
 }
 
+void PathSchedule::leave(int timer, Nanoseconds left) {
+  const Life& life = lives_[static_cast<std::size_t>(timer)];
+  if (!life.active || life.frozen) {
+    feasible_ = false;
+    return;
+  }
+  const Nanoseconds most = life.range.worst >= none ? none : life.range.worst + life.owed - left;
+  between(life.started, count_ - 1, life.range.best + life.owed - left, most);
+}
+
 std::optional<Goal> PathSchedule::goal_of(Aim aim, Nanoseconds enough) const {
   if (aim == Aim::any || births_at_end_.empty()) return std::nullopt;
   const std::size_t born = births_at_end_.front();

@@ -42,6 +42,9 @@ class PathSchedule {
                                                 const std::function<bool()>& stop = {},
                                                 bool less_will_not_do = false) const;
 
+  /// At the end `timer` has `left` to go.
+  void leave(int timer, Nanoseconds left);
+
  private:
   struct Life {
     bool active = false;

@@ -39,9 +39,11 @@ WitnessSearch search_of(const Peak& peak, const std::function<bool()>& stop) {
 }  // namespace
 
 std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, const ZoneGraph& graph,
-                                                     int target) {
+                                                     int target,
+                                                     const std::vector<std::pair<int, Nanoseconds>>& left) {
   std::vector<ScriptedFiring> path = path_to(graph, target);
   PathSchedule schedule(machine, path, PathSchedule::Pin::worst);
+  for (const auto& [timer, time] : left) schedule.leave(timer, time);
   if (!schedule.feasible()) return std::nullopt;
   const auto times = schedule.solve(PathSchedule::Aim::any);
   if (!times) return std::nullopt;
@@ -99,7 +101,7 @@ std::optional<Witness> replay(const Machine& machine, const std::vector<Scripted
 
 std::optional<Witness> stuck_witness(const Machine& machine, const ZoneGraph& graph, int stuck,
                                      Nanoseconds value) {
-  const auto script = script_to(machine, graph, stuck);
+  const auto script = script_to(machine, graph, stuck, {});
   std::optional<Witness> made;
   if (script) made = replay(machine, *script, true);
   if (!made || !made->grows) return std::nullopt;

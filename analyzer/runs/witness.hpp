@@ -28,9 +28,11 @@ struct Witness {
 std::optional<Witness> replay(const Machine& machine, const std::vector<ScriptedFiring>& script,
                               bool growing = false);
 
-/// A run to the class `target` of `graph`. Nothing, if there is none along the class's path.
+/// A run to the class `target` of `graph` at whose end the timers given have exactly that much time left.
+/// Nothing, if there is none along the class's path.
 std::optional<std::vector<ScriptedFiring>> script_to(const Machine& machine, const ZoneGraph& graph,
-                                                     int target);
+                                                     int target,
+                                                     const std::vector<std::pair<int, Nanoseconds>>& left);
 
 /// A run to class `stuck` of `graph`, in which nothing happens any more while the watched value grows. It
 /// lasts until the value is `value`.

@@ -134,9 +134,10 @@ Decision load_decision(const Problem& problem, const Requirement& requirement, c
   const Watch nothing;
   const Machine machine(problem, nothing);
   ZoneGraph graph(machine, 0, true);
-  if (!graph.explore({options.max_states, options.stop, {}, &workers})) return {};
+  const Limits limits{options.max_states, options.stop, {}, &workers};
+  if (!graph.explore(limits)) return {};
   const Fraction limit{requirement.limit, 1'000'000'000};
-  const LoadDecision decision = decide_loads(machine, graph, requirement.processors, limit, options.stop);
+  const LoadDecision decision = decide_loads(machine, graph, requirement.processors, limit, limits);
   if (decision.state == Is::undecided) return {};
   return {decision.state, std::nullopt, per_second(decision.load) - requirement.limit};
 }

@@ -166,10 +166,11 @@ TEST_CASE("no simulated run exceeds a proved load in the long run") {
     const Watch nothing;
     const Machine machine(problem, nothing);
     ZoneGraph graph(machine, 0, true);
-    if (!graph.explore({30'000, {}})) continue;
+    const Limits limits{30'000, {}};
+    if (!graph.explore(limits)) continue;
     std::vector<ProcessorId> processors;
     for (const ProcessorId p : problem.processors.ids()) processors.push_back(p);
-    const std::vector<LoadBound> bounds = load_bounds(machine, graph, processors, {});
+    const std::vector<LoadBound> bounds = load_bounds(machine, graph, processors, limits);
     for (const LoadBound& bound : bounds) {
       proved += bound.proved ? 1 : 0;
       exact += bound.exact ? 1 : 0;

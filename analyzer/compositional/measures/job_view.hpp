@@ -8,9 +8,6 @@ namespace pal::analyzer::compositional {
 /// Whether a node belongs to a job of its thread. What a thread does before its first job does not.
 bool in_job(const View& view, int node);
 
-/// The source of a thread's jobs; -1: there is none, or there are several.
-int source_of_jobs(const View& view, int thread);
-
 /// Whether a thread is a block that its parent starts in each of its jobs. Each start is then a job of the
 /// block.
 bool starts_in_jobs(const View& view, int thread);

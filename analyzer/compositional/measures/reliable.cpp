@@ -63,23 +63,8 @@ class Reliability {
  private:
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
 
-  /// Whether the thread is not cancelled; in the steady state, before another block has left its loop.
   bool lasts(int thread) const {
-    if (!behaviours_.threads[static_cast<std::size_t>(thread)].may_be_cancelled) return true;
-    if (!steady_) return false;
-    for (int block = thread; problem_.threads[static_cast<std::size_t>(block)].parent >= 0;
-         block = problem_.threads[static_cast<std::size_t>(block)].parent) {
-      if (problem_.threads[static_cast<std::size_t>(block)].can_end) continue;
-      bool ending = false;
-      bool leaving = false;
-      for (int other : step_at(fork_of(problem_, block)).threads) {
-        ending = ending || problem_.threads[static_cast<std::size_t>(other)].can_end;
-        leaving = leaving || (behaviours_.threads[static_cast<std::size_t>(other)].leaves &&
-                              made_.reliable[static_cast<std::size_t>(other)]);
-      }
-      if (ending && !leaving) return false;
-    }
-    return true;
+    return !behaviours_.threads[static_cast<std::size_t>(thread)].may_be_cancelled;
   }
 
   /// Whether no way through a thread ends, or comes to blocks that never do, before it has returned to its

@@ -59,7 +59,6 @@ class StatementOccurrences {
   /// The first step of a node's segment behind the wait that begins it; nothing: that wait is one of the
   /// statements.
   std::optional<int> opening(int node) const;
-  bool surely_occurs(int node) const;
   void find_ends(int source);
   void merge(Way& into, const Way& other) const;
 
@@ -75,10 +74,8 @@ class StatementOccurrences {
   bool may_skip_ = false;
   Sum latest_;
   Sum released_;
-  /// Latest end of the skill or of a thread: in a job; in a job where the effect may not have come yet;
-  /// before the first job.
+  /// Latest end of the skill or of a thread: in a job; before the first job.
   Sum ended_;
-  Sum ended_before_;
   Sum ended_at_start_;
   Sum gap_ = Sum::unbounded();
   Sum first_ = Sum::unbounded();
