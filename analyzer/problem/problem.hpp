@@ -62,7 +62,7 @@ struct Step {
 struct Thread {
   std::string name;
   pan::ModuleId module{};  // whose channels it uses
-  int processor = -1;
+  ProcessorId processor{};
   int priority = 0;
   int parent = -1;        // of a block: the thread of its CONCURRENT
   bool can_end = true;    // its flow can reach its end
@@ -75,10 +75,10 @@ struct Channel {
   int receiver_device = -1;  // -1: a module receives
   pan::ModuleId sender_module{};
   pan::ModuleId receiver_module{};
-  int answer = -1;                       // of a request: channel of its answer
-  int answers = -1;                      // of an answer: channel of the request
-  bool served = false;                   // a request that its device answers
-  std::vector<int> receiver_processors;  // of the threads that wait for it
+  int answer = -1;                               // of a request: channel of its answer
+  int answers = -1;                              // of an answer: channel of the request
+  bool served = false;                           // a request that its device answers
+  std::vector<ProcessorId> receiver_processors;  // of the threads that wait for it
   std::string message;
   KeptId kept{};  // who takes the message leaves it there; none: nobody uses it
   /// Only in slices: the party at one of its ends is left out. Its messages may come and go at any time.
@@ -137,11 +137,11 @@ struct Requirement {
   int device = -1;           // loss, and of samples: the device; response: the device, if one sends
   std::vector<bool> at;      // age, response, reaction, interval: by step
   Phase phase;
-  std::vector<int> processors;  // load, busy
-  int in = 1;                   // loss: at most `limit` of so many in a row
-  int code = 0;                 // duration: of the completion
-  bool at_least = false;        // interval: `limit` is the least that is allowed
-  Nanoseconds limit = 0;        // loss: a number
+  std::vector<ProcessorId> processors;  // load, busy
+  int in = 1;                           // loss: at most `limit` of so many in a row
+  int code = 0;                         // duration: of the completion
+  bool at_least = false;                // interval: `limit` is the least that is allowed
+  Nanoseconds limit = 0;                // loss: a number
   SourceSpan where;
 
   /// Response: whether the messages of the channel are what is responded to.
@@ -151,7 +151,7 @@ struct Requirement {
 struct Problem {
   std::string skill;
   std::string environment;
-  std::vector<pan::Processor> processors;
+  Table<ProcessorId, pan::Processor> processors;
   std::vector<Thread> threads;  // a block stands behind its parent
   std::vector<Step> steps;
   std::vector<Channel> channels;
@@ -164,8 +164,9 @@ struct Problem {
   Range within_processor;    // latency of a message to a thread on the sender's processor
   Range between_processors;  // and to one on another
   Table<pan::ModuleId, std::string> module_names;
-  int error_code = 2;           // of the first error completion
-  std::vector<int> overloaded;  // processors that have more to do for events than there is time (PAL0820)
+  int error_code = 2;  // of the first error completion
+  std::vector<ProcessorId>
+      overloaded;  // processors that have more to do for events than there is time (PAL0820)
   std::uint64_t free_conditions = 0;  // by bit, only in slices: their reads give any value
 };
 

@@ -222,9 +222,9 @@ void Referee::check_processors() const {
   }
   for (const Queued& queued : queue_) {
     const Thread& of = thread_of(queued.thread);
-    const int has = holders_[static_cast<std::size_t>(of.processor)];
+    const int has = holders_[of.processor];
     demand(has >= 0, of.name, " is ready, and its processor idle");
-    const bool yields = problem_.processors[static_cast<std::size_t>(of.processor)].preemptive;
+    const bool yields = problem_.processors[of.processor].preemptive;
     demand(!yields || of.priority <= thread_of(has).priority, of.name, " has to wait for a lesser priority");
   }
 }
