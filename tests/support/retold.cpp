@@ -130,12 +130,12 @@ class Retelling {
     const int step = add({});
     Step& made = problem_.steps.back();
     made.kind = Step::Kind::activity;
-    made.statement = 0;
+    made.statement = StatementId{0};
     made.cost = {1'000'000, 1'000'000 * static_cast<Nanoseconds>(1 + chance(2))};
     made.next = {step};
     Thread thread;
     thread.name = "Stranger";
-    thread.module = static_cast<int>(problem_.module_names.size());
+    thread.module = ModuleId(problem_.module_names.size());
     thread.processor = static_cast<int>(problem_.processors.size());
     thread.can_end = false;
     thread.entry = step;
