@@ -118,8 +118,8 @@ void Firing::has_set(int thread, int condition) {
 
 /// A message without an event leaves the thread with the one that it has, one with an older sample likewise.
 void Firing::has_taken(int thread, int channel, std::uint8_t carries) {
-  const int kept = channel_of(channel).kept;
-  if (watch_.kind == Watch::Kind::sample && kept >= 0) state_.kept[static_cast<std::size_t>(kept)] = carries;
+  const KeptId kept = channel_of(channel).kept;
+  if (watch_.kind == Watch::Kind::sample && kept.valid()) state_.kept[kept] = carries;
   std::uint8_t& own = state_of(thread).carries;
   if (watch_.kind == Watch::Kind::response && carries != tag::none) own = carries;
   if (watch_.kind == Watch::Kind::sample && tag::newer(carries, own)) own = carries;
@@ -129,16 +129,15 @@ void Firing::has_taken(int thread, int channel, std::uint8_t carries) {
 void Firing::uses_kept(int thread) {
   if (watch_.kind != Watch::Kind::sample) return;
   std::uint8_t& own = state_of(thread).carries;
-  for (const int kept : step_of(thread).uses) {
-    const std::uint8_t carries = state_.kept[static_cast<std::size_t>(kept)];
+  for (const KeptId kept : step_of(thread).uses) {
+    const std::uint8_t carries = state_.kept[kept];
     if (tag::newer(carries, own)) own = carries;
   }
 }
 
 void Firing::has_written(int thread) {
   if (watch_.kind != Watch::Kind::sample) return;
-  for (const int kept : step_of(thread).writes)
-    state_.kept[static_cast<std::size_t>(kept)] = state_of(thread).carries;
+  for (const KeptId kept : step_of(thread).writes) state_.kept[kept] = state_of(thread).carries;
 }
 
 std::uint8_t Firing::sent_along(int thread) const {

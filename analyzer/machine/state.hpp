@@ -8,6 +8,9 @@
 #include <functional>
 #include <vector>
 
+#include "analyzer/problem/ids.hpp"
+#include "pal/support/table.hpp"
+
 namespace pal::analyzer {
 
 /// What a thread, message or condition carries of the thing that is being measured: the number of an observer
@@ -114,7 +117,7 @@ struct State {
   std::uint64_t conditions = 0;
   std::uint8_t condition_carries = tag::none;
   std::vector<std::uint8_t> known;     // samples: by condition
-  std::vector<std::uint8_t> kept;      // samples: by what modules keep of messages
+  Table<KeptId, std::uint8_t> kept;    // samples: by what modules keep of messages
   std::uint8_t reference = tag::none;  // the instant from which the next value is measured
   std::uint64_t lost = 0;              // losses: the last occurrences by bit, the latest first; 1: lost
   bool counting = false;               // losses: the device has served something; samples in a phase: also

@@ -42,7 +42,7 @@ struct Watch {
   std::vector<bool> live;
   std::vector<bool> message_counts;    // sample: by channel
   std::uint64_t condition_counts = 0;  // sample: by bit
-  std::vector<bool> kept_counts;       // sample: by what modules keep
+  Table<KeptId, bool> kept_counts;     // sample: by what modules keep
 };
 
 /// `processor`: of a busy period; -1: the first of the requirement.

@@ -54,8 +54,8 @@ void report_empty_rounds(const Problem& problem, Diagnostics& diagnostics) {
       at = static_cast<std::size_t>(problem.steps[at].next.front());
     }
     if (!over[at] || seen[at] != s + 1) continue;
-    const int statement = problem.steps[at].statement;
-    diagnostics.report(Code::PAL0729, problem.statements[static_cast<std::size_t>(statement)].where,
+    const StatementId statement = problem.steps[at].statement;
+    diagnostics.report(Code::PAL0729, problem.statements[statement].where,
                        "nothing ever happens in the loop around these blocks",
                        "give the loop a wait or an activity");
   }

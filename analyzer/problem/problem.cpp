@@ -23,9 +23,8 @@ constexpr int most_simulated_threads = 2'000;
 constexpr int most_simulated_channels = 4'000;
 constexpr std::size_t most_requests = 128;  // of a device
 
-const std::string& party(const Problem& problem, int device, int module) {
-  return device >= 0 ? problem.devices[static_cast<std::size_t>(device)].name
-                     : problem.module_names[static_cast<std::size_t>(module)];
+const std::string& party(const Problem& problem, int device, ModuleId module) {
+  return device >= 0 ? problem.devices[static_cast<std::size_t>(device)].name : problem.module_names[module];
 }
 
 }  // namespace
@@ -241,10 +240,9 @@ void ProblemBuilder::channels() {
     Channel made;
     made.sender_device = device_of(network_, channel.sender);
     made.receiver_device = device_of(network_, channel.receiver);
-    if (made.sender_device < 0)
-      made.sender_module = static_cast<int>(std::get<ModuleId>(channel.sender).index());
+    if (made.sender_device < 0) made.sender_module = std::get<ModuleId>(channel.sender);
     if (made.receiver_device < 0) {
-      made.receiver_module = static_cast<int>(std::get<ModuleId>(channel.receiver).index());
+      made.receiver_module = std::get<ModuleId>(channel.receiver);
     }
     if (channel.answer.valid()) made.answer = static_cast<int>(channel.answer.index());
     made.message = network_.messages[channel.message.index()].name;

@@ -79,8 +79,8 @@ void Referee::handle(const Event& event) {
   }
   const Party& of = party(event.actor);
   demand(of.mode != Mode::off, name(event.actor), " acts without being there");
-  demand(event.statement == (of.step < 0 ? -1 : step_of(event.actor).statement), name(event.actor),
-         " is at another statement than the event");
+  demand(StatementId::of(event.statement) == (of.step < 0 ? StatementId{} : step_of(event.actor).statement),
+         name(event.actor), " is at another statement than the event");
   demand(!completed_ || event.kind == Kind::done, "something happens after the skill has ended");
   switch (event.kind) {
     case Kind::ready:

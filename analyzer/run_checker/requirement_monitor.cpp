@@ -52,7 +52,8 @@ int RequirementMonitor::birth() {
 }
 
 void RequirementMonitor::show(Nanoseconds born, int step) {
-  const int statement = step < 0 ? -1 : problem_.steps[static_cast<std::size_t>(step)].statement;
+  const StatementId statement =
+      step < 0 ? StatementId{} : problem_.steps[static_cast<std::size_t>(step)].statement;
   measured_.push_back({now_ - born, born, now_, statement});
 }
 
@@ -198,21 +199,20 @@ void RequirementMonitor::takes(int index, int from) {
     if (carried != none && !answered_[static_cast<std::size_t>(carried)]) thread(index) = carried;
   } else if (of_samples()) {
     thread(index) = std::max(thread(index), carried);
-    const int kept = problem_.channels[static_cast<std::size_t>(from)].kept;
-    if (kept >= 0) kept_[static_cast<std::size_t>(kept)] = carried;
+    const KeptId kept = problem_.channels[static_cast<std::size_t>(from)].kept;
+    if (kept.valid()) kept_[kept] = carried;
   }
 }
 
 void RequirementMonitor::uses(int index, int step) {
   if (!of_samples()) return;
-  for (const int kept : problem_.steps[static_cast<std::size_t>(step)].uses)
-    thread(index) = std::max(thread(index), kept_[static_cast<std::size_t>(kept)]);
+  for (const KeptId kept : problem_.steps[static_cast<std::size_t>(step)].uses)
+    thread(index) = std::max(thread(index), kept_[kept]);
 }
 
 void RequirementMonitor::writes(int index, int step) {
   if (!of_samples()) return;
-  for (const int kept : problem_.steps[static_cast<std::size_t>(step)].writes)
-    kept_[static_cast<std::size_t>(kept)] = thread(index);
+  for (const KeptId kept : problem_.steps[static_cast<std::size_t>(step)].writes) kept_[kept] = thread(index);
 }
 
 void RequirementMonitor::empties(int of) {
@@ -299,7 +299,7 @@ void RequirementMonitor::show_losses() {
     for (std::size_t i = from; i < std::min(from + in, lost_.size()); ++i) lost += lost_[i] ? 1 : 0;
     most = std::max(most, lost);
   }
-  measured_.push_back({most, now_, now_, -1});
+  measured_.push_back({most, now_, now_, {}});
 }
 
 std::optional<Nanoseconds> RequirementMonitor::growing_since() const {

@@ -93,7 +93,7 @@ class RequirementMonitor {
   std::vector<int> serving_;     // and the answer to each request that is being served
   std::vector<int> due_;         // … to each that has been
   std::vector<int> conditions_;  // and each condition
-  std::vector<int> kept_;        // and each value that a module keeps
+  Table<KeptId, int> kept_;      // and each value that a module keeps
   int reference_ = none;         // reactions: the latest birth that a statement has reflected
   bool sampled_ = false;         // reactions: there was a sample
   Nanoseconds begun_ = 0;        // durations: when they began

@@ -205,8 +205,8 @@ class Finder {
     for (const int channel : from.sends) {
       if (to.waits.contains(arrival(channel))) return true;
     }
-    const bool keeps =
-        std::any_of(from.keeps.begin(), from.keeps.end(), [&to](int kept) { return to.uses.contains(kept); });
+    const bool keeps = std::any_of(from.keeps.begin(), from.keeps.end(),
+                                   [&to](KeptId kept) { return to.uses.contains(kept); });
     if (samples && keeps) return true;
     return samples && std::any_of(from.sets.begin(), from.sets.end(), [&](int condition) {
              return to.reads.contains(condition) && !is_known(condition, thread);
@@ -236,7 +236,7 @@ class Finder {
     if (from.blocks.contains(thread))
       keep_if(Hold::strong, [&from](const ThreadTalk& of) { return &of == &from; });
     if (watch_.kind != Watch::Kind::sample) return;
-    for (const int kept : from.keeps) {
+    for (const KeptId kept : from.keeps) {
       if (!to.uses.contains(kept)) continue;
       keep_if(Hold::strong, [kept](const ThreadTalk& of) { return of.keeps.contains(kept); });
     }

@@ -17,8 +17,8 @@ struct ThreadTalk {
   std::set<int> blocks;        // threads
   std::set<int> sets;          // conditions
   std::set<int> reads;         // conditions, by READ or a test
-  std::set<int> keeps;         // in Problem::kept: by a wait, or an activity that writes it
-  std::set<int> uses;          // in Problem::kept
+  std::set<KeptId> keeps;      // in Problem::kept: by a wait, or an activity that writes it
+  std::set<KeptId> uses;       // in Problem::kept
   // The subset that it may come to more than once.
   std::set<int> sends_again;
   std::set<int> waits_again;

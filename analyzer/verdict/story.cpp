@@ -33,11 +33,11 @@ struct Story {
 
   /// The event at which the measured statement had its effect; the number of events if there is none.
   std::size_t used_at(const Measurement& measured) const {
-    const int of = problem.steps[static_cast<std::size_t>(measured.step)].statement;
+    const StatementId of = problem.steps[static_cast<std::size_t>(measured.step)].statement;
     const int thread = thread_of(problem, measured.step);
     for (std::size_t e = trace.events.size(); e-- > 0;) {
       const trace::Event& event = trace.events[e];
-      if (event.kind == Kind::done && event.statement == of && event.time_ns == measured.at &&
+      if (event.kind == Kind::done && event.statement == of.value && event.time_ns == measured.at &&
           event.actor == thread)
         return e;
     }

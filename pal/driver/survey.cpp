@@ -93,7 +93,7 @@ bool Survey::measure(std::size_t index, const KnownRun& run, std::size_t number,
     seen.run = number;
   };
   for (const Measured& measured : ruling.measured) note(measured, false);
-  if (ruling.growing_since) note({run.end - *ruling.growing_since, *ruling.growing_since, run.end, -1}, true);
+  if (ruling.growing_since) note({run.end - *ruling.growing_since, *ruling.growing_since, run.end, {}}, true);
   seen.values += ruling.measured.size();
   seen.unanswered += ruling.failed ? 1 : 0;
   seen.breaking += breaks ? 1 : 0;
@@ -112,7 +112,7 @@ void Survey::measure_load(std::size_t index, const KnownRun& run, std::size_t nu
         static_cast<Nanoseconds>(second * static_cast<double>(busy) / static_cast<double>(run.end));
     ++seen.values;
     if (!further(problem_.requirements[index], share, seen.extreme)) continue;
-    seen.extreme = Measured{share, 0, run.end, -1};
+    seen.extreme = Measured{share, 0, run.end, {}};
     seen.run = number;
   }
 }

@@ -66,8 +66,8 @@ std::pair<std::int64_t, bool> measured(const trace::Trace& run, const Problem& p
                                        const Requirement& requirement) {
   std::vector<trace::StatementName> at;
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
-    if (!requirement.at[s] || problem.steps[s].statement < 0) continue;
-    const Statement& of = problem.statements[static_cast<std::size_t>(problem.steps[s].statement)];
+    if (!requirement.at[s] || !problem.steps[s].statement.valid()) continue;
+    const Statement& of = problem.statements[problem.steps[s].statement];
     at.push_back({of.module, of.text, of.line});
   }
   std::vector<trace::Occurrence> found;

@@ -169,8 +169,7 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
     Statement of;
     of.module = module;
     of.text = text;
-    made.statements.push_back(std::move(of));
-    return static_cast<int>(made.statements.size()) - 1;
+    return made.statements.push_back(std::move(of));
   };
   for (std::size_t c = 0; c < system.chains.size(); ++c) {
     const ChainSystem::Chain& chain = system.chains[c];
@@ -194,16 +193,15 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
     int last_work = -1;
     for (std::size_t s = 0; s < chain.stages.size(); ++s) {
       const ChainSystem::Stage& stage = chain.stages[s];
-      const int module = static_cast<int>(made.module_names.size());
       const std::string name = "M" + number + "-" + std::to_string(s + 1);
-      made.module_names.push_back(name);
+      const pan::ModuleId module = made.module_names.push_back(name);
       Channel in;
       in.message = "x" + number + "-" + std::to_string(s);
       in.receiver_module = module;
       if (s == 0) {
         in.sender_device = device_index;
       } else {
-        in.sender_module = module - 1;
+        in.sender_module = made.threads.back().module;
       }
       in.receiver_processors = {stage.processor};
       const int channel = static_cast<int>(made.channels.size());
@@ -273,7 +271,7 @@ inline void require_more(analyzer::Problem& problem) {
     // What the first stage sends on, and all that follows.
     const int second = response.events.front() + 1;
     if (second >= static_cast<int>(problem.channels.size())) continue;
-    if (problem.channels[static_cast<std::size_t>(second)].sender_module < 0) continue;
+    if (!problem.channels[static_cast<std::size_t>(second)].sender_module.valid()) continue;
     analyzer::Requirement& rest = add(Measure::response, "rest");
     rest.events = {second};
     rest.device = -1;

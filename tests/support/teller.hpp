@@ -123,7 +123,7 @@ class Teller {
     std::set<int> next;
     for (int step : after_[static_cast<std::size_t>(event.actor)]) {
       const Step& at = problem_.steps[static_cast<std::size_t>(step)];
-      if (at.statement != event.statement) continue;
+      if (at.statement.value != event.statement) continue;
       for (int each : at.next) lead_to(next, each);
     }
     // A block may begin again.
@@ -162,7 +162,7 @@ class Teller {
   }
 
   void statement(std::vector<trace::Event>& all, int thread, const Step& at) const {
-    const int is = at.statement;
+    const int is = at.statement.value;
     for (Kind kind : {Kind::ready, Kind::start, Kind::stop, Kind::done, Kind::cancel})
       say(all, kind, thread, is);
     for (int channel : at.channels) {

@@ -50,7 +50,7 @@ class Answers {
         request_(problem.channels[static_cast<std::size_t>(answer)].answers) {}
 
   bool once() {
-    const int module = problem_.channels[static_cast<std::size_t>(answer_)].sender_module;
+    const pan::ModuleId module = problem_.channels[static_cast<std::size_t>(answer_)].sender_module;
     for (const Thread& thread : problem_.threads) {
       if (thread.module == module && thread.parent < 0) reach(thread.entry, none);
     }

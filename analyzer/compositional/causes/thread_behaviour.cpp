@@ -53,8 +53,8 @@ class Observer {
   ThreadBehaviour& thread(int index) { return made_.threads[static_cast<std::size_t>(index)]; }
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
   std::string text(int step) const {
-    const int statement = step_at(step).statement;
-    return statement < 0 ? "a wait" : problem_.statements[static_cast<std::size_t>(statement)].text;
+    const StatementId statement = step_at(step).statement;
+    return !statement.valid() ? "a wait" : problem_.statements[statement].text;
   }
 
   /// Released by something that the thread did not bring about itself.
@@ -289,7 +289,7 @@ class Observer {
     made_.never_full.assign(problem_.channels.size(), false);
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
       const Channel& channel = problem_.channels[c];
-      made_.never_full[c] = channel.answer >= 0 || (channel.answers >= 0 && channel.sender_module >= 0);
+      made_.never_full[c] = channel.answer >= 0 || (channel.answers >= 0 && channel.sender_module.valid());
     }
   }
 

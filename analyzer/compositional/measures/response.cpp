@@ -72,7 +72,8 @@ bool answered_in_turn(const View& view, const Requirement& requirement) {
   if (requirement.events.size() != 1) return false;
   const int request = requirement.events.front();
   const int answer = view.problem.channels[static_cast<std::size_t>(request)].answer;
-  if (answer < 0 || view.problem.channels[static_cast<std::size_t>(answer)].sender_module < 0) return false;
+  if (answer < 0 || !view.problem.channels[static_cast<std::size_t>(answer)].sender_module.valid())
+    return false;
   if (may_give_up(view.problem, request)) return false;
   const auto& steps = view.problem.steps;
   for (std::size_t s = 0; s < steps.size(); ++s) {

@@ -155,12 +155,11 @@ std::vector<Slots::UnboundedThread> Slots::unbounded_threads(const Times& times)
   for (std::size_t c = 0; c < puts_.size(); ++c) {
     if (is_free(times.nodes, c)) continue;
     for (const StepEffect& put : puts_[c]) {
-      const int statement = context_.step_at(put.step).statement;
+      const StatementId statement = context_.step_at(put.step).statement;
       found.push_back(
           {context_.forest.thread_of(put.node), true,
            "may find the slot full at " +
-               (statement < 0 ? std::string("a send")
-                              : context_.problem.statements[static_cast<std::size_t>(statement)].text),
+               (!statement.valid() ? std::string("a send") : context_.problem.statements[statement].text),
            takers_of(put)});
     }
   }

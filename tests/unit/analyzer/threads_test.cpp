@@ -116,9 +116,8 @@ TEST_CASE("kept apart, each CONCURRENT begins blocks of its own") {
   CHECK(cloned.threads.size() == 28);
   REQUIRE(cloned.requirements.front().at.size() == cloned.steps.size());
   for (std::size_t s = 0; s < cloned.steps.size(); ++s) {
-    const int statement = cloned.steps[s].statement;
-    const bool works =
-        statement >= 0 && cloned.statements[static_cast<std::size_t>(statement)].text == "work";
+    const StatementId statement = cloned.steps[s].statement;
+    const bool works = statement.valid() && cloned.statements[statement].text == "work";
     CHECK(cloned.requirements.front().at[s] == works);
   }
   // Where nothing is shared nothing is copied.
