@@ -67,7 +67,7 @@ TEST_CASE("an answer may be taken by a block that has not asked for it") {
   expect_bounds(granted("taken_away"), {{-1, 21}});
 }
 
-TEST_CASE("a limit counts anew if what a thread is about to take is withdrawn") {
+TEST_CASE("a limit starts again if the message that a thread is about to take is withdrawn") {
   // SM1.1 gives up at 6 what SM1.2 is taking until 6.3. From then SM1.2 waits 5.5 again, and gives up in 1.
   expect_bounds(granted("withdrawn"), {{-1, 12.8}});
 }
