@@ -120,7 +120,7 @@ class Analyzer {
              Nanoseconds cap, Verdict& verdict) {
     if (graph.failure()) return judge_failure(requirement, machine, graph, verdict);
     const bool any = graph.peak().value >= 0;
-    if (any) verdict.witness = witness_of(machine, graph, graph.peak(), false, options_.stop);
+    if (any) verdict.witness = witness_of(machine, graph, graph.peak(), options_.stop);
     const bool shown = verdict.witness && breaks(requirement, verdict.witness->measured.value);
     GrowthSearch grown;
     if (!shown) grown = growth_of(machine, graph, complete, cap);
@@ -130,7 +130,7 @@ class Analyzer {
       show_growth(requirement, machine, graph, std::move(grown.witness), verdict);
     const Peak& certain = graph.findings().certain;
     if (!verdict.witness && certain.value >= 0)
-      verdict.witness = witness_of(machine, graph, certain, false, options_.stop);
+      verdict.witness = witness_of(machine, graph, certain, options_.stop);
     if (verdict.witness) verdict.reasons = reasons(problem_, requirement, *verdict.witness);
     const bool broken = verdict.witness && breaks(requirement, verdict.witness->measured.value);
     verdict.gave_up = !complete;
@@ -164,7 +164,7 @@ class Analyzer {
 
   void judge_failure(const Requirement& requirement, const Machine& machine, const ZoneGraph& graph,
                      Verdict& verdict) {
-    verdict.witness = witness_of(machine, graph, unmeasured(*graph.failure()), false, options_.stop);
+    verdict.witness = witness_of(machine, graph, unmeasured(*graph.failure()), options_.stop);
     if (verdict.witness && verdict.witness->failed) {
       verdict.state = Is::fails;
       verdict.exact = true;
@@ -195,9 +195,9 @@ class Analyzer {
     const std::optional<Peak>& beyond = graph.findings().beyond;
     if (!shows() && graph.stuck() >= 0)
       found = stuck_witness(machine, graph, graph.stuck(), requirement.limit + 1);
-    if (!shows() && beyond) found = witness_of(machine, graph, *beyond, false, options_.stop);
+    if (!shows() && beyond) found = witness_of(machine, graph, *beyond, options_.stop);
     if (!shows() && ends_with_skill(machine) && graph.growing())
-      found = witness_of(machine, graph, *graph.growing(), false, options_.stop);
+      found = witness_of(machine, graph, *graph.growing(), options_.stop);
     if (shows()) verdict.witness = std::move(found);
   }
 
@@ -225,10 +225,9 @@ class Analyzer {
       verdict.explanation = nothing_measured(requirement, true);
       return;
     }
-    const std::vector<LoadBound> bounds = load_bounds(machine, graph, requirement.processors, limits());
+    const std::vector<LoadBound> bounds = load_bounds(machine, graph, requirement.processors, options_.stop);
     std::string others;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
-      verdict.statistics.classes += bounds[i].states;
       others += (i == 0 ? "" : ", ") + processor_name(requirement.processors[i]) + " " + percent(bounds[i]);
     }
     const auto first = bounds.begin();

@@ -4,7 +4,7 @@
 #include <set>
 #include <tuple>
 
-#include "analyzer/load/cycle_ratio.hpp"
+#include "analyzer/load/positive_cycle.hpp"
 
 namespace pal::analyzer {
 namespace {

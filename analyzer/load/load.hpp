@@ -1,7 +1,7 @@
 // The greatest fraction of time, in the long run, that some unending run keeps a processor busy.
 #pragma once
 
-#include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -21,7 +21,6 @@ struct LoadBound {
   Fraction shown{0, 1};            // a run keeps the processor so busy
   std::optional<Witness> witness;  // that run, unless it has no load: its beginning and its first turns
   bool exact = false;              // it attains `most`
-  std::size_t states = 0;
 };
 
 /// Whether every run ends, so that there is no long run in which a processor has a load. False proves
@@ -31,17 +30,15 @@ bool ends_always(const Problem& problem, const ZoneGraph& graph);
 /// One bound a processor. `graph`: all classes of `machine`, which watches nothing, with its edges, explored
 /// to the end.
 std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph,
-                                   const std::vector<int>& processors, const Limits& limits);
+                                   const std::vector<int>& processors, const std::function<bool()>& stop);
 
-/// Whether each of `processors` keeps a limit: by shares of the time, by runs, and by a grid that is not much
-/// larger than `graph`. Cheaper than bounds, and sometimes undecided where these would decide. `graph` as for
-/// load_bounds().
+/// Whether each of `processors` keeps a limit. Cheaper than bounds. `graph` as for load_bounds().
 struct LoadDecision {
   VerdictState state = VerdictState::undecided;
   Fraction load;                   // holds: no run exceeds it; fails: a run attains it
   std::optional<Witness> witness;  // fails: that run
 };
 LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph, const std::vector<int>& processors,
-                          const Fraction& limit, const Limits& limits);
+                          const Fraction& limit, const std::function<bool()>& stop);
 
 }  // namespace pal::analyzer

@@ -1,8 +1,6 @@
 #include "analyzer/load/recurrence.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <set>
 
 namespace pal::analyzer {
 namespace {
@@ -69,20 +67,6 @@ class Components {
   int count_ = 0;
 };
 
-/// Sets of things that belong together.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : above_(count) { std::iota(above_.begin(), above_.end(), 0U); }
-  std::size_t of(std::size_t thing) const {
-    while (above_[thing] != thing) thing = above_[thing];
-    return thing;
-  }
-  void join(std::size_t a, std::size_t b) { above_[of(a)] = of(b); }
-
- private:
-  std::vector<std::size_t> above_;
-};
-
 }  // namespace
 
 std::vector<Recurrence> recurrences(const ZoneGraph& graph) {
@@ -90,13 +74,11 @@ std::vector<Recurrence> recurrences(const ZoneGraph& graph) {
   std::vector<Recurrence> all(static_cast<std::size_t>(components.count()));
   std::vector<bool> repeats(all.size());
   std::vector<bool> entered(graph.classes().size());
-  std::vector<std::set<int>> fired(all.size());
   for (std::size_t e = 0; e < graph.edges().size(); ++e) {
     const Edge& edge = graph.edges()[e];
     const auto to = static_cast<std::size_t>(components.of(edge.to));
     if (components.of(edge.from) == components.of(edge.to)) {
       repeats[to] = true;
-      fired[to].insert(edge.timer);
       all[to].edges.push_back(static_cast<int>(e));
     } else {
       entered[static_cast<std::size_t>(edge.to)] = true;
@@ -114,125 +96,9 @@ std::vector<Recurrence> recurrences(const ZoneGraph& graph) {
   }
   std::vector<Recurrence> found;
   for (std::size_t r = 0; r < all.size(); ++r) {
-    if (!repeats[r]) continue;
-    all[r].fired.assign(fired[r].begin(), fired[r].end());
-    found.push_back(std::move(all[r]));
+    if (repeats[r]) found.push_back(std::move(all[r]));
   }
   return found;
-}
-
-std::uint64_t position(const Slice& slice, const State& state) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (std::size_t t = 0; t < slice.threads.size(); ++t) {
-    if (!slice.threads[t]) continue;
-    const ThreadState& of = state.threads[t];
-    const auto word = static_cast<std::uint64_t>(of.step + 1) << 8U | static_cast<std::uint64_t>(of.status);
-    hash = (hash ^ word) * 0x100000001b3U;
-    hash ^= hash >> 29U;
-  }
-  return hash;
-}
-
-Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence& recurrence, int processor) {
-  const Problem& problem = machine.problem();
-  const std::size_t threads = problem.threads.size();
-  const std::size_t devices = problem.devices.size();
-  const std::size_t channels = problem.channels.size();
-
-  // Where each thread can be, and whether it comes and goes.
-  std::vector<std::set<int>> steps(threads);
-  std::vector<bool> off(threads);
-  std::set<int> places;
-  for (int c : recurrence.classes) places.insert(graph.classes()[static_cast<std::size_t>(c)].state);
-  for (int p : places) {
-    const State& state = graph.places()[static_cast<std::size_t>(p)].state;
-    for (std::size_t t = 0; t < threads; ++t) {
-      if (state.threads[t].status == Status::off) {
-        off[t] = true;
-      } else {
-        steps[t].insert(state.threads[t].step);
-      }
-    }
-  }
-  std::vector<bool> active(threads);
-  for (int timer : recurrence.fired) {
-    if (timer < static_cast<int>(threads)) active[static_cast<std::size_t>(timer)] = true;
-  }
-  // Blocks that begin again and again belong to their parent and to one another.
-  Groups groups(threads + devices + channels);
-  for (std::size_t t = 0; t < threads; ++t) {
-    const int parent = problem.threads[t].parent;
-    if (parent < 0 || !off[t] || steps[t].empty()) continue;
-    active[t] = active[static_cast<std::size_t>(parent)] = true;
-    groups.join(t, static_cast<std::size_t>(parent));
-    for (std::size_t s = 0; s < threads; ++s) {
-      if (problem.threads[s].parent == parent && !steps[s].empty()) {
-        active[s] = true;
-        groups.join(s, t);
-      }
-    }
-  }
-  const auto device = [&](int d) { return threads + static_cast<std::size_t>(d); };
-  const auto channel = [&](int c) { return threads + devices + static_cast<std::size_t>(c); };
-  for (std::size_t c = 0; c < channels; ++c) {
-    const Channel& of = problem.channels[c];
-    if (of.sender_device >= 0) groups.join(channel(static_cast<int>(c)), device(of.sender_device));
-    if (of.receiver_device >= 0) groups.join(channel(static_cast<int>(c)), device(of.receiver_device));
-  }
-  for (std::size_t t = 0; t < threads; ++t) {
-    if (!active[t]) continue;
-    for (std::size_t s = 0; s < t; ++s) {
-      if (active[s] && problem.threads[s].processor == problem.threads[t].processor) groups.join(s, t);
-    }
-    for (int step : steps[t]) {
-      for (int c : problem.steps[static_cast<std::size_t>(step)].channels) {
-        groups.join(t, channel(c));
-        const Channel& of = problem.channels[static_cast<std::size_t>(c)];
-        if (of.answers >= 0) groups.join(t, channel(of.answers));
-        if (of.answer >= 0) groups.join(t, channel(of.answer));
-      }
-    }
-  }
-
-  Slice slice;
-  slice.threads.assign(threads, false);
-  slice.channels.assign(channels, false);
-  slice.devices.assign(devices, false);
-  slice.left_out.assign(threads, false);
-  slice.steps.assign(problem.steps.size(), false);
-  slice.timers.assign(static_cast<std::size_t>(machine.timer_count()), false);
-  std::size_t group = threads + devices + channels;
-  for (std::size_t t = 0; t < threads; ++t) {
-    if (active[t] && problem.threads[t].processor == processor) group = groups.of(t);
-  }
-  if (group == threads + devices + channels) return slice;
-  for (std::size_t t = 0; t < threads; ++t) {
-    slice.threads[t] = active[t] && groups.of(t) == group;
-    slice.left_out[t] = active[t] && !slice.threads[t];
-    slice.timers[t] = slice.threads[t];
-    if (slice.threads[t]) {
-      for (int step : steps[t]) slice.steps[static_cast<std::size_t>(step)] = true;
-    }
-    if (!slice.left_out[t]) continue;
-    for (int step : steps[t]) {
-      const Step& of = problem.steps[static_cast<std::size_t>(step)];
-      if (of.kind == Step::Kind::set)
-        slice.free_conditions |= std::uint64_t{1} << static_cast<unsigned>(of.condition);
-    }
-  }
-  for (std::size_t c = 0; c < channels; ++c) {
-    slice.channels[c] = groups.of(channel(static_cast<int>(c))) == group;
-    const auto flight = static_cast<std::size_t>(machine.flight_timer(static_cast<int>(c)));
-    slice.timers[flight] = slice.timers[flight + 1] = slice.channels[c];
-  }
-  for (std::size_t d = 0; d < devices; ++d) {
-    slice.devices[d] = groups.of(device(static_cast<int>(d))) == group;
-    slice.timers[static_cast<std::size_t>(machine.next_timer(static_cast<int>(d)))] = slice.devices[d];
-    slice.timers[static_cast<std::size_t>(machine.service_timer(static_cast<int>(d)))] = slice.devices[d];
-  }
-  for (int p : places)
-    slice.positions.insert(position(slice, graph.places()[static_cast<std::size_t>(p)].state));
-  return slice;
 }
 
 }  // namespace pal::analyzer

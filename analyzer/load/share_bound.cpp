@@ -8,7 +8,7 @@
 #include <map>
 #include <numeric>
 
-#include "analyzer/load/cycle_ratio.hpp"
+#include "analyzer/load/positive_cycle.hpp"
 
 namespace pal::analyzer {
 namespace {

@@ -218,7 +218,7 @@ std::optional<UnendingRun> search_unending(const Machine& machine, const ZoneGra
   int all_tries = 0;
   for (std::uint64_t seed = 0; seed < most_runs && !recurrence.entries.empty() && !(stop && stop()); ++seed) {
     const int entry = recurrence.entries[seed / 4 % recurrence.entries.size()];
-    const auto beginning = script_to(machine, graph, entry, {});
+    const auto beginning = script_to(machine, graph, entry);
     if (!beginning) continue;
     Wanderer run(machine, inside, processor, seed);
     if (!run.begin(*beginning)) continue;

@@ -229,7 +229,7 @@ void Firing::effect_set(int thread) {
 bool Firing::read(int thread, int condition) {
   const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(condition);
   bool value = (state_.conditions & bit) != 0;
-  if (((machine_.free_conditions | problem_.free_conditions) & bit) != 0) value = choices_.pick(2) == 1;
+  if ((problem_.free_conditions & bit) != 0) value = choices_.pick(2) == 1;
   emit(Kind::read, thread, condition, value ? 1 : 0);
   has_read(thread, condition);
   return value;

@@ -2,7 +2,7 @@
 // docs/reference/execution-model.md in code.
 //
 // The machine says which timers start, stop, freeze and resume when one of them fires. The time domains say
-// when they may fire: zones (zone_graph), single runs (run), grids of instants (load).
+// when they may fire: zones (zone_graph) and single runs (run).
 #pragma once
 
 #include <cstdint>
@@ -104,9 +104,6 @@ class Machine {
   /// What happens when `timer`, active in `state`, fires. False: it cannot be the first at this instant,
   /// because a frame does not start before the last one has ended.
   bool fire(const State& state, int timer, Choices& choices, bool record, Outcome& outcome) const;
-
-  /// Conditions whose reads give any value: used where their writer is left out of an analysis.
-  std::uint64_t free_conditions = 0;
 
  private:
   const Problem& problem_;

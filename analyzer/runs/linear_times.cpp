@@ -103,7 +103,7 @@ void make_greatest(Constraints& constraints, const Goal& goal, const Interrupter
   Nanoseconds above = goal.enough;
   const Answer most = constraints.look(goal, above, best);
   if (most == Answer::found && above >= Range::unbounded) best.reset();
-  if (most != Answer::none) return;
+  if (most != Answer::none || goal.less_will_not_do) return;
   // What Z3 does before it solves heeds no interruption.
   for (Nanoseconds step = 1; value() + 1 < above && !interrupter.interrupted();) {
     const Nanoseconds tried = step < above - value() ? value() + step : above - 1;

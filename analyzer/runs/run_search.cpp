@@ -146,8 +146,11 @@ class RunSearch {
     const bool worse = keep(replay(machine_, path));
     // Whose events come in this order, but at other times, may be worse still.
     const bool promising = !best_ || worse || 4 * worst->value > 3 * best_->measured.value;
-    return (promising && keep(witness_along(machine_, std::move(path), true, -1, true, options_.stop))) ||
-           worse;
+    if (!promising) return worse;
+    WitnessSearch search;
+    search.quick = true;
+    search.stop = options_.stop;
+    return keep(witness_along(machine_, std::move(path), search)) || worse;
   }
 
   bool keep(std::optional<Witness> found) {

@@ -45,7 +45,7 @@ struct Addend {
 /// The cost of a decision.
 struct Statistics {
   std::size_t states = 0;       // of the skill, times aside
-  std::size_t classes = 0;      // sets of times at a state (and for loads points of the grid)
+  std::size_t classes = 0;      // sets of times at a state
   double seconds = 0;           // by Options::clock
   std::size_t peak_memory = 0;  // bytes, by Options::peak_memory
 

@@ -103,7 +103,7 @@ class Search {
     if (witness || tried) return;
     tried = true;
     for (const bool quick : {true, false}) {
-      auto made = witness_of(machine_, graph, peak, quick, stop_);
+      auto made = breaking_witness_of(machine_, graph, peak, requirement_.limit, quick, stop_);
       if (made && broken(requirement_, *made)) witness = std::move(made);
       if (witness) return;
     }
@@ -134,10 +134,9 @@ Decision load_decision(const Problem& problem, const Requirement& requirement, c
   const Watch nothing;
   const Machine machine(problem, nothing);
   ZoneGraph graph(machine, 0, true);
-  const Limits limits{options.max_states, options.stop, {}, &workers};
-  if (!graph.explore(limits)) return {};
+  if (!graph.explore({options.max_states, options.stop, {}, &workers})) return {};
   const Fraction limit{requirement.limit, 1'000'000'000};
-  const LoadDecision decision = decide_loads(machine, graph, requirement.processors, limit, limits);
+  const LoadDecision decision = decide_loads(machine, graph, requirement.processors, limit, options.stop);
   if (decision.state == Is::undecided) return {};
   return {decision.state, std::nullopt, per_second(decision.load) - requirement.limit};
 }
@@ -251,7 +250,11 @@ bool refutes(const Problem& problem, RequirementId id, const Witness& witness,
   if (!one_run(requirement) || witness.grows || witness.script.empty()) return false;
   const Watch watch = watch_of(problem, requirement);
   const Machine machine(problem, watch);
-  const auto made = witness_along(machine, witness.script, !witness.failed, -1, true, stop);
+  WitnessSearch search;
+  search.measured = !witness.failed;
+  search.quick = true;
+  search.stop = stop;
+  const auto made = witness_along(machine, witness.script, search);
   return made && broken(requirement, *made);
 }
 

@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,8 +87,7 @@ class RealExecutive final : public Executive {
   void wait_for_levels();
 
   void start_threads();
-  void start_watchdog(int priority);
-  int schedule();
+  void start_watchdog();
 
   Journal& journal_;
   World& world_;
@@ -107,8 +107,8 @@ class RealExecutive final : public Executive {
   bool moving_ = false;  // something moves in the world by itself, with the lock
   bool told_ = false;    // all threads have been woken for the end
   std::atomic<bool> hung_ = false;
-  bool fifo_ = false;
-  bool looks_out_ = false;  // each processor has a CPU of its own
+  std::optional<int> top_priority_;  // of a level, if SCHED_FIFO is permitted and wanted
+  bool looks_out_ = false;           // each processor has a CPU of its own
   std::vector<std::unique_ptr<OsThread>> threads_;
   std::unique_ptr<OsThread> dog_;
   RealTimeReport report_;

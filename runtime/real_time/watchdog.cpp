@@ -29,9 +29,9 @@ void say(const std::string& text) {
 
 }  // namespace
 
-void RealExecutive::start_watchdog(int priority) {
+void RealExecutive::start_watchdog() {
   dog_ = std::make_unique<OsThread>([this] { watch(); });
-  if (fifo_) make_fifo(dog_->handle(), priority);
+  if (top_priority_) make_fifo(dog_->handle(), *top_priority_ + 3);
 }
 
 void RealExecutive::watch() {

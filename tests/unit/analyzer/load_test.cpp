@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/exact/exact.hpp"
-#include "analyzer/load/grid.hpp"
 #include "tests/support/skill.hpp"
 #include "tests/unit/analyzer/small_skill.hpp"
 
@@ -181,8 +180,7 @@ END
 
 namespace {
 
-/// The load of P0, where a loop of SM1 has `round` in it, by shares of the time: work may end at any
-/// nanosecond, which makes too many points for a grid.
+/// The load of P0, where a loop of SM1 has `round` in it, where work may end at any nanosecond.
 Verdict by_shares(const std::string& round, const std::string& device) {
   const auto skill = test::sound_skill(
       small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 100 %",
@@ -260,27 +258,4 @@ END ENVIRONMENT
   CHECK(verdict.state != Verdict::State::fails);
   REQUIRE(attained(verdict));
   CHECK(*attained(verdict) < Duration(600'000'000));
-}
-
-TEST_CASE("a grid stops while it looks for the points at which it is entered") {
-  const auto skill =
-      test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 40 %", worker,
-                                    "PROCESSOR P0\nPROCESSOR P1\nDEVICE MC1 EVENT tick EVERY 7919 us JITTER "
-                                    "7907 us\nTIME work : 1 us\nPLACE SM1 ON P1 PRIORITY 1\n"));
-  const Watch nothing;
-  const Machine machine(*skill->problem, nothing);
-  ZoneGraph graph(machine, 0, true);
-  REQUIRE(graph.explore({}));
-  std::size_t grids = 0;
-  for (const Recurrence& recurrence : recurrences(graph)) {
-    const Slice slice = slice_of(machine, graph, recurrence, 1);
-    int asked = 0;
-    Limits limits;
-    limits.stop = [&asked] { return ++asked > 1; };
-    Grid grid(machine, slice);
-    if (!grid.start(graph, recurrence, limits)) ++grids;
-    CHECK(asked <= 2);
-    CHECK(grid.nodes().size() <= 10'000);
-  }
-  CHECK(grids > 0);
 }

@@ -1,4 +1,4 @@
-#include "analyzer/load/cycle_ratio.hpp"
+#include "analyzer/load/positive_cycle.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -73,39 +73,6 @@ std::vector<int> PositiveCycle::in_parents() const {
     return cycle;
   }
   return {};
-}
-
-bool can_add_up(int nodes, const std::vector<WeightedEdge>& edges) {
-  std::int64_t longest = 0;
-  for (const WeightedEdge& edge : edges) longest = std::max(longest, edge.time);
-  return static_cast<Gain>(longest) * nodes < static_cast<Gain>(1) << 61;
-}
-
-std::optional<CycleRatio> greatest_cycle_ratio(int nodes, const std::vector<WeightedEdge>& edges) {
-  std::vector<std::pair<int, int>> ends;
-  ends.reserve(edges.size());
-  for (const WeightedEdge& edge : edges) ends.emplace_back(edge.from, edge.to);
-  PositiveCycle search(nodes, std::move(ends));
-  std::vector<Gain> gains(edges.size());
-  // A first cycle: any that takes time is better than less than nothing.
-  CycleRatio best;
-  best.work = -1;
-  best.time = 1;
-  for (;;) {
-    for (std::size_t e = 0; e < edges.size(); ++e)
-      gains[e] = static_cast<Gain>(edges[e].work) * best.time - static_cast<Gain>(edges[e].time) * best.work;
-    const std::vector<int> cycle = search.find(gains);
-    if (cycle.empty()) break;
-    std::int64_t work = 0;
-    std::int64_t time = 0;
-    for (int e : cycle) {
-      work += edges[static_cast<std::size_t>(e)].work;
-      time += edges[static_cast<std::size_t>(e)].time;
-    }
-    best = {work, time, cycle};
-  }
-  if (best.work < 0) return std::nullopt;
-  return best;
 }
 
 }  // namespace pal::analyzer
