@@ -78,7 +78,7 @@ class DrawnSkill {
   };
 
   // The workcell.
-  /// One to three of them; one in so many is not preemptive.
+  /// One to three of them. One in `one_nonpreemptive_in` is not preemptive.
   std::string processors(int one_nonpreemptive_in);
   std::string place(const std::string& thread, int priorities);
   /// Of some of the blocks of a CONCURRENT that have names of their own.
