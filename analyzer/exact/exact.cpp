@@ -88,14 +88,13 @@ class Analyzer {
     bool first = true;
     bool bounded = true;
     Duration most(0);
-    for (const int processor : requirement.processors) {
+    for (const ProcessorId processor : requirement.processors) {
       Verdict each = blank(requirement);
       timed(requirement, watch_of(problem_, requirement, processor), each);
       statistics += each.statistics;
       bounded = bounded && each.bound;
       if (each.bound) most = std::max(most, *each.bound);
-      each.explanation = "processor " + problem_.processors[static_cast<std::size_t>(processor)].name + ": " +
-                         each.explanation;
+      each.explanation = "processor " + problem_.processors[processor].name + ": " + each.explanation;
       if (first || worse(each, verdict)) verdict = std::move(each);
       first = false;
     }
@@ -260,8 +259,8 @@ class Analyzer {
     verdict.addends.clear();
   }
 
-  const std::string& processor_name(int processor) const {
-    return problem_.processors[static_cast<std::size_t>(processor)].name;
+  const std::string& processor_name(ProcessorId processor) const {
+    return problem_.processors[processor].name;
   }
 
   static std::string turn_text(const Fraction& load) {

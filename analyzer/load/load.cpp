@@ -44,7 +44,7 @@ LoadBound either(LoadBound bound, LoadBound other) {
 }
 
 /// In one recurrence: by shares of the time, and a run that is looked for.
-LoadBound in(const Machine& machine, const ZoneGraph& graph, const Recurrence& recurrence, int processor,
+LoadBound in(const Machine& machine, const ZoneGraph& graph, const Recurrence& recurrence, ProcessorId processor,
              const std::function<bool()>& stop) {
   LoadBound bound;
   const auto most = share_bound(work_graph(machine, graph, recurrence, processor), {}, stop);
@@ -73,10 +73,10 @@ bool ends_always(const Problem& problem, const ZoneGraph& graph) {
 }
 
 std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph,
-                                   const std::vector<int>& processors, const std::function<bool()>& stop) {
+                                   const std::vector<ProcessorId>& processors, const std::function<bool()>& stop) {
   const std::vector<Recurrence> everywhere = recurrences(graph);
   std::vector<LoadBound> bounds;
-  for (int processor : processors) {
+  for (const ProcessorId processor : processors) {
     LoadBound bound = idle();
     for (const Recurrence& recurrence : everywhere)
       bound = either(std::move(bound), in(machine, graph, recurrence, processor, stop));
@@ -85,15 +85,15 @@ std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& grap
   return bounds;
 }
 
-LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph, const std::vector<int>& processors,
+LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph, const std::vector<ProcessorId>& processors,
                           const Fraction& limit, const std::function<bool()>& stop) {
   const auto above = [&limit](const Fraction& load) { return greater(load, limit); };
-  std::vector<std::pair<const Recurrence*, int>> open;
+  std::vector<std::pair<const Recurrence*, ProcessorId>> open;
   LoadDecision decision;
   decision.load = {0, 1};
   const std::vector<Recurrence> everywhere = recurrences(graph);
   for (const Recurrence& recurrence : everywhere) {
-    for (int processor : processors) {
+    for (const ProcessorId processor : processors) {
       const WorkGraph work = work_graph(machine, graph, recurrence, processor);
       const auto most = share_bound(work, limit, stop);
       if (!most) open.emplace_back(&recurrence, processor);

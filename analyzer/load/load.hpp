@@ -30,7 +30,7 @@ bool ends_always(const Problem& problem, const ZoneGraph& graph);
 /// One bound a processor. `graph`: all classes of `machine`, which watches nothing, with its edges, explored
 /// to the end.
 std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph,
-                                   const std::vector<int>& processors, const std::function<bool()>& stop);
+                                   const std::vector<ProcessorId>& processors, const std::function<bool()>& stop);
 
 /// Whether each of `processors` keeps a limit. Cheaper than bounds. `graph` as for load_bounds().
 struct LoadDecision {
@@ -38,7 +38,7 @@ struct LoadDecision {
   Fraction load;                   // holds: no run exceeds it; fails: a run attains it
   std::optional<Witness> witness;  // fails: that run
 };
-LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph, const std::vector<int>& processors,
+LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph, const std::vector<ProcessorId>& processors,
                           const Fraction& limit, const std::function<bool()>& stop);
 
 }  // namespace pal::analyzer

@@ -22,7 +22,7 @@ constexpr int most_tries_of_all = 120;
 /// One run that stays in the recurrence once it is there.
 class Wanderer {
  public:
-  Wanderer(const Machine& machine, const std::unordered_set<State, StateHash>& inside, int processor,
+  Wanderer(const Machine& machine, const std::unordered_set<State, StateHash>& inside, ProcessorId processor,
            std::uint64_t seed)
       : machine_(machine), inside_(inside), processor_(processor), manner_(seed % 4), engine_(seed) {}
 
@@ -130,7 +130,7 @@ class Wanderer {
 
   const Machine& machine_;
   const std::unordered_set<State, StateHash>& inside_;
-  int processor_;
+  ProcessorId processor_;
   std::uint64_t manner_;
   std::mt19937_64 engine_;
   std::optional<ConcreteRun> concrete_run_;
@@ -206,7 +206,7 @@ std::vector<Candidate> candidates(const Machine& machine, const Wanderer& run) {
 }  // namespace
 
 std::optional<UnendingRun> search_unending(const Machine& machine, const ZoneGraph& graph,
-                                           const Recurrence& recurrence, int processor,
+                                           const Recurrence& recurrence, ProcessorId processor,
                                            const std::function<bool(const Fraction&)>& enough,
                                            const std::function<bool()>& stop) {
   std::unordered_set<State, StateHash> inside;

@@ -51,6 +51,6 @@ struct WorkGraph {
 /// Of `processor` in `recurrence`. A timer has one share for each statement or wait that it measures. Timers
 /// that can take no time have none.
 WorkGraph work_graph(const Machine& machine, const ZoneGraph& graph, const Recurrence& recurrence,
-                     int processor);
+                     ProcessorId processor);
 
 }  // namespace pal::analyzer

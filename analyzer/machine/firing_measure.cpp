@@ -79,7 +79,7 @@ void Firing::has_completed(int thread, int code) {
 }
 
 bool Firing::watched_busy() const {
-  return watch_.kind == Watch::Kind::busy && state_.running[static_cast<std::size_t>(watch_.processor)] >= 0;
+  return watch_.kind == Watch::Kind::busy && state_.running[watch_.processor] >= 0;
 }
 
 /// A processor that ends one action and begins another in one event has not paused. If it begins another in a

@@ -93,7 +93,7 @@ class Machine {
   int service_timer(int device) const { return next_timer(device) + 1; }
   int pause_timer() const { return next_timer(static_cast<int>(problem_.devices.size())); }
   /// Processor whose work the timer measures in `state`; -1: none.
-  int processor_of(const State& state, int timer) const;
+  ProcessorId processor_of(const State& state, int timer) const;
   /// Processor time of the action that a thread's timer measures in `state`.
   Range cost(const State& state, int timer) const;
   /// "SM1.2", "Zforce from LS1 to SM1 between processors", "force-torque service", …: no two have one name.

@@ -83,7 +83,7 @@ struct SlotState {
   Fill fill = Fill::empty;
   Way near = Way::none;  // to threads on the sender's processor
   Way far = Way::none;   // to those on others
-  int from = -1;         // the sender's processor; -1: a device, or nobody
+  ProcessorId from{};    // the sender's processor; none: a device, or nobody
   std::uint8_t carries = tag::none;
   Asked asked;                               // requests
   bool answers = false;                      // answers: what is in the slot answers a request
@@ -110,8 +110,8 @@ enum class Pending : std::uint8_t { observed, lost, over, outside };
 
 struct State {
   std::vector<ThreadState> threads;
-  std::vector<ThreadNumber> running;  // by processor; -1: idle
-  std::vector<ThreadNumber> queue;    // ready threads, by processor, priority, place in the queue
+  Table<ProcessorId, ThreadNumber> running;  // -1: idle
+  std::vector<ThreadNumber> queue;           // ready threads, by processor, priority, place in the queue
   std::vector<SlotState> slots;
   std::vector<DeviceState> devices;
   std::uint64_t conditions = 0;
@@ -147,7 +147,7 @@ struct StateHash {
     for (const ThreadNumber q : state.queue) mix(static_cast<std::uint64_t>(q + 1000));
     for (const SlotState& s : state.slots) {
       mix(static_cast<std::uint64_t>(s.fill) << 56U | static_cast<std::uint64_t>(s.near) << 54U |
-          static_cast<std::uint64_t>(s.far) << 52U | static_cast<std::uint64_t>(s.from + 1) << 40U |
+          static_cast<std::uint64_t>(s.far) << 52U | static_cast<std::uint64_t>(s.from.value + 1) << 40U |
           static_cast<std::uint64_t>(s.carries) << 32U | static_cast<std::uint64_t>(s.asked.count) << 16U |
           static_cast<std::uint64_t>(s.answers ? 1 : 0) << 8U | s.serving_carries);
       for (std::size_t i = 0; i < s.asked.count; ++i) mix(static_cast<std::uint64_t>(s.asked.by[i] + 2));

@@ -151,7 +151,7 @@ bool tests(const Step& step, int condition) {
   return false;
 }
 
-Watch watch_of(const Problem& problem, const Requirement& requirement, int processor) {
+Watch watch_of(const Problem& problem, const Requirement& requirement, ProcessorId processor) {
   using Measure = Requirement::Measure;
   Watch watch;
   watch.limit = requirement.limit;
@@ -202,7 +202,7 @@ Watch watch_of(const Problem& problem, const Requirement& requirement, int proce
       break;
     case Measure::busy:
       watch.kind = Watch::Kind::busy;
-      watch.processor = processor < 0 ? requirement.processors.front() : processor;
+      watch.processor = !processor.valid() ? requirement.processors.front() : processor;
       break;
   }
   watch.live = before(problem, watch.at);

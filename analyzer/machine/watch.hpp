@@ -23,7 +23,7 @@ struct Watch {
   int device = -1;            // loss
   int in = 1;                 // loss: so many in a row
   int code = 0;               // duration
-  int processor = -1;         // busy
+  ProcessorId processor;      // busy
   bool least = false;         // interval: the least is asked for
   Nanoseconds limit = 0;
   std::vector<bool> at;  // by step
@@ -46,7 +46,7 @@ struct Watch {
 };
 
 /// `processor`: of a busy period; -1: the first of the requirement.
-Watch watch_of(const Problem& problem, const Requirement& requirement, int processor = -1);
+Watch watch_of(const Problem& problem, const Requirement& requirement, ProcessorId processor = {});
 
 /// Whether a test of `step` looks at `condition`.
 bool tests(const Step& step, int condition);

@@ -56,13 +56,13 @@ class Compiler {
     std::map<NodeId, int> done;  // step of each node that has one
     std::function<int()> after;
     int depth = 0;
-    CallId call;  // of a body that is executed
+    CallId call{};  // of a body that is executed
   };
 
   /// A step that is known and not yet filled, or one that stands in for the beginning of a body.
   struct Open {
     Place* place;
-    NodeId node;
+    NodeId node{};
     int step;
     bool stands_in;
   };

@@ -6,6 +6,12 @@
 
 namespace pal::analyzer {
 
+/// In Problem::processors and Environment::processors; who asks what more of them would do counts on.
+using ProcessorId = Id<struct ProcessorTag>;
+
+/// In Problem::requirements.
+using RequirementId = Id<struct ProblemRequirementTag>;
+
 /// In Problem::statements.
 using StatementId = Id<struct StatementTag>;
 

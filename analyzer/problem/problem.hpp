@@ -35,8 +35,8 @@ struct Range {
 struct Step {
   enum class Kind { wait, send, set, read, test, activity, complete, fork, end };
   Kind kind = Kind::end;
-  StatementId statement;
-  CallId call;         // the Execute whose body this stands in
+  StatementId statement{};
+  CallId call{};       // the Execute whose body this stands in
   Range cost;          // of a wait: of its receive
   Range give_up_cost;  // wait with a limit: of the test that gives up
 
@@ -61,8 +61,8 @@ struct Step {
 
 struct Thread {
   std::string name;
-  pan::ModuleId module;  // whose channels it uses
-  int processor = -1;
+  pan::ModuleId module{};  // whose channels it uses
+  ProcessorId processor{};
   int priority = 0;
   int parent = -1;        // of a block: the thread of its CONCURRENT
   bool can_end = true;    // its flow can reach its end
@@ -73,14 +73,14 @@ struct Thread {
 struct Channel {
   int sender_device = -1;    // -1: a module sends
   int receiver_device = -1;  // -1: a module receives
-  pan::ModuleId sender_module;
-  pan::ModuleId receiver_module;
-  int answer = -1;                       // of a request: channel of its answer
-  int answers = -1;                      // of an answer: channel of the request
-  bool served = false;                   // a request that its device answers
-  std::vector<int> receiver_processors;  // of the threads that wait for it
+  pan::ModuleId sender_module{};
+  pan::ModuleId receiver_module{};
+  int answer = -1;                               // of a request: channel of its answer
+  int answers = -1;                              // of an answer: channel of the request
+  bool served = false;                           // a request that its device answers
+  std::vector<ProcessorId> receiver_processors;  // of the threads that wait for it
   std::string message;
-  KeptId kept;  // who takes the message leaves it there; none: nobody uses it
+  KeptId kept{};  // who takes the message leaves it there; none: nobody uses it
   /// Only in slices: the party at one of its ends is left out. Its messages may come and go at any time.
   bool loose = false;
   bool withdrawable = false;  // loose: what somebody is about to take may be withdrawn
@@ -100,21 +100,21 @@ struct Statement {
   std::string file;
   int line = 0;
   SourceSpan where;
-  pan::ModuleId source_module;
-  pan::NodeId source_node;
+  pan::ModuleId source_module{};
+  pan::NodeId source_node{};
 };
 
 /// An Execute that one thread runs, at one place of its flow.
 struct Call {
-  pan::ModuleId source_module;  // where the Execute stands
-  pan::NodeId source_node;
-  CallId outer;  // the call in whose body that is
+  pan::ModuleId source_module{};  // where the Execute stands
+  pan::NodeId source_node{};
+  CallId outer{};  // the call in whose body that is
 };
 
 /// The value of a message that a module, with those that it executes, keeps for its statements.
 struct Kept {
-  pan::ModuleId module;
-  pan::MessageId message;
+  pan::ModuleId module{};
+  pan::MessageId message{};
 };
 
 /// The part of a run that counts (docs/reference/timing.md), by step. Without steps it is the whole run.
@@ -137,11 +137,11 @@ struct Requirement {
   int device = -1;           // loss, and of samples: the device; response: the device, if one sends
   std::vector<bool> at;      // age, response, reaction, interval: by step
   Phase phase;
-  std::vector<int> processors;  // load, busy
-  int in = 1;                   // loss: at most `limit` of so many in a row
-  int code = 0;                 // duration: of the completion
-  bool at_least = false;        // interval: `limit` is the least that is allowed
-  Nanoseconds limit = 0;        // loss: a number
+  std::vector<ProcessorId> processors;  // load, busy
+  int in = 1;                           // loss: at most `limit` of so many in a row
+  int code = 0;                         // duration: of the completion
+  bool at_least = false;                // interval: `limit` is the least that is allowed
+  Nanoseconds limit = 0;                // loss: a number
   SourceSpan where;
 
   /// Response: whether the messages of the channel are what is responded to.
@@ -151,7 +151,7 @@ struct Requirement {
 struct Problem {
   std::string skill;
   std::string environment;
-  std::vector<pan::Processor> processors;
+  Table<ProcessorId, pan::Processor> processors;
   std::vector<Thread> threads;  // a block stands behind its parent
   std::vector<Step> steps;
   std::vector<Channel> channels;
@@ -164,8 +164,9 @@ struct Problem {
   Range within_processor;    // latency of a message to a thread on the sender's processor
   Range between_processors;  // and to one on another
   Table<pan::ModuleId, std::string> module_names;
-  int error_code = 2;           // of the first error completion
-  std::vector<int> overloaded;  // processors that have more to do for events than there is time (PAL0820)
+  int error_code = 2;  // of the first error completion
+  std::vector<ProcessorId>
+      overloaded;  // processors that have more to do for events than there is time (PAL0820)
   std::uint64_t free_conditions = 0;  // by bit, only in slices: their reads give any value
 };
 

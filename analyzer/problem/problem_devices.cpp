@@ -143,7 +143,7 @@ void ProblemBuilder::endless_waits() {
         std::get_if<RequestDevice>(&problem_.devices[static_cast<std::size_t>(device)].behaviour);
     return request != nullptr && request->may_fail;
   };
-  std::set<std::pair<int, int>> said;  // an executed module has its statements several times
+  std::set<std::pair<ModuleId, NodeId>> said;  // an executed module has its statements several times
   for (const Step& step : problem_.steps) {
     if (step.kind != Step::Kind::wait || step.within || !step.statement.valid() || step.channels.empty())
       continue;

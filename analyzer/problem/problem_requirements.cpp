@@ -147,11 +147,11 @@ void ProblemBuilder::measure(const Completing& completing, const pan::Requiremen
   require(std::move(made));
 }
 
-std::vector<int> ProblemBuilder::processors_named(const std::string& name,
-                                                  const pan::Requirement& requirement) {
-  std::vector<int> found;
-  for (std::size_t p = 0; p < problem_.processors.size(); ++p) {
-    if (name.empty() || name == problem_.processors[p].name) found.push_back(static_cast<int>(p));
+std::vector<ProcessorId> ProblemBuilder::processors_named(const std::string& name,
+                                                          const pan::Requirement& requirement) {
+  std::vector<ProcessorId> found;
+  for (const ProcessorId p : problem_.processors.ids()) {
+    if (name.empty() || name == problem_.processors[p].name) found.push_back(p);
   }
   if (found.empty()) {
     diagnostics_.report(Code::PAL0813, requirement.where,

@@ -18,7 +18,7 @@ std::string tables_differ(const Problem& problem, const trace::Trace& run) {
       return "another actor " + run.actors[t].name;
     if (device) continue;
     const Thread& thread = problem.threads[t];
-    const std::string& processor = problem.processors[static_cast<std::size_t>(thread.processor)].name;
+    const std::string& processor = problem.processors[thread.processor].name;
     if (run.actors[t].processor != processor || run.actors[t].priority != thread.priority ||
         run.actors[t].parent != thread.parent)
       return name + " has another place, priority or parent";

@@ -20,7 +20,7 @@ struct Measured {
   Nanoseconds value = 0;  // of a loss: a number
   Nanoseconds born = 0;
   Nanoseconds at = 0;
-  StatementId statement;
+  StatementId statement{};
 
   friend bool operator==(const Measured&, const Measured&) = default;
 };

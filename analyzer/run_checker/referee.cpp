@@ -72,7 +72,8 @@ void Referee::handle(const Event& event) {
     drop(event);
     return;
   }
-  const auto passed = std::find(passed_.begin(), passed_.end(), std::pair(event.actor, event.statement));
+  const auto passed =
+      std::find(passed_.begin(), passed_.end(), std::pair(event.actor, StatementId::of(event.statement)));
   if (event.kind == Kind::block && event.subject < 0 && passed != passed_.end()) {
     passed_.erase(passed);
     return;
@@ -221,9 +222,9 @@ void Referee::check_processors() const {
   }
   for (const Queued& queued : queue_) {
     const Thread& of = thread_of(queued.thread);
-    const int has = holders_[static_cast<std::size_t>(of.processor)];
+    const int has = holders_[of.processor];
     demand(has >= 0, of.name, " is ready, and its processor idle");
-    const bool yields = problem_.processors[static_cast<std::size_t>(of.processor)].preemptive;
+    const bool yields = problem_.processors[of.processor].preemptive;
     demand(!yields || of.priority <= thread_of(has).priority, of.name, " has to wait for a lesser priority");
   }
 }

@@ -72,7 +72,7 @@ int Referee::message_of(int thread, const std::vector<int>& candidates) const {
   return candidates.front();
 }
 
-void Referee::fill(int channel, int processor) {
+void Referee::fill(int channel, ProcessorId processor) {
   Slot& to = slot(channel);
   to.answers = answered_next(channel).has_value();
   to.full = true;
@@ -81,7 +81,7 @@ void Referee::fill(int channel, int processor) {
   to.put = now_;
   to.put_by = at_;
   const Range none{0, 0};
-  const bool flies = processor >= 0;
+  const bool flies = processor.valid();
   const Range latency[2] = {flies ? problem_.within_processor : none,
                             flies ? problem_.between_processors : none};
   for (int way = 0; way < 2; ++way) {
@@ -125,7 +125,7 @@ void Referee::empty(int channel) {
   if (of.answers)
     slot(channel_of(channel).answers).asked.erase(slot(channel_of(channel).answers).asked.begin());
   of.full = of.claimed = of.answers = of.to_be_dropped = false;
-  of.from = -1;
+  of.from = ProcessorId{};
   of.emptied_by = at_;
   monitor_.empties(channel);
 }

@@ -151,7 +151,7 @@ void RequirementMonitor::completes(int, int step, int code) {
 }
 
 void RequirementMonitor::skill_ends() {
-  for (std::size_t p = 0; p < busy_since_.size(); ++p) idle(static_cast<int>(p));
+  for (const ProcessorId p : busy_since_.ids()) idle(p);
   ended_ = true;
 }
 
@@ -166,24 +166,23 @@ void RequirementMonitor::reads(int index, int condition) {
   if (of_samples()) thread(index) = std::max(thread(index), known);
 }
 
-void RequirementMonitor::busy(int processor) {
-  const auto index = static_cast<std::size_t>(processor);
-  if (!is(Measure::busy) || working_[index]) return;
-  working_[index] = true;
-  std::vector<Nanoseconds>& since = busy_since_[index];
-  if (paused_[index] != now_) since.clear();
+void RequirementMonitor::busy(ProcessorId processor) {
+  if (!is(Measure::busy) || working_[processor]) return;
+  working_[processor] = true;
+  std::vector<Nanoseconds>& since = busy_since_[processor];
+  if (paused_[processor] != now_) since.clear();
   const bool anew = since.empty() || (busy_from_ == BusyFrom::each_pause && since.back() != now_);
   if (anew) since.push_back(now_);
 }
 
-void RequirementMonitor::idle(int processor) {
-  const std::vector<int>& watched = requirement_ == nullptr ? std::vector<int>() : requirement_->processors;
-  if (!is(Measure::busy) || std::find(watched.begin(), watched.end(), processor) == watched.end()) return;
-  const auto index = static_cast<std::size_t>(processor);
-  if (!working_[index]) return;
-  working_[index] = false;
-  for (const Nanoseconds born : busy_since_[index]) show(born, -1);
-  paused_[index] = now_;
+void RequirementMonitor::idle(ProcessorId processor) {
+  if (!is(Measure::busy)) return;
+  const std::vector<ProcessorId>& watched = requirement_->processors;
+  if (std::find(watched.begin(), watched.end(), processor) == watched.end()) return;
+  if (!working_[processor]) return;
+  working_[processor] = false;
+  for (const Nanoseconds born : busy_since_[processor]) show(born, -1);
+  paused_[processor] = now_;
 }
 
 void RequirementMonitor::puts(int index, int to) {
@@ -316,9 +315,8 @@ std::optional<Nanoseconds> RequirementMonitor::growing_since() const {
     case Measure::interval:
       return requirement_->at_least ? std::nullopt : last_pass_;
     case Measure::busy:
-      for (const int processor : requirement_->processors) {
-        const auto index = static_cast<std::size_t>(processor);
-        if (working_[index]) return busy_since_[index].front();
+      for (const ProcessorId processor : requirement_->processors) {
+        if (working_[processor]) return busy_since_[processor].front();
       }
       return std::nullopt;
     default:

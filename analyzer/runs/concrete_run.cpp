@@ -90,7 +90,7 @@ trace::Trace empty_trace(const Problem& problem) {
   trace.environment = problem.environment;
   trace.origin = "predicted";
   for (const Thread& thread : problem.threads) {
-    const std::string& processor = problem.processors[static_cast<std::size_t>(thread.processor)].name;
+    const std::string& processor = problem.processors[thread.processor].name;
     trace.actors.push_back({thread.name, false, processor, thread.priority, thread.parent});
   }
   for (const Device& device : problem.devices) trace.actors.push_back({device.name, true, "", 0});

@@ -1,13 +1,11 @@
 #include "analyzer/runs/linear_times.hpp"
 
-#include <z3++.h>
-
 #include <algorithm>
 #include <chrono>
-#include <memory>
 #include <string>
 
 #include "analyzer/runs/interrupter.hpp"
+#include "analyzer/runs/solver_context.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -133,23 +131,20 @@ ChosenTimes linear_times(std::size_t count, const std::vector<Difference>& diffe
                          const std::vector<Work>& works, const std::optional<Goal>& goal,
                          const std::function<bool()>& stop) {
   if ((stop && stop()) || too_large(count, works)) return std::nullopt;
-  // Making one takes longer than most systems take to be solved.
-  thread_local std::unique_ptr<z3::context> context;
-  if (!context) context = std::make_unique<z3::context>();
+  z3::context& context = solver_context();
   const Clock::time_point end = Clock::now() + longest_search;
   const auto over = [&stop, end] { return Clock::now() >= end || (stop && stop()); };
   ChosenTimes best;
   bool whole = false;
   try {
-    Constraints constraints(*context, count, differences, works);
-    const Interrupter interrupter(over, [asked = context.get()] { asked->interrupt(); });
+    Constraints constraints(context, count, differences, works);
+    const Interrupter interrupter(over, [&context] { context.interrupt(); });
     constraints.look(std::nullopt, 0, best);
     if (best && goal && !interrupter.interrupted()) make_greatest(constraints, *goal, interrupter, best);
     whole = !interrupter.interrupted();
   } catch (const z3::exception&) {
   }
-  // One that was interrupted is not used again.
-  if (!whole) context.reset();
+  if (!whole) renew_solver_context();
   return best;
 }
 

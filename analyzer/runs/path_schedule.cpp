@@ -120,11 +120,11 @@ bool PathSchedule::build(const std::vector<ScriptedFiring>& path) {
       Life& life = lives_[static_cast<std::size_t>(timer)];
       if (!life.active || life.frozen) return false;
       Range range{life.range.best, life.range.worst};
-      const int processor = machine_.processor_of(before, timer);
+      const ProcessorId processor = machine_.processor_of(before, timer);
       if (pin_ == Pin::open && !life.pieces.empty()) {
         worked(life, k, true);
       } else {
-        if (processor >= 0) pay(processor, timer, range);
+        if (processor.valid()) pay(processor, timer, range);
         between(life.started, k, range.best + life.owed,
                 range.worst >= none ? none : range.worst + life.owed);
       }
@@ -167,7 +167,7 @@ void PathSchedule::still_open(const Life& life, std::size_t until) {
 }
 
 /// An action ends: the ones that it preempted are owed its time, which is fixed for that purpose.
-void PathSchedule::pay(int processor, int timer, Range& range) {
+void PathSchedule::pay(ProcessorId processor, int timer, Range& range) {
   if (pin_ == Pin::open) return;
   for (std::size_t t = 0; t < machine_.problem().threads.size(); ++t) {
     if (static_cast<int>(t) == timer || !lives_[t].active || !lives_[t].frozen) continue;

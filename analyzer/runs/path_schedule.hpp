@@ -62,7 +62,7 @@ class PathSchedule {
   bool build(const std::vector<ScriptedFiring>& path);
   bool find_oldest();
   void still_open(const Life& life, std::size_t until);
-  void pay(int processor, int timer, Range& range);
+  void pay(ProcessorId processor, int timer, Range& range);
   void apply_changes(std::size_t k);
 
   const Machine& machine_;

@@ -177,7 +177,8 @@ std::optional<Witness> search_runs(const Problem& problem, const Requirement& re
   if (!fits_simulation(problem) || requirement.measure == Requirement::Measure::load) return std::nullopt;
   std::optional<Witness> worst;
   const bool busy = requirement.measure == Requirement::Measure::busy;
-  for (const int processor : busy ? requirement.processors : std::vector<int>{-1}) {
+  for (const ProcessorId processor :
+       busy ? requirement.processors : std::vector<ProcessorId>{ProcessorId{}}) {
     const Watch watch = watch_of(problem, requirement, processor);
     const Machine machine(problem, watch);
     auto found = RunSearch(machine, options).run();

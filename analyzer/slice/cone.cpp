@@ -25,7 +25,7 @@ enum class Hold {
 
 class Finder {
  public:
-  Finder(const Problem& problem, const Requirement& requirement, int processor, Reach reach)
+  Finder(const Problem& problem, const Requirement& requirement, ProcessorId processor, Reach reach)
       : problem_(problem),
         requirement_(requirement),
         reach_(reach),
@@ -289,18 +289,17 @@ class Finder {
 
   /// Who may go before a thread that is kept, or cannot be interrupted by it.
   void share_processors() {
-    for (std::size_t p = 0; p < problem_.processors.size(); ++p) {
+    for (const ProcessorId p : problem_.processors.ids()) {
       int least = INT32_MAX;
       for (std::size_t t = 0; t < hold_.size(); ++t) {
         const Thread& thread = problem_.threads[t];
-        if (hold_[t] != Hold::none && thread.processor == static_cast<int>(p))
-          least = std::min(least, thread.priority);
+        if (hold_[t] != Hold::none && thread.processor == p) least = std::min(least, thread.priority);
       }
       if (least == INT32_MAX) continue;
       for (std::size_t t = 0; t < hold_.size(); ++t) {
         const Thread& thread = problem_.threads[t];
         const bool before = !problem_.processors[p].preemptive || thread.priority >= least;
-        if (thread.processor == static_cast<int>(p) && before) keep(static_cast<int>(t), Hold::loose);
+        if (thread.processor == p && before) keep(static_cast<int>(t), Hold::loose);
       }
     }
   }
@@ -350,7 +349,7 @@ bool Cone::whole() const {
   return all(threads) && all(devices);
 }
 
-Cone cone_of(const Problem& problem, const Requirement& requirement, int processor, Reach reach) {
+Cone cone_of(const Problem& problem, const Requirement& requirement, ProcessorId processor, Reach reach) {
   if (requirement.measure == Measure::load)
     return {std::vector<bool>(problem.threads.size(), true), std::vector<bool>(problem.devices.size(), true),
             std::vector<bool>(problem.devices.size(), false)};

@@ -125,7 +125,7 @@ class Slicer {
     made_.steps.push_back(work);
     made_.steps.push_back(Step());
     thread.entry = waits;
-    thread.processor = static_cast<int>(made_.processors.size());
+    thread.processor = ProcessorId(made_.processors.size());
     pan::Processor alone;
     alone.preemptive = true;
     made_.processors.push_back(alone);

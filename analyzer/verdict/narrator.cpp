@@ -10,12 +10,12 @@ using trace::Slice;
 namespace {
 
 /// By processor: who ran on it, in order. Two do not at one time.
-std::vector<std::vector<Slice>> running_on(const Problem& problem, const std::vector<Slice>& slices) {
-  std::vector<std::vector<Slice>> by_processor(problem.processors.size());
+Table<ProcessorId, std::vector<Slice>> running_on(const Problem& problem, const std::vector<Slice>& slices) {
+  Table<ProcessorId, std::vector<Slice>> by_processor(problem.processors.size());
   for (const Slice& slice : slices) {
     if (slice.state != trace::State::running || slice.to_ns == slice.from_ns) continue;
-    const int processor = problem.threads[static_cast<std::size_t>(slice.actor)].processor;
-    by_processor[static_cast<std::size_t>(processor)].push_back(slice);
+    const ProcessorId processor = problem.threads[static_cast<std::size_t>(slice.actor)].processor;
+    by_processor[processor].push_back(slice);
   }
   return by_processor;
 }
@@ -89,8 +89,8 @@ bool Narrator::is_at_work(int thread, Nanoseconds instant) const {
 /// Who kept a thread from its processor in [from, to], piece by piece.
 void Narrator::interference(const Slice& kept, Nanoseconds from, Nanoseconds to,
                             std::vector<Reason>& out) const {
-  const int processor = problem_.threads[static_cast<std::size_t>(kept.actor)].processor;
-  const std::vector<Slice>& here = running_[static_cast<std::size_t>(processor)];
+  const ProcessorId processor = problem_.threads[static_cast<std::size_t>(kept.actor)].processor;
+  const std::vector<Slice>& here = running_[processor];
   auto at = std::partition_point(here.begin(), here.end(),
                                  [from](const Slice& slice) { return slice.to_ns <= from; });
   for (; at != here.end() && at->from_ns <= from && from < to; ++at) {

@@ -168,7 +168,7 @@ struct Story {
 
   /// Who had the processor, from when it had something to do until it had nothing.
   void busy(const Measurement& measured, std::vector<Reason>& out) const {
-    for (const int processor : requirement.processors) {
+    for (const ProcessorId processor : requirement.processors) {
       std::vector<Reason> pieces;
       Nanoseconds at = measured.born;
       for (const Slice& slice : narrator.slices()) {

@@ -51,7 +51,7 @@ bool comes_to(const Problem& problem, const Thread& thread, const std::vector<bo
 
 /// Whether it is of a processor that has more to do than there is time, or of statements that run there.
 bool is_overloaded(const Problem& problem, const Requirement& requirement) {
-  const auto overloaded = [&problem](int processor) {
+  const auto overloaded = [&problem](ProcessorId processor) {
     return std::find(problem.overloaded.begin(), problem.overloaded.end(), processor) !=
            problem.overloaded.end();
   };

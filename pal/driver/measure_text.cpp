@@ -35,7 +35,7 @@ std::string event_text(const analyzer::Problem& problem, const analyzer::Require
 
 std::string processor_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
   if (requirement.processors.size() != 1) return "each processor";
-  return problem.processors[static_cast<std::size_t>(requirement.processors.front())].name;
+  return problem.processors[requirement.processors.front()].name;
 }
 
 std::string whole_run_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {

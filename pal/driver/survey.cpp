@@ -105,9 +105,8 @@ void Survey::measure_load(std::size_t index, const KnownRun& run, std::size_t nu
   if (run.end == 0) return;
   Seen& seen = seen_[index];
   const auto slices = trace::slices(run.trace, run.end);
-  for (const int processor : problem_.requirements[index].processors) {
-    const Nanoseconds busy =
-        busy_time(slices, run.trace, problem_.processors[static_cast<std::size_t>(processor)].name);
+  for (const analyzer::ProcessorId processor : problem_.requirements[index].processors) {
+    const Nanoseconds busy = busy_time(slices, run.trace, problem_.processors[processor].name);
     const auto share =
         static_cast<Nanoseconds>(second * static_cast<double>(busy) / static_cast<double>(run.end));
     ++seen.values;

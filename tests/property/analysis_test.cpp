@@ -52,7 +52,7 @@ void expect_run(const Requirement& requirement, const Verdict& verdict, const Si
 std::vector<Watch> watches_of(const Problem& problem, const Requirement& requirement) {
   if (requirement.measure != Requirement::Measure::busy) return {watch_of(problem, requirement)};
   std::vector<Watch> watches;
-  for (const int processor : requirement.processors)
+  for (const ProcessorId processor : requirement.processors)
     watches.push_back(watch_of(problem, requirement, processor));
   return watches;
 }
@@ -167,8 +167,8 @@ TEST_CASE("no simulated run exceeds a proved load in the long run") {
     const Machine machine(problem, nothing);
     ZoneGraph graph(machine, 0, true);
     if (!graph.explore({30'000, {}})) continue;
-    std::vector<int> processors;
-    for (std::size_t p = 0; p < problem.processors.size(); ++p) processors.push_back(static_cast<int>(p));
+    std::vector<ProcessorId> processors;
+    for (const ProcessorId p : problem.processors.ids()) processors.push_back(p);
     const std::vector<LoadBound> bounds = load_bounds(machine, graph, processors, {});
     for (const LoadBound& bound : bounds) {
       proved += bound.proved ? 1 : 0;
@@ -185,17 +185,17 @@ TEST_CASE("no simulated run exceeds a proved load in the long run") {
       const Simulation made = simulate(machine, options);
       if (made.trace.events.empty()) continue;
       const Nanoseconds end = made.trace.events.back().time_ns;
-      std::vector<Nanoseconds> busy(problem.processors.size());
+      Table<ProcessorId, Nanoseconds> busy(problem.processors.size());
       for (const trace::Slice& slice : trace::slices(made.trace)) {
         if (slice.state != trace::State::running) continue;
-        const int processor = problem.threads[static_cast<std::size_t>(slice.actor)].processor;
-        busy[static_cast<std::size_t>(processor)] += slice.to_ns - slice.from_ns;
+        const ProcessorId processor = problem.threads[static_cast<std::size_t>(slice.actor)].processor;
+        busy[processor] += slice.to_ns - slice.from_ns;
       }
-      for (std::size_t p = 0; p < busy.size(); ++p) {
+      for (const ProcessorId p : busy.ids()) {
         // Beginnings and ends count for nothing in the long run; 100 ms are more than any of these skills'
         // rounds.
-        const LoadBound& bound = bounds[p];
-        INFO("run " << run << " processor " << p << " busy " << busy[p] << " of " << end << ", bound "
+        const LoadBound& bound = bounds[p.index()];
+        INFO("run " << run << " processor " << p.index() << " busy " << busy[p] << " of " << end << ", bound "
                     << bound.most.work << " / " << bound.most.time);
         const double most = static_cast<double>(bound.most.work) / static_cast<double>(bound.most.time);
         CHECK(static_cast<double>(busy[p]) <= most * static_cast<double>(end) + 100e6);
@@ -226,8 +226,7 @@ TEST_CASE("no unending run exceeds a bound by shares") {
     ZoneGraph graph(machine, 0, true);
     if (!graph.explore({20'000, {}})) continue;
     for (const Recurrence& recurrence : recurrences(graph)) {
-      for (std::size_t p = 0; p < problem.processors.size(); ++p) {
-        const int processor = static_cast<int>(p);
+      for (const ProcessorId processor : problem.processors.ids()) {
         const auto most = share_bound(work_graph(machine, graph, recurrence, processor), {}, {});
         if (!most) continue;
         ++proved;
@@ -235,8 +234,8 @@ TEST_CASE("no unending run exceeds a bound by shares") {
                                          [&most](const Fraction& load) { return !greater(*most, load); }, {});
         if (!run) continue;
         ++shown;
-        INFO("processor " << p << ": " << run->load.work << " / " << run->load.time << " shown, "
-                          << most->work << " / " << most->time << " proved");
+        INFO("processor " << processor.index() << ": " << run->load.work << " / " << run->load.time
+                          << " shown, " << most->work << " / " << most->time << " proved");
         CHECK_FALSE(greater(run->load, *most));
         equal += greater(*most, run->load) ? 0 : 1;
       }

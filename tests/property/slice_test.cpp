@@ -31,7 +31,7 @@ bool is_timed(const Requirement& requirement) {
 /// `known`: exactly, with a run that shows it.
 void expect_sound_slice(const Problem& problem, const Requirement& requirement, const Verdict& known,
                         Reach reach, Relaxation relaxation, ZoneGraph::Merging merging, SliceTally& tally) {
-  const Cone cone = cone_of(problem, requirement, -1, reach);
+  const Cone cone = cone_of(problem, requirement, ProcessorId{}, reach);
   Limits limits;
   limits.classes = 3'000;
   const SliceBound found = bound_in(slice_of(problem, cone, relaxation), requirement,

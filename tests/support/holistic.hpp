@@ -19,7 +19,7 @@ inline std::vector<std::optional<analyzer::Nanoseconds>> holistic(const ChainSys
   struct Task {
     std::size_t chain;
     std::size_t stage;
-    int processor;
+    analyzer::ProcessorId processor;
     int priority;
     Time period;
     Time cost;
@@ -42,7 +42,7 @@ inline std::vector<std::optional<analyzer::Nanoseconds>> holistic(const ChainSys
   }
   bool diverged = false;
   const auto response = [&](const Task& task) -> Time {
-    const bool preemptive = system.preemptive[static_cast<std::size_t>(task.processor)];
+    const bool preemptive = system.preemptive[task.processor.index()];
     Time blocking = 0;
     for (const Task& other : tasks) {
       if (!preemptive && other.processor == task.processor && other.priority < task.priority) {

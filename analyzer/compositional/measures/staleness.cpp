@@ -142,7 +142,7 @@ const Sum& replaced(const View& view, const StatementOccurrences& sets, int sett
   const Thread& sets_it = view.problem.threads[static_cast<std::size_t>(setter)];
   const Thread& reads_it = view.problem.threads[static_cast<std::size_t>(reader)];
   const bool gives_way = sets_it.processor == reads_it.processor &&
-                         view.problem.processors[static_cast<std::size_t>(sets_it.processor)].preemptive &&
+                         view.problem.processors[sets_it.processor].preemptive &&
                          reads_it.priority < sets_it.priority;
   return gives_way ? sets.released() : sets.latest();
 }

@@ -75,14 +75,14 @@ class BusyWindows {
 
   /// How long `cost` takes at most for somebody of `priority` who has the processor: what is of higher
   /// priority has nothing left to do when that begins.
-  Nanoseconds stretch(int processor, int priority, Nanoseconds cost) const;
+  Nanoseconds stretch(ProcessorId processor, int priority, Nanoseconds cost) const;
 
   /// How long a thread of `priority` that is ready may take at most to do what it has begun.
-  Nanoseconds level(int processor, int priority) const;
+  Nanoseconds level(ProcessorId processor, int priority) const;
 
   /// The longest that a processor has something to do without a pause, and the work that adds up to it.
-  Nanoseconds busy(int processor) const;
-  std::vector<Share> work(int processor, Nanoseconds busy) const;
+  Nanoseconds busy(ProcessorId processor) const;
+  std::vector<Share> work(ProcessorId processor, Nanoseconds busy) const;
 
  private:
   /// Tasks of one transaction on one processor.
@@ -145,7 +145,7 @@ class BusyWindows {
   Critical critical(int transaction, int task, Nanoseconds part, Nanoseconds blocking, Since since) const;
   Critical critical_once(int transaction, int task, Nanoseconds part, Nanoseconds blocking, Since since,
                          const Load& load) const;
-  const Group* group_of(int transaction, int processor) const;
+  const Group* group_of(int transaction, ProcessorId processor) const;
 
   /// A chain of tasks, taken as one.
   struct JointTasks {
@@ -160,14 +160,14 @@ class BusyWindows {
   Nanoseconds of_own(const JointTasks& joint, Nanoseconds length, bool in_whole,
                      std::vector<Share>* shares) const;
   Nanoseconds joint_window(const JointTasks& joint, Nanoseconds fixed, bool in_whole) const;
-  Nanoseconds window(int processor, int priority, Nanoseconds cost) const;
+  Nanoseconds window(ProcessorId processor, int priority, Nanoseconds cost) const;
 
   bool stops() const { return stop_ && stop_(); }
 
-  std::vector<bool> preemptive_;
+  Table<ProcessorId, bool> preemptive_;
   std::function<bool()> stop_;
   std::vector<Transaction> transactions_;
-  std::vector<std::vector<Group>> by_processor_;  // the greatest priority first
+  Table<ProcessorId, std::vector<Group>> by_processor_;  // the greatest priority first
 };
 
 }  // namespace pal::analyzer::compositional

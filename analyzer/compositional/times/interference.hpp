@@ -63,11 +63,11 @@ class Interference {
 
   AnalysisContext context_;
   BusyWindows windows_;
-  std::vector<int> task_;                     // by node
-  std::vector<std::vector<int>> nodes_of_;    // by transaction and task
-  std::vector<std::vector<int>> threads_on_;  // by processor
-  std::vector<std::vector<int>> nodes_on_;    // by processor
-  std::vector<Nanoseconds> burst_;            // by thread
+  std::vector<int> task_;                            // by node
+  std::vector<std::vector<int>> nodes_of_;           // by transaction and task
+  Table<ProcessorId, std::vector<int>> threads_on_;  // by processor
+  Table<ProcessorId, std::vector<int>> nodes_on_;    // by processor
+  std::vector<Nanoseconds> burst_;                   // by thread
   Order order_;
   std::vector<std::vector<int>> never_together_;  // by node
   std::vector<bool> done_before_next_;            // by thread, as given

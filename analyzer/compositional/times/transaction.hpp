@@ -12,7 +12,7 @@ namespace pal::analyzer::compositional {
 /// Work that each occurrence of its transaction releases at most once, between `offset` and `offset + jitter`
 /// after the occurrence.
 struct Task {
-  int processor = 0;
+  ProcessorId processor{0};
   int priority = 0;
   Nanoseconds cost = 0;
   Nanoseconds offset = 0;

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+using pal::analyzer::ProcessorId;
 using namespace pal::analyzer::compositional;
 
 namespace {
@@ -46,7 +47,7 @@ TEST_CASE("an overloaded processor has no busy window") {
   windows.add(periodic(4, 3, 2));
   windows.add(periodic(6, 2, 1));
   CHECK(windows.finish(1, 0, 2, 0) == never);
-  CHECK(windows.busy(0) == never);
+  CHECK(windows.busy(ProcessorId{0}) == never);
 }
 
 TEST_CASE("release jitter of one task delays another by one more job") {
@@ -79,7 +80,7 @@ TEST_CASE("the longest busy period is the first instant at which all work is don
   BusyWindows windows({true});
   windows.add(periodic(4, 1, 2));
   windows.add(periodic(10, 3, 1));
-  CHECK(windows.busy(0) == 5);
+  CHECK(windows.busy(ProcessorId{0}) == 5);
 }
 
 namespace {
