@@ -1,4 +1,4 @@
-// How much of what devices send nobody takes.
+// How many messages of devices no thread takes.
 #include <algorithm>
 
 #include "analyzer/compositional/causes/analysis_context.hpp"
@@ -22,8 +22,8 @@ std::string answers_lost(const View& view, int request, std::vector<bool>& sends
   return "";
 }
 
-/// A request is served by the frame that starts within a period of it; so between two frames that serve
-/// somebody there are at most as many as start between two requests.
+/// A request is served by the frame that starts within a period of it. So between two frames that serve a
+/// request there are at most as many as start between two requests.
 Bound frames_lost(const View& view, const Requirement& requirement, const pan::FrameDevice& frames,
                   const std::vector<bool>& sends) {
   const std::set<int> threads = owners(view, sends);
