@@ -7,8 +7,8 @@ namespace pal::analyzer {
 
 namespace {
 
-/// How many of the last occurrences are remembered. It is enough for every row that one of them can still be
-/// in, and twice that, because a message may be withdrawn after others have come.
+/// How many of the last occurrences are remembered. They cover every row that one of them can still be in.
+/// The number is doubled, because a message may be withdrawn after others have come.
 unsigned remembered(int in) {
   return 2 * static_cast<unsigned>(in) - 1;
 }

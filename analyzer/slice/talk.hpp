@@ -28,8 +28,8 @@ struct ThreadTalk {
 /// By thread.
 std::vector<ThreadTalk> talk_of(const Problem& problem);
 
-/// The least time that a wait takes. It is known if the wait is for the answer of a device, has no limit, and
-/// if this thread alone asks the device, just before. Otherwise 0.
+/// The least time that a wait takes. It is known if the wait has no limit and is for the answer of a device
+/// that this thread alone asks, just before. Otherwise 0.
 Nanoseconds least_wait(const Problem& problem, const std::vector<ThreadTalk>& talk, int thread, int step);
 
 }  // namespace pal::analyzer

@@ -5,9 +5,9 @@
 
 namespace pal::analyzer {
 
-/// True for an age or a reaction of a condition that is never read: by no thread that comes to one of the
-/// statements, and by no parent of such a block. Then no run measures anything, whatever its times. False for
-/// other measures.
+/// True for an age or a reaction of a condition that is never read. No thread that comes to one of the
+/// statements reads it, and no parent of such a block. Then no run measures anything, whatever its times.
+/// False for other measures.
 bool is_unread(const Problem& problem, const Requirement& requirement);
 
 }  // namespace pal::analyzer

@@ -9,8 +9,8 @@
 namespace pal::analyzer::compositional {
 
 /// Whether an occurrence of their source triggers at most one of the nodes. Then the paths to any two of them
-/// branch at a test, at a wait, or at a message that is received in one of several places. False for nodes of
-/// several sources.
+/// branch. They branch at a test, at a wait, or at a message that is received in one of several places. False
+/// for nodes of several sources.
 bool are_alternatives(const Problem& problem, const Forest& forest, const std::vector<int>& nodes);
 
 /// Disjoint groups of mutually exclusive nodes of one thread. After `stop` has returned true, the groups

@@ -314,8 +314,8 @@ class Observer {
     }
   }
 
-  /// A server whose jobs wait may still be at work when a request comes. It is not if there is one client,
-  /// which waits for each answer without limit, and if the server has nothing left to do after the answer.
+  /// A server whose jobs wait may still be at work when a request comes. It is idle if its only client waits
+  /// for each answer without limit, and it has nothing left to do after the answer.
   void servers(ThreadBehaviour& of) {
     if (of.job_starts.empty()) return;
     int request = -1;

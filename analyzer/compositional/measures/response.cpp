@@ -66,9 +66,8 @@ Bound to_event(const View& view, const Requirement& requirement, int source) {
   return {greater(Sum(), answer), ""};
 }
 
-/// Whether the statements are all sends of the answer to one request, and this request is made only when the
-/// answer to the one before has been taken. Of a request to several parties one may be made before another is
-/// answered.
+/// Whether the statements are all the sends of the answer to one request, and each request follows the take of
+/// the answer before. Of a request to several parties one may be made before another is answered.
 bool answered_in_turn(const View& view, const Requirement& requirement) {
   if (requirement.events.size() != 1) return false;
   const int request = requirement.events.front();
