@@ -164,7 +164,8 @@ TEST_CASE("a round that may send to one slot three times finds it full") {
 
 TEST_CASE("what comes by one of two ways piles up on both") {
   // When the arm is there, SM1 finds the tick of the clock, and the one that SD1 cannot send. On each of the
-  // two ways there are three more: one in the slot before the sensor, one that the sensor cannot hand on, and
-  // one in the slot after it. If the arm is quick now, these and the next tick keep SD2 for 9 times 0.5 ms.
+  // two ways there are three more. One is in the slot before the sensor, the sensor cannot hand on the
+  // second, and the third is in the slot after it. If the arm is quick now, these and the next tick keep SD2
+  // for 9 times 0.5 ms.
   expect_bounds(granted("piled_up"), {{5.1, 4.6}, {5.1, 4.6}});
 }
