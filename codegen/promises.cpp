@@ -59,7 +59,7 @@ class Reliance {
   /// Fills threads and devices of `requirement`, which is about `parties`.
   void of(const std::vector<std::size_t>& parties, PlannedRequirement& requirement) const {
     std::vector<bool> reached(size_);
-    std::vector<std::size_t> served(by_processor_.size());  // so many threads of a processor are reached
+    std::vector<std::size_t> served(by_processor_.size());  // how many threads of a processor are reached
     std::vector<std::size_t> open;
     const auto reach = [&](std::size_t party) {
       if (party >= size_ || reached[party]) return;

@@ -84,7 +84,7 @@ ExecutionState Executor::run(std::size_t steps) {
         act();
         idle_ = steps_ == before ? idle_ + 1 : 0;
         if (idle_ > most_idle && state_ == ExecutionState::running)
-          halt(ExecutionState::failed, "the token goes round and round and no skill runs");
+          halt(ExecutionState::failed, "the token goes round in a loop in which no skill runs");
       }
     }
   }
@@ -243,7 +243,7 @@ void Executor::leave_with(const SkillResult& result) {
        fmt::format("'{}' ended with code {}, which no icon handles: {}", token(), last_code_, result.reason));
 }
 
-/// A delay or a wait that is not over; it begins anew after a resume.
+/// A delay or a wait that is not over; it begins again after a resume.
 void Executor::cut_off(Step& step) {
   const bool paused =
       !stop_.load(std::memory_order_relaxed) && pause_.exchange(false, std::memory_order_relaxed);

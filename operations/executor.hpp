@@ -116,7 +116,7 @@ class Executor {
   ExecutionState run();
   /// Runs one skill, delay, wait or test, then halts before the next.
   ExecutionState step();
-  /// As run(), but at most so many steps.
+  /// As run(), but at most `steps` steps.
   ExecutionState run(std::size_t steps);
 
   /// Halts after the current skill. From any thread, or a signal handler.

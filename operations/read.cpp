@@ -250,7 +250,8 @@ std::optional<Icon> read_icon(const JsonValue& value, Diagnostics& diagnostics) 
   }
   if (icon.id.empty() || icon.id.find('/') != std::string::npos) {
     if (!icon.id.empty())
-      fields.report(icon.where, "an id has no '/'", "the '/' parts an icon from those of a sub-operation");
+      fields.report(icon.where, "an id has no '/'",
+                    "'/' stands between the ids of a sub-operation and its icon");
     return std::nullopt;
   }
   icon.kind = *known;

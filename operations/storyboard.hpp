@@ -1,4 +1,4 @@
-// An operation told as a story, and drawn, for people who do not read files (thesis, sections 2.3.6 and 7.2).
+// An operation as a story with drawings, for people who do not read files (thesis, sections 2.3.6 and 7.2).
 #pragma once
 
 #include <string>

@@ -65,7 +65,7 @@ class Promises final : public EventWatcher {
     std::int32_t actor = -1;
     std::int32_t statement = -1;
     std::int32_t channel = -1;
-    bool least = false;  // the promise is that it takes so long at least
+    bool least = false;  // the promise is a least time
     bool noted = false;  // another measure of a breach that was noted
   };
 

@@ -1,4 +1,4 @@
-// A skill as the dispatcher sees it, and as a person sees it who chooses one.
+// A skill as the dispatcher sees it, and a person who chooses one.
 #pragma once
 
 #include <cstddef>

@@ -9,7 +9,7 @@
 namespace pal::analyzer {
 namespace {
 
-/// A turn takes so many times the time of the load at most.
+/// A turn takes at most this many times the time of the load.
 constexpr Nanoseconds most_times = 1'000;
 
 struct Share {

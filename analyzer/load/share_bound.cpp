@@ -93,7 +93,7 @@ class Program {
     return in_parts(values);
   }
 
-  /// The last solution took so long that no other should be asked for.
+  /// The last solution took too long: no other should be asked for.
   bool slow() const { return slow_; }
 
  private:

@@ -111,7 +111,7 @@ class Turn {
     if (life.start > stretch_.begin) {
       limit(index(life.start), index(k), 0, life.range, fired);
     } else {
-      // Begun before: from the beginning of the stretch on it has so much less.
+      // Begun before: from the beginning of the stretch on it has that much less left.
       limit(0, index(k), script_[stretch_.begin].at - script_[life.start].at, life.range, fired);
     }
   }

@@ -14,7 +14,7 @@ constexpr std::uint64_t most_runs = 24;
 constexpr std::size_t most_events = 1'500;
 /// From where nothing leads on.
 constexpr std::size_t most_detours = 64;
-/// A state that was met before: so many of the last times are tried.
+/// A state that was met before: how many of the last times are tried.
 constexpr std::size_t most_returns = 24;
 constexpr int most_tries = 3;  // a run and period
 constexpr int most_tries_of_all = 120;
@@ -154,8 +154,8 @@ std::vector<Nanoseconds> periods(const Problem& problem) {
   return all;
 }
 
-/// The time in which devices that keep a period do so as often as between the two visits; without any,
-/// `usual`. 0: they cannot all come back together.
+/// The time that the periodic devices need for as many periods as between the two visits. Without such
+/// devices: `usual`. 0: they cannot all come back together.
 Nanoseconds period_of(const std::vector<Nanoseconds>& periods, const Wanderer::Visit& from,
                       const Wanderer::Visit& to, Nanoseconds usual) {
   std::optional<Nanoseconds> period;

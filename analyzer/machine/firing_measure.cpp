@@ -82,8 +82,9 @@ bool Firing::watched_busy() const {
   return watch_.kind == Watch::Kind::busy && state_.running[watch_.processor] >= 0;
 }
 
-/// A processor that ends one action and begins another in one event has not paused. If it begins another in a
-/// later one at the same instant the pause may be counted or not: the timer of the pause may come before.
+/// A processor that ends one action and begins another in one event has not paused. It may begin another one
+/// in a later event of the same instant. Then the pause may be counted or not, because the timer of the pause
+/// may come before.
 void Firing::track_busy(bool was_busy) {
   if (watch_.kind != Watch::Kind::busy) return;
   const bool busy = !state_.ended && watched_busy();
@@ -185,7 +186,7 @@ std::uint8_t Firing::new_event() {
   return static_cast<std::uint8_t>(state_.pending.size() - 1);
 }
 
-/// It is answered, or withdrawn: nobody waits for its response any more.
+/// It is answered, or withdrawn: its response is no longer awaited.
 void Firing::forget_event(std::uint8_t event) {
   outcome_.over_gone = outcome_.over_gone || state_.pending[event] == Pending::over;
   state_.pending.erase(state_.pending.begin() + event);

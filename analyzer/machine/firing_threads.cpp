@@ -192,9 +192,9 @@ void Firing::end(int thread) {
   if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent, false);
 }
 
-/// A block has ended, or was stopped. When all that can end have, the others are cancelled. When all are over
-/// the parent goes on: at once, or, if others may go on because the last one was stopped, before or after
-/// them.
+/// A block has ended, or was stopped. When all that can end have, the others are cancelled. When all are
+/// over, the parent goes on at once. If the last one was stopped, other threads may go on as well, and the
+/// parent goes on before or after them.
 void Firing::child_ended(int parent, bool stopped) {
   ThreadState& state = state_of(parent);
   if (state.status != Status::joining) return;

@@ -81,9 +81,11 @@ class Machine {
   const Problem& problem() const { return problem_; }
   const Watch& watch() const { return watch_; }
 
-  /// Timers: one a thread (its action, or the limit of its wait), two a channel (message on its way to
-  /// threads on the sender's processor; to others), two a device (its next event or frame; its service, or
-  /// lateness), and one that ends a busy period behind a pause of no length.
+  /// Timers:
+  /// - one for each thread: its action, or the limit of its wait;
+  /// - two for each channel: a message on its way to threads on the sender's processor, and to others;
+  /// - two for each device: its next event or frame, and its service or lateness;
+  /// - one that ends a busy period behind a pause of no length.
   int timer_count() const;
   int thread_timer(int thread) const { return thread; }
   int flight_timer(int channel) const { return static_cast<int>(problem_.threads.size()) + 2 * channel; }

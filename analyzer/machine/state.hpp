@@ -13,8 +13,8 @@
 
 namespace pal::analyzer {
 
-/// What a thread, message or condition carries of the thing that is being measured: the number of an observer
-/// or of an event (response), or one of these.
+/// What a thread, message or condition carries of the thing that is being measured. It is the number of an
+/// observer or of an event (response), or one of these.
 namespace tag {
 constexpr std::uint8_t none = 255;
 constexpr std::uint8_t over = 253;  // older than the cap
@@ -57,7 +57,7 @@ struct ThreadState {
   friend bool operator==(const ThreadState&, const ThreadState&) = default;
 };
 
-/// The requests of a channel of which the answer has not been taken yet, in the order in which they were put.
+/// The requests of a channel whose answers have not been taken yet, in the order in which they were put.
 /// Those before the last one are out of their slot; only the first can be answered already.
 struct Asked {
   static constexpr std::uint8_t most = 15;

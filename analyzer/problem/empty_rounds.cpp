@@ -11,8 +11,8 @@ const Step& step_at(const Problem& problem, int step) {
   return problem.steps[static_cast<std::size_t>(step)];
 }
 
-/// By step: a CONCURRENT of which some block can end, and those that can have nothing to do. Blocks stand
-/// behind their parents, so the innermost are known first.
+/// By step: a CONCURRENT in which some block can end, and those that can end have nothing to do. Blocks come
+/// after their parents, so the innermost are known first.
 std::vector<bool> over_at_once(const Problem& problem) {
   std::vector<bool> over(problem.steps.size());
   std::vector<bool> empty(problem.threads.size());  // by thread: it ends as soon as it begins

@@ -142,8 +142,8 @@ void ProblemBuilder::processors() {
   }
 }
 
-/// An environment serves several skills, so it may name modules, devices and activities that this one
-/// lacks; what this one needs and misses is found where it is needed. Nothing may be said twice.
+/// An environment serves several skills, so it may name modules, devices and activities that this one lacks.
+/// What this one needs and misses is found where it is needed. Nothing may be said twice.
 void ProblemBuilder::known_names() {
   std::set<std::string> threads;
   for (const SkillThread& thread : threads_of(network_, most_threads)) {

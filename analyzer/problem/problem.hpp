@@ -57,8 +57,11 @@ struct Step {
   int code = 0;                    // complete
   std::vector<pan::Guard> guards;  // test: without a guard that holds, next[guards.size()], if there is one
   std::vector<int> threads;        // fork: the blocks
-  /// Steps that follow. wait: one a channel, then ELSE. test: one a guard, then where none holds (absent: the
-  /// skill ends with its error completion). fork: after END CONCURRENT. complete, end: none.
+  /// Steps that follow:
+  /// - wait: one for each channel, then ELSE;
+  /// - test: one for each guard, then where none holds (absent: the skill ends with its error completion);
+  /// - fork: after END CONCURRENT;
+  /// - complete, end: none.
   std::vector<int> next;
 };
 
@@ -83,7 +86,7 @@ struct Channel {
   bool served = false;                           // a request that its device answers
   std::vector<ProcessorId> receiver_processors;  // of the threads that wait for it
   std::string message;
-  KeptId kept{};  // who takes the message leaves it there; none: nobody uses it
+  KeptId kept{};  // the thread that takes the message leaves it there; none: no thread uses it
   /// Only in slices: the party at one of its ends is left out. Its messages may come and go at any time.
   bool loose = false;
   bool withdrawable = false;  // loose: what somebody is about to take may be withdrawn
@@ -92,7 +95,7 @@ struct Channel {
 struct Device {
   std::string name;
   std::variant<std::monostate, pan::EventDevice, pan::RequestDevice, pan::FrameDevice> behaviour;
-  int event = -1;             // event device: the channel of its event; -1: nobody waits for it
+  int event = -1;             // event device: the channel of its event; -1: no thread waits for it
   std::vector<int> requests;  // on request, frames: channels of what it serves
   bool seldom = false;        // frames, only in slices: they start a period or more apart
 };
@@ -141,7 +144,7 @@ struct Requirement {
   std::vector<bool> at;      // age, response, reaction, interval: by step
   Phase phase;
   std::vector<ProcessorId> processors;  // load, busy
-  int in = 1;                           // loss: at most `limit` of so many in a row
+  int in = 1;                           // loss: at most `limit` of this many in a row
   int code = 0;                         // duration: of the completion
   bool at_least = false;                // interval: `limit` is the least that is allowed
   Nanoseconds limit = 0;                // loss: a number

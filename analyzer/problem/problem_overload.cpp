@@ -25,9 +25,9 @@ std::vector<bool> event_channels(const Problem& problem) {
   return events;
 }
 
-/// The least processor time, if each action takes its worst, from taking an event at `wait` until one is
-/// waited for again, this or another; nothing if the thread never waits for one again. E. W. Dijkstra, A note
-/// on two problems in connexion with graphs, 1959.
+/// The least processor time from taking an event at `wait` until the thread waits for an event again, this or
+/// another. Each action takes its worst time. Nothing if the thread never waits for an event again. E. W.
+/// Dijkstra, A note on two problems in connexion with graphs, 1959.
 std::optional<Nanoseconds> least_round(const Problem& problem, const std::vector<bool>& events,
                                        const Step& wait, std::size_t branch) {
   using Reached = std::pair<Nanoseconds, int>;

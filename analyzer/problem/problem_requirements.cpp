@@ -173,7 +173,7 @@ void ProblemBuilder::measure(const BusyPeriod& busy, const pan::Requirement& req
   require(std::move(made));
 }
 
-/// What an event device demands of whoever takes its events is a requirement like the skill's own.
+/// What an event device demands of the thread that takes its events is a requirement like the skill's own.
 void ProblemBuilder::demanded_answer(int d) {
   const Device& device = problem_.devices[static_cast<std::size_t>(d)];
   const auto* event = std::get_if<EventDevice>(&device.behaviour);

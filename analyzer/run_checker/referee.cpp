@@ -139,8 +139,8 @@ bool Referee::is_effect(const Event& event) const {
          event.kind == Kind::read || event.kind == Kind::done;
 }
 
-/// What must be so before the next effect at the same instant: all that follows from those before has
-/// happened, and whoever can run has begun to.
+/// What must be so before the next effect at the same instant. All that follows from the effects before has
+/// happened, and each thread that can run has begun.
 void Referee::check_settled() const {
   for (std::size_t t = 0; t < threads_.size(); ++t) {
     const Party& of = threads_[t];
@@ -157,9 +157,9 @@ void Referee::check_settled() const {
   check_processors();
 }
 
-/// Between what a statement does and that it is done: nothing after it has set or read a condition. Else
-/// whoever that frees may go on, and the device that it sends to takes that, but no other statement has its
-/// effect.
+/// Between what a statement does and its end. When it has set or read a condition, nothing comes between.
+/// When it has put or taken a message, a thread that it frees may go on, and its device may take what it
+/// sends. But no other statement has its effect.
 void Referee::check_between(const Event& event) const {
   const int threads = static_cast<int>(threads_.size());
   const Step::Kind kind = step_of(midway_).kind;

@@ -51,8 +51,9 @@ void Referee::not_there_yet(int channel, int thread) {
   if (of.full && !of.claimed) arrival(channel, thread).lo = std::max(arrival(channel, thread).lo, now_);
 }
 
-/// Which of several the thread takes in the end, or comes to its wait again because it was withdrawn, of
-/// several such the first; the first of all, if the run does not say.
+/// Which of several messages the thread has chosen. It is the one that the thread takes in the end. Or it was
+/// withdrawn, so the thread comes to its wait again; of several such messages it is the first. If the run
+/// does not say, it is the first of all.
 int Referee::message_of(int thread, const std::vector<int>& candidates) const {
   auto withdrawn = candidates.end();
   bool started = false;
@@ -130,7 +131,7 @@ void Referee::empty(int channel) {
   monitor_.empties(channel);
 }
 
-/// By a thread: its message is not wanted. By nobody: somebody withdraws the message in the slot.
+/// With an actor: the thread's message is not wanted. Without: the message in the slot is withdrawn.
 void Referee::drop(const Event& event) {
   const int channel = event.subject;
   if (event.actor >= 0) {

@@ -288,7 +288,7 @@ void RequirementMonitor::withdrawn(int of) {
   show_losses();
 }
 
-/// The most in any row of so many, as far back as one that was withdrawn now can have lain.
+/// The most lost in any row of `in`, as far back as a message that is withdrawn now can have lain.
 void RequirementMonitor::show_losses() {
   const auto in = static_cast<std::size_t>(requirement_->in);
   const std::size_t first = lost_.size() < 2 * in - 1 ? 0 : lost_.size() - (2 * in - 1);

@@ -120,7 +120,7 @@ std::size_t ConcreteRun::place_of_end(int device, Nanoseconds at) const {
 
 trace::Trace ConcreteRun::trace() const {
   trace::Trace trace = empty_trace(machine_.problem());
-  // A frame that nobody wanted is collected all the same; the machine does not follow it.
+  // A frame that no thread wanted is collected all the same; the machine does not follow it.
   std::vector<std::pair<std::size_t, trace::Event>> ends;  // each before the event of this number
   for (std::size_t d = 0; d < machine_.problem().devices.size(); ++d) {
     const auto* frames = std::get_if<pan::FrameDevice>(&machine_.problem().devices[d].behaviour);

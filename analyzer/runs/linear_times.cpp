@@ -15,8 +15,8 @@ using Clock = std::chrono::steady_clock;
 
 /// What takes longer is given up: the bound is then only not called exact.
 constexpr auto longest_search = std::chrono::seconds(2);
-/// So are those of more events, or with more pieces of work: with twice as many Z3 is at it for 20 seconds
-/// and heeds no interruption.
+/// So are those of more events, or with more pieces of work. With twice as many, Z3 works for 20 seconds and
+/// cannot be interrupted.
 constexpr std::size_t most_solved_events = 2000;
 constexpr std::size_t most_pieces = 1000;
 
@@ -64,8 +64,8 @@ class Constraints {
 
   z3::expr between(std::size_t from, std::size_t to) const { return times_[to] - times_[from]; }
 
-  /// The pieces as one sum: sums within sums are each rewritten by itself, which nothing interrupts, and it
-  /// takes as long again until they are gone.
+  /// The pieces as one flat sum. Z3 rewrites sums within sums one by one, which cannot be interrupted.
+  /// Freeing them takes as long again.
   z3::expr sum_of(const Work& work) const {
     z3::expr_vector pieces(context_);
     pieces.push_back(number(0));

@@ -69,8 +69,8 @@ std::vector<ProcessorId> processors_of(const Problem& problem, const Requirement
   return requirement.processors;
 }
 
-/// A few short runs. Where more is to be done than there is time, a long one, in which what is left over adds
-/// up; the skill has very many states there.
+/// A few short runs. Where more is to be done than there is time, also a long run, in which the backlog adds
+/// up. Such a skill has very many states.
 Break simulated_break(const Problem& problem, const Requirement& requirement, ProcessorId processor,
                       const std::function<bool()>& stop) {
   const Watch watch = watch_of(problem, requirement, processor);

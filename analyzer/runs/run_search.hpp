@@ -21,7 +21,7 @@ struct RunSearchOptions {
 /// Of the runs tried, the one in which `requirement` (no load) comes nearest to failing, or fails first;
 /// nothing if none measures anything. First, random runs are made. Then devices are moved one by one to
 /// instants at which something happens while the greatest value grows, as long as that makes it greater. Of
-/// promising runs the order of events is kept, and their times are chosen anew to make the value as great as
+/// promising runs the order of events is kept, and their times are chosen again to make the value as great as
 /// possible (witness_along). The same problem gives the same run.
 std::optional<Witness> search_runs(const Problem& problem, const Requirement& requirement,
                                    const RunSearchOptions& options);

@@ -116,8 +116,8 @@ class Finder {
            (!phase.during.empty() && phase.during[at(step)]);
   }
 
-  /// Channels and conditions by which what is measured may come to a statement of the requirement: from where
-  /// it may be known to where it may still count.
+  /// Channels and conditions by which the measured value may come to a statement of the requirement. They lie
+  /// between where it may be known and where it may still count.
   void carriers() {
     std::vector<bool> knows(talk_.size());
     std::vector<bool> counts(talk_.size());
@@ -147,8 +147,8 @@ class Finder {
     }
   }
 
-  /// For each thread with blocks those that only know what it has known before: they get no sample, and are
-  /// told by one another and by it alone.
+  /// For each thread with blocks, the threads that only know what it has known before. They get no sample,
+  /// and messages only from one another and from it.
   void find_echoes() {
     for (std::size_t p = 0; p < talk_.size(); ++p) {
       if (talk_[p].blocks.empty()) continue;
@@ -307,7 +307,7 @@ class Finder {
     }
   }
 
-  /// Of what is measured nothing goes by them, and nobody waits for them but those who only take time.
+  /// Nothing that is measured goes through them, and only threads that just take time wait for them.
   std::vector<bool> pacers() const {
     std::vector<bool> found = devices_;
     if (requirement_.device >= 0) found[at(requirement_.device)] = false;

@@ -130,8 +130,8 @@ void Narrator::tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Re
   if (at < to) rest(thread, at, to, out, depth);
 }
 
-/// What kept a thread in [from, to], of which it has no slices: its blocks, or it is itself a block that
-/// has not begun, and then what whoever begins it did.
+/// What kept a thread in [from, to], in which it has no slices. It waited for its blocks. Or it is itself a
+/// block that has not begun; then it is what its parent did.
 void Narrator::rest(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out, int depth) const {
   const int parent = problem_.threads[static_cast<std::size_t>(thread)].parent;
   if (blocks_at_work(thread, from, to)) {

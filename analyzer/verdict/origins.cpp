@@ -104,7 +104,7 @@ void Origins::follow(std::size_t index) {
     }
     case Kind::overrun:
     case Kind::drop: {
-      // An answer that nobody gets answers its request all the same.
+      // An answer that no thread gets answers its request all the same.
       const int request = problem_.channels[static_cast<std::size_t>(event.subject)].answers;
       if (device && request >= 0) answered(request);
       return;

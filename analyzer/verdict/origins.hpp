@@ -20,8 +20,8 @@ struct Origin {
   int number = -1;  // in the order of birth; -1: nothing
 };
 
-/// What one thread got when, and by which event: a take, a read, the beginning as a block, or the effect of a
-/// statement that uses what its module keeps of a message.
+/// What one thread got, when, and by which event. The event is a take, a read, the beginning as a block, or
+/// the effect of a statement that uses what its module keeps of a message.
 struct Gained {
   std::size_t event = 0;
   Origin what;

@@ -50,8 +50,8 @@ struct Story {
     std::size_t event;
   };
 
-  /// From the birth of what `thread` knew last before event `until` to that event: the way that it came,
-  /// message by message and condition by condition.
+  /// The way of what `thread` knew last before event `until`, from its birth to that event, message by
+  /// message and condition by condition.
   void known_since(int thread, std::size_t until, std::vector<Reason>& out) const {
     std::vector<std::vector<Reason>> way;  // the last piece first
     for (std::optional<Known> at = Known{thread, until}; at;) {
@@ -135,7 +135,7 @@ struct Story {
     return Known{setting.actor, *set};
   }
 
-  /// Who keeps a condition from being set anew: whoever set it, or a block of it that sets it from then on.
+  /// Who is to set a condition again: the thread that set it, or a block of it that sets it from then on.
   int next_to_set(int condition, int setter, Nanoseconds instant) const {
     for (std::size_t s = 0; s < problem.steps.size(); ++s) {
       const Step& step = problem.steps[s];

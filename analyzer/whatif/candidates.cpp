@@ -60,7 +60,8 @@ class Candidates {
     bool free = false;
     for (const pan::Processor& processor : environment_.processors) {
       const bool used = is_used(processor);
-      // Of processors without a thread the first stands for all, and whoever is alone gains nothing there.
+      // The first processor without a thread stands for all of them. A thread that is alone gains nothing
+      // there.
       if (processor.name == own || (!used && (free || alone))) continue;
       free = free || !used;
       found_.push_back({name + processor.name});

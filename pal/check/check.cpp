@@ -156,8 +156,8 @@ class Checker {
         });
   }
 
-  /// `sound`: every name meant something. If not, statements are missing, and what is said of talk and flow
-  /// would be said of a program that nobody wrote.
+  /// `sound`: every name meant something. If not, statements are missing, and findings about talk and flow
+  /// would be about another program than the user's.
   void check_network(const pan::Network& network, bool sound) {
     const auto errors_before = diagnostics_.errors();
     checker::check_layers(network, diagnostics_);

@@ -59,7 +59,7 @@ struct WhatIfOptions {
   ProofLimits limits;  // seconds below 0: not given; then slack has usual_seconds_of_slack
   Format format = Format::text;
   std::vector<std::string> changes;  // "NAME = VALUE"; without any, and without place: slack
-  std::optional<int> place;          // placements on so many processors; 0: the fewest that do
+  std::optional<int> place;          // placements on this many processors; 0: the fewest that do
   bool priorities = false;           // … with every order by priority
   std::string witness;               // where to write a run for each placement that is refuted
 };

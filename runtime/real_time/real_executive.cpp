@@ -12,11 +12,11 @@ namespace pal::runtime {
 namespace {
 
 constexpr std::size_t queue_room = 4096;
-// So many statements without hand-written code may follow one another before others get the kernel.
+// The limit of statements without hand-written code that follow one another before others get the kernel.
 constexpr std::uint32_t most_statements_inside = 16;
-// So many statements that take no time by the environment may follow one another without a wait.
+// The limit of statements that take no time by the environment and follow one another without a wait.
 constexpr std::uint32_t most_statements_without_time = 100'000;
-// A world that is apart is moved by so much at a time.
+// A world that is apart is moved by this time in each step.
 constexpr Time stride = std::chrono::milliseconds(10);
 
 }  // namespace

@@ -99,8 +99,8 @@ void RealExecutive::look_for_deadlock() {
   if (idle) journal_.fail("nothing is left to happen" + kernel_->who_waits());
 }
 
-/// From outside. The thread that asked for the run closes the devices, as always. If it cannot, another one
-/// does, and if that does not return either, nobody does.
+/// From outside. The thread that asked for the run closes the devices, as always. If it cannot, another
+/// thread does. If that does not return either, they are not closed.
 void RealExecutive::end_process(const std::string& why) {
   hung_ = true;
   ended_.wake();

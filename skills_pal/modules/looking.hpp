@@ -11,7 +11,7 @@ struct Way {
   double rx = 0, ry = 0;
 };
 
-/// Cuts a way into steps of one ALTER cycle. Then it waits until the tool has stood so long that a new
+/// Cuts a way into steps of one ALTER cycle. Then it waits until the tool has stood long enough that a new
 /// profile was scanned at rest. Each such profile is a fresh look; the skill averages several.
 class Looking {
  public:
@@ -26,7 +26,7 @@ class Looking {
   bool fresh_look(double taken);
 
  private:
-  // See the requirement fresh-look of the skills: after so many cycles a profile was scanned at rest.
+  // After this many cycles a profile was scanned at rest: see the requirement fresh-look of the skills.
   static constexpr int cycles_at_rest = 12;
 
   double most_length_ = 1;

@@ -134,7 +134,7 @@ const std::string is_cancelled = R"(    CONCURRENT
 
 }  // namespace
 
-TEST_CASE("a limit counts anew when a request is withdrawn while it is being taken") {
+TEST_CASE("a limit starts again when a request is withdrawn while it is being taken") {
   // MC1 has begun to receive the request when SM1 gives up: it comes to its wait once more, as often as SM1
   // asks.
   const std::string measure = "RESPONSE FROM tick OF robot TO work AT MOST 100 ms";

@@ -67,7 +67,7 @@ TEST_CASE("an answer may be taken by a block that has not asked for it") {
   expect_bounds(granted("taken_away"), {{-1, 21}});
 }
 
-TEST_CASE("a limit counts anew if what a thread is about to take is withdrawn") {
+TEST_CASE("a limit starts again if the message that a thread is about to take is withdrawn") {
   // SM1.1 gives up at 6 what SM1.2 is taking until 6.3. From then SM1.2 waits 5.5 again, and gives up in 1.
   expect_bounds(granted("withdrawn"), {{-1, 12.8}});
 }
@@ -164,7 +164,8 @@ TEST_CASE("a round that may send to one slot three times finds it full") {
 
 TEST_CASE("what comes by one of two ways piles up on both") {
   // When the arm is there, SM1 finds the tick of the clock, and the one that SD1 cannot send. On each of the
-  // two ways there are three more: one in the slot before the sensor, one that the sensor cannot hand on, and
-  // one in the slot after it. If the arm is quick now, these and the next tick keep SD2 for 9 times 0.5 ms.
+  // two ways there are three more. One is in the slot before the sensor, the sensor cannot hand on the
+  // second, and the third is in the slot after it. If the arm is quick now, these and the next tick keep SD2
+  // for 9 times 0.5 ms.
   expect_bounds(granted("piled_up"), {{5.1, 4.6}, {5.1, 4.6}});
 }

@@ -61,7 +61,7 @@ TEST_CASE("an event is lost with an answer that nobody wants any more") {
   expect_refuted("discarded");
 }
 
-TEST_CASE("a limit counts anew after what comes once") {
+TEST_CASE("a limit starts again after a message that comes once") {
   // MC1 holds at 30, is told to go at 60, and holds again at 91.
   expect_bounds(pal::test::project_file("tests/reference/granted/commanded.pal"), {{65, 61}});
 }

@@ -10,8 +10,8 @@
 namespace pal::test {
 
 /// A method, one or two controllers with events far apart, and a sensor that is asked. A module takes one
-/// message at the beginning of its rounds, and the others somewhere else: within a limit, as one of several,
-/// in a block beside, or before its rounds. Odd things happen:
+/// message at the beginning of its rounds. It takes the others somewhere else: within a limit, as one of
+/// several, in another block, or before its rounds. Odd things happen:
 /// - clients give up or are cancelled while they are answered;
 /// - blocks leave their rounds and end the skill;
 /// - a module is executed in several places;

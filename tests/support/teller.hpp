@@ -26,7 +26,7 @@ class Teller {
     entries_ = after_;
   }
 
-  /// A run of so many events at most, in which all is told up to `until()`.
+  /// A run of at most `events` events, in which all is told up to `until()`.
   const trace::Trace& tell(std::size_t events) {
     while (run_.events.size() < events && rewinds_ < 50 && now_ < longest) {
       if (one_of(3) == 0 && pass()) continue;

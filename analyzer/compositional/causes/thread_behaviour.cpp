@@ -153,8 +153,8 @@ class Observer {
     }
   }
 
-  /// Whether a thread that has passed one of the steps `from` takes a message, or withdraws it, before it
-  /// passes another, returns to its idle wait, or ends and may begin again.
+  /// A thread has passed one of the steps `from`. Whether it takes a message, or withdraws it, before one of
+  /// these: it passes another such step, returns to its idle wait, or ends and may begin again.
   bool is_taken(int t, int channel, const std::set<int>& from) {
     const bool answer = problem_.channels[static_cast<std::size_t>(channel)].answers >= 0;
     const bool again = recurrent(problem_, {Beginning::Kind::entry, t, -1, -1});
@@ -314,8 +314,8 @@ class Observer {
     }
   }
 
-  /// A server whose jobs wait may still be at work when somebody asks, unless there is one client, who
-  /// waits for each answer without limit, and nothing is left to do after it.
+  /// A server whose jobs wait may still be at work when a request comes. It is idle if its only client waits
+  /// for each answer without limit, and it has nothing left to do after the answer.
   void servers(ThreadBehaviour& of) {
     if (of.job_starts.empty()) return;
     int request = -1;

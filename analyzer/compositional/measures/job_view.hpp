@@ -24,8 +24,9 @@ bool in_recurring_job(const View& view, int node);
 /// Whether every occurrence of the recurring source triggers a job, as long as the thread is idle.
 bool regular(const View& view, int thread);
 
-/// Whether a thread's jobs come in the order of the occurrences of its recurring source: there is only one
-/// path from the source to the job. On one of several paths a later occurrence may overtake an earlier one.
+/// Whether a thread's jobs come in the order of the occurrences of its recurring source. They do if there is
+/// only one path from the source to the job. On one of several paths a later occurrence may overtake an
+/// earlier one.
 bool in_order(const View& view, int thread);
 
 /// Nodes of the step's thread that contain it.

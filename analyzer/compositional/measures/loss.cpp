@@ -1,4 +1,4 @@
-// How much of what devices send nobody takes.
+// How many messages of devices no thread takes.
 #include <algorithm>
 
 #include "analyzer/compositional/causes/analysis_context.hpp"

@@ -87,8 +87,8 @@ struct Endurance {
   Sum over;                  // from then until the skill has ended; unbounded: it may go on
 };
 
-/// A bound for skills that end when a block leaves its loop: `bound_of` for the time before, plus what the
-/// time until the end of the skill may add.
+/// A bound for skills that end when a block leaves its loop. It is `bound_of` for the time before, plus what
+/// the time until the end of the skill may add.
 Bound until_left(const View& always, const Endurance& endurance, const Requirement& requirement,
                  const std::function<Bound(const View&, const Requirement&)>& bound_of);
 

@@ -91,8 +91,8 @@ class Reliability {
     });
   }
 
-  /// Whether a thread begins at the start of the skill, or on every path of its parent before its first job,
-  /// if those that it relies on go on.
+  /// Whether a thread begins at the start of the skill, or on every path of its parent before its first job.
+  /// The threads that it relies on must go on.
   bool comes_to_begin(int thread, std::vector<int>& relies) const {
     const int parent = problem_.threads[static_cast<std::size_t>(thread)].parent;
     if (parent < 0) return true;
@@ -171,7 +171,7 @@ class Reliability {
     for (int n : of.nodes) {
       const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
       for (int effect : node.effects) {
-        // A message that nobody takes would stop its sender, sooner or later.
+        // A message that no thread takes would stop its sender, sooner or later.
         const Node& taker = forest_.nodes[static_cast<std::size_t>(effect)];
         if (taker.release != Node::Release::message || taker.device >= 0) continue;
         const int channel = step_at(taker.sends.front()).channels.front();

@@ -44,8 +44,8 @@ class StatementOccurrences {
   /// Greatest inter-arrival time of jobs, between nominal instants, and of the first from time 0.
   const Sum& gap() const { return gap_; }
   const Sum& first() const { return first_; }
-  /// With in_every_job: from the nominal instant of one job to the effect in the next one, which comes by
-  /// `effect` after its own nominal instant, or to the end of the skill.
+  /// With in_every_job: from the nominal instant of one job to the effect in the next one, or to the end of
+  /// the skill. The effect comes by `effect` after its own nominal instant.
   Sum next_or_end(const Sum& effect) const;
   /// With in_every_job: from time 0 to the effect in the first job, or to the end of the skill.
   Sum first_or_end(const Sum& effect) const;

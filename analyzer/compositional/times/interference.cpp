@@ -101,14 +101,14 @@ void Interference::precede(const AnalysisContext& context, int node,
   }
 }
 
-/// What comes later never counts. Nor does, on a preemptive processor, what is over before the node is
-/// released, if nothing that counts has its priority or a lower one (down to the node's): while it had the
-/// processor nothing that counts was waiting, so a window that begins when it ends has all that can delay the
-/// node.
+/// What comes later never counts. Nor does, on a preemptive processor, work that is over before the node is
+/// released. The condition: nothing that counts has its priority, or one between its own and the node's.
+/// While it had the processor, nothing that counts was waiting. So a window that begins when it ends has all
+/// that can delay the node.
 ///
 /// A thread's own segments are one after the other. Those of the node's job are over when it is released.
-/// Another job may still be at work then, also in what occurs once: its thread was sent something else
-/// before, or serves a request that was withdrawn.
+/// Another job may still be at work then, also in what occurs once. Its thread may have got another message
+/// before, or may serve a request that was withdrawn.
 void Interference::exclude(int node, bool done_before_next, bool in_turn) {
   const Thread& mine = context_.thread_of(node);
   const auto n = static_cast<std::size_t>(node);
@@ -193,8 +193,8 @@ void Interference::announce(int node, const NodeTimes& times) {
                       greatest_jitter(node));
 }
 
-/// Who was held in a send may find what it asked for before that when it returns to its idle wait, and go on
-/// for one job more.
+/// A thread that was blocked in a send may find an earlier answer when it returns to its idle wait. Then it
+/// goes on for one job more.
 void Interference::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& done_before_next,
                                const std::vector<bool>& blocked) {
   burst_.assign(context_.problem.threads.size(), 0);

@@ -120,8 +120,8 @@ bool Slots::is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) co
                      [&](const StepEffect& put) { return is_taken_in_time(nodes, put, soonest, one_node); });
 }
 
-/// Whether a put of a job is taken before the job after it puts, at `soonest` at the earliest, or it is
-/// known what that waits for.
+/// Whether a put of a job is taken before the put of the next job, which comes at `soonest` at the earliest.
+/// Also true if it is known what that put waits for.
 bool Slots::is_taken_in_time(const std::vector<NodeTimes>& nodes, StepEffect put, Nanoseconds soonest,
                              bool may_hold) const {
   bool known = false;

@@ -125,8 +125,8 @@ class Solver : private AnalysisContext {
     return false;
   }
 
-  /// The greatest priority of those that a change of a node's release can delay: they stand on its processor,
-  /// and if that is not preemptive they may be of any.
+  /// The greatest priority of the threads that a change of a node's release can delay. They run on its
+  /// processor. If that is not preemptive, they may have any priority.
   int delays_up_to(const Thread& thread) const {
     const bool preemptive = problem.processors[thread.processor].preemptive;
     return preemptive ? thread.priority : everybody;

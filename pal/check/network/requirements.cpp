@@ -74,13 +74,13 @@ class RequirementBuilder {
     if (load || std::holds_alternative<pan::BusyPeriod>(measure)) {
       diagnostics_.report(Code::PAL0823, phase.where,
                           std::string(load ? "a load" : "a busy period") +
-                              " is of a processor, whatever its threads are at: it has no phase",
+                              " measures a processor, not one of its threads: it has no phase",
                           "leave this out, or measure a RESPONSE or an INTERVAL in the phase");
       return false;
     }
     if (std::holds_alternative<pan::Completing>(measure) && phase.kind == syntax::Phase::Kind::during) {
       diagnostics_.report(Code::PAL0823, phase.where,
-                          "a duration lasts until the skill completes, not while a loop is run",
+                          "a duration lasts until the skill completes: a loop cannot limit it",
                           "write AFTER and the statement from which the duration counts");
       return false;
     }

@@ -33,8 +33,8 @@ struct ValOptions {
 ///
 /// A line goes out without its Return. The Return follows when the echo matches, so no garbled line is
 /// carried out. Unasked output of VAL is ignored. When an answer does not come, the arm is stopped (ABORT)
-/// and the next command begins anew. close() stops the motion that is being made, and what the skill has left
-/// running: a program, ALTER.
+/// and the next command starts from a new prompt. close() stops the motion that is being made, and what the
+/// skill has left running: a program, ALTER.
 class ValDriver final : public Driver, public LinkUser {
  public:
   using Done = std::function<void(const val::Answer&)>;

@@ -39,7 +39,7 @@ class AllRuns {
 
   /// Every run, as long as there are no more than `most` states.
   Seen enumerate(std::size_t most);
-  /// One run of so many things that happen.
+  /// One run of at most `things` events.
   Seen walk(Decisions& decisions, int things);
   /// The run that `decisions` makes, one line for each thing that happens.
   std::vector<std::string> story;

@@ -201,7 +201,7 @@ TEST_CASE("a run for each placement proves that one processor does not suffice")
   file.write(runs);
   const Answer refused = pal::test::pal({"replay", file.path(), places});
   CHECK(refused.status == ExitStatus::not_met);
-  CHECK(refused.out.find("it is a run of other texts than these") != std::string::npos);
+  CHECK(refused.out.find("it is a run of another version of these files") != std::string::npos);
 }
 
 TEST_CASE("a run on the last of very many processors is confirmed") {

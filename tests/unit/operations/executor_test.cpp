@@ -133,7 +133,7 @@ TEST_CASE("a count says how often an icon has ended normally since START") {
     if (!runner.last_parameters.empty()) counted.push_back(std::get<double>(runner.last_parameters[0].value));
   };
   executor.run(5);
-  CHECK(counted == std::vector<double>{0, 1, 0, 1});  // the code 1 does not count, RESTART begins anew
+  CHECK(counted == std::vector<double>{0, 1, 0, 1});  // the code 1 does not count, RESTART sets it to 0
 }
 
 TEST_CASE("parameters are changed while it is paused") {

@@ -236,7 +236,7 @@ TEST_CASE("more than a thousand events a second come in order") {
   CHECK(5'000 / taken.count() > 1000);
 }
 
-TEST_CASE("a client that reads nothing is let go, and no other client is") {
+TEST_CASE("a client that reads nothing is disconnected, and no other client is") {
   ServerOptions given = options();
   given.outbox.most_bytes = 1 << 20;
   Served served(given);

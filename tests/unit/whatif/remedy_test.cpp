@@ -56,7 +56,7 @@ TEST_CASE("if no change suffices, the nearest one is shown") {
   CHECK(remedies.nearest->after.front().bound < remedies.before.front().bound);
 }
 
-TEST_CASE("a program that cannot be changed so is passed over") {
+TEST_CASE("a program that cannot be changed in this way is passed over") {
   const auto skill = test::sound_skill(test::two_chains("4 ms"));
   std::size_t asked = 0;
   const Remedies remedies = find_remedies(
